@@ -1,0 +1,120 @@
+"""The command line: `serve` and `describe`."""
+
+import argparse
+import sys
+from pathlib import Path
+
+from sitaf_bridge import __version__
+from sitaf_bridge.errors import BridgeError
+from sitaf_bridge.server.address import BadAddress, parse_address
+from sitaf_bridge.server.ending import Ending
+from sitaf_bridge.server.serving import Settings, serving
+from sitaf_bridge.world.catalog import Catalog
+from sitaf_bridge.world.engine import DEVICE_KINDS, ENGINE, ENGINE_VERSION
+from sitaf_bridge.world.source import read_world
+from sitaf_bridge.world.world import World
+
+# Exit codes.
+OK = 0
+CANNOT_LISTEN = 1
+BAD_INPUT = 2
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Run one command; returns the exit code."""
+    options = _parser().parse_args(arguments)
+    return _serve(options) if options.command == "serve" else _describe(options.world)
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(prog="sitaf_bridge", description="The robot simulator of SITAF.")
+    parser.add_argument("--version", action="version", version=_version())
+    commands = parser.add_subparsers(dest="command", required=True)
+    serve = commands.add_parser("serve", help="serve simulations over gRPC until told to end")
+    serve.add_argument(
+        "--listen",
+        default="127.0.0.1:0",
+        metavar="ADDRESS",
+        help="HOST:PORT on loopback (port 0: any free one) or unix:/path; default %(default)s",
+    )
+    serve.add_argument(
+        "--default-lease",
+        type=_positive_float,
+        default=60.0,
+        metavar="S",
+        help="seconds that a session lives without a call where its client asks for nothing else; "
+        "default %(default)g",
+    )
+    serve.add_argument("--max-sessions", type=_positive_int, default=256, help="default %(default)s")
+    serve.add_argument(
+        "--threads", type=_positive_int, default=16, help="calls at work at once; default %(default)s"
+    )
+    serve.add_argument("--parent-pid", type=_positive_int, metavar="PID", help="end when this process ends")
+    serve.add_argument("--stop-with-stdin", action="store_true", help="end when stdin is closed")
+    describe = commands.add_parser("describe", help="print what a world declares, or what is wrong with it")
+    describe.add_argument("world", type=Path, metavar="WORLD.world.yaml")
+    return parser
+
+
+def _serve(options: argparse.Namespace) -> int:
+    ending = Ending()
+    ending.on_signals()
+    try:
+        settings = Settings(
+            parse_address(options.listen), options.default_lease, options.max_sessions, options.threads
+        )
+        with serving(settings) as target:
+            print(f"listening {target}", flush=True)
+            print(_version(), flush=True)
+            if options.parent_pid is not None:
+                ending.with_parent(options.parent_pid)
+            if options.stop_with_stdin:
+                ending.with_stdin()
+            ending.wait()
+    except BadAddress as error:
+        print(f"sitaf_bridge serve: {error}", file=sys.stderr)
+        return CANNOT_LISTEN
+    return OK
+
+
+def _describe(path: Path) -> int:
+    try:
+        world = Catalog().world(read_world(path))
+    except BridgeError as error:
+        print(error, file=sys.stderr)
+        return BAD_INPUT
+    _print_world(world)
+    return OK
+
+
+def _print_world(world: World) -> None:
+    description = world.description
+    print(f"world        {description.file} (MJCF {description.mjcf})")
+    print(f"digest       {world.digest}")
+    print(f"timestep     {world.timestep_ns} ns")
+    for p in description.parameters.values():
+        bound = ", ".join(b.path + (f" by gap {b.gap.site}..{b.gap.geom}" if b.gap else "") for b in p.binds)
+        print(f"parameter    {p.name} [{p.unit}] {p.low:g}..{p.high:g}, default {p.default:g}: sets {bound}")
+    for d in description.devices.values():
+        print(f"device       {d.name}: {d.kind}")
+    for o in description.observations.values():
+        print(f"observation  {o.name} [{o.unit}]: {o.axis} of {o.entity}")
+
+
+def _version() -> str:
+    kinds = ", ".join(DEVICE_KINDS)
+    return f"sitaf_bridge {__version__}, {ENGINE} {ENGINE_VERSION}, device kinds: {kinds}"
+
+
+def _positive_float(text: str) -> float:
+    value = float(text)
+    if not 0 < value < float("inf"):
+        raise argparse.ArgumentTypeError(f"{text} must be above zero")
+    return value
+
+
+def _positive_int(text: str) -> int:
+    value = int(text)
+    if value < 1:
+        raise argparse.ArgumentTypeError(f"{text} must be at least 1")
+    return value

@@ -1,0 +1,1 @@
+"""The gRPC server: wire messages in, wire messages out, no simulation of its own."""

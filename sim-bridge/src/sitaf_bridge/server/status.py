@@ -1,0 +1,51 @@
+"""Which status code each category of error is on the wire."""
+
+import functools
+from collections.abc import Callable
+from typing import Any, TypeVar
+
+import grpc
+
+from sitaf_bridge.errors import (
+    BridgeError,
+    Cancelled,
+    Diverged,
+    InvalidRequest,
+    LimitReached,
+    NoSuchSession,
+    UnreachableValue,
+)
+
+CODES: dict[type[BridgeError], grpc.StatusCode] = {
+    InvalidRequest: grpc.StatusCode.INVALID_ARGUMENT,
+    UnreachableValue: grpc.StatusCode.OUT_OF_RANGE,
+    NoSuchSession: grpc.StatusCode.NOT_FOUND,
+    Diverged: grpc.StatusCode.DATA_LOSS,
+    LimitReached: grpc.StatusCode.RESOURCE_EXHAUSTED,
+    Cancelled: grpc.StatusCode.CANCELLED,
+}
+# Status messages travel in HTTP/2 headers, which clients bound at 8 KiB, percent-encoded.
+MAX_MESSAGE = 3_000
+
+Answer = TypeVar("Answer")
+
+
+def code_of(error: BridgeError) -> grpc.StatusCode:
+    """The status code of an error's category."""
+    return next(code for kind, code in CODES.items() if isinstance(error, kind))
+
+
+def answering(method: Callable[..., Answer]) -> Callable[..., Answer]:
+    """Make a servicer method answer refusals with their status code."""
+
+    @functools.wraps(method)
+    def answered(self: Any, request: Any, context: grpc.ServicerContext) -> Answer:
+        try:
+            return method(self, request, context)
+        except BridgeError as error:
+            text = str(error)
+            if len(text) > MAX_MESSAGE:
+                text = text[:MAX_MESSAGE] + "\n... and more"
+            context.abort(code_of(error), text)
+
+    return answered

@@ -1,0 +1,78 @@
+"""Between the shapes of the wire and those of the bridge."""
+
+from google.protobuf.duration_pb2 import Duration
+
+from sitaf_bridge.errors import InvalidRequest
+from sitaf_bridge.wire import simulation_pb2 as pb
+from sitaf_bridge.world.devices import RangeReading, Reading
+from sitaf_bridge.world.simulation import ResetScope
+from sitaf_bridge.world.source import WorldSource
+from sitaf_bridge.world.state import WorldState
+from sitaf_bridge.world.world import World
+
+SCOPES = {
+    pb.RESET_SCOPE_UNSPECIFIED: ResetScope.ALL,
+    pb.RESET_SCOPE_ALL: ResetScope.ALL,
+    pb.RESET_SCOPE_TIME: ResetScope.TIME,
+    pb.RESET_SCOPE_STATE: ResetScope.STATE,
+}
+
+
+def source_of(message: pb.WorldSource) -> WorldSource:
+    """A world's files. Raises InvalidRequest or LimitReached."""
+    return WorldSource(message.description, message.files)
+
+
+def scope_of(number: int) -> ResetScope:
+    """A reset scope. Raises InvalidRequest for a number that this version does not know."""
+    scope = SCOPES.get(pb.ResetScope.ValueType(number))
+    if scope is None:
+        raise InvalidRequest(f"scope: {number} is not a reset scope")
+    return scope
+
+
+def seconds_of(duration: Duration) -> float:
+    """Seconds."""
+    return duration.seconds + duration.nanos / 1e9
+
+
+def duration(seconds: float) -> Duration:
+    """A duration, rounded to nanoseconds."""
+    whole, nanos = divmod(round(seconds * 1e9), 1_000_000_000)
+    return Duration(seconds=whole, nanos=nanos)
+
+
+def world_message(world: World) -> pb.WorldDescription:
+    """What a world declares, in the order of declaration."""
+    description = world.description
+    return pb.WorldDescription(
+        digest=world.digest,
+        timestep_ns=world.timestep_ns,
+        parameters=[
+            pb.ParameterDescription(name=p.name, unit=p.unit, min=p.low, max=p.high, default_value=p.default)
+            for p in description.parameters.values()
+        ],
+        devices=[pb.DeviceDescription(name=d.name, kind=d.kind) for d in description.devices.values()],
+        observations=[
+            pb.ObservationDescription(name=o.name, unit=o.unit) for o in description.observations.values()
+        ],
+    )
+
+
+def state_message(state: WorldState) -> pb.WorldState:
+    """The frozen world at one step."""
+    return pb.WorldState(
+        step=state.step,
+        time_ns=state.time_ns,
+        readings=[_reading_message(reading) for reading in state.readings],
+        observations=[pb.Observation(name=n, value=v) for n, v in state.observations.items()],
+    )
+
+
+def _reading_message(reading: Reading) -> pb.Reading:
+    match reading:
+        case RangeReading():
+            value = pb.Range(range_m=reading.range_m, min_range_m=reading.low_m, max_range_m=reading.high_m)
+            return pb.Reading(device=reading.device, range=value)
+        case _:
+            raise TypeError(f"{type(reading).__name__} has no message on the wire")

@@ -1,0 +1,120 @@
+"""All sessions of the bridge, and the end of those whose client has gone."""
+
+import secrets
+import threading
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+
+from sitaf_bridge.errors import InvalidRequest, LimitReached, NoSuchSession
+from sitaf_bridge.session.session import Session
+from sitaf_bridge.world.world import World
+
+MAX_LEASE_S = 24 * 3600.0
+
+
+@dataclass
+class _Entry:
+    session: Session
+    # Monotonic seconds; counts only while no call is at work in the session.
+    ends: float
+    calls: int = 0
+
+
+class Registry:
+    """Sessions by id, each with a lease that every call extends. Safe for many threads.
+
+    A thread of its own frees the sessions whose lease has ended; close() stops it.
+    """
+
+    def __init__(
+        self, *, default_lease_s: float, max_sessions: int, clock: Callable[[], float] = time.monotonic
+    ) -> None:
+        self._default_lease_s = default_lease_s
+        self._max_sessions = max_sessions
+        self._clock = clock
+        self._entries: dict[str, _Entry] = {}
+        # Its lock is reentrant.
+        self._changed = threading.Condition()
+        self._closed = False
+        self._reaper = threading.Thread(target=self._reap, name="session-reaper", daemon=True)
+        self._reaper.start()
+
+    def create(self, world: World, seed: int, lease_s: float | None) -> Session:
+        """Open a session. Raises InvalidRequest for a lease that is none, LimitReached."""
+        lease = self._default_lease_s if lease_s is None else lease_s
+        if not lease > 0:
+            raise InvalidRequest(f"lease: {lease:g} s must be above zero")
+        if lease > MAX_LEASE_S:
+            raise LimitReached(f"lease: {lease:g} s; the limit is {MAX_LEASE_S:g} s")
+        self._refuse_if_full()
+        session = Session(secrets.token_hex(8), world, seed, lease)
+        with self._changed:
+            self._refuse_if_full()
+            self._entries[session.id] = _Entry(session, self._clock() + lease)
+            self._changed.notify()
+        return session
+
+    @contextmanager
+    def use(self, session_id: str) -> Iterator[Session]:
+        """A session for the time of one call, which renews its lease. Raises InvalidRequest, NoSuchSession."""
+        entry = self._enter(session_id)
+        try:
+            yield entry.session
+        finally:
+            with self._changed:
+                entry.calls -= 1
+                entry.ends = self._clock() + entry.session.lease_s
+                self._changed.notify()
+
+    def delete(self, session_id: str) -> None:
+        """Free a session; a call at work in it ends first, but finds it gone the next time."""
+        self._enter(session_id)
+        with self._changed:
+            self._entries.pop(session_id, None)
+
+    def __len__(self) -> int:
+        """How many sessions are open."""
+        with self._changed:
+            return len(self._entries)
+
+    def close(self) -> None:
+        """Free all sessions."""
+        with self._changed:
+            self._closed = True
+            self._entries.clear()
+            self._changed.notify()
+        self._reaper.join()
+
+    def _refuse_if_full(self) -> None:
+        with self._changed:
+            if len(self._entries) >= self._max_sessions:
+                raise LimitReached(
+                    f"{self._max_sessions} sessions are open, the limit (--max-sessions); delete one first"
+                )
+
+    def _enter(self, session_id: str) -> _Entry:
+        if not session_id:
+            raise InvalidRequest("session_id: is empty")
+        with self._changed:
+            entry = self._entries.get(session_id)
+            if entry is None or self._has_ended(entry):
+                raise NoSuchSession(
+                    f"no session {session_id!r}: it was deleted, its lease ended, or the bridge was restarted; "
+                    "create a new one"
+                )
+            entry.calls += 1
+            return entry
+
+    def _has_ended(self, entry: _Entry) -> bool:
+        return entry.calls == 0 and self._clock() >= entry.ends
+
+    def _reap(self) -> None:
+        with self._changed:
+            while not self._closed:
+                for session_id in [i for i, entry in self._entries.items() if self._has_ended(entry)]:
+                    del self._entries[session_id]
+                idle = [entry.ends for entry in self._entries.values() if entry.calls == 0]
+                wait = max(0.0, min(idle) - self._clock()) if idle else None
+                self._changed.wait(wait)

@@ -1,0 +1,117 @@
+"""Compiles MJCF in a process of its own, which cannot open a file and whose crash harms nobody.
+
+MuJoCo reads `include` and asset paths from the host's disk, and some models end its process (a huge texture: a
+segmentation fault). The child inherits MuJoCo already loaded, gives up every right to open files, caps its memory
+and processor time, compiles, tries one step, and sends the binary model back.
+"""
+
+import multiprocessing
+import os
+import resource
+import signal
+import tempfile
+import threading
+from collections.abc import Mapping
+from multiprocessing.connection import Connection
+from pathlib import PurePosixPath
+
+import mujoco
+import numpy as np
+
+from sitaf_bridge.errors import BadWorld, LimitReached, Problem
+
+CPU_SECONDS = 30
+WALL_SECONDS = 60.0
+MEMORY_BYTES = 6 * 1024**3
+MAX_MODEL_BYTES = 512 * 1024**2
+MAX_ARENA_BYTES = 1024**3
+MAX_DEGREES_OF_FREEDOM = 10_000
+# How many worlds may be compiled at once.
+COMPILING = threading.BoundedSemaphore(2)
+
+# The server process of "forkserver" imports this module, and with it MuJoCo, once; each child is a cheap fork of it.
+_processes = multiprocessing.get_context("forkserver")
+_processes.set_forkserver_preload([__name__])
+
+
+def silence_warnings() -> None:
+    """Keep MuJoCo from writing MUJOCO_LOG.TXT and to stdout; divergence is read from the data instead."""
+    mujoco.set_mju_user_warning(lambda _message: None)
+
+
+def compile_mjcf(main: str, files: Mapping[str, bytes], shown: str) -> mujoco.MjModel:
+    """Compile the MJCF `main` among `files`; `shown` names it in messages.
+
+    Raises BadWorld with MuJoCo's message, LimitReached if the model is too big.
+    """
+    with COMPILING:
+        receiver, sender = _processes.Pipe(duplex=False)
+        process = _processes.Process(target=_child, args=(sender, main, dict(files)), daemon=True)
+        process.start()
+        sender.close()
+        try:
+            answer = receiver.recv() if receiver.poll(WALL_SECONDS) else ("slow", b"")
+        except EOFError:
+            answer = ("crashed", b"")
+        finally:
+            receiver.close()
+            process.join(0.5)
+            if process.is_alive():
+                process.kill()
+                process.join()
+    verdict, content = answer
+    if verdict == "compiled":
+        model = mujoco.MjModel.from_binary_path("model.mjb", {"model.mjb": content})
+        silence_warnings()
+        return model
+    message = content.decode("utf-8", "replace")
+    if verdict == "limit":
+        raise LimitReached(f"{shown}: {message}")
+    if verdict == "crashed":
+        message = f"MuJoCo cannot compile this model: its process ended with {_ending(process.exitcode)}"
+    if verdict == "slow" or process.exitcode == -signal.SIGXCPU:
+        raise LimitReached(f"{shown}: compiling takes longer than {CPU_SECONDS} s; make the model smaller")
+    raise BadWorld([Problem(shown, None, message)])
+
+
+def _ending(code: int | None) -> str:
+    if code is not None and code < 0:
+        return f"{signal.Signals(-code).name} (too large, or a defect of MuJoCo)"
+    return f"exit code {code}"
+
+
+def _child(answer: Connection, main: str, files: Mapping[str, bytes]) -> None:
+    """Runs in the forked process."""
+    silence_warnings()
+    with tempfile.TemporaryDirectory() as empty:
+        os.chdir(empty)
+    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+    resource.setrlimit(resource.RLIMIT_CPU, (CPU_SECONDS, CPU_SECONDS + 1))
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY_BYTES, MEMORY_BYTES))
+    # From here on no file, socket or device can be opened, whatever the model names.
+    resource.setrlimit(resource.RLIMIT_NOFILE, (0, 0))
+    try:
+        answer.send(_compile(main, files))
+    except MemoryError:
+        answer.send(("limit", b"the model needs too much memory; make it smaller"))
+    except (ValueError, mujoco.FatalError, UnicodeDecodeError) as error:
+        answer.send(("refused", str(error).strip().encode()))
+
+
+def _compile(main: str, files: Mapping[str, bytes]) -> tuple[str, bytes]:
+    folder = str(PurePosixPath(main).parent)
+    prefix = "" if folder == "." else folder + "/"
+    # MuJoCo looks paths up from the folder of the main file.
+    assets = {path.removeprefix(prefix): c for path, c in files.items() if path.startswith(prefix)}
+    model = mujoco.MjModel.from_xml_string(files[main].decode("utf-8"), assets)
+    for what, size, limit in (
+        ("bytes of model", model.nbuffer, MAX_MODEL_BYTES),
+        ("bytes of arena (the `memory` of <size>)", model.narena, MAX_ARENA_BYTES),
+        ("degrees of freedom", model.nv, MAX_DEGREES_OF_FREEDOM),
+    ):
+        if size > limit:
+            return "limit", f"the model has {size} {what}; the limit is {limit}".encode()
+    mujoco.mj_step(model, mujoco.MjData(model))
+    content = np.empty(mujoco.mj_sizeModel(model), np.uint8)
+    mujoco.mj_saveModel(model, None, content)
+    return "compiled", content.tobytes()

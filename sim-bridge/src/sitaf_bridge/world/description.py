@@ -1,0 +1,164 @@
+"""The world description (`NAME.world.yaml`): what a test may vary, which devices there are, what it may observe."""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+
+from sitaf_bridge.world.devices import KINDS, DeviceDeclaration
+from sitaf_bridge.world.source import WorldSource, unsafe_path
+from sitaf_bridge.world.yaml_block import Block, Problems, parse
+
+AXES = ("x", "y", "z", "roll", "pitch", "yaw")
+
+
+@dataclass(frozen=True)
+class Gap:
+    """A signed clearance: from the site, along its z axis, to the surface of the geom."""
+
+    site: str
+    geom: str
+
+
+@dataclass(frozen=True)
+class Bind:
+    """What a parameter moves: the quantity at `path`, directly, or solved so that `gap` equals the parameter."""
+
+    path: str
+    gap: Gap | None
+    line: int
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """What a test may vary. `low` and `high` are inclusive, in `unit`."""
+
+    name: str
+    unit: str
+    low: float
+    high: float
+    default: float
+    binds: tuple[Bind, ...]
+
+
+@dataclass(frozen=True)
+class Observation:
+    """A coordinate of a body that a test may look at: metres for x, y, z, radians for roll, pitch, yaw."""
+
+    name: str
+    entity: str
+    axis: str
+    line: int
+
+    @property
+    def unit(self) -> str:
+        """The SI unit."""
+        return "m" if self.axis in ("x", "y", "z") else "rad"
+
+
+@dataclass(frozen=True)
+class Description:
+    """A world description that is well formed; whether the MJCF has what it names is not known yet."""
+
+    file: str
+    mjcf: str
+    parameters: Mapping[str, Parameter] = field(default_factory=dict)
+    devices: Mapping[str, DeviceDeclaration] = field(default_factory=dict)
+    observations: Mapping[str, Observation] = field(default_factory=dict)
+
+
+def read_description(source: WorldSource) -> Description:
+    """Parse the world description of a source. Raises BadWorld with every problem found."""
+    problems = Problems(source.description)
+    top = parse(source.files[source.description], problems)
+    mjcf = _mjcf(top, source)
+    parameters = {name: _parameter(name, block) for name, block in top.named_blocks("parameters")}
+    devices = {name: _device(name, block) for name, block in top.named_blocks("devices")}
+    observations = {name: _observation(name, block) for name, block in top.named_blocks("observations")}
+    top.finish()
+    _refuse_shared_paths(parameters.values(), problems)
+    problems.raise_if_any()
+    return Description(
+        file=source.description,
+        mjcf=mjcf or "",
+        parameters={name: p for name, p in parameters.items() if p},
+        devices={name: d for name, d in devices.items() if d},
+        observations={name: o for name, o in observations.items() if o},
+    )
+
+
+def _mjcf(top: Block, source: WorldSource) -> str | None:
+    name = top.text("mjcf")
+    if name is None:
+        return None
+    reason = unsafe_path(name)
+    if reason is not None:
+        top.problem(f"mjcf: the path {name!r} {reason}", "mjcf")
+    elif source.folder + name not in source.files:
+        top.problem(f"mjcf: {name!r} is not among the files beside {source.description}", "mjcf")
+    return name
+
+
+def _parameter(name: str, block: Block) -> Parameter | None:
+    unit = block.text("unit")
+    bounds = block.numbers("range")
+    default = block.number("default")
+    binds = [_bind(bind) for bind in block.one_or_more("bind")]
+    block.finish()
+    if bounds is not None:
+        low, high = bounds
+        if low > high:
+            block.problem(f"{block.path}.range: {low:g} is above {high:g}; write [lowest, highest]", "range")
+        elif default is not None and not low <= default <= high:
+            block.problem(f"{block.path}.default: {default:g} is outside the range [{low:g}, {high:g}]", "default")
+    whole = tuple(bind for bind in binds if bind is not None)
+    if unit is None or bounds is None or default is None or len(whole) != len(binds):
+        return None
+    return Parameter(name, unit, bounds[0], bounds[1], default, whole)
+
+
+def _bind(block: Block) -> Bind | None:
+    path = block.text("set")
+    names = block.texts("gap")
+    block.finish()
+    gap = None
+    if names is not None:
+        site, geom = names
+        if site.startswith("site.") and geom.startswith("geom."):
+            gap = Gap(site.removeprefix("site."), geom.removeprefix("geom."))
+        else:
+            block.problem(f"{block.path}.gap must be [site.NAME, geom.NAME], not [{site}, {geom}]", "gap")
+    return None if path is None else Bind(path, gap, block.line)
+
+
+def _device(name: str, block: Block) -> DeviceDeclaration | None:
+    kind = block.text("kind")
+    if kind is None:
+        return None
+    if kind not in KINDS:
+        block.problem(f"{block.path}.kind: {kind!r} is not a device kind; known: {', '.join(KINDS)}", "kind")
+        return None
+    declaration = KINDS[kind].declare(name, block)
+    block.finish()
+    return declaration
+
+
+def _observation(name: str, block: Block) -> Observation | None:
+    entity = block.text("entity")
+    axis = block.text("axis")
+    block.finish()
+    if axis is not None and axis not in AXES:
+        block.problem(f"{block.path}.axis: {axis!r} is not one of {', '.join(AXES)}", "axis")
+        return None
+    return None if entity is None or axis is None else Observation(name, entity, axis, block.line)
+
+
+def _refuse_shared_paths(parameters: Iterable[Parameter | None], problems: Problems) -> None:
+    """Two parameters on one quantity would make the second one overwrite the first without a word."""
+    owners: dict[str, str] = {}
+    for parameter in parameters:
+        if parameter is None:
+            continue
+        for bind in parameter.binds:
+            owner = owners.setdefault(bind.path, parameter.name)
+            if owner != parameter.name or sum(b.path == bind.path for b in parameter.binds) > 1:
+                problems.add(bind.line, f"parameters.{parameter.name}: {bind.path} is already set by {owner}")
+

@@ -1,0 +1,168 @@
+"""Kind `range`: an infrared or ultrasonic sensor with one ray, bound to a MuJoCo range finder; after REP-117."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+
+from sitaf_bridge.world.devices.kind import DeviceDeclaration, Reading
+from sitaf_bridge.world.solids import HFIELD, SOLID_TYPES, InsideTest, cast, visible
+from sitaf_bridge.world.yaml_block import Block, Problems
+
+DISTANCE_ONLY = 1 << int(mujoco.mjtRayDataField.mjRAYDATA_DIST)
+
+
+@dataclass(frozen=True)
+class RangeDeclaration(DeviceDeclaration):
+    """`low` and `high` are the nearest and the farthest distance that the device can measure, in metres."""
+
+    sensor: str
+    low: float
+    high: float
+
+
+@dataclass(frozen=True)
+class RangeReading(Reading):
+    """Metres. +Inf: nothing within `high`; -Inf: an object nearer than `low` or around the sensor; NaN: failed."""
+
+    range_m: float
+    low_m: float
+    high_m: float
+
+
+@dataclass(frozen=True)
+class _Ray:
+    """Where the ray of a bound device comes from. `native`: the range finder's own value can be taken."""
+
+    site: int
+    address: int
+    solids: tuple[int, ...]
+    native: bool
+
+
+class RangeKind:
+    """Kind `range`."""
+
+    name = "range"
+
+    def declare(self, name: str, block: Block) -> RangeDeclaration | None:
+        """Keys `sensor`, `min`, `max`."""
+        sensor, low, high = block.text("sensor"), block.number("min"), block.number("max")
+        if sensor is None or low is None or high is None:
+            return None
+        if not 0 <= low < high:
+            block.problem(f"{block.path}: min {low:g} and max {high:g} must be 0 <= min < max")
+            return None
+        return RangeDeclaration(name, self.name, block.line, sensor, low, high)
+
+    def bind(
+        self, model: mujoco.MjModel, declarations: Sequence[DeviceDeclaration], problems: Problems
+    ) -> "RangeBank":
+        """Find the range finders."""
+        found: list[tuple[RangeDeclaration, _Ray]] = []
+        for declaration in declarations:
+            assert isinstance(declaration, RangeDeclaration)  # noqa: S101  # declared by this kind
+            ray = _find(model, declaration, problems)
+            if ray is not None:
+                found.append((declaration, ray))
+        return RangeBank(model, found)
+
+
+class RangeBank:
+    """All range devices of a world."""
+
+    def __init__(self, model: mujoco.MjModel, devices: Sequence[tuple[RangeDeclaration, _Ray]]) -> None:
+        self._devices = tuple(devices)
+        rays = [ray for _, ray in devices]
+        self._inside = InsideTest(model, [ray.site for ray in rays], [ray.solids for ray in rays])
+
+    def read(self, model: mujoco.MjModel, data: mujoco.MjData) -> Sequence[RangeReading]:
+        """The distances at the current step."""
+        inside = self._inside(model, data).tolist()
+        values = data.sensordata.tolist()
+        return [
+            RangeReading(
+                declaration.name,
+                _measured(
+                    values[ray.address] if ray.native else _own_ray(model, data, ray),
+                    declaration,
+                    inside[index],
+                ),
+                declaration.low,
+                declaration.high,
+            )
+            for index, (declaration, ray) in enumerate(self._devices)
+        ]
+
+
+def _measured(distance: float, declaration: RangeDeclaration, inside: bool) -> float:
+    """The reading after REP-117; `distance` is -1 where the ray meets nothing."""
+    if math.isnan(distance):
+        return math.nan
+    if inside:
+        return -math.inf
+    if distance < 0 or distance > declaration.high:
+        return math.inf
+    return -math.inf if distance < declaration.low else distance
+
+
+def _own_ray(model: mujoco.MjModel, data: mujoco.MjData, ray: _Ray) -> float:
+    """As the range finder, but blind to every body of the sensor's own part, not only to the site's."""
+    origin: NDArray[np.float64] = data.site_xpos[ray.site]
+    along = np.ascontiguousarray(data.site_xmat[ray.site].reshape(3, 3)[:, 2])
+    hits = (cast(model, data, geom, origin, along) for geom in ray.solids)
+    return min((hit for hit in hits if hit >= 0), default=-1.0)
+
+
+def _find(model: mujoco.MjModel, declaration: RangeDeclaration, problems: Problems) -> _Ray | None:
+    where = f"devices.{declaration.name}.sensor"
+    sensor = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_SENSOR, declaration.sensor)
+    if sensor < 0:
+        problems.add(declaration.line, f"{where}: the MJCF has no sensor {declaration.sensor!r}")
+        return None
+    if model.sensor_type[sensor] != mujoco.mjtSensor.mjSENS_RANGEFINDER:
+        problems.add(declaration.line, f"{where}: {declaration.sensor!r} is not a rangefinder")
+        return None
+    reason = _unusable(model, sensor, declaration)
+    if reason is not None:
+        problems.add(declaration.line, f"{where}: the rangefinder {declaration.sensor!r} {reason}")
+        return None
+    site = int(model.sensor_objid[sensor])
+    body = int(model.site_bodyid[site])
+    own = _part_of(model, body)
+    seen = [g for g in range(model.ngeom) if visible(model, g)]
+    solids = tuple(
+        g for g in seen if model.geom_bodyid[g] not in own and model.geom_type[g] in (*SOLID_TYPES, HFIELD)
+    )
+    # The range finder itself is blind to the site's body: to all walls, if that is the world.
+    native = body != 0 and all(model.geom_bodyid[g] == body for g in seen if model.geom_bodyid[g] in own)
+    return _Ray(site, int(model.sensor_adr[sensor]), solids, native)
+
+
+def _unusable(model: mujoco.MjModel, sensor: int, declaration: RangeDeclaration) -> str | None:
+    if model.sensor_objtype[sensor] != mujoco.mjtObj.mjOBJ_SITE:
+        return "must be attached to a site"
+    if model.sensor_intprm[sensor, 0] != DISTANCE_ONLY:
+        return "must report the distance only; remove its `data` attribute"
+    if 0 < model.sensor_cutoff[sensor] <= declaration.high:
+        return f"has a cutoff, which hides what lies beyond max {declaration.high:g}; remove it"
+    if model.sensor_delay[sensor] > 0 or model.sensor_interval[sensor].any():
+        return "has a delay or an interval, which are not supported; remove them"
+    return None
+
+
+def _part_of(model: mujoco.MjModel, body: int) -> frozenset[int]:
+    """The bodies that no joint separates from a body, short of the world: the sensor's own housing and chassis."""
+    if body == 0:
+        return frozenset()
+
+    def anchor(b: int) -> int:
+        while model.body_jntnum[b] == 0 and model.body_parentid[b] != 0:
+            b = int(model.body_parentid[b])
+        return b
+
+    own = anchor(body)
+    return frozenset(b for b in range(1, model.nbody) if anchor(b) == own)

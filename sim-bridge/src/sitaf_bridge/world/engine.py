@@ -1,0 +1,9 @@
+"""What this simulator is and can do."""
+
+import mujoco
+
+from sitaf_bridge.world.devices import KINDS
+
+ENGINE = "MuJoCo"
+ENGINE_VERSION: str = mujoco.mj_versionString()
+DEVICE_KINDS = tuple(KINDS)

@@ -1,0 +1,128 @@
+"""Solves what a setting must be so that a sensor's clearance to a surface equals a value, to the bit if it can."""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import mujoco
+import numpy as np
+
+from sitaf_bridge.errors import UnreachableValue
+from sitaf_bridge.world.description import Gap
+from sitaf_bridge.world.settings import NoSuchSetting, Setting, name_to_id
+from sitaf_bridge.world.solids import HFIELD, SOLID_TYPES, clearance
+
+MAX_ITERATIONS = 60
+# Metres. A solution is refused when it is farther off, which no polishing could hide.
+TOLERANCE = 1e-9
+# How many neighbouring numbers the polishing tries on either side.
+NEIGHBOURS = 16
+
+
+@dataclass(frozen=True)
+class BoundGap:
+    """The signed clearance from a site, along its z axis, to where that line enters a geom. Metres."""
+
+    site: int
+    geom: int
+    text: str
+
+    def measure(self, model: mujoco.MjModel, data: mujoco.MjData) -> float | None:
+        """The clearance as things stand, or None if the line does not enter the geom."""
+        mujoco.mj_kinematics(model, data)
+        along = np.ascontiguousarray(data.site_xmat[self.site].reshape(3, 3)[:, 2])
+        return clearance(model, data, self.geom, data.site_xpos[self.site], along)
+
+    def solve(self, model: mujoco.MjModel, data: mujoco.MjData, setting: Setting, target: float) -> float:
+        """Put the setting where the clearance equals the target, and return it. Raises UnreachableValue."""
+        search = _Search(self, model, data, setting, target)
+        best = search.polish(search.approach())
+        error = search.error(best)
+        if error is None or abs(error) > TOLERANCE:
+            raise UnreachableValue(f"the nearest clearance that could be set for {self.text} is off by {error} m")
+        return best
+
+
+def find_gap(model: mujoco.MjModel, gap: Gap) -> BoundGap:
+    """Bind a declared gap to a model. Raises NoSuchSetting."""
+    site = name_to_id(model, mujoco.mjtObj.mjOBJ_SITE, "site", gap.site)
+    geom = name_to_id(model, mujoco.mjtObj.mjOBJ_GEOM, "geom", gap.geom)
+    if model.geom_type[geom] not in (*SOLID_TYPES, HFIELD):
+        raise NoSuchSetting(f"the geom {gap.geom!r} is of a type that rays cannot measure")
+    return BoundGap(site, geom, f"gap [site.{gap.site}, geom.{gap.geom}]")
+
+
+class _Search:
+    """A secant search: exact after two steps where the surface moves straight along the line."""
+
+    def __init__(
+        self, gap: BoundGap, model: mujoco.MjModel, data: mujoco.MjData, setting: Setting, target: float
+    ) -> None:
+        self.gap = gap
+        self.model = model
+        self.data = data
+        self.setting = setting
+        self.target = target
+
+    def error(self, value: float) -> float | None:
+        """The clearance at a value, less the target."""
+        if not math.isfinite(value) or value < self.setting.lowest:
+            return None
+        self.setting.put(self.model, self.data, value)
+        measured = self.gap.measure(self.model, self.data)
+        return None if measured is None else measured - self.target
+
+    def approach(self) -> float:
+        """A value whose error is as small as the secant makes it."""
+        at = self.setting.get(self.model, self.data)
+        error = self.error(at)
+        if error is None:
+            raise UnreachableValue(f"the line of {self.gap.text} does not enter the geom")
+        slope = 1.0
+        for _ in range(MAX_ITERATIONS):
+            if error == 0.0:
+                return at
+            following, following_error = self._step(at, -error / slope)
+            if following == at:
+                return at
+            if following_error == error:
+                raise UnreachableValue(f"{self.gap.text} does not change with what `set` moves")
+            slope = (following_error - error) / (following - at)
+            # An error that grows at first only shows that the slope was guessed with the wrong sign.
+            at, error = following, following_error
+            if abs(error) < 1e-12 * max(1.0, abs(self.target)):
+                return self._last_step(at, error, slope)
+        raise UnreachableValue(f"{self.gap.text}: no value was found that makes it {self.target:g} m")
+
+    def _last_step(self, at: float, error: float, slope: float) -> float:
+        refined = at - error / slope
+        refined_error = self.error(refined)
+        return refined if refined_error is not None and abs(refined_error) < abs(error) else at
+
+    def _step(self, at: float, by: float) -> tuple[float, float]:
+        """As far as asked, or less where the line would miss the geom."""
+        for _ in range(MAX_ITERATIONS):
+            error = self.error(at + by)
+            if error is not None:
+                return at + by, error
+            by /= 2
+        raise UnreachableValue(f"{self.gap.text}: the line stops meeting the geom before {self.target:g} m")
+
+    def polish(self, value: float) -> float:
+        """The number next to `value` with the smallest error; the search's last bits are rounding."""
+        best, least = value, math.inf
+        for candidate in (value, *_neighbours(value)):
+            error = self.error(candidate)
+            if error is not None and abs(error) < least:
+                best, least = candidate, abs(error)
+            if least == 0.0:
+                break
+        return best
+
+
+def _neighbours(value: float) -> Iterator[float]:
+    below = above = value
+    for _ in range(NEIGHBOURS):
+        below, above = math.nextafter(below, -math.inf), math.nextafter(above, math.inf)
+        yield below
+        yield above

@@ -1,0 +1,51 @@
+"""Points inside of meshes."""
+
+from dataclasses import dataclass
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+
+# A face whose plane holds the point contributes no angle; relative to the product of the three lengths.
+COPLANAR = 1e-12
+
+
+@dataclass(frozen=True)
+class Mesh:
+    """The triangles of a mesh in its own frame: shape (faces, 3 corners, 3 coordinates), and its bounds."""
+
+    triangles: NDArray[np.float64]
+    low: NDArray[np.float64]
+    high: NDArray[np.float64]
+
+    @staticmethod
+    def of(model: mujoco.MjModel, mesh: int) -> "Mesh":
+        """The triangles of a model's mesh."""
+        faces = model.mesh_face[model.mesh_faceadr[mesh] :][: model.mesh_facenum[mesh]]
+        vertices = model.mesh_vert[model.mesh_vertadr[mesh] :][: model.mesh_vertnum[mesh]].astype(np.float64)
+        return Mesh(vertices[faces], vertices.min(axis=0), vertices.max(axis=0))
+
+    def holds(self, point: NDArray[np.float64]) -> bool:
+        """Whether a point lies strictly inside, by the winding number of the surface around it.
+
+        The solid angle of a triangle is that of van Oosterom and Strackee (1983). Unlike counting the crossings
+        of a ray, their sum does not break where a ray would meet an edge.
+        """
+        if bool((point <= self.low).any()) or bool((point >= self.high).any()):
+            return False
+        to = self.triangles - point
+        length = np.linalg.norm(to, axis=2)
+        a, b, c = to[:, 0], to[:, 1], to[:, 2]
+        la, lb, lc = length[:, 0], length[:, 1], length[:, 2]
+        volume = np.einsum("ij,ij->i", a, np.cross(b, c))
+        denominator = (
+            la * lb * lc
+            + np.einsum("ij,ij->i", a, b) * lc
+            + np.einsum("ij,ij->i", b, c) * la
+            + np.einsum("ij,ij->i", c, a) * lb
+        )
+        angle = np.where(
+            np.abs(volume) <= COPLANAR * la * lb * lc, 0.0, 2.0 * np.arctan2(volume, denominator)
+        )
+        # On a face the number is one half, outside zero, inside one (or minus one: faces turned inside out).
+        return abs(float(angle.sum())) / (4.0 * np.pi) > 0.5 + 1e-6

@@ -1,0 +1,118 @@
+"""A world that compiled: the model that all its sessions share, and what the description names, found in it."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import mujoco
+
+from sitaf_bridge.errors import BadWorld, Problem
+from sitaf_bridge.world.compiler import compile_mjcf
+from sitaf_bridge.world.description import Bind, Description, Parameter, read_description
+from sitaf_bridge.world.devices import KINDS, Bank
+from sitaf_bridge.world.gap import BoundGap, find_gap
+from sitaf_bridge.world.mjcf_guard import check_mjcf
+from sitaf_bridge.world.observing import BoundObservation, find_observation
+from sitaf_bridge.world.settings import NoSuchSetting, Setting, find_setting
+from sitaf_bridge.world.source import WorldSource
+from sitaf_bridge.world.yaml_block import Problems
+
+
+@dataclass(frozen=True)
+class BoundBind:
+    """One quantity that a parameter moves, and the gap through which it is measured, if any."""
+
+    setting: Setting
+    gap: BoundGap | None
+
+
+@dataclass(frozen=True)
+class World:
+    """Immutable, shared by sessions; `model` must not be written to."""
+
+    description: Description
+    digest: str
+    model: mujoco.MjModel
+    timestep_ns: int
+    binds: Mapping[str, tuple[BoundBind, ...]]
+    banks: tuple[Bank, ...]
+    observations: Mapping[str, BoundObservation]
+
+    @property
+    def edits_model(self) -> bool:
+        """Whether a session needs a model of its own."""
+        return any(bind.setting.edits_model for binds in self.binds.values() for bind in binds)
+
+
+def load_world(source: WorldSource) -> World:
+    """Parse, check and compile a world. Raises BadWorld with every problem found, or LimitReached."""
+    description = read_description(source)
+    files = source.beside_description()
+    shown = source.folder + description.mjcf
+    check_mjcf(description.mjcf, files, source.folder)
+    model = compile_mjcf(description.mjcf, files, shown)
+    problems = Problems(source.description)
+    world = World(
+        description=description,
+        digest=source.digest,
+        model=model,
+        timestep_ns=_timestep_ns(model, shown),
+        binds={name: _bind(model, p, problems) for name, p in description.parameters.items()},
+        banks=_banks(model, description, problems),
+        observations=_observations(model, description, problems),
+    )
+    problems.raise_if_any()
+    return world
+
+
+def _timestep_ns(model: mujoco.MjModel, shown: str) -> int:
+    timestep = float(model.opt.timestep)
+    nanoseconds = round(timestep * 1e9)
+    if nanoseconds < 1 or nanoseconds / 1e9 != timestep:
+        message = f"the timestep {timestep!r} s must be a whole number of nanoseconds, such as 0.002"
+        raise BadWorld([Problem(shown, None, message)])
+    return nanoseconds
+
+
+def _bind(model: mujoco.MjModel, parameter: Parameter, problems: Problems) -> tuple[BoundBind, ...]:
+    found: list[BoundBind] = []
+    for bind in parameter.binds:
+        where = f"parameters.{parameter.name}.bind: set: {bind.path}"
+        try:
+            bound = _bound(model, bind)
+        except NoSuchSetting as error:
+            problems.add(bind.line, f"{where}: {error}")
+            continue
+        if bound.gap is None and parameter.low < bound.setting.lowest:
+            problems.add(
+                bind.line,
+                f"{where}: cannot be less than {bound.setting.lowest:g}, "
+                f"but the range of {parameter.name} begins at {parameter.low:g}",
+            )
+        found.append(bound)
+    return tuple(found)
+
+
+def _bound(model: mujoco.MjModel, bind: Bind) -> BoundBind:
+    setting = find_setting(model, bind.path)
+    return BoundBind(setting, None if bind.gap is None else find_gap(model, bind.gap))
+
+
+def _banks(model: mujoco.MjModel, description: Description, problems: Problems) -> tuple[Bank, ...]:
+    return tuple(
+        kind.bind(model, [d for d in description.devices.values() if d.kind == name], problems)
+        for name, kind in KINDS.items()
+        if any(d.kind == name for d in description.devices.values())
+    )
+
+
+def _observations(
+    model: mujoco.MjModel, description: Description, problems: Problems
+) -> dict[str, BoundObservation]:
+    found: dict[str, BoundObservation] = {}
+    for name, observation in description.observations.items():
+        try:
+            found[name] = find_observation(model, observation)
+        except NoSuchSetting as error:
+            problems.add(observation.line, f"observations.{name}.entity: {error}")
+    return found
+

@@ -1,0 +1,188 @@
+"""YAML as nodes with line numbers, read so that every problem is collected instead of the first one raised."""
+
+import math
+import re
+from collections.abc import Iterator
+
+import yaml
+
+from sitaf_bridge.errors import BadWorld, Problem
+
+MAX_YAML_BYTES = 1024 * 1024
+NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]{0,127}")
+# YAML 1.1 takes 1e3 for a string; a person who writes it means a number.
+NUMBER = re.compile(r"[-+]?(\d+(\.\d*)?|\.\d+)([eE][-+]?\d+)?")
+
+
+class Problems:
+    """The problems found so far in one file."""
+
+    def __init__(self, file: str) -> None:
+        self.file = file
+        self.found: list[Problem] = []
+
+    def add(self, line: int | None, message: str) -> None:
+        """Note one problem."""
+        self.found.append(Problem(self.file, line, message))
+
+    def raise_if_any(self) -> None:
+        """Raise BadWorld with all that was noted, in the order of lines."""
+        if self.found:
+            raise BadWorld(sorted(self.found, key=lambda problem: (problem.line or 0, problem.message)))
+
+
+class Block:
+    """A YAML mapping at `path` whose keys are taken one by one; `finish` reports those that nobody took."""
+
+    def __init__(self, node: yaml.Node, path: str, problems: Problems) -> None:
+        self.path = path
+        self.line = node.start_mark.line + 1
+        self.problems = problems
+        self._entries: dict[str, yaml.Node] = {}
+        self._taken: set[str] = set()
+        if not isinstance(node, yaml.MappingNode):
+            self.problem(f"{path or 'the document'} must be a mapping (key: value)")
+            return
+        for key, value in node.value:
+            line = key.start_mark.line + 1
+            if not isinstance(key, yaml.ScalarNode):
+                problems.add(line, f"{path}: a key must be a plain name")
+            elif key.value in self._entries:
+                problems.add(line, f"{self.inner(key.value)} is given twice")
+            else:
+                self._entries[key.value] = value
+
+    def problem(self, message: str, key: str | None = None) -> None:
+        """Note a problem at this block or at the value of one of its keys."""
+        node = self._entries.get(key) if key else None
+        self.problems.add(node.start_mark.line + 1 if node else self.line, message)
+
+    def inner(self, key: str) -> str:
+        """The path of a key."""
+        return f"{self.path}.{key}" if self.path else key
+
+    def text(self, key: str) -> str | None:
+        """A required text; None after noting what is wrong with it."""
+        node = self._take(key, required=True)
+        if node is None:
+            return None
+        if not isinstance(node, yaml.ScalarNode) or not node.value or node.tag.endswith(":null"):
+            self.problem(f"{self.inner(key)} must be a text", key)
+            return None
+        return str(node.value)
+
+    def number(self, key: str) -> float | None:
+        """A required finite number; None after noting what is wrong with it."""
+        node = self._take(key, required=True)
+        return None if node is None else self._number(node, self.inner(key))
+
+    def pair(self, key: str, *, required: bool = True) -> tuple[yaml.Node, yaml.Node] | None:
+        """A list of exactly two."""
+        node = self._take(key, required=required)
+        if node is None:
+            return None
+        if not isinstance(node, yaml.SequenceNode) or len(node.value) != 2:
+            self.problem(f"{self.inner(key)} must be a list of two", key)
+            return None
+        return node.value[0], node.value[1]
+
+    def numbers(self, key: str) -> tuple[float, float] | None:
+        """A required list of two finite numbers."""
+        nodes = self.pair(key)
+        if nodes is None:
+            return None
+        first, second = (self._number(node, self.inner(key)) for node in nodes)
+        return None if first is None or second is None else (first, second)
+
+    def texts(self, key: str) -> tuple[str, str] | None:
+        """An optional list of two texts."""
+        nodes = self.pair(key, required=False)
+        if nodes is None:
+            return None
+        if not all(isinstance(node, yaml.ScalarNode) for node in nodes):
+            self.problem(f"{self.inner(key)} must be a list of two texts", key)
+            return None
+        return str(nodes[0].value), str(nodes[1].value)
+
+    def block(self, key: str) -> "Block | None":
+        """A required mapping."""
+        node = self._take(key, required=True)
+        return None if node is None else Block(node, self.inner(key), self.problems)
+
+    def one_or_more(self, key: str) -> "list[Block]":
+        """A required mapping, or a list of mappings."""
+        node = self._take(key, required=True)
+        if node is None:
+            return []
+        if isinstance(node, yaml.SequenceNode):
+            if not node.value:
+                self.problem(f"{self.inner(key)} is an empty list", key)
+            return [Block(n, f"{self.inner(key)}[{i}]", self.problems) for i, n in enumerate(node.value)]
+        return [Block(node, self.inner(key), self.problems)]
+
+    def named_blocks(self, key: str) -> "Iterator[tuple[str, Block]]":
+        """The entries of an optional mapping from names to mappings."""
+        node = self._take(key, required=False)
+        if node is None or (isinstance(node, yaml.ScalarNode) and node.tag.endswith(":null")):
+            return
+        outer = Block(node, self.inner(key), self.problems)
+        for name, value in outer._entries.items():
+            entry = Block(value, outer.inner(name), self.problems)
+            if NAME.fullmatch(name):
+                yield name, entry
+            else:
+                entry.problem(
+                    f"{outer.path}: the name {name!r} must be letters, digits and '_', "
+                    "not begin with a digit and have at most 128 characters"
+                )
+
+    def finish(self) -> None:
+        """Note every key that was not taken."""
+        for key, node in self._entries.items():
+            if key not in self._taken:
+                known = ", ".join(sorted(self._taken))
+                self.problems.add(
+                    node.start_mark.line + 1, f"{self.inner(key)} is not known here; known keys: {known}"
+                )
+
+    def _take(self, key: str, *, required: bool) -> yaml.Node | None:
+        self._taken.add(key)
+        node = self._entries.get(key)
+        if node is None and required:
+            self.problem(f"{self.inner(key)} is missing")
+        return node
+
+    def _number(self, node: yaml.Node, path: str) -> float | None:
+        if isinstance(node, yaml.ScalarNode) and NUMBER.fullmatch(node.value):
+            value = float(node.value)
+            if math.isfinite(value):
+                return value
+        shown = node.value if isinstance(node, yaml.ScalarNode) else "a list or mapping"
+        self.problems.add(node.start_mark.line + 1, f"{path} must be a finite number, not {shown!r}")
+        return None
+
+
+def parse(content: bytes, problems: Problems) -> Block:
+    """The top mapping of a YAML file. Raises BadWorld if it is not YAML, or more than one document."""
+    if len(content) > MAX_YAML_BYTES:
+        raise BadWorld([Problem(problems.file, None, f"is larger than {MAX_YAML_BYTES} bytes")])
+    try:
+        text = content.decode("utf-8")
+        # Without aliases a document is a tree no larger than its text.
+        for token in yaml.scan(text, Loader=yaml.SafeLoader):
+            if isinstance(token, yaml.AliasToken):
+                problems.add(token.start_mark.line + 1, "aliases (*name) are not allowed; write the value out")
+                problems.raise_if_any()
+        node = yaml.compose(text, Loader=yaml.SafeLoader)
+    except UnicodeDecodeError as error:
+        raise BadWorld([Problem(problems.file, None, f"is not UTF-8: {error.reason}")]) from error
+    except yaml.MarkedYAMLError as error:
+        line = error.problem_mark.line + 1 if error.problem_mark else None
+        raise BadWorld([Problem(problems.file, line, f"not YAML: {error.problem or error}")]) from error
+    except yaml.YAMLError as error:
+        raise BadWorld([Problem(problems.file, None, f"not YAML: {error}")]) from error
+    except RecursionError as error:
+        raise BadWorld([Problem(problems.file, None, "is nested too deeply")]) from error
+    if node is None:
+        raise BadWorld([Problem(problems.file, None, "is empty")])
+    return Block(node, "", problems)
