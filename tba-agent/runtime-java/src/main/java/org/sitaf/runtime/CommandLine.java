@@ -1,0 +1,85 @@
+package org.sitaf.runtime;
+
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * How a test application is started.
+ *
+ * @param bridge gRPC target of the simulator; null where the component needs no simulation
+ * @param world the world description; null exactly where there is no simulator
+ * @param from the number of the first case to run; 0 for all
+ */
+record CommandLine(
+    Path suite, Path results, @Nullable String bridge, @Nullable Path world, long seed, int from) {
+  static final String USAGE =
+      "--suite FILE --results FILE [--bridge TARGET --world FILE.world.yaml] [--seed N] [--from NO]";
+
+  private static final Set<String> OPTIONS =
+      Set.of("--suite", "--results", "--bridge", "--world", "--seed", "--from");
+  private static final long DEFAULT_SEED = 1;
+
+  /**
+   * Reads the arguments.
+   *
+   * @throws CannotRunException when they are wrong
+   */
+  static CommandLine parse(String... arguments) {
+    Map<String, String> given = new HashMap<>();
+    for (int i = 0; i < arguments.length; i += 2) {
+      if (!OPTIONS.contains(arguments[i]) || i + 1 == arguments.length) {
+        throw wrong("'" + arguments[i] + "' is not an option with a value");
+      }
+      if (given.put(arguments[i], arguments[i + 1]) != null) {
+        throw wrong(arguments[i] + " is given twice");
+      }
+    }
+    if (given.containsKey("--bridge") != given.containsKey("--world")) {
+      throw wrong("--bridge and --world belong together");
+    }
+    String world = given.get("--world");
+    return new CommandLine(
+        path(given, "--suite"),
+        path(given, "--results"),
+        given.get("--bridge"),
+        world == null ? null : path(given, "--world"),
+        number(given, "--seed", DEFAULT_SEED),
+        Math.toIntExact(Math.min(number(given, "--from", 0), Integer.MAX_VALUE)));
+  }
+
+  private static Path path(Map<String, String> given, String option) {
+    String value = given.get(option);
+    if (value == null) {
+      throw wrong(option + " is missing");
+    }
+    try {
+      return Path.of(value);
+    } catch (InvalidPathException e) {
+      throw new CannotRunException(option + ": '" + value + "' is not a path", e);
+    }
+  }
+
+  private static long number(Map<String, String> given, String option, long otherwise) {
+    String value = given.get(option);
+    if (value == null) {
+      return otherwise;
+    }
+    try {
+      long number = Long.parseLong(value);
+      if (number >= 0) {
+        return number;
+      }
+    } catch (NumberFormatException e) {
+      // Told below, like a negative number.
+    }
+    throw wrong(option + ": '" + value + "' is not a whole number from 0");
+  }
+
+  private static CannotRunException wrong(String problem) {
+    return new CannotRunException(problem + "; usage: " + USAGE);
+  }
+}

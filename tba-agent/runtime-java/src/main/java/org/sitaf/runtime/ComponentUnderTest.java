@@ -1,0 +1,214 @@
+package org.sitaf.runtime;
+
+import java.lang.reflect.Constructor;
+import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.Method;
+import java.lang.reflect.Modifier;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
+
+/** Makes a component and sets its properties, by what its class offers. */
+public final class ComponentUnderTest {
+  private ComponentUnderTest() {}
+
+  /**
+   * Makes a component. Of its public constructors the one with the most parameters is taken that
+   * asks for nothing but the objects at hand, each by its type.
+   *
+   * @param available what a constructor may ask for: hardware, stubs of required interfaces
+   * @throws CannotRunException when no constructor fits
+   * @throws Exception what the constructor throws
+   */
+  public static <T> T create(Class<T> type, Object... available) throws Exception {
+    if (type.isInterface() || Modifier.isAbstract(type.getModifiers())) {
+      throw new CannotRunException(type.getName() + " is abstract: name a class that can be made");
+    }
+    return Arrays.stream(type.getConstructors())
+        .sorted(Comparator.comparingInt(Constructor<?>::getParameterCount).reversed())
+        .map(constructor -> call(type, constructor, available))
+        .flatMap(Optional::stream)
+        .findFirst()
+        .orElseThrow(() -> noConstructor(type, available))
+        .make();
+  }
+
+  /**
+   * Sets a property, by {@code setProperty(String, String)} where the class has it, else by the
+   * setter of the name with the value converted to the type of its parameter.
+   *
+   * @throws CannotRunException when the class has neither, or the value does not fit
+   * @throws Exception what the component throws
+   */
+  public static void setProperty(Object component, String name, String value) throws Exception {
+    Class<?> type = component.getClass();
+    Optional<Method> general =
+        setters(type, "setProperty")
+            .filter(
+                m ->
+                    Arrays.equals(
+                        m.getParameterTypes(), new Class<?>[] {String.class, String.class}))
+            .findFirst();
+    if (general.isPresent()) {
+      invoke(general.get(), component, name, value);
+      return;
+    }
+    String setter =
+        name.isEmpty()
+            ? "set"
+            : "set" + name.substring(0, 1).toUpperCase(Locale.ROOT) + name.substring(1);
+    List<Method> candidates =
+        setters(type, setter).filter(m -> m.getParameterCount() == 1).toList();
+    for (Method candidate : candidates) {
+      Object converted = converted(value, candidate.getParameterTypes()[0]);
+      if (converted != null) {
+        invoke(candidate, component, converted);
+        return;
+      }
+    }
+    throw new CannotRunException(
+        type.getName()
+            + (candidates.isEmpty()
+                ? " has neither setProperty(String, String) nor " + setter + "(...)"
+                : "."
+                    + setter
+                    + " takes "
+                    + typesOf(candidates)
+                    + ", which cannot be made of '"
+                    + value
+                    + "'")
+            + " for the property '"
+            + name
+            + "' of activity.yaml");
+  }
+
+  /** A constructor with the arguments that it asks for. */
+  private record Creation<T>(Constructor<T> constructor, Object[] arguments) {
+    T make() throws Exception {
+      try {
+        return constructor.newInstance(arguments);
+      } catch (InvocationTargetException e) {
+        throw thrownBy(e);
+      }
+    }
+  }
+
+  private static <T> Optional<Creation<T>> call(
+      Class<T> type, Constructor<?> constructor, Object[] available) {
+    List<Object> arguments = new ArrayList<>();
+    for (Class<?> wanted : constructor.getParameterTypes()) {
+      Optional<Object> fitting = Arrays.stream(available).filter(wanted::isInstance).findFirst();
+      if (fitting.isEmpty() || wanted == Object.class) {
+        return Optional.empty();
+      }
+      arguments.add(fitting.get());
+    }
+    try {
+      Constructor<T> typed = type.getConstructor(constructor.getParameterTypes());
+      return Optional.of(new Creation<>(typed, arguments.toArray()));
+    } catch (NoSuchMethodException e) {
+      throw new AssertionError(e);
+    }
+  }
+
+  private static CannotRunException noConstructor(Class<?> type, Object[] available) {
+    String offered =
+        available.length == 0
+            ? "nothing (the activity has neither a world nor required interfaces)"
+            : Arrays.stream(available)
+                .map(ComponentUnderTest::roles)
+                .collect(Collectors.joining(", "));
+    String has =
+        Arrays.stream(type.getConstructors())
+            .map(c -> "(" + typesOf(c.getParameterTypes()) + ")")
+            .collect(Collectors.joining(", "));
+    return new CannotRunException(
+        type.getName()
+            + " has no public constructor that takes any of: "
+            + offered
+            + "; it has "
+            + (has.isEmpty() ? "no public constructor" : has)
+            + (Modifier.isPublic(type.getModifiers()) ? "" : ", and the class is not public"));
+  }
+
+  /** The interfaces that an object stands for. */
+  private static String roles(Object object) {
+    Class<?>[] interfaces = object.getClass().getInterfaces();
+    return interfaces.length == 0 ? object.getClass().getName() : typesOf(interfaces);
+  }
+
+  private static java.util.stream.Stream<Method> setters(Class<?> type, String name) {
+    return Arrays.stream(type.getMethods())
+        .filter(
+            m -> m.getName().equals(name) && !Modifier.isStatic(m.getModifiers()) && !m.isBridge())
+        .sorted(Comparator.comparing(Method::toString));
+  }
+
+  private static void invoke(Method method, Object component, Object... arguments)
+      throws Exception {
+    try {
+      method.invoke(component, arguments);
+    } catch (InvocationTargetException e) {
+      throw thrownBy(e);
+    } catch (IllegalAccessException e) {
+      throw new CannotRunException(
+          component.getClass().getName()
+              + " must be public, so that '"
+              + method.getName()
+              + "' can be called",
+          e);
+    }
+  }
+
+  private static Exception thrownBy(InvocationTargetException e) {
+    Throwable cause = e.getCause();
+    if (cause instanceof Error error) {
+      throw error;
+    }
+    return cause instanceof Exception exception ? exception : e;
+  }
+
+  /** The value as an object of a type; null when it cannot be one. */
+  private static @Nullable Object converted(String value, Class<?> type) {
+    String text = value.strip();
+    try {
+      if (type == String.class) {
+        return value;
+      } else if (type == int.class || type == Integer.class) {
+        return Integer.valueOf(text);
+      } else if (type == long.class || type == Long.class) {
+        return Long.valueOf(text);
+      } else if (type == short.class || type == Short.class) {
+        return Short.valueOf(text);
+      } else if (type == byte.class || type == Byte.class) {
+        return Byte.valueOf(text);
+      } else if (type == double.class || type == Double.class) {
+        return Double.valueOf(text);
+      } else if (type == float.class || type == Float.class) {
+        return Float.valueOf(text);
+      } else if (type == boolean.class || type == Boolean.class) {
+        return text.equals("true") || text.equals("false") ? Boolean.valueOf(text) : null;
+      } else if (type == char.class || type == Character.class) {
+        return value.length() == 1 ? value.charAt(0) : null;
+      }
+      return null;
+    } catch (NumberFormatException e) {
+      return null;
+    }
+  }
+
+  private static String typesOf(List<Method> setters) {
+    return setters.stream()
+        .map(m -> typesOf(m.getParameterTypes()))
+        .collect(Collectors.joining(" or "));
+  }
+
+  private static String typesOf(Class<?>[] types) {
+    return Arrays.stream(types).map(Class::getName).collect(Collectors.joining(", "));
+  }
+}

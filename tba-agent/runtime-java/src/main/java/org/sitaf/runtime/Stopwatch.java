@@ -1,0 +1,93 @@
+package org.sitaf.runtime;
+
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Measures one call of the component by the monotonic clock, and apart from it what the call spends
+ * in virtual hardware and in stubs. Only the thread that started the watch counts: what other
+ * threads of the component do goes on beside the call.
+ */
+public final class Stopwatch {
+  private static final double NANOS_PER_MICRO = 1000.0;
+
+  private volatile @Nullable Thread owner;
+  private boolean called;
+  private long began;
+  private long total;
+  private long hardware;
+  private long stub;
+
+  /** Begins to measure; an earlier measurement is forgotten. */
+  public void start() {
+    total = 0;
+    hardware = 0;
+    stub = 0;
+    called = true;
+    owner = Thread.currentThread();
+    began = System.nanoTime();
+  }
+
+  /**
+   * Ends the measurement.
+   *
+   * @throws IllegalStateException when none is under way
+   */
+  public void stop() {
+    long now = System.nanoTime();
+    if (owner == null) {
+      throw new IllegalStateException("the stopwatch is stopped before it was started");
+    }
+    total = now - began;
+    owner = null;
+  }
+
+  /** Forgets the call before. */
+  void reset() {
+    owner = null;
+    called = false;
+  }
+
+  /** Whether a call is being measured: what is thrown now, the component throws. */
+  boolean isRunning() {
+    return owner != null;
+  }
+
+  /** Whether a call was begun since the last reset. */
+  boolean wasStarted() {
+    return called;
+  }
+
+  /** A moment for {@link #leaveHardware} and {@link #leaveStub}. */
+  public long enter() {
+    return System.nanoTime();
+  }
+
+  /** Counts the time since {@link #enter} as spent in virtual hardware. */
+  public void leaveHardware(long entered) {
+    if (Thread.currentThread() == owner) {
+      hardware += System.nanoTime() - entered;
+    }
+  }
+
+  /** Counts the time since {@link #enter} as spent in a stub. */
+  public void leaveStub(long entered) {
+    if (Thread.currentThread() == owner) {
+      stub += System.nanoTime() - entered;
+    }
+  }
+
+  /** The component's own time in microseconds: the call without virtual hardware and stubs. */
+  public double componentMicros() {
+    return Math.max(0, total - hardware - stub) / NANOS_PER_MICRO;
+  }
+
+  /** Time spent in virtual hardware, in microseconds. */
+  public double hardwareMicros() {
+    return hardware / NANOS_PER_MICRO;
+  }
+
+  /** Time spent in stubs, in microseconds. */
+  public double stubMicros() {
+    return stub / NANOS_PER_MICRO;
+  }
+}

@@ -1,0 +1,94 @@
+package org.sitaf.runtime;
+
+import java.io.IOException;
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.runtime.suite.CaseResult;
+import org.sitaf.runtime.suite.TestCase;
+
+/**
+ * What a generated test driver is built on: the life of the component, and where results go.
+ *
+ * @param <C> class of the component under test
+ */
+public abstract class SuiteDriver<C> {
+  private final TestRun run;
+  private final LifeCycle lifeCycle;
+  private @Nullable C component;
+  private boolean saved;
+
+  /** A driver within a run. */
+  protected SuiteDriver(TestRun run, LifeCycle lifeCycle) {
+    this.run = Objects.requireNonNull(run);
+    this.lifeCycle = Objects.requireNonNull(lifeCycle);
+  }
+
+  /**
+   * Runs one case and saves its result, in the five steps of Fig. 10.
+   *
+   * @throws Exception what the component throws: the case is then an ERROR
+   */
+  protected abstract void runCase(TestCase testCase, CaseResult result) throws Exception;
+
+  /** Makes the component and sets it up. */
+  protected abstract C createComponent() throws Exception;
+
+  /** Runs before each call, when the world and the stubs are set. */
+  protected void beforeCase(C instance, TestCase testCase) throws Exception {}
+
+  /** Runs after each call, before the result is judged. */
+  protected void afterCase(C instance, TestCase testCase) throws Exception {}
+
+  /**
+   * The component of this case: made now, or that of the case before where it lives as long as the
+   * suite.
+   */
+  protected final C component() throws Exception {
+    C current = component;
+    if (current == null) {
+      current = createComponent();
+      component = current;
+    }
+    return current;
+  }
+
+  /** Measures the call under test. */
+  protected final Stopwatch stopwatch() {
+    return run.stopwatch();
+  }
+
+  /** Hands the result of the case, with the time of its call, over to the results file. */
+  protected final void save(CaseResult result) throws IOException {
+    Stopwatch watch = run.stopwatch();
+    result.took(watch.componentMicros(), watch.hardwareMicros(), watch.stubMicros());
+    run.results().save(result);
+    saved = true;
+  }
+
+  /** Runs a case and says whether it got as far as saving its result. */
+  final boolean runAndSave(TestCase testCase, CaseResult result) throws Exception {
+    saved = false;
+    runCase(testCase, result);
+    return saved;
+  }
+
+  /** Whether the result of the current case is in the file. */
+  final boolean isSaved() {
+    return saved;
+  }
+
+  final void endCase() throws Exception {
+    if (lifeCycle == LifeCycle.CASE) {
+      close();
+    }
+  }
+
+  /** Closes the component where it can be closed. */
+  final void close() throws Exception {
+    C last = component;
+    component = null;
+    if (last instanceof AutoCloseable closeable) {
+      closeable.close();
+    }
+  }
+}

@@ -1,0 +1,191 @@
+package org.sitaf.runtime;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.runtime.simulation.Simulation;
+import org.sitaf.runtime.simulation.SimulationException;
+import org.sitaf.runtime.suite.CaseDataException;
+import org.sitaf.runtime.suite.CaseResult;
+import org.sitaf.runtime.suite.ResultsFile;
+import org.sitaf.runtime.suite.SuiteReader;
+import org.sitaf.runtime.suite.TestCase;
+import org.sitaf.runtime.suite.Verdict;
+
+/**
+ * One process that runs a suite: reads the cases, hands each to the test driver, and sees to it
+ * that every case gets a result line whatever the component does.
+ */
+public final class TestRun {
+  /** Every case has a result. */
+  static final int EXIT_DONE = 0;
+
+  /** The suite could not be run, or could not go on. */
+  static final int EXIT_CANNOT_RUN = 3;
+
+  private final Stopwatch stopwatch = new Stopwatch();
+  private final ResultsFile results;
+  private final @Nullable Simulation simulation;
+
+  private TestRun(ResultsFile results, CommandLine command) throws IOException {
+    this.results = results;
+    String bridge = command.bridge();
+    Path world = command.world();
+    this.simulation =
+        bridge == null || world == null
+            ? null
+            : Simulation.open(bridge, world, command.seed(), stopwatch);
+  }
+
+  /**
+   * What {@code main} of a test application does: runs the suite that the arguments name, then ends
+   * the process, with 0 when every case has a result, with 3 and one line on the error stream when
+   * the suite could not be run.
+   */
+  public static void start(String[] arguments, Function<TestRun, ? extends SuiteDriver<?>> driver) {
+    System.exit(execute(arguments, driver));
+  }
+
+  /** Runs a suite and gives the exit code. */
+  static int execute(String[] arguments, Function<TestRun, ? extends SuiteDriver<?>> driver) {
+    try {
+      CommandLine command = CommandLine.parse(arguments);
+      try (SuiteReader suite = SuiteReader.open(command.suite());
+          ResultsFile results = openResults(command)) {
+        new TestRun(results, command).runAll(suite, command.from(), driver);
+      }
+      return EXIT_DONE;
+    } catch (CannotRunException | SimulationException | CaseDataException e) {
+      return cannotRun(String.valueOf(e.getMessage()));
+    } catch (IOException e) {
+      return cannotRun(e.getClass().getSimpleName() + ": " + e.getMessage());
+    } catch (LinkageError e) {
+      return cannotRun("the test application does not fit together: " + e);
+    }
+  }
+
+  /** The simulator's session. */
+  public Simulation simulation() {
+    if (simulation == null) {
+      throw new CannotRunException(
+          "this test needs a simulation: start it with --bridge TARGET --world FILE.world.yaml");
+    }
+    return simulation;
+  }
+
+  /** What the component may be given; empty where there is no simulation. */
+  public Optional<Hardware> hardware() {
+    return Optional.ofNullable(simulation).map(Simulation::hardware);
+  }
+
+  /** Measures the calls of this run. */
+  public Stopwatch stopwatch() {
+    return stopwatch;
+  }
+
+  ResultsFile results() {
+    return results;
+  }
+
+  private static ResultsFile openResults(CommandLine command) throws IOException {
+    return command.from() > 0
+        ? ResultsFile.append(command.results())
+        : ResultsFile.create(command.results());
+  }
+
+  private void runAll(
+      SuiteReader suite, int from, Function<TestRun, ? extends SuiteDriver<?>> factory)
+      throws IOException {
+    CurrentHardware.set(hardware().orElse(null));
+    try (Simulation session = simulation) {
+      SuiteDriver<?> driver = factory.apply(this);
+      Optional<TestCase> next = suite.next();
+      while (from > 0 && next.isPresent() && next.get().no() != from) {
+        next = suite.next();
+      }
+      if (from > 0 && next.isEmpty()) {
+        throw new CannotRunException("--from " + from + ": the suite has no case of that number");
+      }
+      for (; next.isPresent(); next = suite.next()) {
+        runOne(driver, next.get());
+      }
+      closing("closing the component", driver::close);
+    } finally {
+      CurrentHardware.set(null);
+    }
+  }
+
+  private void runOne(SuiteDriver<?> driver, TestCase testCase) throws IOException {
+    CaseResult result = new CaseResult(testCase);
+    stopwatch.reset();
+    try {
+      if (!driver.runAndSave(testCase, result)) {
+        throw new CannotRunException(
+            "the test driver ended case " + testCase.no() + " without save(result)");
+      }
+    } catch (Throwable thrown) {
+      if (driver.isSaved()) {
+        System.err.println(
+            "sitaf: after case " + testCase.no() + ": " + ThrownByComponent.describe(thrown));
+      } else {
+        end(result, thrown);
+        results.save(result);
+      }
+    } finally {
+      closing("closing the component after case " + testCase.no(), driver::endCase);
+    }
+  }
+
+  /**
+   * Gives a case that did not come to its end its verdict.
+   *
+   * @throws RuntimeException the thrown one, when no further case can run
+   */
+  private void end(CaseResult result, Throwable thrown) {
+    // A component must not disturb the next case by an interrupt that it left behind.
+    Thread.interrupted();
+    if (stopwatch.isRunning()) {
+      result.endedWith(Verdict.ERROR, ThrownByComponent.describe(thrown));
+    } else if (thrown instanceof CannotRunException cannotRun) {
+      throw cannotRun;
+    } else if (thrown instanceof SimulationException refused) {
+      if (refused.isLost()) {
+        throw refused;
+      }
+      result.endedWith(
+          stopwatch.wasStarted() ? Verdict.ERROR : Verdict.DONT,
+          String.valueOf(refused.getMessage()));
+    } else if (thrown instanceof CaseDataException unreadable) {
+      result.endedWith(Verdict.DONT, String.valueOf(unreadable.getMessage()));
+    } else if (thrown instanceof NoClassDefFoundError missing
+        && missing.getCause() instanceof ClassNotFoundException) {
+      throw new CannotRunException(
+          "class "
+              + missing.getMessage()
+              + " is missing: is it among the component's files and libraries?",
+          missing);
+    } else {
+      result.endedWith(Verdict.ERROR, ThrownByComponent.describe(thrown));
+    }
+  }
+
+  /** Does what follows a case; what goes wrong then is told, and changes no result. */
+  private static void closing(String what, Closing closing) {
+    try {
+      closing.run();
+    } catch (Exception | Error e) {
+      System.err.println("sitaf: " + what + ": " + ThrownByComponent.describe(e));
+    }
+  }
+
+  private static int cannotRun(String reason) {
+    System.err.println("sitaf: " + reason.strip().replaceAll("\\s*\\R\\s*", "; "));
+    return EXIT_CANNOT_RUN;
+  }
+
+  private interface Closing {
+    void run() throws Exception;
+  }
+}

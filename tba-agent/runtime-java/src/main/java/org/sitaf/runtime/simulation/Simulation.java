@@ -1,0 +1,186 @@
+package org.sitaf.runtime.simulation;
+
+import io.grpc.Grpc;
+import io.grpc.InsecureChannelCredentials;
+import io.grpc.ManagedChannel;
+import io.grpc.Status;
+import io.grpc.StatusRuntimeException;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Supplier;
+import org.sitaf.runtime.Hardware;
+import org.sitaf.runtime.Stopwatch;
+import org.sitaf.sim.v1.CreateSessionRequest;
+import org.sitaf.sim.v1.CreateSessionResponse;
+import org.sitaf.sim.v1.DeleteSessionRequest;
+import org.sitaf.sim.v1.PrepareRequest;
+import org.sitaf.sim.v1.RenewSessionRequest;
+import org.sitaf.sim.v1.SimulationControlGrpc;
+import org.sitaf.sim.v1.SimulationControlGrpc.SimulationControlBlockingStub;
+import org.sitaf.sim.v1.StepSimulationRequest;
+import org.sitaf.sim.v1.WorldState;
+
+/**
+ * One session of the robot simulator: sets the virtual environment of a case and moves its time.
+ * Every failure is a {@link SimulationException}.
+ */
+public final class Simulation implements AutoCloseable {
+  /** Longest wait for one answer; a case has its own, shorter limit, which the agent watches. */
+  private static final Duration LONGEST_CALL = Duration.ofMinutes(5);
+
+  private static final int MAX_MESSAGE_BYTES = 64 << 20;
+
+  private final ManagedChannel channel;
+  private final String session;
+  private final long timestepNanos;
+  private final SimulatedHardware hardware;
+  private final Lease lease;
+  private FrozenWorld world;
+
+  private Simulation(ManagedChannel channel, CreateSessionResponse created, Stopwatch stopwatch) {
+    this.channel = channel;
+    this.session = created.getSessionId();
+    this.timestepNanos = created.getWorld().getTimestepNs();
+    this.world = FrozenWorld.of(created.getState());
+    Map<String, String> kinds = new HashMap<>();
+    created.getWorld().getDevicesList().forEach(d -> kinds.put(d.getName(), d.getKind()));
+    this.hardware = new SimulatedHardware(kinds, stopwatch, world);
+    this.lease =
+        new Lease(
+            Duration.ofSeconds(created.getLease().getSeconds(), created.getLease().getNanos()),
+            this::renew);
+  }
+
+  /**
+   * Opens a session.
+   *
+   * @param target where the simulator listens: {@code 127.0.0.1:PORT} or {@code
+   *     unix:/absolute/path}
+   * @param worldDescription a {@code *.world.yaml}; the world's files are all files of its folder
+   * @param seed of everything random in the simulation
+   * @param stopwatch counts what components spend in the hardware
+   * @throws IOException when the world cannot be read
+   */
+  public static Simulation open(
+      String target, Path worldDescription, long seed, Stopwatch stopwatch) throws IOException {
+    CreateSessionRequest request =
+        CreateSessionRequest.newBuilder()
+            .setWorld(WorldFiles.read(worldDescription))
+            .setSeed(seed)
+            .build();
+    ManagedChannel channel =
+        Grpc.newChannelBuilder(target, InsecureChannelCredentials.create())
+            .proxyDetector(address -> null)
+            .maxInboundMessageSize(MAX_MESSAGE_BYTES)
+            .directExecutor()
+            .build();
+    try {
+      CreateSessionResponse created =
+          ask(
+              "opening the world " + worldDescription.getFileName(),
+              () -> stub(channel).createSession(request));
+      if (created.getWorld().getTimestepNs() <= 0) {
+        throw new SimulationException("the simulator names no length of a step");
+      }
+      return new Simulation(channel, created, stopwatch);
+    } catch (RuntimeException e) {
+      channel.shutdownNow();
+      throw e;
+    }
+  }
+
+  /** What a component under test gets. */
+  public Hardware hardware() {
+    return hardware;
+  }
+
+  /**
+   * Prepares a case from a clean reset.
+   *
+   * @param parameters in the unit of each parameter of the world; those not named take their
+   *     default
+   * @param settle simulation time that passes afterwards
+   */
+  public void prepare(Map<String, Double> parameters, Duration settle) {
+    PrepareRequest request =
+        PrepareRequest.newBuilder()
+            .setSessionId(session)
+            .putAllParameters(parameters)
+            .setSettleNs(settle.toNanos())
+            .build();
+    freeze(ask("setting " + parameters, () -> stub(channel).prepare(request).getState()));
+  }
+
+  /** Lets simulation time pass, rounded up to whole steps. */
+  public void advance(Duration time) {
+    long nanos = time.toNanos();
+    if (nanos <= 0) {
+      return;
+    }
+    StepSimulationRequest request =
+        StepSimulationRequest.newBuilder()
+            .setSessionId(session)
+            .setSteps((nanos - 1) / timestepNanos + 1)
+            .build();
+    freeze(ask("advancing by " + time, () -> stub(channel).stepSimulation(request).getState()));
+  }
+
+  /** What the world shows at the current step, in the unit that the world declares. */
+  public double observation(String name) {
+    Double value = world.observations().get(name);
+    if (value == null) {
+      throw new SimulationException(
+          "the world has no observation '" + name + "'; it has " + world.observations().keySet());
+    }
+    return value;
+  }
+
+  /** Frees the session; a simulator that is gone has done so already. */
+  @Override
+  public void close() {
+    lease.close();
+    try {
+      stub(channel).deleteSession(DeleteSessionRequest.newBuilder().setSessionId(session).build());
+    } catch (StatusRuntimeException e) {
+      // Nothing of it is needed any more.
+    } finally {
+      channel.shutdownNow();
+    }
+  }
+
+  private void renew() {
+    stub(channel).renewSession(RenewSessionRequest.newBuilder().setSessionId(session).build());
+  }
+
+  private void freeze(WorldState state) {
+    world = FrozenWorld.of(state);
+    hardware.freeze(world);
+  }
+
+  private static SimulationControlBlockingStub stub(ManagedChannel channel) {
+    return SimulationControlGrpc.newBlockingStub(channel)
+        .withDeadlineAfter(LONGEST_CALL.toSeconds(), TimeUnit.SECONDS);
+  }
+
+  private static <T> T ask(String what, Supplier<T> call) {
+    try {
+      return call.get();
+    } catch (StatusRuntimeException e) {
+      Status status = e.getStatus();
+      String reason = status.getDescription() == null ? "" : ": " + status.getDescription();
+      throw new SimulationException(
+          "simulator: " + what + ": " + status.getCode() + reason, isLost(status), e);
+    }
+  }
+
+  private static boolean isLost(Status status) {
+    return switch (status.getCode()) {
+      case INVALID_ARGUMENT, OUT_OF_RANGE, DATA_LOSS, RESOURCE_EXHAUSTED -> false;
+      default -> true;
+    };
+  }
+}

@@ -1,0 +1,172 @@
+package org.sitaf.runtime.suite;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import javax.xml.stream.XMLInputFactory;
+import javax.xml.stream.XMLStreamConstants;
+import javax.xml.stream.XMLStreamException;
+import javax.xml.stream.XMLStreamReader;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Reads a {@code test_suite_data} document (paper, Fig. 9) case by case, so that a suite of any
+ * length needs no memory. A document with a DTD is refused.
+ */
+public final class SuiteReader implements AutoCloseable {
+  private final InputStream stream;
+  private final XMLStreamReader xml;
+  private final String document;
+  private final List<String> parameters = new ArrayList<>();
+  private int casesRead;
+
+  private SuiteReader(InputStream stream, XMLStreamReader xml, String document) {
+    this.stream = stream;
+    this.xml = xml;
+    this.document = document;
+  }
+
+  /**
+   * Opens a suite.
+   *
+   * @throws IOException when the file cannot be read
+   * @throws CaseDataException when it is not a suite
+   */
+  public static SuiteReader open(Path suite) throws IOException {
+    InputStream stream = Files.newInputStream(suite);
+    try {
+      XMLInputFactory factory = XMLInputFactory.newDefaultFactory();
+      factory.setProperty(XMLInputFactory.SUPPORT_DTD, false);
+      factory.setProperty(XMLInputFactory.IS_SUPPORTING_EXTERNAL_ENTITIES, false);
+      factory.setProperty(XMLInputFactory.IS_COALESCING, true);
+      SuiteReader reader =
+          new SuiteReader(
+              stream, factory.createXMLStreamReader(stream), suite.getFileName().toString());
+      reader.readHead();
+      return reader;
+    } catch (XMLStreamException e) {
+      stream.close();
+      throw new CaseDataException(suite.getFileName() + ": " + e.getMessage(), e);
+    } catch (CaseDataException e) {
+      stream.close();
+      throw e;
+    }
+  }
+
+  /**
+   * The next case; empty after the last.
+   *
+   * @throws CaseDataException when the document is malformed
+   */
+  public Optional<TestCase> next() {
+    try {
+      while (xml.hasNext()) {
+        int event = advance();
+        if (event == XMLStreamConstants.START_ELEMENT && xml.getLocalName().equals("case")) {
+          return Optional.of(readCase());
+        }
+      }
+      return Optional.empty();
+    } catch (XMLStreamException e) {
+      throw new CaseDataException(document + ": " + e.getMessage(), e);
+    }
+  }
+
+  @Override
+  public void close() throws IOException {
+    stream.close();
+  }
+
+  private void readHead() throws XMLStreamException {
+    boolean isSuite = false;
+    while (xml.hasNext()) {
+      if (advance() != XMLStreamConstants.START_ELEMENT) {
+        continue;
+      }
+      switch (xml.getLocalName()) {
+        case "test_suite_data" -> isSuite = true;
+        case "param" -> parameters.add(attribute("name"));
+        case "case_list" -> {
+          if (isSuite) {
+            return;
+          }
+        }
+        default -> {
+          if (!isSuite) {
+            throw problem("the root is <" + xml.getLocalName() + ">, not <test_suite_data>");
+          }
+        }
+      }
+    }
+    throw problem("there is no <case_list>");
+  }
+
+  private TestCase readCase() throws XMLStreamException {
+    casesRead++;
+    String number = xml.getAttributeValue(null, "no");
+    int no = number == null ? casesRead : (int) Literals.whole(number, 1, Integer.MAX_VALUE);
+    boolean valid = !"invalid".equals(xml.getAttributeValue(null, "class"));
+    Map<String, String> values = new LinkedHashMap<>();
+    Map<String, String> expected = new LinkedHashMap<>();
+    while (true) {
+      int event = advance();
+      if (event == XMLStreamConstants.END_ELEMENT) {
+        break;
+      }
+      if (event != XMLStreamConstants.START_ELEMENT) {
+        continue;
+      }
+      switch (xml.getLocalName()) {
+        case "value" -> {
+          if (values.size() == parameters.size()) {
+            throw problem("case " + no + " has more values than the suite has parameters");
+          }
+          values.put(parameters.get(values.size()), xml.getElementText());
+        }
+        case "expected" -> {
+          @Nullable String name = xml.getAttributeValue(null, "name");
+          expected.put(name == null ? "" : name, xml.getElementText());
+        }
+        default -> throw problem("<" + xml.getLocalName() + "> is unknown inside <case>");
+      }
+    }
+    if (values.size() < parameters.size()) {
+      throw problem(
+          "case "
+              + no
+              + " has "
+              + values.size()
+              + " values for "
+              + parameters.size()
+              + " parameters");
+    }
+    return new TestCase(no, valid, values, expected);
+  }
+
+  private int advance() throws XMLStreamException {
+    int event = xml.next();
+    if (event == XMLStreamConstants.DTD || event == XMLStreamConstants.ENTITY_REFERENCE) {
+      throw problem("a DTD or an entity is not allowed here");
+    }
+    return event;
+  }
+
+  private String attribute(String name) {
+    String value = xml.getAttributeValue(null, name);
+    if (value == null) {
+      throw problem("<" + xml.getLocalName() + "> has no attribute '" + name + "'");
+    }
+    return value;
+  }
+
+  private CaseDataException problem(String message) {
+    return new CaseDataException(
+        document + ":" + xml.getLocation().getLineNumber() + ": " + message);
+  }
+}
