@@ -42,13 +42,10 @@ def _parser() -> argparse.ArgumentParser:
         type=_positive_float,
         default=60.0,
         metavar="S",
-        help="seconds that a session lives without a call where its client asks for nothing else; "
-        "default %(default)g",
+        help="seconds that a session lives without a call where its client asks for nothing else; default %(default)g",
     )
     serve.add_argument("--max-sessions", type=_positive_int, default=256, help="default %(default)s")
-    serve.add_argument(
-        "--threads", type=_positive_int, default=16, help="calls at work at once; default %(default)s"
-    )
+    serve.add_argument("--threads", type=_positive_int, default=16, help="calls at work at once; default %(default)s")
     serve.add_argument("--parent-pid", type=_positive_int, metavar="PID", help="end when this process ends")
     serve.add_argument("--stop-with-stdin", action="store_true", help="end when stdin is closed")
     describe = commands.add_parser("describe", help="print what a world declares, or what is wrong with it")
@@ -60,9 +57,7 @@ def _serve(options: argparse.Namespace) -> int:
     ending = Ending()
     ending.on_signals()
     try:
-        settings = Settings(
-            parse_address(options.listen), options.default_lease, options.max_sessions, options.threads
-        )
+        settings = Settings(parse_address(options.listen), options.default_lease, options.max_sessions, options.threads)
         with serving(settings) as target:
             print(f"listening {target}", flush=True)
             print(_version(), flush=True)

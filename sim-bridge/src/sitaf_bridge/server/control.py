@@ -56,9 +56,7 @@ class SimulationControl(pb_grpc.SimulationControlServicer):
             )
 
     @answering
-    def RenewSession(
-        self, request: pb.RenewSessionRequest, context: grpc.ServicerContext
-    ) -> pb.RenewSessionResponse:
+    def RenewSession(self, request: pb.RenewSessionRequest, context: grpc.ServicerContext) -> pb.RenewSessionResponse:
         """Extend the lease."""
         with self._registry.use(request.session_id) as session:
             return pb.RenewSessionResponse(lease=duration(session.lease_s))

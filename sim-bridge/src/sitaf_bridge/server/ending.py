@@ -28,7 +28,7 @@ class Ending:
         """End when stdin does: the pipe of a parent that died closes by itself."""
 
         def drain() -> None:
-            while sys.stdin.buffer.read1(4096):
+            while os.read(sys.stdin.fileno(), 4096):
                 pass
 
         self._watch(drain, "stdin-watch")

@@ -16,9 +16,7 @@ class VirtualHardware(pb_grpc.VirtualHardwareServicer):
         self._registry = registry
 
     @answering
-    def ReadDevices(
-        self, request: pb.ReadDevicesRequest, context: grpc.ServicerContext
-    ) -> pb.ReadDevicesResponse:
+    def ReadDevices(self, request: pb.ReadDevicesRequest, context: grpc.ServicerContext) -> pb.ReadDevicesResponse:
         """The readings at the current step."""
         with self._registry.use(request.session_id) as session, session.simulation() as simulation:
             return pb.ReadDevicesResponse(state=state_message(simulation.state))

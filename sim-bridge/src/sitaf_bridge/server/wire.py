@@ -10,7 +10,7 @@ from sitaf_bridge.world.source import WorldSource
 from sitaf_bridge.world.state import WorldState
 from sitaf_bridge.world.world import World
 
-SCOPES = {
+SCOPES: dict[int, ResetScope] = {
     pb.RESET_SCOPE_UNSPECIFIED: ResetScope.ALL,
     pb.RESET_SCOPE_ALL: ResetScope.ALL,
     pb.RESET_SCOPE_TIME: ResetScope.TIME,
@@ -25,7 +25,7 @@ def source_of(message: pb.WorldSource) -> WorldSource:
 
 def scope_of(number: int) -> ResetScope:
     """A reset scope. Raises InvalidRequest for a number that this version does not know."""
-    scope = SCOPES.get(pb.ResetScope.ValueType(number))
+    scope = SCOPES.get(number)
     if scope is None:
         raise InvalidRequest(f"scope: {number} is not a reset scope")
     return scope
@@ -53,9 +53,7 @@ def world_message(world: World) -> pb.WorldDescription:
             for p in description.parameters.values()
         ],
         devices=[pb.DeviceDescription(name=d.name, kind=d.kind) for d in description.devices.values()],
-        observations=[
-            pb.ObservationDescription(name=o.name, unit=o.unit) for o in description.observations.values()
-        ],
+        observations=[pb.ObservationDescription(name=o.name, unit=o.unit) for o in description.observations.values()],
     )
 
 

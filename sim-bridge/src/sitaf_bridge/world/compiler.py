@@ -94,7 +94,7 @@ def _child(answer: Connection, main: str, files: Mapping[str, bytes]) -> None:
         answer.send(_compile(main, files))
     except MemoryError:
         answer.send(("limit", b"the model needs too much memory; make it smaller"))
-    except (ValueError, mujoco.FatalError, UnicodeDecodeError) as error:
+    except (ValueError, RuntimeError, mujoco.FatalError) as error:
         answer.send(("refused", str(error).strip().encode()))
 
 

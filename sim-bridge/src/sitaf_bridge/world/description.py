@@ -161,4 +161,3 @@ def _refuse_shared_paths(parameters: Iterable[Parameter | None], problems: Probl
             owner = owners.setdefault(bind.path, parameter.name)
             if owner != parameter.name or sum(b.path == bind.path for b in parameter.binds) > 1:
                 problems.add(bind.line, f"parameters.{parameter.name}: {bind.path} is already set by {owner}")
-

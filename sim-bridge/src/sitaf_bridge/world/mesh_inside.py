@@ -44,8 +44,6 @@ class Mesh:
             + np.einsum("ij,ij->i", b, c) * la
             + np.einsum("ij,ij->i", c, a) * lb
         )
-        angle = np.where(
-            np.abs(volume) <= COPLANAR * la * lb * lc, 0.0, 2.0 * np.arctan2(volume, denominator)
-        )
+        angle = np.where(np.abs(volume) <= COPLANAR * la * lb * lc, 0.0, 2.0 * np.arctan2(volume, denominator))
         # On a face the number is one half, outside zero, inside one (or minus one: faces turned inside out).
         return abs(float(angle.sum())) / (4.0 * np.pi) > 0.5 + 1e-6

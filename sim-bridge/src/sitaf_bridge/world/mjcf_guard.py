@@ -140,7 +140,7 @@ class _FileScan:
     def _end(self, _tag: str) -> None:
         inside = self.counts.pop()
         # Bounded, so that a bomb of nested copies does not make huge integers here.
-        self.counts[-1] = min(self.counts[-1] + 1 + inside * self.factors.pop(), ENOUGH)
+        self.counts[-1] = min(self.counts[-1] + (1 + inside) * self.factors.pop(), ENOUGH)
 
 
 class _Stop(Exception):
@@ -153,6 +153,7 @@ def _copies(attributes: Mapping[str, str]) -> int:
     for key in ("count", "cellcount"):
         for word in attributes.get(key, "").split():
             # What is not a whole number MuJoCo refuses itself, with its message.
-            number = int(word) if word.isdecimal() and len(word) < 16 else 1
-            copies = min(copies * max(1, number), ENOUGH)
+            digits = word.lstrip("+0")
+            if digits.isdecimal():
+                copies = min(copies * (int(digits) if len(digits) < 13 else ENOUGH), ENOUGH)
     return copies

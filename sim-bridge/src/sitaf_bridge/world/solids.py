@@ -45,9 +45,7 @@ def cast(model: mujoco.MjModel, data: mujoco.MjData, geom: int, origin: Vector, 
     return mujoco.mju_rayGeom(data.geom_xpos[geom], data.geom_xmat[geom], size, origin, along, kind)
 
 
-def clearance(
-    model: mujoco.MjModel, data: mujoco.MjData, geom: int, origin: Vector, along: Vector
-) -> float | None:
+def clearance(model: mujoco.MjModel, data: mujoco.MjData, geom: int, origin: Vector, along: Vector) -> float | None:
     """Where the line through `origin` enters the geom, in metres along a unit vector; negative behind the origin.
 
     None if the line does not enter it at all. Where the entry lies ahead, this is the ray's distance to the bit.
@@ -124,14 +122,10 @@ class InsideTest:
             # Columns of the rotation, so that the sums are those of MuJoCo's own rays.
             axes = data.geom_xmat[group.geoms].reshape(-1, 3, 3)
             local = (
-                axes[:, 0, :] * relative[:, 0:1]
-                + axes[:, 1, :] * relative[:, 1:2]
-                + axes[:, 2, :] * relative[:, 2:3]
+                axes[:, 0, :] * relative[:, 0:1] + axes[:, 1, :] * relative[:, 1:2] + axes[:, 2, :] * relative[:, 2:3]
             )
             if group.kind == MESH:
-                found = np.array(
-                    [self._meshes[int(g)].holds(p) for g, p in zip(group.geoms, local, strict=True)]
-                )
+                found = np.array([self._meshes[int(g)].holds(p) for g, p in zip(group.geoms, local, strict=True)])
             else:
                 found = _inside(group.kind, local, model.geom_size[group.geoms])
             inside[group.askers[found]] = True
@@ -144,13 +138,13 @@ def _inside(kind: int, p: Vector, size: Vector) -> NDArray[np.bool_]:
         within = (size[:, :2] <= 0) | (np.abs(p[:, :2]) <= size[:, :2])
         return (p[:, 2] < 0) & within[:, 0] & within[:, 1]
     if kind == SPHERE:
-        return (p * p).sum(axis=1) < size[:, 0] ** 2
+        return np.less((p * p).sum(axis=1), size[:, 0] ** 2)
     if kind == BOX:
         return (np.abs(p) < size).all(axis=1)
     if kind == ELLIPSOID:
-        return ((p / size) ** 2).sum(axis=1) < 1.0
+        return np.less(((p / size) ** 2).sum(axis=1), 1.0)
     across = p[:, 0] ** 2 + p[:, 1] ** 2
     if kind == CYLINDER:
         return (across < size[:, 0] ** 2) & (np.abs(p[:, 2]) < size[:, 1])
     beyond = np.maximum(np.abs(p[:, 2]) - size[:, 1], 0.0)
-    return across + beyond * beyond < size[:, 0] ** 2
+    return np.less(across + beyond * beyond, size[:, 0] ** 2)

@@ -105,9 +105,7 @@ def _banks(model: mujoco.MjModel, description: Description, problems: Problems) 
     )
 
 
-def _observations(
-    model: mujoco.MjModel, description: Description, problems: Problems
-) -> dict[str, BoundObservation]:
+def _observations(model: mujoco.MjModel, description: Description, problems: Problems) -> dict[str, BoundObservation]:
     found: dict[str, BoundObservation] = {}
     for name, observation in description.observations.items():
         try:
@@ -115,4 +113,3 @@ def _observations(
         except NoSuchSetting as error:
             problems.add(observation.line, f"observations.{name}.entity: {error}")
     return found
-

@@ -8,10 +8,18 @@ import yaml
 
 from sitaf_bridge.errors import BadWorld, Problem
 
-MAX_YAML_BYTES = 1024 * 1024
+MAX_YAML_BYTES = 256 * 1024
+MAX_DEPTH = 32
 NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]{0,127}")
 # YAML 1.1 takes 1e3 for a string; a person who writes it means a number.
 NUMBER = re.compile(r"[-+]?(\d+(\.\d*)?|\.\d+)([eE][-+]?\d+)?")
+OPENING = (
+    yaml.BlockMappingStartToken,
+    yaml.BlockSequenceStartToken,
+    yaml.FlowMappingStartToken,
+    yaml.FlowSequenceStartToken,
+)
+CLOSING = (yaml.BlockEndToken, yaml.FlowMappingEndToken, yaml.FlowSequenceEndToken)
 
 
 class Problems:
@@ -141,9 +149,7 @@ class Block:
         for key, node in self._entries.items():
             if key not in self._taken:
                 known = ", ".join(sorted(self._taken))
-                self.problems.add(
-                    node.start_mark.line + 1, f"{self.inner(key)} is not known here; known keys: {known}"
-                )
+                self.problems.add(node.start_mark.line + 1, f"{self.inner(key)} is not known here; known keys: {known}")
 
     def _take(self, key: str, *, required: bool) -> yaml.Node | None:
         self._taken.add(key)
@@ -168,11 +174,7 @@ def parse(content: bytes, problems: Problems) -> Block:
         raise BadWorld([Problem(problems.file, None, f"is larger than {MAX_YAML_BYTES} bytes")])
     try:
         text = content.decode("utf-8")
-        # Without aliases a document is a tree no larger than its text.
-        for token in yaml.scan(text, Loader=yaml.SafeLoader):
-            if isinstance(token, yaml.AliasToken):
-                problems.add(token.start_mark.line + 1, "aliases (*name) are not allowed; write the value out")
-                problems.raise_if_any()
+        _refuse_bombs(text, problems)
         node = yaml.compose(text, Loader=yaml.SafeLoader)
     except UnicodeDecodeError as error:
         raise BadWorld([Problem(problems.file, None, f"is not UTF-8: {error.reason}")]) from error
@@ -181,8 +183,22 @@ def parse(content: bytes, problems: Problems) -> Block:
         raise BadWorld([Problem(problems.file, line, f"not YAML: {error.problem or error}")]) from error
     except yaml.YAMLError as error:
         raise BadWorld([Problem(problems.file, None, f"not YAML: {error}")]) from error
-    except RecursionError as error:
-        raise BadWorld([Problem(problems.file, None, "is nested too deeply")]) from error
     if node is None:
         raise BadWorld([Problem(problems.file, None, "is empty")])
     return Block(node, "", problems)
+
+
+def _refuse_bombs(text: str, problems: Problems) -> None:
+    """Without aliases a document is a tree no larger than its text; deep ones cost the parser quadratic time."""
+    depth = 0
+    for token in yaml.scan(text, Loader=yaml.SafeLoader):
+        line = token.start_mark.line + 1
+        if isinstance(token, yaml.AliasToken):
+            problems.add(line, "aliases (*name) are not allowed; write the value out")
+        elif isinstance(token, OPENING):
+            depth += 1
+            if depth > MAX_DEPTH:
+                problems.add(line, f"is nested deeper than {MAX_DEPTH}")
+        elif isinstance(token, CLOSING):
+            depth -= 1
+        problems.raise_if_any()

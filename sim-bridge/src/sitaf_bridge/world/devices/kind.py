@@ -45,8 +45,6 @@ class DeviceKind(Protocol):
         """Read a declaration; None after noting what is wrong with it."""
         ...
 
-    def bind(
-        self, model: mujoco.MjModel, declarations: Sequence[DeviceDeclaration], problems: Problems
-    ) -> Bank:
+    def bind(self, model: mujoco.MjModel, declarations: Sequence[DeviceDeclaration], problems: Problems) -> Bank:
         """Find the devices in a model, noting those that are not there; the bank serves only if none was noted."""
         ...

@@ -58,9 +58,7 @@ class RangeKind:
             return None
         return RangeDeclaration(name, self.name, block.line, sensor, low, high)
 
-    def bind(
-        self, model: mujoco.MjModel, declarations: Sequence[DeviceDeclaration], problems: Problems
-    ) -> "RangeBank":
+    def bind(self, model: mujoco.MjModel, declarations: Sequence[DeviceDeclaration], problems: Problems) -> "RangeBank":
         """Find the range finders."""
         found: list[tuple[RangeDeclaration, _Ray]] = []
         for declaration in declarations:
@@ -106,7 +104,8 @@ def _measured(distance: float, declaration: RangeDeclaration, inside: bool) -> f
         return -math.inf
     if distance < 0 or distance > declaration.high:
         return math.inf
-    return -math.inf if distance < declaration.low else distance
+    # Adding zero turns the -0.0 of a touching ray into 0.0.
+    return -math.inf if distance < declaration.low else distance + 0.0
 
 
 def _own_ray(model: mujoco.MjModel, data: mujoco.MjData, ray: _Ray) -> float:
@@ -134,9 +133,7 @@ def _find(model: mujoco.MjModel, declaration: RangeDeclaration, problems: Proble
     body = int(model.site_bodyid[site])
     own = _part_of(model, body)
     seen = [g for g in range(model.ngeom) if visible(model, g)]
-    solids = tuple(
-        g for g in seen if model.geom_bodyid[g] not in own and model.geom_type[g] in (*SOLID_TYPES, HFIELD)
-    )
+    solids = tuple(g for g in seen if model.geom_bodyid[g] not in own and model.geom_type[g] in (*SOLID_TYPES, HFIELD))
     # The range finder itself is blind to the site's body: to all walls, if that is the world.
     native = body != 0 and all(model.geom_bodyid[g] == body for g in seen if model.geom_bodyid[g] in own)
     return _Ray(site, int(model.sensor_adr[sensor]), solids, native)
