@@ -12,6 +12,8 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
+import java.util.logging.Level;
+import java.util.logging.Logger;
 import org.sitaf.runtime.Hardware;
 import org.sitaf.runtime.Stopwatch;
 import org.sitaf.sim.v1.CreateSessionRequest;
@@ -33,6 +35,13 @@ public final class Simulation implements AutoCloseable {
   private static final Duration LONGEST_CALL = Duration.ofMinutes(5);
 
   private static final int MAX_MESSAGE_BYTES = 64 << 20;
+
+  /**
+   * Netty warns on every Unix socket that it has no keep-alive; the tester's log is not the place
+   * for it. The field keeps the logger, which would lose its level when collected.
+   */
+  private static final Logger SOCKET_OPTIONS =
+      Logger.getLogger("io.grpc.netty.shaded.io.netty.bootstrap.AbstractBootstrap");
 
   private final ManagedChannel channel;
   private final String session;
@@ -72,6 +81,7 @@ public final class Simulation implements AutoCloseable {
             .setWorld(WorldFiles.read(worldDescription))
             .setSeed(seed)
             .build();
+    SOCKET_OPTIONS.setLevel(Level.SEVERE);
     ManagedChannel channel =
         Grpc.newChannelBuilder(target, InsecureChannelCredentials.create())
             .proxyDetector(address -> null)

@@ -59,8 +59,7 @@ final class Comparison {
   private static Optional<String> realDifference(
       String literal, Number value, Tolerance tolerance) {
     double written = Literals.real(literal);
-    double expected =
-        value instanceof Float ? (float) written : written;
+    double expected = value instanceof Float ? (float) written : written;
     double actual = value.doubleValue();
     if (Double.isNaN(expected) && Double.isNaN(actual) || expected == actual) {
       return Optional.empty();

@@ -1,0 +1,121 @@
+package org.sitaf.runtime.suite;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.ByteArrayInputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import javax.xml.parsers.DocumentBuilderFactory;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.w3c.dom.Document;
+
+class ResultsFileTest {
+  @TempDir Path folder;
+
+  private static TestCase aCase(int no, String value) {
+    return new TestCase(no, true, Map.of("Text", value), Map.of("", value));
+  }
+
+  private static CaseResult passing(int no, String value) {
+    CaseResult result = new CaseResult(aCase(no, value));
+    result.compare("return", value, Tolerance.EXACT);
+    result.took(1.2345, 0.1, 0);
+    return result;
+  }
+
+  private static Document parse(String line) throws Exception {
+    return DocumentBuilderFactory.newInstance()
+        .newDocumentBuilder()
+        .parse(new ByteArrayInputStream(line.getBytes(StandardCharsets.UTF_8)));
+  }
+
+  @Test
+  void aLineHoldsWhatTheSchemaSays() {
+    CaseResult result = new CaseResult(new TestCase(7, true, Map.of("A", "5"), Map.of("", "-1.0")));
+    result.compare("return", 5.0, new Tolerance(1e-9, 0));
+    result.took(1.2345, 0.25, 0);
+    assertThat(result.line())
+        .isEqualTo(
+            "<test_result no=\"7\" verdict=\"FAIL\"><value>5</value><expected>-1.0</expected><actual>5.0</actual>"
+                + "<processing_time unit=\"us\" hardware=\"0.250\" stub=\"0.000\">1.235</processing_time>"
+                + "<message>expected -1.0, but was 5.0 (differs by 6.0, allowed 1.0E-9)</message></test_result>\n");
+  }
+
+  @Test
+  void outputsAreNamedWhereThereIsMoreThanOne() {
+    CaseResult result =
+        new CaseResult(new TestCase(1, true, Map.of(), Map.of("return", "1", "robot_x", "0.5")));
+    result.compare("return", 1, Tolerance.EXACT);
+    result.compare("robot_x", 0.25, Tolerance.EXACT);
+    assertThat(result.line())
+        .contains("<actual name=\"return\">1</actual><actual name=\"robot_x\">0.25</actual>")
+        .contains("<message>robot_x: expected 0.5, but was 0.25</message>");
+  }
+
+  @Test
+  void anExpectationThatNothingIsComparedWithDoesNotPassUnseen() {
+    CaseResult result = new CaseResult(new TestCase(1, true, Map.of(), Map.of("elsewhere", "1")));
+    result.compare("return", 1, Tolerance.EXACT);
+    assertThat(result.line()).contains("verdict=\"ERROR\"").contains("'elsewhere'");
+  }
+
+  @Test
+  void anyTextStaysOneLineAndComesBackAsItWas() throws Exception {
+    Random random = new Random(4);
+    int[] awkward = {
+      '<', '>', '&', '"', '\'', '\n', '\r', '\t', ' ', ']', 0x85, 0x2028, 0x1F916, 0xE9
+    };
+    for (int i = 0; i < 300; i++) {
+      StringBuilder text = new StringBuilder();
+      for (int k = random.nextInt(12); k >= 0; k--) {
+        text.appendCodePoint(awkward[random.nextInt(awkward.length)]);
+      }
+      String line = passing(1, text.toString()).line();
+      assertThat(line.lines()).hasSize(1);
+      assertThat(line).doesNotContain("\u2028", "\u0085");
+      Document parsed = parse(line);
+      assertThat(parsed.getElementsByTagName("value").item(0).getTextContent())
+          .isEqualTo(text.toString());
+      assertThat(parsed.getElementsByTagName("actual").item(0).getTextContent())
+          .isEqualTo(text.toString());
+    }
+  }
+
+  @Test
+  void charactersThatXmlCannotHoldAreSpelledOut() throws Exception {
+    String line = passing(1, "a\u0000b\u001b\uD800\uFFFE").line();
+    assertThat(parse(line).getElementsByTagName("value").item(0).getTextContent())
+        .isEqualTo("a\\u0000b\\u001B\\uD800\\uFFFE");
+  }
+
+  @Test
+  void aMessageWithoutBoundIsCutWithANote() {
+    CaseResult result = new CaseResult(aCase(1, ""));
+    result.endedWith(Verdict.ERROR, "x".repeat(100_000));
+    assertThat(result.line()).hasSizeLessThan(9000).contains("... (100000 characters)");
+  }
+
+  @Test
+  void goingOnKeepsWhatIsThereAndEndsATornLine() throws Exception {
+    Path file = folder.resolve("results");
+    try (ResultsFile results = ResultsFile.create(file)) {
+      results.save(passing(1, "x"));
+    }
+    String first = Files.readString(file);
+    Files.writeString(file, first + "<test_result no=\"2\" ver");
+    try (ResultsFile results = ResultsFile.append(file)) {
+      results.save(passing(2, "y"));
+    }
+    List<String> lines = Files.readAllLines(file);
+    assertThat(lines).hasSize(3);
+    assertThat(lines.get(0) + "\n").isEqualTo(first);
+    assertThat(lines.get(2))
+        .startsWith("<test_result no=\"2\" verdict=\"PASS\">")
+        .endsWith("</test_result>");
+  }
+}
