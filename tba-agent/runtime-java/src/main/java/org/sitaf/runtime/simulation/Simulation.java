@@ -41,7 +41,7 @@ public final class Simulation implements AutoCloseable {
    * for it. The field keeps the logger, which would lose its level when collected.
    */
   private static final Logger SOCKET_OPTIONS =
-      Logger.getLogger("io.grpc.netty.shaded.io.netty.bootstrap.AbstractBootstrap");
+      Logger.getLogger("io.grpc.netty.shaded.io.netty.bootstrap");
 
   private final ManagedChannel channel;
   private final String session;
