@@ -1,0 +1,24 @@
+import { createTheme, type MantineColorsTuple } from '@mantine/core';
+
+const petrol: MantineColorsTuple = [
+  '#e6f6f8',
+  '#d3e9ec',
+  '#a7d2d8',
+  '#78bac3',
+  '#52a6b2',
+  '#3a9aa7',
+  '#2a94a2',
+  '#1a808d',
+  '#0b6874',
+  '#00525c',
+];
+
+/** The shades of the two schemes are chosen for a contrast of 4.5 to 1 or more (WCAG AA). */
+export const theme = createTheme({
+  colors: { petrol },
+  primaryColor: 'petrol',
+  primaryShade: { light: 8, dark: 3 },
+  autoContrast: true,
+  fontFamily: 'system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", Cantarell, sans-serif',
+  fontFamilyMonospace: 'ui-monospace, "DejaVu Sans Mono", Menlo, Consolas, monospace',
+});

@@ -1,0 +1,15 @@
+import { useMutation } from '@tanstack/react-query';
+import { useNavigate } from '@tanstack/react-router';
+import { useRequestBuild } from '@/features/builds';
+import { useGenerateSuite, type SuiteOf } from '@/features/suites';
+
+/** Generates a suite of a test model, asks for a build of it, and goes to that build. */
+export function useStartBuild() {
+  const suite = useGenerateSuite();
+  const build = useRequestBuild();
+  const navigate = useNavigate();
+  return useMutation({
+    mutationFn: async (of: SuiteOf) => build.mutateAsync((await suite.mutateAsync(of)).id),
+    onSuccess: ({ id }) => navigate({ to: '/builds/$buildId', params: { buildId: id } }),
+  });
+}

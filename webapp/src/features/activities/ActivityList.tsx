@@ -1,0 +1,92 @@
+import { Group, Stack, Table, Text } from '@mantine/core';
+import type { ReactNode } from 'react';
+import type { Activity, ActivityModel } from '@/shared/api';
+import { Age, Loading, Pager, ProblemAlert, RouteLink, ScrollTable, UserText } from '@/shared/ui';
+import { ACTIVITIES_PER_PAGE, useActivities } from './queries';
+
+interface ActivityListProps {
+  page: number;
+  onPage: (page: number) => void;
+  /** What can be done with a test model; the app knows. */
+  modelAction: (activity: Activity, model: ActivityModel) => ReactNode;
+}
+
+export function ActivityList({ page, onPage, modelAction }: ActivityListProps) {
+  const activities = useActivities(page);
+  if (activities.isPending) return <Loading what="activities" />;
+  if (!activities.data) {
+    return <ProblemAlert title="The activities could not be read" error={activities.error} />;
+  }
+  const { items, total } = activities.data;
+  if (total === 0) return <Text c="dimmed">No activity yet. Upload one to begin.</Text>;
+  return (
+    <Stack gap="xs">
+      <ScrollTable label="Activities" minWidth={720}>
+        <Table.Thead>
+          <Table.Tr>
+            <Table.Th>Activity</Table.Th>
+            <Table.Th>Component</Table.Th>
+            <Table.Th>Test models</Table.Th>
+            <Table.Th>Changed</Table.Th>
+          </Table.Tr>
+        </Table.Thead>
+        <Table.Tbody>
+          {items.map((activity) => (
+            <ActivityRow key={activity.id} activity={activity} modelAction={modelAction} />
+          ))}
+        </Table.Tbody>
+      </ScrollTable>
+      <Pager
+        label="Pages of activities"
+        page={page}
+        size={ACTIVITIES_PER_PAGE}
+        total={total}
+        onPage={onPage}
+      />
+    </Stack>
+  );
+}
+
+function ActivityRow({
+  activity,
+  modelAction,
+}: {
+  activity: Activity;
+  modelAction: ActivityListProps['modelAction'];
+}) {
+  return (
+    <Table.Tr>
+      <Table.Td>
+        <RouteLink to="/activities/$activityId" params={{ activityId: activity.id }} fw={600}>
+          <UserText>{activity.name}</UserText>
+        </RouteLink>
+        {activity.description && (
+          <Text size="sm" c="dimmed">
+            <UserText>{activity.description}</UserText>
+          </Text>
+        )}
+      </Table.Td>
+      <Table.Td>
+        <UserText>{activity.language}</UserText>
+        {activity.componentClass && (
+          <Text size="sm" c="dimmed">
+            <UserText>{activity.componentClass}</UserText>
+          </Text>
+        )}
+      </Table.Td>
+      <Table.Td>
+        <Stack gap={6}>
+          {activity.models.map((model) => (
+            <Group key={model.name} gap="sm" justify="space-between" wrap="nowrap">
+              <UserText>{model.name}</UserText>
+              {modelAction(activity, model)}
+            </Group>
+          ))}
+        </Stack>
+      </Table.Td>
+      <Table.Td>
+        <Age at={activity.updated} />
+      </Table.Td>
+    </Table.Tr>
+  );
+}

@@ -1,0 +1,1 @@
+export { AgentsStatus } from './AgentsStatus';

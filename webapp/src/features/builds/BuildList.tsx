@@ -1,0 +1,106 @@
+import { Progress, Stack, Table, Text } from '@mantine/core';
+import type { Build } from '@/shared/api';
+import { formatDuration } from '@/shared/lib/format';
+import { useNow } from '@/shared/lib/useNow';
+import { Age, Loading, Pager, ProblemAlert, RouteLink, ScrollTable, UserText } from '@/shared/ui';
+import { BuildStanding } from './BuildStanding';
+import { BUILDS_PER_PAGE, useBuilds } from './queries';
+import { isFinished, progressOf } from './state';
+
+interface BuildListProps {
+  page: number;
+  onPage: (page: number) => void;
+  /** Left out: the builds of all activities. */
+  activityId?: string;
+}
+
+export function BuildList({ page, onPage, activityId }: BuildListProps) {
+  const builds = useBuilds(page, activityId);
+  if (builds.isPending) return <Loading what="builds" />;
+  if (!builds.data) {
+    return <ProblemAlert title="The builds could not be read" error={builds.error} />;
+  }
+  const { items, total } = builds.data;
+  if (total === 0) return <Text c="dimmed">No build yet. “Build now” starts one.</Text>;
+  return (
+    <Stack gap="xs">
+      <ScrollTable label="Builds" minWidth={720}>
+        <Table.Thead>
+          <Table.Tr>
+            <Table.Th>Build</Table.Th>
+            <Table.Th>State</Table.Th>
+            <Table.Th>Cases</Table.Th>
+            <Table.Th>Requested</Table.Th>
+            <Table.Th>Took</Table.Th>
+            <Table.Th>Agent</Table.Th>
+          </Table.Tr>
+        </Table.Thead>
+        <Table.Tbody>
+          {items.map((build) => (
+            <BuildRow key={build.id} build={build} />
+          ))}
+        </Table.Tbody>
+      </ScrollTable>
+      <Pager
+        label="Pages of builds"
+        page={page}
+        size={BUILDS_PER_PAGE}
+        total={total}
+        onPage={onPage}
+      />
+    </Stack>
+  );
+}
+
+function BuildRow({ build }: { build: Build }) {
+  return (
+    <Table.Tr>
+      <Table.Td>
+        <RouteLink to="/builds/$buildId" params={{ buildId: build.id }} fw={600}>
+          <UserText>{`${build.activityName} / ${build.model}`}</UserText>
+        </RouteLink>
+      </Table.Td>
+      <Table.Td>
+        <BuildStanding build={build} />
+      </Table.Td>
+      <Table.Td>
+        <Cases build={build} />
+      </Table.Td>
+      <Table.Td>
+        <Age at={build.created} />
+      </Table.Td>
+      <Table.Td>
+        <Took build={build} />
+      </Table.Td>
+      <Table.Td>{build.agent ? <UserText>{build.agent}</UserText> : '–'}</Table.Td>
+    </Table.Tr>
+  );
+}
+
+function Cases({ build }: { build: Build }) {
+  const { summary } = build;
+  if (summary) {
+    const parts = [
+      `${summary.pass} of ${summary.total} passed`,
+      summary.fail > 0 && `${summary.fail} failed`,
+      summary.error > 0 && `${summary.error} in error`,
+      summary.dont > 0 && `${summary.dont} not executed`,
+    ];
+    return <>{parts.filter(Boolean).join(', ')}</>;
+  }
+  if (isFinished(build)) return <>–</>;
+  return (
+    <Stack gap={4}>
+      <Text size="sm">
+        {build.casesDone} of {build.casesTotal}
+      </Text>
+      <Progress size="sm" value={progressOf(build)} aria-label="Executed cases" />
+    </Stack>
+  );
+}
+
+function Took({ build: { started, finished } }: { build: Build }) {
+  const now = useNow(1_000);
+  if (!started) return <>–</>;
+  return <>{formatDuration(started, finished ?? now.toISOString())}</>;
+}

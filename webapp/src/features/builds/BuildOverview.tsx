@@ -1,0 +1,89 @@
+import { Alert, Button, Group, Progress, Stack, Text } from '@mantine/core';
+import type { Build } from '@/shared/api';
+import { formatDuration, formatInstant } from '@/shared/lib/format';
+import { useNow } from '@/shared/lib/useNow';
+import { Diagnostics, ProblemAlert, UserText } from '@/shared/ui';
+import { BuildStanding } from './BuildStanding';
+import { useCancelBuild } from './queries';
+import { isFinished, progressOf } from './state';
+
+/** How a build stands, where and since when; while it runs its progress, when it could not run the reason. */
+export function BuildOverview({ build }: { build: Build }) {
+  return (
+    <Stack gap="sm">
+      <Group gap="lg">
+        <span role="status">
+          <BuildStanding build={build} />
+        </span>
+        <Facts build={build} />
+      </Group>
+      {!isFinished(build) && <Running build={build} />}
+      {build.failure && (
+        <Alert
+          role="alert"
+          color="red"
+          variant="outline"
+          title={`Could not run: ${build.failure.category}`}
+        >
+          <Stack gap="xs">
+            <Text size="sm">
+              <UserText>{build.failure.message}</UserText>
+            </Text>
+            {build.failure.diagnostics.length > 0 && (
+              <Diagnostics items={build.failure.diagnostics} />
+            )}
+          </Stack>
+        </Alert>
+      )}
+    </Stack>
+  );
+}
+
+function Facts({ build }: { build: Build }) {
+  const now = useNow(1_000);
+  return (
+    <Text size="sm" c="dimmed">
+      Requested {formatInstant(build.created)}
+      {build.started &&
+        `, ${build.finished ? 'took' : 'running for'} ${formatDuration(build.started, build.finished ?? now.toISOString())}`}
+      {build.agent && (
+        <>
+          {', on agent '}
+          <UserText>{build.agent}</UserText>
+        </>
+      )}
+      {build.attempt > 1 && `, attempt ${build.attempt}`}
+    </Text>
+  );
+}
+
+function Running({ build }: { build: Build }) {
+  const cancel = useCancelBuild(build.id);
+  return (
+    <>
+      <Group gap="md">
+        <Progress flex={1} value={progressOf(build)} aria-label="Executed cases" />
+        <Text size="sm">
+          {build.casesDone} of {build.casesTotal} cases
+        </Text>
+        <Button
+          variant="default"
+          size="xs"
+          loading={cancel.isPending}
+          onClick={() => {
+            cancel.mutate();
+          }}
+        >
+          Cancel
+        </Button>
+      </Group>
+      {cancel.isError && (
+        <ProblemAlert
+          title="The build was not cancelled"
+          error={cancel.error}
+          onClose={cancel.reset}
+        />
+      )}
+    </>
+  );
+}

@@ -1,0 +1,3 @@
+export { BuildList } from './BuildList';
+export { BuildOverview } from './BuildOverview';
+export { useBuild, useRequestBuild } from './queries';

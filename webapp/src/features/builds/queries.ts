@@ -1,0 +1,76 @@
+import { keepPreviousData, useMutation, useQuery, useQueryClient } from '@tanstack/react-query';
+import { dataOf, useApi, type Build } from '@/shared/api';
+import { isFinished } from './state';
+
+const BUILDS = ['builds'] as const;
+
+/** Builds a page of the list holds. */
+export const BUILDS_PER_PAGE = 20;
+
+const LIST_REFRESH_MS = 5_000;
+const LIVE_LIST_REFRESH_MS = 1_000;
+/** How long the server may hold a request for a build that has not changed. */
+const LONG_POLL_S = 20;
+/** The least time between two requests for a build, should the server not hold them. */
+const POLL_REST_MS = 300;
+
+/** A page of the builds, newest first, of one activity or of all; pages count from 0. */
+export function useBuilds(page: number, activityId?: string) {
+  const api = useApi();
+  return useQuery({
+    queryKey: [...BUILDS, 'page', page, activityId],
+    queryFn: ({ signal }) =>
+      dataOf(
+        api.GET('/api/v1/builds', {
+          params: {
+            query: { page, size: BUILDS_PER_PAGE, ...(activityId != null && { activityId }) },
+          },
+          signal,
+        }),
+      ),
+    placeholderData: keepPreviousData,
+    refetchInterval: ({ state }) =>
+      state.data?.items.every(isFinished) ? LIST_REFRESH_MS : LIVE_LIST_REFRESH_MS,
+  });
+}
+
+/** One build, followed by long polls until it has ended. */
+export function useBuild(id: string) {
+  const api = useApi();
+  const cache = useQueryClient();
+  const queryKey = [...BUILDS, 'one', id];
+  return useQuery({
+    queryKey,
+    queryFn: ({ signal }) => {
+      const known = cache.getQueryData<Build>(queryKey);
+      const wait =
+        known && !isFinished(known) && !cache.getQueryState(queryKey)?.isInvalidated
+          ? { waitForChangeSince: known.version, timeoutS: LONG_POLL_S }
+          : {};
+      return dataOf(
+        api.GET('/api/v1/builds/{id}', { params: { path: { id }, query: wait }, signal }),
+      );
+    },
+    refetchInterval: ({ state }) =>
+      !state.data || state.error || isFinished(state.data) ? false : POLL_REST_MS,
+  });
+}
+
+/** Asks for a build of a suite, now. */
+export function useRequestBuild() {
+  const api = useApi();
+  const cache = useQueryClient();
+  return useMutation({
+    mutationFn: (suiteId: string) => dataOf(api.POST('/api/v1/builds', { body: { suiteId } })),
+    onSuccess: () => cache.invalidateQueries({ queryKey: BUILDS }),
+  });
+}
+
+export function useCancelBuild(id: string) {
+  const api = useApi();
+  const cache = useQueryClient();
+  return useMutation({
+    mutationFn: () => dataOf(api.POST('/api/v1/builds/{id}/cancel', { params: { path: { id } } })),
+    onSuccess: () => cache.invalidateQueries({ queryKey: BUILDS }),
+  });
+}

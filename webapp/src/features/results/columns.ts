@@ -1,0 +1,30 @@
+import type { Parameter } from '@/shared/api';
+
+/** An input column: the parameter, and where its value stands in the values of a case. */
+export interface Column {
+  parameter: Parameter;
+  index: number;
+}
+
+export interface ColumnGroup {
+  type: Parameter['type'];
+  label: string;
+  columns: Column[];
+}
+
+/** The paper's three kinds of test data (section 3.2), in the order of its tables. */
+const KINDS: readonly { type: Parameter['type']; label: string }[] = [
+  { type: 'TDI', label: 'Input (TDI)' },
+  { type: 'TDSD', label: 'Simulation (TDSD)' },
+  { type: 'TDTS', label: 'Stub (TDTS)' },
+];
+
+/** The parameters by kind, each kind in the suite's order; kinds without parameters are left out. */
+export function groupColumns(parameters: readonly Parameter[]): ColumnGroup[] {
+  const columns = parameters.map((parameter, index) => ({ parameter, index }));
+  return KINDS.map(({ type, label }) => ({
+    type,
+    label,
+    columns: columns.filter((column) => column.parameter.type === type),
+  })).filter((group) => group.columns.length > 0);
+}

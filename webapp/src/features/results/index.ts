@@ -1,0 +1,2 @@
+export { ResultView } from './ResultView';
+export { VERDICTS } from './verdicts';

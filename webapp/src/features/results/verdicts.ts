@@ -1,0 +1,24 @@
+import type { ResultSummary, Verdict } from '@/shared/api';
+
+export const VERDICTS: readonly Verdict[] = ['PASS', 'FAIL', 'ERROR', 'DONT'];
+
+/** The paper's verdicts in words, with a sign so that colour never speaks alone. */
+export const VERDICT_WORDS: Record<Verdict, { label: string; sign: string }> = {
+  PASS: { label: 'Pass', sign: '✓' },
+  FAIL: { label: 'Fail', sign: '✕' },
+  ERROR: { label: 'Error', sign: '!' },
+  DONT: { label: 'Not executed', sign: '–' },
+};
+
+export function countOf(summary: ResultSummary, verdict: Verdict): number {
+  switch (verdict) {
+    case 'PASS':
+      return summary.pass;
+    case 'FAIL':
+      return summary.fail;
+    case 'ERROR':
+      return summary.error;
+    case 'DONT':
+      return summary.dont;
+  }
+}

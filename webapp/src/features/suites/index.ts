@@ -1,0 +1,1 @@
+export { useGenerateSuite, type SuiteOf } from './queries';

@@ -1,0 +1,45 @@
+import type { Diagnostic, Problem } from './types';
+
+/** The server answered, and the answer is a refusal (RFC 9457 problem details). */
+export class ApiError extends Error {
+  override readonly name = 'ApiError';
+  readonly title: string;
+  readonly diagnostics: readonly Diagnostic[];
+
+  constructor(
+    readonly status: number,
+    problem: Problem,
+  ) {
+    const title = problem.title ?? `The server answered ${status}`;
+    super(problem.detail ?? title);
+    this.title = title;
+    this.diagnostics = problem.diagnostics ?? [];
+  }
+}
+
+/** No answer came: the server is down, unreachable, or too slow. */
+export class ConnectionLostError extends Error {
+  override readonly name = 'ConnectionLostError';
+
+  constructor(cause: unknown) {
+    super('The server does not answer. Is it running?', { cause });
+  }
+}
+
+interface Answer<T> {
+  data?: T;
+  error?: unknown;
+  response: Response;
+}
+
+/** The data of an answer; an {@link ApiError} when the server refused. */
+export async function dataOf<T>(call: Promise<Answer<T>>): Promise<T> {
+  const { data, error, response } = await call;
+  if (!response.ok) throw new ApiError(response.status, asProblem(error));
+  return data as T;
+}
+
+/** A proxy in between answers with HTML or text; only an object can be a problem. */
+function asProblem(body: unknown): Problem {
+  return typeof body === 'object' && body !== null ? body : {};
+}

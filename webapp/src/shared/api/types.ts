@@ -1,0 +1,20 @@
+import type { components } from './schema';
+
+/** The nouns of the REST interface, under the names that the portal uses for them. */
+type Schemas = components['schemas'];
+
+export type Activity = Schemas['Activity'];
+export type ActivityModel = Schemas['ActivityModel'];
+export type Agent = Schemas['Agent'];
+export type Build = Schemas['Build'];
+export type BuildState = Build['state'];
+export type Diagnostic = Schemas['Diagnostic'];
+export type Parameter = Schemas['Parameter'];
+export type Problem = Schemas['Problem'];
+export type Result = Schemas['Result'];
+export type ResultCase = Schemas['ResultCase'];
+export type ResultSummary = Schemas['ResultSummary'];
+export type Suite = Schemas['Suite'];
+export type SuiteOptions = Schemas['SuiteOptions'];
+export type Verdict = ResultCase['verdict'];
+export type Verdicts = Schemas['Verdicts'];

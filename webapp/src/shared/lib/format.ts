@@ -1,0 +1,53 @@
+/** A count and its noun: `1 case`, `55 cases`. */
+export function plural(count: number, one: string, many = `${one}s`): string {
+  return `${formatCount(count)} ${count === 1 ? one : many}`;
+}
+
+export function formatCount(count: number): string {
+  return count.toLocaleString('en');
+}
+
+/** A measured time with three decimals, or a dash where nothing was measured. */
+export function formatTime(value: number | null | undefined): string {
+  if (value == null || !Number.isFinite(value)) return '–';
+  return value.toLocaleString('en', { minimumFractionDigits: 3, maximumFractionDigits: 3 });
+}
+
+/** `us`, as the result document writes it, in the sign that people read. */
+export function formatUnit(unit: string | null | undefined): string {
+  return unit == null || unit === 'us' ? 'µs' : unit;
+}
+
+/** Local date and time to the second. */
+export function formatInstant(iso: string): string {
+  const date = new Date(iso);
+  if (Number.isNaN(date.getTime())) return iso;
+  return date.toLocaleString(undefined, { dateStyle: 'medium', timeStyle: 'medium' });
+}
+
+const AGES: readonly [Intl.RelativeTimeFormatUnit, number][] = [
+  ['day', 86_400],
+  ['hour', 3_600],
+  ['minute', 60],
+];
+
+/** `5 minutes ago`; instants of the last minute are `just now`, older than a week a date. */
+export function formatAge(iso: string, now: Date): string {
+  const seconds = (now.getTime() - new Date(iso).getTime()) / 1000;
+  if (Number.isNaN(seconds) || seconds > 7 * 86_400) return formatInstant(iso);
+  for (const [unit, length] of AGES) {
+    if (seconds >= length) {
+      return new Intl.RelativeTimeFormat('en').format(-Math.floor(seconds / length), unit);
+    }
+  }
+  return 'just now';
+}
+
+/** The time between two instants: `0.8 s`, `2 min 5 s`. */
+export function formatDuration(fromIso: string, toIso: string): string {
+  const seconds = Math.max(0, (new Date(toIso).getTime() - new Date(fromIso).getTime()) / 1000);
+  if (Number.isNaN(seconds)) return '–';
+  if (seconds < 60) return `${seconds.toFixed(1)} s`;
+  const whole = Math.round(seconds);
+  return `${Math.floor(whole / 60)} min ${whole % 60} s`;
+}

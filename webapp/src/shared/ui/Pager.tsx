@@ -1,0 +1,36 @@
+import { Group, Pagination, Text } from '@mantine/core';
+import { formatCount } from '@/shared/lib/format';
+
+interface PagerProps {
+  label: string;
+  /** From 0, as the server counts. */
+  page: number;
+  size: number;
+  total: number;
+  onPage: (page: number) => void;
+}
+
+/** Which part of a list is shown, and the way to the others; nothing where one page holds all. */
+export function Pager({ label, page, size, total, onPage }: PagerProps) {
+  const pages = Math.ceil(total / size);
+  if (pages <= 1) return null;
+  const first = page * size + 1;
+  const last = Math.min(total, first + size - 1);
+  return (
+    <Group component="nav" justify="space-between" aria-label={label}>
+      <Text size="sm" c="dimmed">
+        {formatCount(first)} to {formatCount(last)} of {formatCount(total)}
+      </Text>
+      <Pagination
+        size="sm"
+        total={pages}
+        value={page + 1}
+        onChange={(next) => {
+          onPage(next - 1);
+        }}
+        getItemProps={(item) => ({ 'aria-label': `Page ${item}` })}
+        getControlProps={(control) => ({ 'aria-label': `${control} page` })}
+      />
+    </Group>
+  );
+}

@@ -1,0 +1,9 @@
+export { Age } from './Age';
+export { Diagnostics } from './Diagnostics';
+export { Loading } from './Loading';
+export { Pager } from './Pager';
+export { ProblemAlert } from './ProblemAlert';
+export { RouteLink } from './RouteLink';
+export { ScrollTable } from './ScrollTable';
+export { Section } from './Section';
+export { UserText } from './UserText';
