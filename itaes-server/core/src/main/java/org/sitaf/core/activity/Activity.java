@@ -1,0 +1,49 @@
+package org.sitaf.core.activity;
+
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.description.InterfaceDescription;
+import org.sitaf.core.description.WorldDescription;
+import org.sitaf.core.diagnostic.Diagnostic;
+import org.sitaf.core.model.TestModel;
+
+/**
+ * A test activity, read and verified: everything that a test of one component needs.
+ *
+ * @param files all files, {@code activity.yaml} among them
+ * @param world null where the component needs no simulation
+ * @param warnings what was found and does not keep the activity from being used
+ */
+public record Activity(
+    ActivityProfile profile,
+    FileTree files,
+    List<InterfaceDescription> provided,
+    List<InterfaceDescription> required,
+    @Nullable WorldDescription world,
+    List<TestModel> models,
+    List<Diagnostic> warnings) {
+  public Activity {
+    Objects.requireNonNull(profile);
+    Objects.requireNonNull(files);
+    provided = List.copyOf(provided);
+    required = List.copyOf(required);
+    models = List.copyOf(models);
+    warnings = List.copyOf(warnings);
+  }
+
+  /**
+   * Reads an activity and verifies all of it.
+   *
+   * @throws org.sitaf.core.diagnostic.InvalidInputException with every problem of every document
+   */
+  public static Activity read(FileTree files) {
+    return new ActivityReader(files).read();
+  }
+
+  /** The model of a name. */
+  public Optional<TestModel> model(String name) {
+    return models.stream().filter(m -> m.name().equals(name)).findFirst();
+  }
+}

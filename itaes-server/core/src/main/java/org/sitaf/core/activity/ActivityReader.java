@@ -1,0 +1,112 @@
+package org.sitaf.core.activity;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.description.InterfaceDescription;
+import org.sitaf.core.description.OprosReader;
+import org.sitaf.core.description.WorldDescription;
+import org.sitaf.core.description.WorldReader;
+import org.sitaf.core.diagnostic.Diagnostics;
+import org.sitaf.core.diagnostic.InvalidInputException;
+import org.sitaf.core.model.TestModel;
+import org.sitaf.core.model.TestModelXml;
+import org.sitaf.core.suite.TestCaseGenerator;
+
+/**
+ * Reads all documents of an activity and verifies them against each other, so that every problem is
+ * told at once.
+ */
+final class ActivityReader {
+  /** The one file that every activity has. */
+  static final String PROFILE = "activity.yaml";
+
+  private final FileTree files;
+  private final Diagnostics diagnostics = new Diagnostics();
+
+  ActivityReader(FileTree files) {
+    this.files = files;
+  }
+
+  Activity read() {
+    String text =
+        files
+            .text(PROFILE)
+            .orElseThrow(
+                () ->
+                    InvalidInputException.of(
+                        PROFILE, "is missing; an activity has this file at its top"));
+    ActivityProfile profile = ProfileReader.read(text, PROFILE, diagnostics);
+    List<InterfaceDescription> provided = interfaces(profile.provided(), "provided");
+    List<InterfaceDescription> required = interfaces(profile.required(), "required");
+    WorldDescription world = world(profile.world());
+    List<TestModel> models = models(profile.models());
+    ComponentFiles.verify(profile, files, PROFILE, diagnostics);
+    if (!diagnostics.hasErrors()) {
+      for (TestModel model : models) {
+        diagnostics.addAll(TestCaseGenerator.verifyConditions(model));
+        diagnostics.addAll(ModelAgainstActivity.verify(model, provided, required, world));
+      }
+    }
+    diagnostics.throwIfErrors();
+    return new Activity(profile, files, provided, required, world, models, diagnostics.all());
+  }
+
+  private List<InterfaceDescription> interfaces(List<String> paths, String entry) {
+    List<InterfaceDescription> all = new ArrayList<>();
+    Set<String> names = new HashSet<>();
+    for (String path : paths) {
+      List<InterfaceDescription> found =
+          document(path, entry, p -> OprosReader.read(files.open(p).orElseThrow(), p, diagnostics))
+              .orElse(List.of());
+      for (InterfaceDescription description : found) {
+        if (!names.add(description.name())) {
+          diagnostics.error(
+              path, 0, description.name(), "an interface of this name is " + entry + " already");
+        }
+        all.add(description);
+      }
+    }
+    return all;
+  }
+
+  private @Nullable WorldDescription world(@Nullable String path) {
+    return path == null
+        ? null
+        : document(path, "world", p -> WorldReader.read(files.text(p).orElseThrow(), p))
+            .orElse(null);
+  }
+
+  private List<TestModel> models(List<String> paths) {
+    List<TestModel> all = new ArrayList<>();
+    Set<String> names = new HashSet<>();
+    for (String path : paths) {
+      document(path, "models", p -> TestModelXml.read(files.open(p).orElseThrow(), p))
+          .ifPresent(
+              model -> {
+                if (!names.add(model.name())) {
+                  diagnostics.error(path, 0, "name", "two models are named " + model.name());
+                }
+                all.add(model);
+              });
+    }
+    return all;
+  }
+
+  private <T> Optional<T> document(String path, String entry, Function<String, T> reader) {
+    if (!files.contains(path)) {
+      diagnostics.error(PROFILE, 0, entry, "'" + path + "' is not among the files of the activity");
+      return Optional.empty();
+    }
+    try {
+      return Optional.of(reader.apply(path));
+    } catch (InvalidInputException e) {
+      diagnostics.addAll(e.diagnostics());
+      return Optional.empty();
+    }
+  }
+}

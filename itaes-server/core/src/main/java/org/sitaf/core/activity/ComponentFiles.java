@@ -1,0 +1,89 @@
+package org.sitaf.core.activity;
+
+import java.util.List;
+import java.util.regex.Pattern;
+import org.sitaf.core.activity.ActivityProfile.Component;
+import org.sitaf.core.activity.ActivityProfile.Language;
+import org.sitaf.core.diagnostic.Diagnostics;
+
+/**
+ * Finds out before anything is built whether the files that a profile names are there, and the
+ * component's class among them.
+ */
+final class ComponentFiles {
+  private static final Pattern JAVA_CLASS =
+      Pattern.compile("[A-Za-z_$][A-Za-z0-9_$]*(\\.[A-Za-z_$][A-Za-z0-9_$]*)*");
+
+  private ComponentFiles() {}
+
+  static void verify(
+      ActivityProfile profile, FileTree files, String file, Diagnostics diagnostics) {
+    Component component = profile.component();
+    folder(component.sources(), "component.sources", files, file, diagnostics);
+    folder(component.adapter(), "component.adapter", files, file, diagnostics);
+    folder(component.headers(), "component.headers", files, file, diagnostics);
+    existing(component.library(), "component.library", files, file, diagnostics);
+    existing(component.profile(), "component.profile", files, file, diagnostics);
+    profile.libraries().forEach(l -> existing(l, "libraries", files, file, diagnostics));
+    if (component.language() == Language.JAVA
+        && component.sources() != null
+        && !component.className().isEmpty()) {
+      javaClass(component.className(), component.sources(), files, file, diagnostics);
+    }
+  }
+
+  private static void javaClass(
+      String className, String sources, FileTree files, String file, Diagnostics diagnostics) {
+    if (!JAVA_CLASS.matcher(className).matches()) {
+      diagnostics.error(
+          file, 0, "component.class", "'" + className + "' is not the qualified name of a class");
+      return;
+    }
+    List<String> javaFiles =
+        files.below(sources).paths().stream().filter(p -> p.endsWith(".java")).toList();
+    String expected = className.replace('.', '/') + ".java";
+    String simple = className.substring(className.lastIndexOf('.') + 1);
+    Pattern declaration =
+        Pattern.compile("\\b(class|record|enum)\\s+" + Pattern.quote(simple) + "\\b");
+    boolean declared =
+        javaFiles.contains(expected)
+            || javaFiles.stream()
+                .map(p -> files.below(sources).text(p).orElseThrow())
+                .anyMatch(text -> declaration.matcher(text).find());
+    if (!declared) {
+      diagnostics.error(
+          file,
+          0,
+          "component.class",
+          "no source below '"
+              + sources
+              + "' declares "
+              + className
+              + "; expected "
+              + expected
+              + (javaFiles.isEmpty() ? ", but there is no .java file" : ", found " + javaFiles));
+    }
+  }
+
+  private static void folder(
+      @org.jspecify.annotations.Nullable String path,
+      String entry,
+      FileTree files,
+      String file,
+      Diagnostics diagnostics) {
+    if (path != null && files.below(path).paths().isEmpty()) {
+      diagnostics.error(file, 0, entry, "there is no file below '" + path + "' in the activity");
+    }
+  }
+
+  private static void existing(
+      @org.jspecify.annotations.Nullable String path,
+      String entry,
+      FileTree files,
+      String file,
+      Diagnostics diagnostics) {
+    if (path != null && !files.contains(path) && files.below(path).paths().isEmpty()) {
+      diagnostics.error(file, 0, entry, "'" + path + "' is not among the files of the activity");
+    }
+  }
+}

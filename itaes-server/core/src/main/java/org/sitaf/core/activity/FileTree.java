@@ -1,0 +1,145 @@
+package org.sitaf.core.activity;
+
+import java.io.ByteArrayInputStream;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.NavigableMap;
+import java.util.NavigableSet;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.regex.Pattern;
+
+/**
+ * Files by relative path, in the order of their paths. Paths have '/' separators and no empty, '.'
+ * or '..' parts, so that a tree can be written below any folder without leaving it.
+ */
+public final class FileTree {
+  private static final Pattern CONTROL = Pattern.compile("\\p{Cntrl}");
+  private static final int MAX_PATH_LENGTH = 400;
+
+  private final NavigableMap<String, byte[]> files;
+
+  private FileTree(NavigableMap<String, byte[]> files) {
+    this.files = Collections.unmodifiableNavigableMap(files);
+  }
+
+  /**
+   * A tree of these files.
+   *
+   * @throws IllegalArgumentException when a path could leave the tree, or names both a file and a
+   *     folder
+   */
+  public static FileTree of(Map<String, byte[]> files) {
+    NavigableMap<String, byte[]> sorted = new TreeMap<>();
+    files.forEach((path, content) -> sorted.put(requireSafe(path), content.clone()));
+    for (String path : sorted.keySet()) {
+      String inside = sorted.higherKey(path + "/");
+      if (sorted.containsKey(path + "/") || (inside != null && inside.startsWith(path + "/"))) {
+        throw new IllegalArgumentException("'" + path + "' is both a file and a folder");
+      }
+    }
+    return new FileTree(sorted);
+  }
+
+  /**
+   * Checks a path.
+   *
+   * @throws IllegalArgumentException when it could leave the tree or cannot be a file's path
+   */
+  public static String requireSafe(String path) {
+    boolean bad =
+        path.isEmpty()
+            || path.length() > MAX_PATH_LENGTH
+            || path.indexOf('\\') >= 0
+            || CONTROL.matcher(path).find()
+            || Arrays.stream(path.split("/", -1))
+                .anyMatch(part -> part.isEmpty() || part.equals(".") || part.equals(".."));
+    if (bad) {
+      throw new IllegalArgumentException(
+          "'" + path + "' is not a relative path with '/' separators, without '.' and '..' parts");
+    }
+    return path;
+  }
+
+  /** All paths, in order. */
+  public NavigableSet<String> paths() {
+    return files.navigableKeySet();
+  }
+
+  /** Whether there is a file of that path. */
+  public boolean contains(String path) {
+    return files.containsKey(path);
+  }
+
+  /** A copy of a file's content. */
+  public Optional<byte[]> content(String path) {
+    return Optional.ofNullable(files.get(path)).map(byte[]::clone);
+  }
+
+  /** A file as text in UTF-8. */
+  public Optional<String> text(String path) {
+    return Optional.ofNullable(files.get(path)).map(b -> new String(b, StandardCharsets.UTF_8));
+  }
+
+  /** A file as a stream. */
+  public Optional<InputStream> open(String path) {
+    return Optional.ofNullable(files.get(path)).map(ByteArrayInputStream::new);
+  }
+
+  /** The files below a folder, by their path from there. */
+  public FileTree below(String folder) {
+    String prefix = folder.isEmpty() || folder.endsWith("/") ? folder : folder + "/";
+    NavigableMap<String, byte[]> inside = new TreeMap<>();
+    files
+        .tailMap(prefix, false)
+        .forEach(
+            (path, content) -> {
+              if (path.startsWith(prefix)) {
+                inside.put(path.substring(prefix.length()), content);
+              }
+            });
+    return new FileTree(inside);
+  }
+
+  /** These files and those of another tree below a folder; the other's win. */
+  public FileTree with(String folder, FileTree other) {
+    Map<String, byte[]> all = new HashMap<>(files);
+    String prefix = folder.isEmpty() || folder.endsWith("/") ? folder : folder + "/";
+    other.files.forEach((path, content) -> all.put(prefix + path, content));
+    return of(all);
+  }
+
+  /** These files and one more, which wins over one of the same path. */
+  public FileTree with(String path, byte[] content) {
+    Map<String, byte[]> all = new HashMap<>(files);
+    all.put(path, content);
+    return of(all);
+  }
+
+  /** Number of bytes of all files. */
+  public long size() {
+    return files.values().stream().mapToLong(content -> content.length).sum();
+  }
+
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof FileTree tree
+        && files.keySet().equals(tree.files.keySet())
+        && files.entrySet().stream()
+            .allMatch(e -> Arrays.equals(e.getValue(), tree.files.get(e.getKey())));
+  }
+
+  @Override
+  public int hashCode() {
+    return files.keySet().hashCode();
+  }
+
+  @Override
+  public String toString() {
+    return "FileTree" + files.keySet();
+  }
+}

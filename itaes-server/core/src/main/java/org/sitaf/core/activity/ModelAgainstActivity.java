@@ -1,0 +1,258 @@
+package org.sitaf.core.activity;
+
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.description.DataType;
+import org.sitaf.core.description.Direction;
+import org.sitaf.core.description.InterfaceDescription;
+import org.sitaf.core.description.Method;
+import org.sitaf.core.description.Parameter;
+import org.sitaf.core.description.ScalarType;
+import org.sitaf.core.description.TypeGrammar;
+import org.sitaf.core.description.WorldDescription;
+import org.sitaf.core.description.WorldDescription.WorldParameter;
+import org.sitaf.core.diagnostic.Diagnostic;
+import org.sitaf.core.diagnostic.Diagnostics;
+import org.sitaf.core.model.InputElement;
+import org.sitaf.core.model.OutputElement;
+import org.sitaf.core.model.TestModel;
+import org.sitaf.core.model.Value;
+import org.sitaf.core.value.TestDataGenerator;
+import org.sitaf.core.value.TestValue;
+
+/**
+ * Verifies a test model against the interfaces and the world of its activity, before anything is
+ * built.
+ */
+final class ModelAgainstActivity {
+  /** {@code Interface.Method}, {@code Interface.Method.param}, either with {@code #2} appended. */
+  private static final Pattern STUB_NAME =
+      Pattern.compile("(\\w+)\\.(\\w+)(?:\\.(\\w+))?(?:#[1-9][0-9]*)?");
+
+  private final TestModel model;
+  private final List<InterfaceDescription> required;
+  private final @Nullable WorldDescription world;
+  private final Diagnostics diagnostics = new Diagnostics();
+
+  private ModelAgainstActivity(
+      TestModel model, List<InterfaceDescription> required, @Nullable WorldDescription world) {
+    this.model = model;
+    this.required = required;
+    this.world = world;
+  }
+
+  static List<Diagnostic> verify(
+      TestModel model,
+      List<InterfaceDescription> provided,
+      List<InterfaceDescription> required,
+      @Nullable WorldDescription world) {
+    var verification = new ModelAgainstActivity(model, required, world);
+    try {
+      Method method = TargetMethod.find(model, provided).method();
+      verification.inputs(method);
+      verification.outputs(method);
+    } catch (IllegalArgumentException e) {
+      verification.error(0, "target", String.valueOf(e.getMessage()));
+    }
+    return verification.diagnostics.all();
+  }
+
+  private void inputs(Method method) {
+    Set<String> given = new HashSet<>();
+    for (InputElement input : model.inputs()) {
+      switch (input.kind()) {
+        case TDI -> {
+          given.add(root(input.name()));
+          argument(input, method);
+        }
+        case TDSD -> worldParameter(input);
+        case TDTS -> stubValue(input);
+      }
+    }
+    for (Parameter parameter : method.parameters()) {
+      if (parameter.direction() == Direction.IN && !given.contains(parameter.name())) {
+        error(
+            0,
+            "input_spec_list",
+            "parameter "
+                + parameter.name()
+                + " of "
+                + method.name()
+                + " has no test_element of type TDI");
+      }
+    }
+  }
+
+  private void argument(InputElement input, Method method) {
+    Optional<Parameter> parameter = parameter(method, root(input.name()));
+    if (parameter.isEmpty() || parameter.get().direction() == Direction.OUT) {
+      error(
+          input.line(),
+          "test_element " + input.name(),
+          method.name()
+              + " has no such parameter; it has "
+              + method.parameters().stream()
+                  .map(Parameter::name)
+                  .collect(Collectors.joining(", ")));
+    } else if (root(input.name()).equals(input.name())) {
+      sameType(input.line(), input.name(), input.realType(), parameter.get().type());
+    }
+  }
+
+  private void worldParameter(InputElement input) {
+    String where = "test_element " + input.name();
+    if (world == null) {
+      error(input.line(), where, "is set through the simulation, but activity.yaml names no world");
+      return;
+    }
+    Optional<WorldParameter> parameter = world.parameter(input.name());
+    if (parameter.isEmpty()) {
+      error(
+          input.line(),
+          where,
+          world.path()
+              + " has no such parameter; it has "
+              + world.parameters().stream()
+                  .map(WorldParameter::name)
+                  .collect(Collectors.joining(", ")));
+      return;
+    }
+    for (TestValue value : TestDataGenerator.generate(input, 1).values()) {
+      Optional<Double> number = number(value.value());
+      if (number.isEmpty()) {
+        error(
+            input.line(),
+            where,
+            "a parameter of the world is a number, not " + value.value().literal());
+        return;
+      }
+      if (!(number.get() >= parameter.get().min() && number.get() <= parameter.get().max())) {
+        error(
+            input.line(),
+            where,
+            "the value "
+                + value.value().literal()
+                + " lies outside the range ["
+                + parameter.get().min()
+                + ", "
+                + parameter.get().max()
+                + "] that "
+                + world.path()
+                + " declares; widen that range, or narrow the test_spec");
+      }
+    }
+  }
+
+  private void stubValue(InputElement input) {
+    Matcher name = STUB_NAME.matcher(input.name());
+    String where = "test_element " + input.name();
+    if (!name.matches()) {
+      error(
+          input.line(),
+          where,
+          "must be named Interface.Method, Interface.Method.param, or one of these with #2");
+      return;
+    }
+    Optional<InterfaceDescription> called =
+        required.stream().filter(i -> i.name().equals(name.group(1))).findFirst();
+    if (called.isEmpty()) {
+      error(
+          input.line(),
+          where,
+          "activity.yaml requires no interface "
+              + name.group(1)
+              + "; it requires "
+              + required.stream().map(InterfaceDescription::name).toList());
+      return;
+    }
+    List<Method> methods = called.get().methodsNamed(name.group(2));
+    if (methods.isEmpty()) {
+      error(input.line(), where, name.group(1) + " has no method " + name.group(2));
+    } else if (name.group(3) == null) {
+      sameType(input.line(), input.name(), input.realType(), methods.get(0).returnType());
+    } else if (parameter(methods.get(0), name.group(3)).isEmpty()) {
+      error(input.line(), where, name.group(2) + " has no parameter " + name.group(3));
+    }
+  }
+
+  private void outputs(Method method) {
+    for (OutputElement output : model.outputs()) {
+      String where = "test_element " + output.name();
+      switch (output.kind()) {
+        case RETURN -> {
+          if (method.returnType().equals(new DataType.Scalar(ScalarType.VOID))) {
+            error(output.line(), where, method.name() + " returns nothing");
+          } else {
+            sameType(output.line(), output.name(), output.realType(), method.returnType());
+          }
+        }
+        case OUT -> {
+          Optional<Parameter> parameter = parameter(method, root(output.name()));
+          if (parameter.isEmpty() || parameter.get().direction() == Direction.IN) {
+            error(output.line(), where, method.name() + " has no out-parameter of this name");
+          }
+        }
+        case OBSERVED -> {
+          if (world == null || !world.observations().contains(output.name())) {
+            error(
+                output.line(),
+                where,
+                "is not an observation of the world"
+                    + (world == null
+                        ? "; activity.yaml names none"
+                        : "; " + world.path() + " has " + world.observations()));
+          }
+        }
+      }
+    }
+  }
+
+  /**
+   * A whole number may be passed where a floating-point number is wanted; otherwise the kinds must
+   * agree.
+   */
+  private void sameType(int line, String element, String realType, DataType wanted) {
+    DataType given = TypeGrammar.parse(realType).type();
+    if (given instanceof DataType.Scalar g && wanted instanceof DataType.Scalar w) {
+      boolean fits =
+          g.type() == w.type()
+              || (g.type().isInteger() && w.type().isNumeric())
+              || (g.type().isFloating() && w.type().isFloating());
+      if (!fits) {
+        error(
+            line,
+            "test_element " + element,
+            "real_type "
+                + realType
+                + " does not fit the interface, which has "
+                + wanted.spelling());
+      }
+    }
+  }
+
+  private static Optional<Parameter> parameter(Method method, String name) {
+    return method.parameters().stream().filter(p -> p.name().equals(name)).findFirst();
+  }
+
+  private static Optional<Double> number(Value value) {
+    if (value instanceof Value.Whole whole) {
+      return Optional.of(whole.number().doubleValue());
+    }
+    return value instanceof Value.Real real ? Optional.of(real.number()) : Optional.empty();
+  }
+
+  /** The parameter that {@code pose.x} or {@code path[0]} is a member of. */
+  private static String root(String name) {
+    return name.split("[.\\[]", 2)[0];
+  }
+
+  private void error(int line, String element, String message) {
+    diagnostics.error(model.source(), line, element, message);
+  }
+}

@@ -1,0 +1,200 @@
+package org.sitaf.core.activity;
+
+import java.time.Duration;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.regex.Pattern;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.activity.ActivityProfile.Component;
+import org.sitaf.core.activity.ActivityProfile.Language;
+import org.sitaf.core.activity.ActivityProfile.LifeCycle;
+import org.sitaf.core.activity.ActivityProfile.Limits;
+import org.sitaf.core.diagnostic.Diagnostics;
+import org.sitaf.core.document.YamlDocument;
+import org.sitaf.core.document.YamlMapping;
+
+/** Reads {@code activity.yaml}. */
+final class ProfileReader {
+  private static final Pattern NAME = Pattern.compile("[A-Za-z0-9][A-Za-z0-9._-]{0,99}");
+  private static final Set<String> ENTRIES =
+      Set.of(
+          "name",
+          "description",
+          "component",
+          "provided",
+          "required",
+          "libraries",
+          "harness",
+          "world",
+          "models",
+          "parallel",
+          "limits");
+  private static final Set<String> COMPONENT_ENTRIES =
+      Set.of(
+          "language",
+          "sources",
+          "library",
+          "headers",
+          "package",
+          "class",
+          "adapter",
+          "profile",
+          "properties",
+          "life_cycle",
+          "execution",
+          "period_ms",
+          "before");
+
+  private ProfileReader() {}
+
+  /** Reads the text of a profile; what is wrong goes to the diagnostics. */
+  static ActivityProfile read(String text, String file, Diagnostics diagnostics) {
+    YamlMapping root = YamlDocument.read(text, file, diagnostics);
+    root.knowOnly(ENTRIES);
+    String name = root.requiredText("name");
+    if (!name.isEmpty() && !NAME.matcher(name).matches()) {
+      root.problem(
+          "name", "'" + name + "' is not a name; letters, digits, '.', '_' and '-', at most 100");
+    }
+    Component component = component(root);
+    Language harness =
+        root.text("harness")
+            .flatMap(spelling -> language(root, "harness", spelling))
+            .orElse(component.language());
+    required(root, "provided", root.texts("provided"));
+    required(root, "models", root.texts("models"));
+    return new ActivityProfile(
+        name,
+        root.text("description").orElse(""),
+        component,
+        root.texts("provided"),
+        root.texts("required"),
+        root.texts("libraries"),
+        harness,
+        root.text("world").orElse(null),
+        root.texts("models"),
+        root.truth("parallel").orElse(false),
+        root.mapping("limits").map(ProfileReader::limits).orElse(Limits.DEFAULT));
+  }
+
+  private static void required(YamlMapping root, String entry, List<String> items) {
+    if (items.isEmpty()) {
+      root.problem(entry, "must name at least one file");
+    }
+  }
+
+  private static Component component(YamlMapping root) {
+    Optional<YamlMapping> found = root.mapping("component");
+    if (found.isEmpty()) {
+      root.problem("component", "must say what is tested: language, sources and class");
+      return new Component(
+          Language.JAVA,
+          "",
+          null,
+          null,
+          null,
+          "",
+          null,
+          null,
+          Map.of(),
+          LifeCycle.CASE,
+          null,
+          List.of());
+    }
+    YamlMapping entry = found.get();
+    entry.knowOnly(COMPONENT_ENTRIES);
+    long origins = List.of("sources", "library", "package").stream().filter(entry::has).count();
+    if (origins != 1) {
+      entry.problem("sources", "the component comes from exactly one of sources, library, package");
+    }
+    Map<String, String> properties = new HashMap<>();
+    entry
+        .mapping("properties")
+        .ifPresent(
+            all -> all.names().forEach(n -> all.text(n).ifPresent(v -> properties.put(n, v))));
+    return new Component(
+        language(entry, "language", entry.requiredText("language")).orElse(Language.JAVA),
+        entry.text("sources").orElse(null),
+        entry.text("library").orElse(null),
+        entry.text("headers").orElse(null),
+        entry.text("package").orElse(null),
+        entry.requiredText("class"),
+        entry.text("adapter").orElse(null),
+        entry.text("profile").orElse(null),
+        properties,
+        lifeCycle(entry),
+        period(entry),
+        entry.texts("before"));
+  }
+
+  private static Optional<Language> language(YamlMapping entry, String name, String spelling) {
+    for (Language language : Language.values()) {
+      if (language.spelling().equals(spelling.toLowerCase(Locale.ROOT))) {
+        return Optional.of(language);
+      }
+    }
+    if (entry.has(name)) {
+      entry.problem(name, "must be java, cpp or python, not '" + spelling + "'");
+    }
+    return Optional.empty();
+  }
+
+  private static LifeCycle lifeCycle(YamlMapping entry) {
+    return switch (entry.text("life_cycle").orElse("case")) {
+      case "case" -> LifeCycle.CASE;
+      case "suite" -> LifeCycle.SUITE;
+      default -> {
+        entry.problem("life_cycle", "must be case or suite");
+        yield LifeCycle.CASE;
+      }
+    };
+  }
+
+  private static @Nullable Duration period(YamlMapping entry) {
+    Optional<Double> periodMs = entry.number("period_ms");
+    switch (entry.text("execution").orElse("passive")) {
+      case "passive" -> {
+        if (periodMs.isPresent()) {
+          entry.problem("period_ms", "belongs to execution: periodic");
+        }
+        return null;
+      }
+      case "periodic" -> {
+        if (periodMs.isEmpty() || periodMs.get() <= 0) {
+          entry.problem("period_ms", "execution: periodic needs a period above 0, in milliseconds");
+          return null;
+        }
+        return Duration.ofNanos(Math.round(periodMs.get() * 1e6));
+      }
+      default -> {
+        entry.problem("execution", "must be passive or periodic");
+        return null;
+      }
+    }
+  }
+
+  private static Limits limits(YamlMapping entry) {
+    entry.knowOnly(Set.of("case_wall_s", "case_sim_s", "memory_mb"));
+    return new Limits(
+        seconds(entry, "case_wall_s", Limits.DEFAULT.caseWall()),
+        seconds(entry, "case_sim_s", Limits.DEFAULT.caseSimulation()),
+        (int) positive(entry, "memory_mb", Limits.DEFAULT.memoryMiB()));
+  }
+
+  private static Duration seconds(YamlMapping entry, String name, Duration otherwise) {
+    return Duration.ofMillis(Math.round(positive(entry, name, otherwise.toMillis() / 1e3) * 1e3));
+  }
+
+  private static double positive(YamlMapping entry, String name, double otherwise) {
+    double number = entry.number(name).orElse(otherwise);
+    if (number < 0.001 || number > 1e6) {
+      entry.problem(name, "must be between 0.001 and 1000000");
+      return otherwise;
+    }
+    return number;
+  }
+}

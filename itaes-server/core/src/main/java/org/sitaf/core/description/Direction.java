@@ -1,0 +1,8 @@
+package org.sitaf.core.description;
+
+/** Which way a parameter carries data. */
+public enum Direction {
+  IN,
+  OUT,
+  INOUT
+}

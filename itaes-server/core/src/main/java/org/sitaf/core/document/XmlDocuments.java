@@ -1,0 +1,204 @@
+package org.sitaf.core.document;
+
+import jakarta.xml.bind.JAXBContext;
+import jakarta.xml.bind.JAXBElement;
+import jakarta.xml.bind.JAXBException;
+import jakarta.xml.bind.Marshaller;
+import jakarta.xml.bind.Unmarshaller;
+import jakarta.xml.bind.ValidationEvent;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.io.StringReader;
+import java.util.Set;
+import javax.xml.stream.Location;
+import javax.xml.stream.XMLInputFactory;
+import javax.xml.stream.XMLOutputFactory;
+import javax.xml.stream.XMLStreamConstants;
+import javax.xml.stream.XMLStreamException;
+import javax.xml.stream.XMLStreamReader;
+import javax.xml.stream.XMLStreamWriter;
+import javax.xml.stream.util.StreamReaderDelegate;
+import org.glassfish.jaxb.core.Locatable;
+import org.sitaf.core.diagnostic.Diagnostic;
+import org.sitaf.core.diagnostic.Diagnostics;
+import org.sitaf.core.diagnostic.InvalidInputException;
+import org.sitaf.schemas.ObjectFactory;
+
+/** The paper's XML documents between bytes and the classes generated from the schemas. */
+public final class XmlDocuments {
+  /** Immutable and safe to share between threads. */
+  private static final JAXBContext CONTEXT = context();
+
+  private XmlDocuments() {}
+
+  /**
+   * Opens a document of a user. A document type declaration, and with it every entity, is refused.
+   *
+   * @throws InvalidInputException when it is not XML; the message is the parser's
+   */
+  public static XMLStreamReader open(InputStream document, String file) {
+    try {
+      XMLStreamReader reader =
+          new WithoutDocumentType(inputFactory().createXMLStreamReader(document));
+      while (reader.getEventType() != XMLStreamConstants.START_ELEMENT) {
+        reader.next();
+      }
+      return reader;
+    } catch (XMLStreamException e) {
+      throw malformed(e, file);
+    }
+  }
+
+  /**
+   * Reads a document of a user as one of the classes of the schemas. Elements that the schema does
+   * not know become warnings.
+   *
+   * @param root name of the root element
+   * @throws InvalidInputException when it is not XML, has another root, or a value is not of its
+   *     type
+   */
+  public static <T> T read(
+      InputStream document, String file, String root, Class<T> type, Diagnostics diagnostics) {
+    XMLStreamReader reader = open(document, file);
+    if (!reader.getLocalName().equals(root)) {
+      throw new InvalidInputException(
+          java.util.List.of(
+              Diagnostic.error(
+                  file,
+                  reader.getLocation().getLineNumber(),
+                  reader.getLocalName(),
+                  "the root element must be <" + root + ">")));
+    }
+    T result = readElement(reader, file, type, diagnostics);
+    try {
+      while (reader.hasNext()) {
+        reader.next();
+      }
+    } catch (XMLStreamException e) {
+      throw malformed(e, file);
+    }
+    return result;
+  }
+
+  /** Reads the element at which a reader stands. */
+  public static <T> T readElement(
+      XMLStreamReader reader, String file, Class<T> type, Diagnostics diagnostics) {
+    try {
+      Unmarshaller unmarshaller = CONTEXT.createUnmarshaller();
+      unmarshaller.setEventHandler(event -> report(event, file, diagnostics));
+      JAXBElement<T> element = unmarshaller.unmarshal(reader, type);
+      return element.getValue();
+    } catch (JAXBException e) {
+      if (e.getLinkedException() instanceof XMLStreamException malformed) {
+        throw malformed(malformed, file);
+      }
+      throw InvalidInputException.of(file, "cannot be read: " + e.getMessage());
+    }
+  }
+
+  /** Reads one element from a line of text. */
+  public static <T> T readLine(String line, String file, Class<T> type) {
+    Diagnostics diagnostics = new Diagnostics();
+    try {
+      XMLStreamReader reader =
+          new WithoutDocumentType(inputFactory().createXMLStreamReader(new StringReader(line)));
+      reader.nextTag();
+      T result = readElement(reader, file, type, diagnostics);
+      diagnostics.throwIfErrors();
+      return result;
+    } catch (XMLStreamException e) {
+      throw malformed(e, file);
+    }
+  }
+
+  /**
+   * Writes a document in UTF-8, indented, elements named in {@code rows} on one line each.
+   *
+   * @throws IllegalArgumentException when the stream cannot be written
+   */
+  public static void write(Object document, Set<String> rows, OutputStream out) {
+    try {
+      XMLStreamWriter writer =
+          new IndentingWriter(
+              XMLOutputFactory.newDefaultFactory().createXMLStreamWriter(out, "UTF-8"), rows);
+      Marshaller marshaller = CONTEXT.createMarshaller();
+      marshaller.setProperty(Marshaller.JAXB_FRAGMENT, true);
+      writer.writeStartDocument("UTF-8", "1.0");
+      marshaller.marshal(document, writer);
+      writer.writeEndDocument();
+      writer.flush();
+    } catch (JAXBException | XMLStreamException e) {
+      throw new IllegalArgumentException("the document cannot be written: " + e.getMessage(), e);
+    }
+  }
+
+  /** Line at which an element stands, from 1; 0 where it is unknown. */
+  public static int line(Object element) {
+    return element instanceof Locatable located && located.sourceLocation() != null
+        ? Math.max(0, located.sourceLocation().getLineNumber())
+        : 0;
+  }
+
+  private static boolean report(ValidationEvent event, String file, Diagnostics diagnostics) {
+    int line = event.getLocator() == null ? 0 : Math.max(0, event.getLocator().getLineNumber());
+    String message = String.valueOf(event.getMessage());
+    if (event.getLinkedException() instanceof XMLStreamException) {
+      return false;
+    }
+    if (message.startsWith("unexpected element")) {
+      String name = message.replaceFirst("(?s)^.*?local:\"([^\"]*)\".*$", "$1");
+      diagnostics.warning(file, line, name, "unknown element, not read; check its spelling");
+    } else {
+      diagnostics.error(file, line, "", message);
+    }
+    return true;
+  }
+
+  private static InvalidInputException malformed(XMLStreamException e, String file) {
+    Location location = e.getLocation();
+    // The JDK's parser puts "ParseError at [row,col]:[..]\nMessage: " before what it has to say.
+    String message =
+        String.valueOf(e.getMessage()).replaceFirst("(?s)^ParseError at .*?Message: ", "");
+    return new InvalidInputException(
+        java.util.List.of(
+            Diagnostic.error(
+                file,
+                location == null ? 0 : Math.max(0, location.getLineNumber()),
+                "",
+                "not well-formed XML: " + message)));
+  }
+
+  private static XMLInputFactory inputFactory() {
+    XMLInputFactory factory = XMLInputFactory.newDefaultFactory();
+    factory.setProperty(XMLInputFactory.IS_SUPPORTING_EXTERNAL_ENTITIES, false);
+    factory.setProperty(XMLInputFactory.SUPPORT_DTD, false);
+    factory.setProperty(XMLInputFactory.IS_COALESCING, true);
+    return factory;
+  }
+
+  private static JAXBContext context() {
+    try {
+      return JAXBContext.newInstance(ObjectFactory.class);
+    } catch (JAXBException e) {
+      throw new IllegalStateException("the classes of the schemas are damaged", e);
+    }
+  }
+
+  /** Refuses what {@code SUPPORT_DTD = false} only passes over. */
+  private static final class WithoutDocumentType extends StreamReaderDelegate {
+    WithoutDocumentType(XMLStreamReader reader) {
+      super(reader);
+    }
+
+    @Override
+    public int next() throws XMLStreamException {
+      int event = super.next();
+      if (event == XMLStreamConstants.DTD || event == XMLStreamConstants.ENTITY_REFERENCE) {
+        throw new XMLStreamException(
+            "document type declarations and entities are refused; remove <!DOCTYPE ...>",
+            getLocation());
+      }
+      return event;
+    }
+  }
+}

@@ -1,0 +1,175 @@
+package org.sitaf.core.document;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.diagnostic.Diagnostics;
+import org.yaml.snakeyaml.nodes.MappingNode;
+import org.yaml.snakeyaml.nodes.Node;
+import org.yaml.snakeyaml.nodes.NodeTuple;
+import org.yaml.snakeyaml.nodes.ScalarNode;
+import org.yaml.snakeyaml.nodes.SequenceNode;
+import org.yaml.snakeyaml.nodes.Tag;
+
+/**
+ * A mapping of a YAML document. An entry of the wrong kind is reported and then taken for absent.
+ */
+public final class YamlMapping {
+  private final Map<String, Node> entries = new LinkedHashMap<>();
+  private final int line;
+  private final String file;
+  private final String path;
+  private final Diagnostics diagnostics;
+
+  YamlMapping(MappingNode node, String file, String path, Diagnostics diagnostics) {
+    this.line = node.getStartMark().getLine() + 1;
+    this.file = file;
+    this.path = path;
+    this.diagnostics = diagnostics;
+    for (NodeTuple tuple : node.getValue()) {
+      if (!(tuple.getKeyNode() instanceof ScalarNode key)) {
+        problem(tuple.getKeyNode(), path, "a name must be plain text");
+      } else if (entries.putIfAbsent(key.getValue(), tuple.getValueNode()) != null) {
+        problem(key, pathOf(key.getValue()), "stands here a second time; keep one");
+      }
+    }
+  }
+
+  /** Names, in the order of the document. */
+  public List<String> names() {
+    return List.copyOf(entries.keySet());
+  }
+
+  /** Whether there is an entry, null not counted. */
+  public boolean has(String name) {
+    return find(name).isPresent();
+  }
+
+  /** Line of an entry, or of the mapping where there is none; from 1. */
+  public int line(String name) {
+    Node node = entries.get(name);
+    return node == null ? line : node.getStartMark().getLine() + 1;
+  }
+
+  /** Reports entries that nothing will read. */
+  public void knowOnly(Set<String> known) {
+    for (String name : entries.keySet()) {
+      if (!known.contains(name)) {
+        diagnostics.error(
+            file,
+            line(name),
+            pathOf(name),
+            "unknown entry; known here: " + String.join(", ", new java.util.TreeSet<>(known)));
+      }
+    }
+  }
+
+  /** Text of an entry. */
+  public Optional<String> text(String name) {
+    return find(name).flatMap(node -> textOf(node, pathOf(name)));
+  }
+
+  /** Text of an entry that must be there; an empty text and a diagnostic where it is not. */
+  public String requiredText(String name) {
+    Optional<String> text = text(name);
+    if (text.isEmpty() && find(name).isEmpty()) {
+      diagnostics.error(file, line, pathOf(name), "is missing");
+    }
+    return text.orElse("");
+  }
+
+  /** A finite number. */
+  public Optional<Double> number(String name) {
+    return text(name)
+        .flatMap(
+            text -> {
+              try {
+                double number = Double.parseDouble(text);
+                if (!Double.isNaN(number) && !Double.isInfinite(number)) {
+                  return Optional.of(number);
+                }
+              } catch (NumberFormatException e) {
+                // Reported below, like every other text that is not a finite number.
+              }
+              diagnostics.error(
+                  file, line(name), pathOf(name), "'" + text + "' is not a finite number");
+              return Optional.empty();
+            });
+  }
+
+  /** true or false. */
+  public Optional<Boolean> truth(String name) {
+    return text(name)
+        .flatMap(
+            text ->
+                switch (text) {
+                  case "true" -> Optional.of(true);
+                  case "false" -> Optional.of(false);
+                  default -> {
+                    diagnostics.error(
+                        file, line(name), pathOf(name), "'" + text + "' is not true or false");
+                    yield Optional.empty();
+                  }
+                });
+  }
+
+  /** A list of texts; empty where there is no such entry. */
+  public List<String> texts(String name) {
+    List<String> texts = new ArrayList<>();
+    find(name)
+        .ifPresent(
+            node -> {
+              if (node instanceof SequenceNode sequence) {
+                for (Node item : sequence.getValue()) {
+                  textOf(item, pathOf(name)).ifPresent(texts::add);
+                }
+              } else {
+                problem(node, pathOf(name), "must be a list, such as [a, b]");
+              }
+            });
+    return List.copyOf(texts);
+  }
+
+  /** A mapping within this one. */
+  public Optional<YamlMapping> mapping(String name) {
+    return find(name)
+        .flatMap(
+            node -> {
+              if (node instanceof MappingNode mapping) {
+                return Optional.of(new YamlMapping(mapping, file, pathOf(name), diagnostics));
+              }
+              problem(node, pathOf(name), "must be a mapping of names to values");
+              return Optional.empty();
+            });
+  }
+
+  /** Reports a problem of an entry. */
+  public void problem(String name, String message) {
+    diagnostics.error(file, line(name), pathOf(name), message);
+  }
+
+  private void problem(Node node, String at, String message) {
+    diagnostics.error(file, node.getStartMark().getLine() + 1, at, message);
+  }
+
+  private Optional<String> textOf(Node node, String at) {
+    if (node instanceof ScalarNode scalar) {
+      return Optional.of(scalar.getValue());
+    }
+    problem(node, at, "must be plain text");
+    return Optional.empty();
+  }
+
+  private Optional<Node> find(String name) {
+    @Nullable Node node = entries.get(name);
+    return node == null || node.getTag().equals(Tag.NULL) ? Optional.empty() : Optional.of(node);
+  }
+
+  private String pathOf(String name) {
+    return path.isEmpty() ? name : path + "." + name;
+  }
+}

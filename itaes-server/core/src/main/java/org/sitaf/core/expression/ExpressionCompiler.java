@@ -1,0 +1,60 @@
+package org.sitaf.core.expression;
+
+import dev.cel.common.CelAbstractSyntaxTree;
+import dev.cel.common.CelIssue;
+import dev.cel.common.CelOptions;
+import dev.cel.common.CelValidationException;
+import dev.cel.common.types.SimpleType;
+import dev.cel.compiler.CelCompiler;
+import dev.cel.compiler.CelCompilerBuilder;
+import dev.cel.compiler.CelCompilerFactory;
+import dev.cel.runtime.CelEvaluationException;
+import dev.cel.runtime.CelRuntime;
+import dev.cel.runtime.CelRuntimeFactory;
+import java.util.Collection;
+import java.util.stream.Collectors;
+
+/**
+ * Compiles CEL over given variables. Whole and floating-point numbers compare across types, so that
+ * {@code Distance <= 10} means what it says.
+ */
+public final class ExpressionCompiler {
+  private static final CelOptions OPTIONS =
+      CelOptions.current().enableHeterogeneousNumericComparisons(true).build();
+
+  private final CelCompiler compiler;
+  private final CelRuntime runtime;
+
+  /** Every variable may hold any value: its type shows when the expression is evaluated. */
+  public ExpressionCompiler(Collection<String> variables) {
+    CelCompilerBuilder builder =
+        CelCompilerFactory.standardCelCompilerBuilder()
+            .setOptions(OPTIONS)
+            .setStandardMacros(dev.cel.parser.CelStandardMacro.STANDARD_MACROS);
+    variables.forEach(name -> builder.addVar(name, SimpleType.DYN));
+    compiler = builder.build();
+    runtime = CelRuntimeFactory.standardCelRuntimeBuilder().setOptions(OPTIONS).build();
+  }
+
+  /**
+   * Compiles an expression.
+   *
+   * @throws IllegalArgumentException when it is not CEL or names an unknown variable; the message
+   *     says which
+   */
+  public Expression compile(String text) {
+    try {
+      CelAbstractSyntaxTree ast = compiler.compile(text).getAst();
+      return new Expression(text, ast, runtime.createProgram(ast));
+    } catch (CelValidationException e) {
+      String issues =
+          e.getErrors().stream()
+              .map(CelIssue::getMessage)
+              .distinct()
+              .collect(Collectors.joining("; "));
+      throw new IllegalArgumentException("'" + text + "' is not usable: " + issues, e);
+    } catch (CelEvaluationException e) {
+      throw new IllegalArgumentException("'" + text + "' is not usable: " + e.getMessage(), e);
+    }
+  }
+}

@@ -1,0 +1,123 @@
+package org.sitaf.core.expression;
+
+import com.google.common.primitives.UnsignedLong;
+import java.math.BigInteger;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.sitaf.core.model.Value;
+
+/**
+ * What an expression sees of a case: each input under its name, members such as {@code pose.x} and
+ * {@code path[0]} as parts.
+ */
+public final class Variables {
+  /** True in a case without an invalid value. */
+  public static final String VALID = "valid";
+
+  private static final Pattern STEP =
+      Pattern.compile("([A-Za-z_]\\w*)|\\.([A-Za-z_]\\w*)|\\[(\\d{1,6})]");
+  private static final BigInteger LONG_MIN = BigInteger.valueOf(Long.MIN_VALUE);
+  private static final BigInteger LONG_MAX = BigInteger.valueOf(Long.MAX_VALUE);
+
+  private final Map<String, Object> values = new HashMap<>();
+
+  /**
+   * The variables that inputs of these names give; a name that is no path, such as one with {@code
+   * #2}, gives none.
+   */
+  public static Set<String> roots(Collection<String> names) {
+    Set<String> roots = new TreeSet<>();
+    for (String name : names) {
+      List<Object> path = path(name);
+      if (!path.isEmpty()) {
+        roots.add((String) path.get(0));
+      }
+    }
+    return roots;
+  }
+
+  /** Adds the value of an input. */
+  public Variables put(String name, Value value) {
+    List<Object> path = path(name);
+    if (!path.isEmpty()) {
+      put(values, path, plain(value));
+    }
+    return this;
+  }
+
+  /** Adds a variable that is not an input, such as {@code valid}. */
+  public Variables put(String name, Object plainValue) {
+    values.put(name, plainValue);
+    return this;
+  }
+
+  /** The variables, for an evaluation. */
+  public Map<String, Object> map() {
+    return values;
+  }
+
+  /** A value as CEL has it: Long, UnsignedLong, Double, Boolean or String. */
+  public static Object plain(Value value) {
+    if (value instanceof Value.Whole whole) {
+      BigInteger number = whole.number();
+      return number.compareTo(LONG_MIN) >= 0 && number.compareTo(LONG_MAX) <= 0
+          ? (Object) number.longValue()
+          : UnsignedLong.valueOf(number);
+    }
+    if (value instanceof Value.Real real) {
+      return real.number();
+    }
+    return value instanceof Value.Truth truth ? (Object) truth.value() : value.literal();
+  }
+
+  private static List<Object> path(String name) {
+    List<Object> path = new ArrayList<>();
+    Matcher step = STEP.matcher(name);
+    int at = 0;
+    while (at < name.length() && step.find(at) && step.start() == at) {
+      if ((step.group(1) != null) != path.isEmpty()) {
+        return List.of();
+      }
+      path.add(
+          step.group(1) != null
+              ? step.group(1)
+              : step.group(2) != null ? step.group(2) : (Object) Integer.valueOf(step.group(3)));
+      at = step.end();
+    }
+    return at == name.length() ? path : List.of();
+  }
+
+  @SuppressWarnings("unchecked")
+  private static void put(Map<String, Object> root, List<Object> path, Object value) {
+    Object container = root;
+    for (int i = 0; i < path.size(); i++) {
+      boolean last = i == path.size() - 1;
+      Object next =
+          last ? value : path.get(i + 1) instanceof Integer ? new ArrayList<>() : new HashMap<>();
+      if (path.get(i) instanceof Integer index) {
+        List<Object> list = (List<Object>) container;
+        while (list.size() <= index) {
+          list.add(0.0);
+        }
+        if (last || !(list.get(index) instanceof Map || list.get(index) instanceof List)) {
+          list.set(index, next);
+        }
+        container = list.get(index);
+      } else {
+        Map<String, Object> map = (Map<String, Object>) container;
+        String key = (String) path.get(i);
+        if (last || !(map.get(key) instanceof Map || map.get(key) instanceof List)) {
+          map.put(key, next);
+        }
+        container = map.get(key);
+      }
+    }
+  }
+}

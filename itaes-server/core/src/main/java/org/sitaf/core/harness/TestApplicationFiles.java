@@ -1,0 +1,62 @@
+package org.sitaf.core.harness;
+
+import java.io.ByteArrayOutputStream;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.Map;
+import org.sitaf.core.activity.Activity;
+import org.sitaf.core.activity.FileTree;
+import org.sitaf.core.diagnostic.InvalidInputException;
+import org.sitaf.core.model.TestModel;
+import org.sitaf.core.model.TestModelXml;
+import org.sitaf.core.suite.TestSuite;
+import org.sitaf.core.suite.TestSuiteXml;
+
+/** The layout of a test application as files. */
+final class TestApplicationFiles {
+  private static final String ACTIVITY = "activity";
+  private static final String HARNESS = "harness";
+  private static final String MODEL = "model.xml";
+  private static final String SUITE = "suite.xml";
+  private static final String MAIN_CLASS = "main-class";
+
+  private TestApplicationFiles() {}
+
+  static FileTree write(TestApplication application) {
+    ByteArrayOutputStream suite = new ByteArrayOutputStream();
+    TestSuiteXml.write(application.suite(), suite);
+    Activity activity = application.activity();
+    byte[] model = activity.files().content(application.model().source()).orElseThrow();
+    return FileTree.of(
+            Map.of(
+                MODEL,
+                model,
+                SUITE,
+                suite.toByteArray(),
+                MAIN_CLASS,
+                (application.mainClass() + "\n").getBytes(StandardCharsets.UTF_8)))
+        .with(ACTIVITY, activity.files())
+        .with(HARNESS, application.harness());
+  }
+
+  static TestApplication read(FileTree files) {
+    Activity activity = Activity.read(files.below(ACTIVITY));
+    TestModel model = TestModelXml.read(open(files, MODEL), MODEL);
+    TestSuite suite = TestSuiteXml.read(open(files, SUITE), SUITE);
+    String mainClass =
+        files
+            .text(MAIN_CLASS)
+            .orElseThrow(() -> InvalidInputException.of(MAIN_CLASS, "is missing"))
+            .strip();
+    return new TestApplication(
+        activity,
+        activity.model(model.name()).orElse(model),
+        suite,
+        files.below(HARNESS),
+        mainClass);
+  }
+
+  private static InputStream open(FileTree files, String path) {
+    return files.open(path).orElseThrow(() -> InvalidInputException.of(path, "is missing"));
+  }
+}

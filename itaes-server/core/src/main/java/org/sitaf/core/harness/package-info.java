@@ -1,0 +1,5 @@
+/** Interface Test Application Generator (ITAG): the sources of a test application. */
+@NullMarked
+package org.sitaf.core.harness;
+
+import org.jspecify.annotations.NullMarked;

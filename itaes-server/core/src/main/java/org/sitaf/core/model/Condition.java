@@ -1,0 +1,14 @@
+package org.sitaf.core.model;
+
+import java.util.Objects;
+
+/**
+ * A pre- or post-condition in CEL.
+ *
+ * @param line where it stands in the model, from 1; 0 where that is unknown
+ */
+public record Condition(String expression, int line) {
+  public Condition {
+    Objects.requireNonNull(expression);
+  }
+}

@@ -1,0 +1,52 @@
+package org.sitaf.core.model;
+
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+
+/**
+ * A set of test specifications for one method (paper, Fig. 4).
+ *
+ * @param source name of the document it was read from
+ */
+public record TestModel(
+    String name,
+    String description,
+    Target target,
+    List<Condition> preConditions,
+    List<InputElement> inputs,
+    List<OutputElement> outputs,
+    List<Condition> postConditions,
+    InvalidValues invalidValues,
+    Strength strength,
+    List<MixedStrength> mixedStrengths,
+    List<KeptCase> keptCases,
+    String source) {
+  public TestModel {
+    Objects.requireNonNull(name);
+    Objects.requireNonNull(description);
+    Objects.requireNonNull(target);
+    Objects.requireNonNull(invalidValues);
+    Objects.requireNonNull(strength);
+    Objects.requireNonNull(source);
+    preConditions = List.copyOf(preConditions);
+    inputs = List.copyOf(inputs);
+    outputs = List.copyOf(outputs);
+    postConditions = List.copyOf(postConditions);
+    mixedStrengths = List.copyOf(mixedStrengths);
+    keptCases = List.copyOf(keptCases);
+  }
+
+  /** The output of a name; an empty name means the only one. */
+  public Optional<OutputElement> output(String outputName) {
+    if (outputName.isEmpty()) {
+      return outputs.size() == 1 ? Optional.of(outputs.get(0)) : Optional.empty();
+    }
+    return outputs.stream().filter(o -> o.name().equals(outputName)).findFirst();
+  }
+
+  /** Whether anything decides about a case: an expected value or a post-condition. */
+  public boolean judges() {
+    return !postConditions.isEmpty() || outputs.stream().anyMatch(o -> o.expected() != null);
+  }
+}

@@ -1,0 +1,262 @@
+package org.sitaf.core.suite;
+
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import org.sitaf.core.combine.CombinationProblem;
+import org.sitaf.core.combine.Constraint;
+import org.sitaf.core.combine.CoveringArray;
+import org.sitaf.core.combine.Interaction;
+import org.sitaf.core.combine.Progress;
+import org.sitaf.core.combine.TestDataCombinator;
+import org.sitaf.core.diagnostic.Diagnostic;
+import org.sitaf.core.diagnostic.Diagnostics;
+import org.sitaf.core.diagnostic.InvalidInputException;
+import org.sitaf.core.expression.EvaluationException;
+import org.sitaf.core.expression.Expression;
+import org.sitaf.core.expression.Variables;
+import org.sitaf.core.model.KeptCase;
+import org.sitaf.core.model.MixedStrength;
+import org.sitaf.core.model.Strength;
+import org.sitaf.core.model.TestModel;
+import org.sitaf.core.value.TestData;
+import org.sitaf.core.value.TestValue;
+
+/**
+ * Poses the values of a model as problems for the Test Data Combinator (TDC), and reads its rows
+ * back as values.
+ */
+final class CaseCombination {
+  private final TestModel model;
+  private final List<TestData> data;
+  private final Conditions conditions;
+  private final Strength strength;
+  private final GenerationOptions options;
+  private final Diagnostics diagnostics;
+  private final List<List<TestValue>> kept;
+
+  CaseCombination(
+      TestModel model,
+      List<TestData> data,
+      Conditions conditions,
+      Strength strength,
+      GenerationOptions options,
+      Diagnostics diagnostics) {
+    this.model = model;
+    this.data = data;
+    this.conditions = conditions;
+    this.strength = strength;
+    this.options = options;
+    this.diagnostics = diagnostics;
+    this.kept = model.keptCases().stream().map(this::keptRow).toList();
+  }
+
+  /** All values alike. */
+  List<List<TestValue>> mixed() {
+    List<List<TestValue>> candidates = data.stream().map(TestData::values).toList();
+    Set<List<TestValue>> rows = new LinkedHashSet<>(kept);
+    rows.addAll(combine(candidates, interactions(-1), null));
+    return List.copyOf(rows);
+  }
+
+  /**
+   * First all t-tuples of valid values in wholly valid cases; then each invalid value with all
+   * (t-1)-tuples of the others' valid values, so that one error cannot mask another.
+   */
+  List<List<TestValue>> isolated() {
+    List<List<TestValue>> valid =
+        data.stream().map(d -> d.values().stream().filter(TestValue::valid).toList()).toList();
+    for (int p = 0; p < valid.size(); p++) {
+      if (valid.get(p).isEmpty()) {
+        diagnostics.error(
+            model.source(),
+            model.inputs().get(p).line(),
+            "test_element " + model.inputs().get(p).name(),
+            "has no valid value; every case would be invalid. Declare one, or set invalid_values to"
+                + " combine");
+      }
+    }
+    diagnostics.throwIfErrors();
+    Set<List<TestValue>> rows = new LinkedHashSet<>(kept);
+    rows.addAll(combine(valid, interactions(-1), true));
+    for (int p = 0; p < data.size(); p++) {
+      for (TestValue value : data.get(p).values()) {
+        if (!value.valid()) {
+          List<List<TestValue>> candidates = new ArrayList<>(valid);
+          candidates.set(p, List.of(value));
+          rows.addAll(combine(candidates, interactions(p), false));
+        }
+      }
+    }
+    return List.copyOf(rows);
+  }
+
+  /**
+   * What to cover; around a parameter that is held at one invalid value, one strength less among
+   * the others.
+   */
+  private List<Interaction> interactions(int held) {
+    List<Interaction> all = new ArrayList<>();
+    int[] everything = IntStream.range(0, data.size()).toArray();
+    add(all, strength, everything, held);
+    for (MixedStrength mixed : model.mixedStrengths()) {
+      int[] group =
+          IntStream.range(0, data.size())
+              .filter(i -> mixed.parameters().contains(model.inputs().get(i).name()))
+              .toArray();
+      if (held < 0 || IntStream.of(group).anyMatch(p -> p == held)) {
+        add(all, mixed.strength(), group, held);
+      }
+    }
+    return all;
+  }
+
+  private static void add(List<Interaction> all, Strength t, int[] parameters, int held) {
+    int[] free = IntStream.of(parameters).filter(p -> p != held).toArray();
+    int wanted = Math.min(t.t(), parameters.length) - (held < 0 ? 0 : 1);
+    if (wanted > 0 && free.length > 0) {
+      all.add(new Interaction(wanted, free));
+    }
+  }
+
+  private List<List<TestValue>> combine(
+      List<List<TestValue>> candidates,
+      List<Interaction> interactions,
+      @org.jspecify.annotations.Nullable Boolean valid) {
+    int[] levels = candidates.stream().mapToInt(List::size).toArray();
+    List<int[]> seeds = new ArrayList<>();
+    for (List<TestValue> row : kept) {
+      int[] seed =
+          IntStream.range(0, row.size()).map(p -> candidates.get(p).indexOf(row.get(p))).toArray();
+      if (IntStream.of(seed).allMatch(i -> i >= 0)) {
+        seeds.add(seed);
+      }
+    }
+    if (seeds.isEmpty() && IntStream.of(levels).allMatch(l -> l == 1) || interactions.isEmpty()) {
+      // Nothing varies, or no tuple is asked for: one case, whichever the conditions allow.
+      seeds.add(IntStream.of(levels).map(l -> CombinationProblem.FREE).toArray());
+    }
+    List<Constraint> constraints =
+        conditions.pre().stream().map(c -> constraint(c, candidates, valid)).toList();
+    CoveringArray array;
+    try {
+      array =
+          new TestDataCombinator()
+              .combine(
+                  new CombinationProblem(levels, interactions, constraints, seeds),
+                  options.effort(),
+                  options.seed(),
+                  Progress.NONE);
+    } catch (IllegalArgumentException e) {
+      if (seeds.isEmpty()) {
+        throw e;
+      }
+      // No allowed row holds what is held here, which is a fact about the model and not a mistake
+      // in it.
+      diagnostics.warning(
+          model.source(), 0, "pre_condition_spec_list", String.valueOf(e.getMessage()));
+      return List.of();
+    }
+    report(array.tuples(), candidates);
+    List<List<TestValue>> rows = new ArrayList<>();
+    for (int[] row : array.rows()) {
+      rows.add(
+          IntStream.range(0, row.length).mapToObj(p -> candidates.get(p).get(row[p])).toList());
+    }
+    return rows;
+  }
+
+  private Constraint constraint(
+      Expression condition,
+      List<List<TestValue>> candidates,
+      @org.jspecify.annotations.Nullable Boolean valid) {
+    boolean dependsOnAll = valid == null && condition.mentions(Variables.VALID);
+    int[] parameters =
+        IntStream.range(0, candidates.size())
+            .filter(p -> dependsOnAll || mentions(condition, model.inputs().get(p).name()))
+            .toArray();
+    return new Constraint(
+        parameters,
+        tuple -> {
+          Variables variables = new Variables();
+          boolean allValid = true;
+          for (int i = 0; i < parameters.length; i++) {
+            TestValue value = candidates.get(parameters[i]).get(tuple[i]);
+            variables.put(model.inputs().get(parameters[i]).name(), value.value());
+            allValid &= value.valid();
+          }
+          variables.put(Variables.VALID, valid == null ? allValid : valid);
+          return holds(condition, variables);
+        });
+  }
+
+  private boolean holds(Expression condition, Variables variables) {
+    try {
+      return condition.isTrue(variables.map());
+    } catch (EvaluationException e) {
+      throw new InvalidInputException(
+          List.of(
+              Diagnostic.error(
+                  model.source(),
+                  0,
+                  "pre_condition_spec_list",
+                  "'"
+                      + condition.text()
+                      + "' has no value for "
+                      + variables.map()
+                      + ": "
+                      + e.getMessage())));
+    }
+  }
+
+  private static boolean mentions(Expression condition, String input) {
+    return Variables.roots(List.of(input)).stream().anyMatch(condition::mentions);
+  }
+
+  private void report(CoveringArray.TupleReport tuples, List<List<TestValue>> candidates) {
+    if (tuples.impossible() > 0) {
+      String examples =
+          tuples.examples().stream()
+              .limit(3)
+              .map(t -> describe(t, candidates))
+              .collect(Collectors.joining("; "));
+      diagnostics.warning(
+          model.source(),
+          0,
+          "pre_condition_spec_list",
+          tuples.impossible()
+              + " combination(s) of values that no allowed case can hold, such as "
+              + examples);
+    }
+  }
+
+  private String describe(CoveringArray.Tuple tuple, List<List<TestValue>> candidates) {
+    int[] parameters = tuple.parameters();
+    int[] values = tuple.values();
+    return IntStream.range(0, parameters.length)
+        .mapToObj(
+            i ->
+                model.inputs().get(parameters[i]).name()
+                    + "="
+                    + candidates.get(parameters[i]).get(values[i]).value().literal())
+        .collect(Collectors.joining(", "));
+  }
+
+  /**
+   * A kept case stays as it is; a value that the model no longer gives counts as valid only where
+   * the model gives it as such.
+   */
+  private List<TestValue> keptRow(KeptCase keptCase) {
+    return IntStream.range(0, data.size())
+        .mapToObj(
+            p ->
+                data.get(p).values().stream()
+                    .filter(v -> v.value().equals(keptCase.values().get(p)))
+                    .findFirst()
+                    .orElse(new TestValue(keptCase.values().get(p), false)))
+        .toList();
+  }
+}

@@ -1,0 +1,13 @@
+package org.sitaf.core.suite;
+
+import java.util.Objects;
+import org.sitaf.core.model.InputKind;
+
+/** What the values at one position of every case stand for. */
+public record CaseParameter(String name, InputKind kind, String realType) {
+  public CaseParameter {
+    Objects.requireNonNull(name);
+    Objects.requireNonNull(kind);
+    Objects.requireNonNull(realType);
+  }
+}

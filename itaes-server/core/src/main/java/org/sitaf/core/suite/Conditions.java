@@ -1,0 +1,82 @@
+package org.sitaf.core.suite;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import org.sitaf.core.diagnostic.Diagnostics;
+import org.sitaf.core.expression.Expression;
+import org.sitaf.core.expression.ExpressionCompiler;
+import org.sitaf.core.expression.Variables;
+import org.sitaf.core.model.Condition;
+import org.sitaf.core.model.InputElement;
+import org.sitaf.core.model.OutputElement;
+import org.sitaf.core.model.TestModel;
+
+/**
+ * What a model says in CEL, compiled.
+ *
+ * @param pre in the order of the model
+ * @param expected by the name of the output
+ * @param post in the order of the model
+ */
+record Conditions(List<Expression> pre, Map<String, Expression> expected, List<Expression> post) {
+  Conditions {
+    pre = List.copyOf(pre);
+    expected = Map.copyOf(expected);
+    post = List.copyOf(post);
+  }
+
+  /** Compiles everything; what is not usable is told and left out. */
+  static Conditions compile(TestModel model, Diagnostics diagnostics) {
+    Set<String> before =
+        new TreeSet<>(Variables.roots(model.inputs().stream().map(InputElement::name).toList()));
+    before.add(Variables.VALID);
+    Set<String> after = new TreeSet<>(before);
+    after.add("actual");
+    model.outputs().forEach(o -> after.add("actual_" + o.name()));
+    ExpressionCompiler beforeCall = new ExpressionCompiler(before);
+    Compilation compilation = new Compilation(model.source(), diagnostics);
+    List<Expression> pre =
+        compilation.all(beforeCall, model.preConditions(), "pre_condition_spec_list");
+    Map<String, Expression> expected = new TreeMap<>();
+    for (OutputElement output : model.outputs()) {
+      if (output.expected() != null) {
+        compilation
+            .one(
+                beforeCall,
+                new Condition(output.expected(), output.line()),
+                "test_element " + output.name() + "/expected")
+            .ifPresent(e -> expected.put(output.name(), e));
+      }
+    }
+    List<Expression> post =
+        model.postConditions().isEmpty()
+            ? List.of()
+            : compilation.all(
+                new ExpressionCompiler(Variables.roots(after)),
+                model.postConditions(),
+                "post_condition_spec_list");
+    return new Conditions(pre, expected, post);
+  }
+
+  private record Compilation(String source, Diagnostics diagnostics) {
+    List<Expression> all(ExpressionCompiler compiler, List<Condition> conditions, String where) {
+      List<Expression> compiled = new ArrayList<>();
+      conditions.forEach(c -> one(compiler, c, where).ifPresent(compiled::add));
+      return compiled;
+    }
+
+    Optional<Expression> one(ExpressionCompiler compiler, Condition condition, String where) {
+      try {
+        return Optional.of(compiler.compile(condition.expression()));
+      } catch (IllegalArgumentException e) {
+        diagnostics.error(source, condition.line(), where, String.valueOf(e.getMessage()));
+        return Optional.empty();
+      }
+    }
+  }
+}

@@ -1,0 +1,23 @@
+package org.sitaf.core.suite;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.util.Objects;
+import java.util.Properties;
+
+/** What suites name as their generator. */
+final class GeneratorVersion {
+  private GeneratorVersion() {}
+
+  /** Program and version, such as {@code sitaf 1.0.0}. */
+  static String current() {
+    Properties properties = new Properties();
+    try (InputStream in = GeneratorVersion.class.getResourceAsStream("version.properties")) {
+      properties.load(Objects.requireNonNull(in));
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+    return "sitaf " + properties.getProperty("version");
+  }
+}

@@ -1,0 +1,91 @@
+package org.sitaf.core.suite;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import org.sitaf.core.description.DataType;
+import org.sitaf.core.diagnostic.Diagnostics;
+import org.sitaf.core.expression.EvaluationException;
+import org.sitaf.core.expression.Expression;
+import org.sitaf.core.expression.Variables;
+import org.sitaf.core.model.OutputElement;
+import org.sitaf.core.model.TestModel;
+import org.sitaf.core.model.Value;
+
+/** Works out what each case expects, from the expressions of the model. */
+final class Oracle {
+  /**
+   * Begins an expected value that could not be worked out: the driver makes an ERROR of such a
+   * case.
+   */
+  private static final String UNEVALUATED = "!unevaluated:";
+
+  private final TestModel model;
+  private final Conditions conditions;
+  private final Diagnostics diagnostics;
+
+  Oracle(TestModel model, Conditions conditions, Diagnostics diagnostics) {
+    this.model = model;
+    this.conditions = conditions;
+    this.diagnostics = diagnostics;
+  }
+
+  /** The expected values of a case, in the order of the model's outputs. */
+  List<ExpectedValue> expect(int no, boolean valid, List<Value> values) {
+    Variables variables = new Variables().put(Variables.VALID, valid);
+    for (int i = 0; i < values.size(); i++) {
+      variables.put(model.inputs().get(i).name(), values.get(i));
+    }
+    List<ExpectedValue> expected = new ArrayList<>();
+    for (OutputElement output : model.outputs()) {
+      Expression expression = conditions.expected().get(output.name());
+      if (expression != null) {
+        String name = model.outputs().size() == 1 ? "" : output.name();
+        expected.add(new ExpectedValue(name, literal(expression, variables, output, no, values)));
+      }
+    }
+    return expected;
+  }
+
+  private String literal(
+      Expression expression,
+      Variables variables,
+      OutputElement output,
+      int no,
+      List<Value> values) {
+    try {
+      return literal(expression.evaluate(variables.map()), output.type());
+    } catch (EvaluationException | IllegalArgumentException e) {
+      diagnostics.warning(
+          model.source(),
+          output.line(),
+          "test_element " + output.name() + "/expected",
+          "has no value in case " + no + " (" + inputs(values) + "): " + e.getMessage());
+      return UNEVALUATED + " " + e.getMessage();
+    }
+  }
+
+  private String inputs(List<Value> values) {
+    return IntStream.range(0, values.size())
+        .mapToObj(i -> model.inputs().get(i).name() + "=" + values.get(i).literal())
+        .collect(Collectors.joining(", "));
+  }
+
+  /**
+   * The literal of a result in the type of its output, so that {@code -1} for a double is {@code
+   * -1.0}.
+   */
+  private static String literal(Object result, DataType type) {
+    if (result instanceof List<?> list) {
+      DataType element =
+          type instanceof DataType.Sequence sequence
+              ? sequence.element()
+              : type instanceof DataType.FixedArray array ? array.element() : type;
+      return list.stream()
+          .map(e -> literal(e, element))
+          .collect(Collectors.joining(", ", "[", "]"));
+    }
+    return Value.parse(String.valueOf(result), type).literal();
+  }
+}

@@ -1,0 +1,45 @@
+package org.sitaf.core.suite;
+
+import java.util.HashSet;
+import java.util.List;
+import java.util.Objects;
+import java.util.Set;
+
+/** The test cases of a model (paper, Fig. 9). */
+public record TestSuite(
+    String name,
+    String description,
+    String modelName,
+    Generation generation,
+    List<CaseParameter> parameters,
+    List<TestCase> cases) {
+  public TestSuite {
+    Objects.requireNonNull(name);
+    Objects.requireNonNull(description);
+    Objects.requireNonNull(modelName);
+    Objects.requireNonNull(generation);
+    parameters = List.copyOf(parameters);
+    cases = List.copyOf(cases);
+    Set<Integer> numbers = new HashSet<>();
+    for (TestCase testCase : cases) {
+      if (testCase.values().size() != parameters.size()) {
+        throw new IllegalArgumentException(
+            "case "
+                + testCase.no()
+                + " has "
+                + testCase.values().size()
+                + " values for "
+                + parameters.size()
+                + " parameters");
+      }
+      if (!numbers.add(testCase.no())) {
+        throw new IllegalArgumentException("case number " + testCase.no() + " is used twice");
+      }
+    }
+  }
+
+  /** How many cases hold no invalid value. */
+  public long validCount() {
+    return cases.stream().filter(TestCase::valid).count();
+  }
+}

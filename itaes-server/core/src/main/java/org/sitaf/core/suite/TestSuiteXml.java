@@ -1,0 +1,187 @@
+package org.sitaf.core.suite;
+
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import org.sitaf.core.diagnostic.Diagnostics;
+import org.sitaf.core.document.XmlDocuments;
+import org.sitaf.core.model.InputKind;
+import org.sitaf.core.model.InvalidValues;
+import org.sitaf.core.model.Strength;
+import org.sitaf.schemas.CaseListType;
+import org.sitaf.schemas.CaseParamInfoType;
+import org.sitaf.schemas.CaseType;
+import org.sitaf.schemas.GenerationType;
+import org.sitaf.schemas.NamedValueType;
+import org.sitaf.schemas.TestSuiteDocument;
+
+/** The document of a test suite (schemas/test_suite_data.xsd). */
+public final class TestSuiteXml {
+  private TestSuiteXml() {}
+
+  /**
+   * Reads a suite.
+   *
+   * @param file name of the document, for diagnostics
+   * @throws org.sitaf.core.diagnostic.InvalidInputException with every problem of the document
+   */
+  public static TestSuite read(InputStream document, String file) {
+    Diagnostics diagnostics = new Diagnostics();
+    TestSuiteDocument root =
+        XmlDocuments.read(document, file, "test_suite_data", TestSuiteDocument.class, diagnostics);
+    TestSuite suite = new Reading(file, diagnostics).suite(root);
+    diagnostics.throwIfErrors();
+    return suite;
+  }
+
+  /** Writes a suite; the same suite gives the same bytes. */
+  public static void write(TestSuite suite, OutputStream out) {
+    TestSuiteDocument root = new TestSuiteDocument();
+    root.setName(suite.name());
+    root.setDescription(suite.description());
+    root.setTestModelName(suite.modelName());
+    GenerationType generation = new GenerationType();
+    generation.setOrderOfCombinations(suite.generation().strength().spelling());
+    generation.setInvalidValues(suite.generation().invalidValues().spelling());
+    generation.setSeed(suite.generation().seed());
+    generation.setEffort(suite.generation().effort());
+    generation.setGenerator(suite.generation().generator());
+    root.setGeneration(generation);
+    root.setCaseParamInfo(write(suite.parameters()));
+    CaseListType list = new CaseListType();
+    suite.cases().forEach(c -> list.getCases().add(write(c)));
+    root.setCaseList(list);
+    XmlDocuments.write(root, Set.of("case", "param", "generation"), out);
+  }
+
+  /** The parameters in the form of {@code case_param_info}. */
+  public static CaseParamInfoType write(List<CaseParameter> parameters) {
+    CaseParamInfoType info = new CaseParamInfoType();
+    for (CaseParameter parameter : parameters) {
+      CaseParamInfoType.Param param = new CaseParamInfoType.Param();
+      param.setName(parameter.name());
+      param.setType(parameter.kind().name());
+      param.setRealType(parameter.realType());
+      info.getParams().add(param);
+    }
+    return info;
+  }
+
+  /** The parameters of a {@code case_param_info}; what is wrong goes to the diagnostics. */
+  public static List<CaseParameter> read(
+      @org.jspecify.annotations.Nullable CaseParamInfoType info,
+      String file,
+      Diagnostics diagnostics) {
+    List<CaseParameter> parameters = new ArrayList<>();
+    if (info != null) {
+      for (CaseParamInfoType.Param param : info.getParams()) {
+        String type = String.valueOf(param.getType()).toUpperCase(Locale.ROOT);
+        String name = param.getName();
+        if (name == null || !List.of("TDI", "TDSD", "TDS", "TDTS").contains(type)) {
+          diagnostics.error(
+              file,
+              XmlDocuments.line(param),
+              "param " + name,
+              "needs a name and a type of TDI, TDSD or TDTS");
+        } else {
+          parameters.add(
+              new CaseParameter(
+                  name,
+                  type.equals("TDS") ? InputKind.TDSD : InputKind.valueOf(type),
+                  param.getRealType() == null ? "" : param.getRealType()));
+        }
+      }
+    }
+    return parameters;
+  }
+
+  private static CaseType write(TestCase testCase) {
+    CaseType kase = new CaseType();
+    kase.setNo(testCase.no());
+    kase.setCaseClass(testCase.valid() ? "valid" : "invalid");
+    kase.getValues().addAll(testCase.values());
+    for (ExpectedValue expected : testCase.expected()) {
+      NamedValueType value = new NamedValueType();
+      value.setName(expected.output().isEmpty() ? null : expected.output());
+      value.setValue(expected.literal());
+      kase.getExpected().add(value);
+    }
+    return kase;
+  }
+
+  private record Reading(String file, Diagnostics diagnostics) {
+    TestSuite suite(TestSuiteDocument root) {
+      List<CaseParameter> parameters = read(root.getCaseParamInfo(), file, diagnostics);
+      List<TestCase> cases = new ArrayList<>();
+      Set<Integer> numbers = new java.util.HashSet<>();
+      if (root.getCaseList() != null) {
+        for (CaseType kase : root.getCaseList().getCases()) {
+          addCase(kase, parameters.size(), numbers, cases);
+        }
+      }
+      String model = root.getTestModelName() == null ? "" : root.getTestModelName();
+      return new TestSuite(
+          root.getName() == null ? model : root.getName(),
+          root.getDescription() == null ? "" : root.getDescription(),
+          model,
+          generation(root.getGeneration()),
+          parameters,
+          diagnostics.hasErrors() ? List.of() : cases);
+    }
+
+    private void addCase(
+        CaseType kase, int parameters, Set<Integer> numbers, List<TestCase> cases) {
+      int no = kase.getNo() == null ? cases.size() + 1 : kase.getNo();
+      int line = XmlDocuments.line(kase);
+      String where = "case " + no;
+      if (no < 1 || !numbers.add(no)) {
+        diagnostics.error(file, line, where, "case numbers begin at 1, and each is used once");
+      } else if (kase.getValues().size() != parameters) {
+        diagnostics.error(
+            file,
+            line,
+            where,
+            "has " + kase.getValues().size() + " values for " + parameters + " parameters");
+      } else {
+        cases.add(
+            new TestCase(
+                no,
+                !"invalid".equals(kase.getCaseClass()),
+                kase.getValues(),
+                kase.getExpected().stream()
+                    .map(
+                        e ->
+                            new ExpectedValue(
+                                e.getName() == null ? "" : e.getName(),
+                                e.getValue() == null ? "" : e.getValue()))
+                    .toList()));
+      }
+    }
+
+    private Generation generation(@org.jspecify.annotations.Nullable GenerationType given) {
+      if (given == null) {
+        return new Generation(new Strength(1), InvalidValues.ISOLATE, 1, "default", "");
+      }
+      Strength strength = new Strength(1);
+      try {
+        if (given.getOrderOfCombinations() != null) {
+          strength = Strength.parse(given.getOrderOfCombinations());
+        }
+      } catch (IllegalArgumentException e) {
+        diagnostics.error(
+            file, XmlDocuments.line(given), "generation", String.valueOf(e.getMessage()));
+      }
+      return new Generation(
+          strength,
+          "combine".equals(given.getInvalidValues())
+              ? InvalidValues.COMBINE
+              : InvalidValues.ISOLATE,
+          given.getSeed() == null ? 1 : given.getSeed(),
+          given.getEffort() == null ? "default" : given.getEffort(),
+          given.getGenerator() == null ? "" : given.getGenerator());
+    }
+  }
+}

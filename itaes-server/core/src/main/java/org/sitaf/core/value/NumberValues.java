@@ -1,0 +1,244 @@
+package org.sitaf.core.value;
+
+import java.math.BigDecimal;
+import java.math.RoundingMode;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import org.sitaf.core.description.DataType;
+import org.sitaf.core.description.ScalarType;
+import org.sitaf.core.model.EquivalenceClass;
+import org.sitaf.core.model.TestSpec;
+import org.sitaf.core.model.Value;
+
+/**
+ * Numbers from a specification: ECP, BVA and RANDOM. Arithmetic is decimal, so that 0.1 + 0.2 is
+ * 0.3.
+ */
+final class NumberValues {
+  /** Order of numbers, false before true; NaN last. */
+  static final Comparator<Value> ASCENDING =
+      (one, other) ->
+          one instanceof Value.Whole a && other instanceof Value.Whole b
+              ? a.number().compareTo(b.number())
+              : Double.compare(asDouble(one), asDouble(other));
+
+  private static final BigDecimal TWO = BigDecimal.valueOf(2);
+
+  /** How far from its boundary a further representative of an open class may lie, in offsets. */
+  private static final BigDecimal OPEN_SPAN = BigDecimal.valueOf(100);
+
+  /** Draws for a value that is not there yet, before a range counts as used up. */
+  private static final int DRAWS = 1000;
+
+  private final DataType type;
+  private final SeededRandom random;
+  private final List<String> leftOut = new ArrayList<>();
+
+  NumberValues(DataType type, SeededRandom random) {
+    this.type = type;
+    this.random = random;
+  }
+
+  /** Spellings of the values that the type cannot hold. */
+  List<String> leftOut() {
+    return leftOut;
+  }
+
+  List<TestValue> generate(TestSpec spec) {
+    Set<BigDecimal> numbers = new LinkedHashSet<>();
+    if (spec instanceof TestSpec.BoundaryValues bva) {
+      numbers.addAll(boundaries(bva.equivalenceClass(), bva.offset()));
+    } else if (spec instanceof TestSpec.EquivalencePartitioning ecp) {
+      numbers.addAll(representatives(ecp));
+    } else if (spec instanceof TestSpec.RandomNumbers draw) {
+      numbers.addAll(draw(draw));
+    }
+    List<TestValue> values = new ArrayList<>();
+    for (BigDecimal number : numbers) {
+      try {
+        Value value =
+            isBoolean()
+                ? new Value.Truth(number.signum() != 0)
+                : Value.parse(number.toPlainString(), type);
+        values.add(new TestValue(value, isValid(number, spec)));
+      } catch (IllegalArgumentException e) {
+        leftOut.add(number.toPlainString());
+      }
+    }
+    if (spec instanceof TestSpec.BoundaryValues bva && bva.special()) {
+      SpecialValues.of(type, bva.equivalenceClass())
+          .forEach(v -> values.add(new TestValue(v, isValid(v, spec))));
+    }
+    return values;
+  }
+
+  static boolean isValid(Value value, TestSpec spec) {
+    double number = asDouble(value);
+    if (Double.isNaN(number) || Double.isInfinite(number)) {
+      return false;
+    }
+    return isValid(
+        value instanceof Value.Whole whole
+            ? new BigDecimal(whole.number())
+            : value instanceof Value.Real real
+                ? new BigDecimal(Double.toString(real.number()))
+                : BigDecimal.valueOf(number),
+        spec);
+  }
+
+  private static boolean isValid(BigDecimal number, TestSpec spec) {
+    if (spec instanceof TestSpec.BoundaryValues bva) {
+      return bva.equivalenceClass().contains(number);
+    }
+    if (spec instanceof TestSpec.EquivalencePartitioning ecp) {
+      return ecp.equivalenceClass().contains(number);
+    }
+    return !(spec instanceof TestSpec.RandomNumbers draw)
+        || (number.compareTo(draw.min()) >= 0 && number.compareTo(draw.max()) <= 0);
+  }
+
+  /** Fig. 6: around each boundary, and the middle of a closed class. */
+  private List<BigDecimal> boundaries(EquivalenceClass declared, BigDecimal offset) {
+    if (declared instanceof EquivalenceClass.OneBoundary one) {
+      BigDecimal b = one.boundary();
+      return List.of(b.subtract(offset), b, b.add(offset));
+    }
+    EquivalenceClass.TwoBoundary two = (EquivalenceClass.TwoBoundary) declared;
+    return List.of(
+        two.min().subtract(offset),
+        two.min(),
+        two.min().add(offset),
+        middle(two.min(), two.max()),
+        two.max().subtract(offset),
+        two.max(),
+        two.max().add(offset));
+  }
+
+  private List<BigDecimal> representatives(TestSpec.EquivalencePartitioning ecp) {
+    EquivalenceClass declared = ecp.equivalenceClass();
+    BigDecimal offset = ecp.offset();
+    int count = ecp.representatives();
+    List<BigDecimal> all = new ArrayList<>();
+    if (declared instanceof EquivalenceClass.TwoBoundary two) {
+      all.addAll(open(two.min(), offset.negate(), count));
+      all.addAll(closed(two, count));
+      all.addAll(open(two.max(), offset, count));
+    } else if (declared instanceof EquivalenceClass.OneBoundary one) {
+      all.addAll(open(one.boundary(), offset.negate(), count));
+      all.addAll(open(one.boundary(), offset, count));
+    } else if (declared instanceof EquivalenceClass.BooleanClass) {
+      all.add(BigDecimal.ZERO);
+      all.add(BigDecimal.ONE);
+    } else if (declared instanceof EquivalenceClass.Constant constant) {
+      all.add(constant.value());
+      all.addAll(open(constant.value(), offset, count));
+    } else if (declared instanceof EquivalenceClass.NumericSet set) {
+      all.addAll(members(set, count));
+      all.addAll(
+          open(set.members().stream().max(BigDecimal::compareTo).orElseThrow(), offset, count));
+    }
+    return all;
+  }
+
+  /**
+   * An open class beyond a boundary: first the boundary and the offset, further ones from the seed.
+   */
+  private List<BigDecimal> open(BigDecimal boundary, BigDecimal offset, int count) {
+    BigDecimal nearest = boundary.add(offset);
+    BigDecimal farthest = boundary.add(offset.multiply(OPEN_SPAN));
+    return further(nearest, nearest.min(farthest), nearest.max(farthest), count);
+  }
+
+  private List<BigDecimal> closed(EquivalenceClass.TwoBoundary two, int count) {
+    List<BigDecimal> inside = further(middle(two.min(), two.max()), two.min(), two.max(), count);
+    return inside.stream().filter(two::contains).toList();
+  }
+
+  private List<BigDecimal> members(EquivalenceClass.NumericSet set, int count) {
+    List<BigDecimal> rest = new ArrayList<>(set.members().stream().distinct().sorted().toList());
+    List<BigDecimal> chosen = new ArrayList<>();
+    chosen.add(rest.remove((rest.size() - 1) / 2));
+    while (chosen.size() < count && !rest.isEmpty()) {
+      chosen.add(rest.remove(random.nextInt(rest.size())));
+    }
+    return chosen;
+  }
+
+  private List<BigDecimal> further(BigDecimal first, BigDecimal min, BigDecimal max, int count) {
+    Set<BigDecimal> all = new LinkedHashSet<>();
+    all.add(first.stripTrailingZeros());
+    for (int draws = 0; all.size() < count && draws < DRAWS * count; draws++) {
+      all.add(uniform(min, max).stripTrailingZeros());
+    }
+    return List.copyOf(all);
+  }
+
+  private Set<BigDecimal> draw(TestSpec.RandomNumbers draw) {
+    Set<BigDecimal> all = new LinkedHashSet<>();
+    for (int draws = 0; all.size() < draw.count() && draws < DRAWS + draw.count() * 10; draws++) {
+      BigDecimal number = one(draw).stripTrailingZeros();
+      if (isValid(number, draw)) {
+        all.add(number);
+      }
+    }
+    return all;
+  }
+
+  private BigDecimal one(TestSpec.RandomNumbers draw) {
+    if (draw.distribution() instanceof TestSpec.Distribution.Normal normal) {
+      double number = normal.mean() + normal.standardDeviation() * random.nextNormal();
+      BigDecimal decimal = new BigDecimal(Double.toString(number));
+      return isWhole() ? decimal.setScale(0, RoundingMode.HALF_EVEN) : decimal;
+    }
+    if (draw.distribution() instanceof TestSpec.Distribution.Weighted weighted) {
+      double total = weighted.ranges().stream().mapToDouble(TestSpec.WeightedRange::weight).sum();
+      double at = random.nextDouble() * total;
+      TestSpec.WeightedRange chosen = weighted.ranges().get(weighted.ranges().size() - 1);
+      for (TestSpec.WeightedRange range : weighted.ranges()) {
+        at -= range.weight();
+        if (at < 0) {
+          chosen = range;
+          break;
+        }
+      }
+      return uniform(chosen.min(), chosen.max());
+    }
+    return uniform(draw.min(), draw.max());
+  }
+
+  private BigDecimal uniform(BigDecimal min, BigDecimal max) {
+    if (isWhole()) {
+      return new BigDecimal(
+          random.nextWhole(
+              min.setScale(0, RoundingMode.CEILING).toBigInteger(),
+              max.setScale(0, RoundingMode.FLOOR).toBigInteger()));
+    }
+    return new BigDecimal(Double.toString(random.nextReal(min, max)));
+  }
+
+  private BigDecimal middle(BigDecimal min, BigDecimal max) {
+    BigDecimal middle = min.add(max).divide(TWO);
+    return isWhole() ? middle.setScale(0, RoundingMode.FLOOR) : middle;
+  }
+
+  private boolean isWhole() {
+    return type instanceof DataType.Scalar scalar && scalar.type().isInteger();
+  }
+
+  private boolean isBoolean() {
+    return type instanceof DataType.Scalar scalar && scalar.type() == ScalarType.BOOLEAN;
+  }
+
+  private static double asDouble(Value value) {
+    if (value instanceof Value.Whole whole) {
+      return whole.number().doubleValue();
+    }
+    if (value instanceof Value.Real real) {
+      return real.number();
+    }
+    return value instanceof Value.Truth truth && truth.value() ? 1 : 0;
+  }
+}

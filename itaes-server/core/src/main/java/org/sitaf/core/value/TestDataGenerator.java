@@ -1,0 +1,71 @@
+package org.sitaf.core.value;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.sitaf.core.description.DataType;
+import org.sitaf.core.description.ScalarType;
+import org.sitaf.core.model.InputElement;
+import org.sitaf.core.model.TestSpec;
+import org.sitaf.core.model.Value;
+
+/**
+ * Test Data Generator (TDG, paper section 3.1.2): the values that the specification of a test
+ * element gives.
+ */
+public final class TestDataGenerator {
+  private TestDataGenerator() {}
+
+  /**
+   * Generates the values of an element.
+   *
+   * @param seed of everything random; the same seed gives the same values
+   * @return each value once, numbers in ascending order, valid and invalid marked
+   */
+  public static TestData generate(InputElement element, long seed) {
+    Collected collected = new Collected();
+    SeededRandom random = new SeededRandom(seed, element.name());
+    TestSpec spec = element.spec();
+    if (spec instanceof TestSpec.RandomStrings strings) {
+      StringValues.generate(strings, random).forEach(collected::add);
+    } else if (spec != null) {
+      NumberValues numbers = new NumberValues(element.type(), random);
+      numbers.generate(spec).forEach(collected::add);
+      collected.leftOut.addAll(numbers.leftOut());
+    } else if (element.userValues().isEmpty()) {
+      collected.add(new TestValue(new Value.Truth(false), true));
+      collected.add(new TestValue(new Value.Truth(true), true));
+    }
+    for (Value value : element.userValues()) {
+      collected.add(new TestValue(value, spec == null || isValid(value, spec)));
+    }
+    List<TestValue> values = new ArrayList<>(collected.byLiteral.values());
+    if (isNumber(element.type())) {
+      values.sort(Comparator.comparing(TestValue::value, NumberValues.ASCENDING));
+    }
+    return new TestData(values, collected.leftOut);
+  }
+
+  private static boolean isValid(Value value, TestSpec spec) {
+    return spec instanceof TestSpec.RandomStrings strings
+        ? StringValues.isValid(value.literal(), strings)
+        : NumberValues.isValid(value, spec);
+  }
+
+  private static boolean isNumber(DataType type) {
+    return type instanceof DataType.Scalar scalar
+        && (scalar.type().isNumeric() || scalar.type() == ScalarType.BOOLEAN);
+  }
+
+  /** Equal values are listed once: what stands first stays. */
+  private static final class Collected {
+    private final Map<String, TestValue> byLiteral = new LinkedHashMap<>();
+    private final List<String> leftOut = new ArrayList<>();
+
+    void add(TestValue value) {
+      byLiteral.putIfAbsent(value.value().literal(), value);
+    }
+  }
+}

@@ -1,0 +1,50 @@
+package org.sitaf.core.verdict;
+
+import java.util.List;
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What became of one case.
+ *
+ * @param values literals in the order of the suite's parameters
+ * @param time null where the component was not called to its end
+ * @param message why the verdict is not PASS; empty otherwise
+ */
+public record CaseResult(
+    int no,
+    Verdict verdict,
+    List<String> values,
+    List<NamedValue> expected,
+    List<NamedValue> actual,
+    @Nullable ProcessingTime time,
+    String message) {
+  public CaseResult {
+    Objects.requireNonNull(verdict);
+    Objects.requireNonNull(message);
+    values = List.copyOf(values);
+    expected = List.copyOf(expected);
+    actual = List.copyOf(actual);
+  }
+
+  /** This result with another verdict and the reason for it. */
+  public CaseResult judged(Verdict newVerdict, String reason) {
+    return new CaseResult(
+        no,
+        newVerdict,
+        values,
+        expected,
+        actual,
+        time,
+        message.isEmpty() ? reason : message + "; " + reason);
+  }
+
+  /**
+   * Processing time of a call in microseconds.
+   *
+   * @param total the component's own, without what follows
+   * @param hardware spent in virtual hardware
+   * @param stub spent in stubs
+   */
+  public record ProcessingTime(double total, double hardware, double stub) {}
+}

@@ -1,0 +1,97 @@
+package org.sitaf.core.verdict;
+
+import java.io.OutputStream;
+import java.util.Locale;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import javax.xml.stream.XMLOutputFactory;
+import javax.xml.stream.XMLStreamException;
+import javax.xml.stream.XMLStreamWriter;
+
+/** A result in the format that CI systems read: FAIL is a failure, ERROR an error, DONT skipped. */
+public final class JunitXml {
+  private JunitXml() {}
+
+  /**
+   * Writes a result as one {@code testsuite}.
+   *
+   * @param activity name of the activity, for the class names of the cases
+   */
+  public static void write(String activity, TestResult result, OutputStream out) {
+    try {
+      XMLStreamWriter xml =
+          XMLOutputFactory.newDefaultFactory().createXMLStreamWriter(out, "UTF-8");
+      xml.writeStartDocument("UTF-8", "1.0");
+      xml.writeCharacters("\n");
+      xml.writeStartElement("testsuites");
+      Summary summary = result.summary();
+      xml.writeCharacters("\n  ");
+      xml.writeStartElement("testsuite");
+      xml.writeAttribute("name", activity + "." + result.name());
+      xml.writeAttribute("tests", Integer.toString(summary.total()));
+      xml.writeAttribute("failures", Integer.toString(summary.fail()));
+      xml.writeAttribute("errors", Integer.toString(summary.error()));
+      xml.writeAttribute("skipped", Integer.toString(summary.dont()));
+      xml.writeAttribute("timestamp", result.provenance().started());
+      xml.writeAttribute(
+          "time", seconds(result.cases().stream().mapToDouble(JunitXml::microseconds).sum()));
+      for (CaseResult kase : result.cases()) {
+        write(activity, result, kase, xml);
+      }
+      xml.writeCharacters("\n  ");
+      xml.writeEndElement();
+      xml.writeCharacters("\n");
+      xml.writeEndElement();
+      xml.writeCharacters("\n");
+      xml.writeEndDocument();
+      xml.flush();
+    } catch (XMLStreamException e) {
+      throw new IllegalArgumentException("the report cannot be written: " + e.getMessage(), e);
+    }
+  }
+
+  private static void write(
+      String activity, TestResult result, CaseResult kase, XMLStreamWriter xml)
+      throws XMLStreamException {
+    String inputs =
+        IntStream.range(0, Math.min(kase.values().size(), result.parameters().size()))
+            .mapToObj(i -> result.parameters().get(i).name() + "=" + kase.values().get(i))
+            .collect(Collectors.joining(", "));
+    xml.writeCharacters("\n    ");
+    xml.writeStartElement("testcase");
+    xml.writeAttribute("classname", activity + "." + result.name());
+    xml.writeAttribute("name", kase.no() + ": " + inputs);
+    xml.writeAttribute("time", seconds(microseconds(kase)));
+    String element =
+        switch (kase.verdict()) {
+          case PASS -> "";
+          case FAIL -> "failure";
+          case ERROR -> "error";
+          case DONT -> "skipped";
+        };
+    if (!element.isEmpty()) {
+      xml.writeStartElement(element);
+      xml.writeAttribute("message", kase.message());
+      xml.writeCharacters(
+          "expected " + values(kase.expected()) + ", actual " + values(kase.actual()));
+      xml.writeEndElement();
+    }
+    xml.writeEndElement();
+  }
+
+  private static String values(java.util.List<NamedValue> values) {
+    return values.isEmpty()
+        ? "none"
+        : values.stream()
+            .map(v -> v.output().isEmpty() ? v.literal() : v.output() + "=" + v.literal())
+            .collect(Collectors.joining(", "));
+  }
+
+  private static double microseconds(CaseResult kase) {
+    return kase.time() == null ? 0 : kase.time().total();
+  }
+
+  private static String seconds(double microseconds) {
+    return String.format(Locale.ROOT, "%.6f", microseconds / 1e6);
+  }
+}

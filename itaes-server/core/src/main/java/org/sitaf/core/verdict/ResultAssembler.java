@@ -1,0 +1,121 @@
+package org.sitaf.core.verdict;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import org.sitaf.core.expression.EvaluationException;
+import org.sitaf.core.expression.Expression;
+import org.sitaf.core.expression.Variables;
+import org.sitaf.core.model.InputElement;
+import org.sitaf.core.model.OutputElement;
+import org.sitaf.core.model.TestModel;
+import org.sitaf.core.model.Value;
+import org.sitaf.core.suite.PostConditions;
+import org.sitaf.core.suite.TestCase;
+import org.sitaf.core.suite.TestSuite;
+
+/**
+ * Makes the result of a build from what the test application wrote: judges post-conditions,
+ * accounts for every case, counts.
+ */
+public final class ResultAssembler {
+  private final TestModel model;
+  private final TestSuite suite;
+  private final List<Expression> postConditions;
+  private final Map<Integer, TestCase> cases = new HashMap<>();
+
+  /** For the cases of a suite of this model. */
+  public ResultAssembler(TestModel model, TestSuite suite) {
+    this.model = Objects.requireNonNull(model);
+    this.suite = Objects.requireNonNull(suite);
+    this.postConditions = PostConditions.of(model);
+    suite.cases().forEach(c -> cases.put(c.no(), c));
+  }
+
+  /** The result of a case with its post-conditions judged; the worse verdict stands. */
+  public CaseResult judge(CaseResult result) {
+    TestCase testCase = cases.get(result.no());
+    if (testCase == null || result.verdict().compareTo(Verdict.FAIL) > 0) {
+      return result;
+    }
+    CaseResult judged = result;
+    for (Expression condition : postConditions) {
+      try {
+        if (!condition.isTrue(variables(testCase, result))) {
+          judged =
+              judged.judged(
+                  judged.verdict().worse(Verdict.FAIL),
+                  "post-condition broken: " + condition.text());
+        }
+      } catch (EvaluationException | IllegalArgumentException e) {
+        judged =
+            judged.judged(
+                Verdict.ERROR,
+                "post-condition has no value: " + condition.text() + ": " + e.getMessage());
+      }
+    }
+    return judged;
+  }
+
+  /**
+   * The result of the build, with one result for each case of the suite in its order.
+   *
+   * @param results judged, in any order; the first of a case counts
+   * @param missing why a case without a result was not executed
+   */
+  public TestResult assemble(List<CaseResult> results, String missing, Provenance provenance) {
+    Map<Integer, CaseResult> byNumber = new HashMap<>();
+    results.forEach(r -> byNumber.putIfAbsent(r.no(), r));
+    List<CaseResult> all = new ArrayList<>();
+    for (TestCase testCase : suite.cases()) {
+      CaseResult result = byNumber.get(testCase.no());
+      all.add(result == null ? notExecuted(testCase, missing) : result);
+    }
+    return new TestResult(
+        model.name(), provenance, Statistics.of(all, model.judges()), suite.parameters(), all);
+  }
+
+  /** A case of the suite that brought no result. */
+  public CaseResult without(int no, Verdict verdict, String reason) {
+    TestCase testCase = cases.get(no);
+    if (testCase == null) {
+      throw new IllegalArgumentException("the suite has no case " + no);
+    }
+    CaseResult result = notExecuted(testCase, reason);
+    return new CaseResult(no, verdict, result.values(), result.expected(), List.of(), null, reason);
+  }
+
+  private static CaseResult notExecuted(TestCase testCase, String reason) {
+    return new CaseResult(
+        testCase.no(),
+        Verdict.DONT,
+        testCase.values(),
+        testCase.expected().stream().map(e -> new NamedValue(e.output(), e.literal())).toList(),
+        List.of(),
+        null,
+        reason);
+  }
+
+  private Map<String, Object> variables(TestCase testCase, CaseResult result) {
+    Variables variables = new Variables().put(Variables.VALID, testCase.valid());
+    for (int i = 0; i < model.inputs().size(); i++) {
+      InputElement input = model.inputs().get(i);
+      variables.put(input.name(), Value.parse(testCase.values().get(i), input.type()));
+    }
+    for (NamedValue actual : result.actual()) {
+      OutputElement output = model.output(actual.output()).orElse(null);
+      if (output != null) {
+        Object plain = Variables.plain(Value.parse(actual.literal(), output.type()));
+        variables.put("actual_" + output.name(), plain);
+        if (output.name().equals(OutputElement.RETURN_NAME)) {
+          variables.put("actual", plain);
+        }
+      } else if (actual.output().isEmpty() || actual.output().equals(OutputElement.RETURN_NAME)) {
+        variables.put("actual", actual.literal());
+      }
+    }
+    return variables.map();
+  }
+}

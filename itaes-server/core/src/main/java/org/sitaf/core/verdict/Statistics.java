@@ -1,0 +1,55 @@
+package org.sitaf.core.verdict;
+
+import java.util.List;
+import java.util.Objects;
+
+/** A result in numbers. */
+final class Statistics {
+  private Statistics() {}
+
+  /**
+   * Counts verdicts and works out the times of PASS and FAIL cases.
+   *
+   * @param judges whether the model decides about cases at all
+   */
+  static Summary of(List<CaseResult> cases, boolean judges) {
+    int pass = count(cases, Verdict.PASS);
+    double[] times =
+        cases.stream()
+            .filter(c -> c.verdict() == Verdict.PASS || c.verdict() == Verdict.FAIL)
+            .map(CaseResult::time)
+            .filter(Objects::nonNull)
+            .mapToDouble(CaseResult.ProcessingTime::total)
+            .toArray();
+    int unjudged = judges ? 0 : pass;
+    return new Summary(
+        cases.size(),
+        pass,
+        count(cases, Verdict.FAIL),
+        count(cases, Verdict.ERROR),
+        count(cases, Verdict.DONT),
+        unjudged,
+        times.length == 0 ? null : times(times));
+  }
+
+  /** Welford's method, which does not lose digits where times are alike. */
+  private static Summary.Times times(double[] times) {
+    double min = Double.POSITIVE_INFINITY;
+    double max = Double.NEGATIVE_INFINITY;
+    double mean = 0;
+    double squares = 0;
+    for (int i = 0; i < times.length; i++) {
+      double delta = times[i] - mean;
+      mean += delta / (i + 1);
+      squares += delta * (times[i] - mean);
+      min = Math.min(min, times[i]);
+      max = Math.max(max, times[i]);
+    }
+    double deviation = times.length > 1 ? Math.sqrt(squares / (times.length - 1)) : 0;
+    return new Summary.Times(min, max, mean, deviation);
+  }
+
+  private static int count(List<CaseResult> cases, Verdict verdict) {
+    return (int) cases.stream().filter(c -> c.verdict() == verdict).count();
+  }
+}

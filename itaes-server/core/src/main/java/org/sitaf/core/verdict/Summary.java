@@ -1,0 +1,22 @@
+package org.sitaf.core.verdict;
+
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A result in numbers (paper, Fig. 17): {@code total = pass + fail + error + dont}.
+ *
+ * @param unjudged PASS cases that had neither an expected value nor a post-condition
+ * @param times of PASS and FAIL cases; null where there is none
+ */
+public record Summary(
+    int total, int pass, int fail, int error, int dont, int unjudged, @Nullable Times times) {
+  public Summary {
+    if (total != pass + fail + error + dont) {
+      throw new IllegalArgumentException(
+          "total " + total + " is not " + pass + " + " + fail + " + " + error + " + " + dont);
+    }
+  }
+
+  /** Processing times in microseconds; sample standard deviation, 0 for a single case. */
+  public record Times(double min, double max, double average, double standardDeviation) {}
+}

@@ -1,0 +1,233 @@
+package org.sitaf.core.verdict;
+
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.diagnostic.Diagnostics;
+import org.sitaf.core.diagnostic.InvalidInputException;
+import org.sitaf.core.document.XmlDocuments;
+import org.sitaf.core.suite.TestSuiteXml;
+import org.sitaf.schemas.CaseTimeType;
+import org.sitaf.schemas.NamedValueType;
+import org.sitaf.schemas.ProvenanceType;
+import org.sitaf.schemas.SummaryType;
+import org.sitaf.schemas.TestResultDocument;
+import org.sitaf.schemas.TestResultListType;
+import org.sitaf.schemas.TestResultType;
+
+/**
+ * The document of a result (schemas/test_result_descriptor.xsd), and the line that a test
+ * application writes for each case.
+ */
+public final class TestResultXml {
+  private static final String MICROSECONDS = "us";
+
+  private TestResultXml() {}
+
+  /**
+   * Reads a result.
+   *
+   * @param file name of the document, for diagnostics
+   * @throws InvalidInputException with every problem of the document
+   */
+  public static TestResult read(InputStream document, String file) {
+    Diagnostics diagnostics = new Diagnostics();
+    TestResultDocument root =
+        XmlDocuments.read(
+            document, file, "test_result_descriptor", TestResultDocument.class, diagnostics);
+    List<CaseResult> cases = new ArrayList<>();
+    if (root.getSummary() == null || root.getTestResultList() == null) {
+      diagnostics.error(file, 0, "", "needs a summary and a test_result_list");
+    } else {
+      for (TestResultType given : root.getTestResultList().getTestResults()) {
+        try {
+          cases.add(read(given));
+        } catch (IllegalArgumentException e) {
+          diagnostics.error(
+              file, XmlDocuments.line(given), "test_result", String.valueOf(e.getMessage()));
+        }
+      }
+    }
+    diagnostics.throwIfErrors();
+    return new TestResult(
+        root.getName() == null ? "" : root.getName(),
+        read(root.getProvenance()),
+        read(root.getSummary(), file),
+        TestSuiteXml.read(root.getCaseParamInfo(), file, diagnostics),
+        cases);
+  }
+
+  /**
+   * Reads the line that a test application writes when a case has ended.
+   *
+   * @throws InvalidInputException when it is not a {@code test_result} element
+   */
+  public static CaseResult readCase(String line) {
+    try {
+      return read(XmlDocuments.readLine(line, "results", TestResultType.class));
+    } catch (IllegalArgumentException e) {
+      throw InvalidInputException.of("results", String.valueOf(e.getMessage()));
+    }
+  }
+
+  /** Writes a result; the same result gives the same bytes. */
+  public static void write(TestResult result, OutputStream out) {
+    TestResultDocument root = new TestResultDocument();
+    root.setName(result.name());
+    root.setProvenance(write(result.provenance()));
+    root.setSummary(write(result.summary()));
+    root.setCaseParamInfo(TestSuiteXml.write(result.parameters()));
+    TestResultListType list = new TestResultListType();
+    result.cases().forEach(c -> list.getTestResults().add(write(c)));
+    root.setTestResultList(list);
+    XmlDocuments.write(root, Set.of("test_result", "param", "provenance"), out);
+  }
+
+  private static CaseResult read(TestResultType given) {
+    Verdict verdict;
+    try {
+      verdict = Verdict.valueOf(String.valueOf(given.getVerdict()));
+    } catch (IllegalArgumentException e) {
+      throw new IllegalArgumentException(
+          "verdict must be PASS, FAIL, ERROR or DONT, not '" + given.getVerdict() + "'", e);
+    }
+    CaseTimeType time = given.getProcessingTime();
+    return new CaseResult(
+        given.getNo(),
+        verdict,
+        given.getValues(),
+        read(given.getExpected()),
+        read(given.getActual()),
+        time == null
+            ? null
+            : new CaseResult.ProcessingTime(
+                time.getValue(), orZero(time.getHardware()), orZero(time.getStub())),
+        given.getMessage() == null ? "" : given.getMessage());
+  }
+
+  private static List<NamedValue> read(List<NamedValueType> values) {
+    return values.stream()
+        .map(
+            v ->
+                new NamedValue(
+                    v.getName() == null ? "" : v.getName(),
+                    v.getValue() == null ? "" : v.getValue()))
+        .toList();
+  }
+
+  private static Provenance read(@Nullable ProvenanceType given) {
+    ProvenanceType p = given == null ? new ProvenanceType() : given;
+    return new Provenance(
+        orEmpty(p.getSuite()),
+        p.getSeed() == null ? 1 : p.getSeed(),
+        orEmpty(p.getHarness()),
+        orEmpty(p.getComponent()),
+        orEmpty(p.getAgent()),
+        orEmpty(p.getBridge()),
+        orEmpty(p.getStarted()),
+        orEmpty(p.getFinished()));
+  }
+
+  private static Summary read(SummaryType given, String file) {
+    SummaryType.ProcessingTime time = given.getProcessingTime();
+    boolean timed = time != null && time.getAverage() != null;
+    try {
+      return new Summary(
+          given.getTotal(),
+          given.getPass(),
+          given.getFail(),
+          given.getError(),
+          given.getDont(),
+          given.getUnjudged() == null ? 0 : given.getUnjudged(),
+          timed
+              ? new Summary.Times(
+                  orZero(time.getMin()),
+                  orZero(time.getMax()),
+                  orZero(time.getAverage()),
+                  orZero(time.getStandardDeviation()))
+              : null);
+    } catch (IllegalArgumentException e) {
+      throw InvalidInputException.of(file, "summary: " + e.getMessage());
+    }
+  }
+
+  private static TestResultType write(CaseResult result) {
+    TestResultType written = new TestResultType();
+    written.setNo(result.no());
+    written.setVerdict(result.verdict().name());
+    written.getValues().addAll(result.values());
+    written.getExpected().addAll(write(result.expected()));
+    written.getActual().addAll(write(result.actual()));
+    if (result.time() != null) {
+      CaseTimeType time = new CaseTimeType();
+      time.setUnit(MICROSECONDS);
+      time.setValue(result.time().total());
+      time.setHardware(result.time().hardware());
+      time.setStub(result.time().stub());
+      written.setProcessingTime(time);
+    }
+    written.setMessage(result.message().isEmpty() ? null : result.message());
+    return written;
+  }
+
+  private static List<NamedValueType> write(List<NamedValue> values) {
+    return values.stream()
+        .map(
+            v -> {
+              NamedValueType written = new NamedValueType();
+              written.setName(v.output().isEmpty() ? null : v.output());
+              written.setValue(v.literal());
+              return written;
+            })
+        .toList();
+  }
+
+  private static ProvenanceType write(Provenance provenance) {
+    ProvenanceType written = new ProvenanceType();
+    written.setSuite(provenance.suite());
+    written.setSeed(provenance.seed());
+    written.setHarness(provenance.harness());
+    written.setComponent(provenance.component());
+    written.setAgent(provenance.agent());
+    written.setBridge(provenance.bridge());
+    written.setStarted(provenance.started());
+    written.setFinished(provenance.finished());
+    return written;
+  }
+
+  private static SummaryType write(Summary summary) {
+    SummaryType written = new SummaryType();
+    written.setTotal(summary.total());
+    written.setPass(summary.pass());
+    written.setFail(summary.fail());
+    written.setError(summary.error());
+    written.setDont(summary.dont());
+    written.setUnjudged(summary.unjudged());
+    SummaryType.ProcessingTime time = new SummaryType.ProcessingTime();
+    time.setUnit(MICROSECONDS);
+    if (summary.times() != null) {
+      time.setMin(summary.times().min());
+      time.setMax(summary.times().max());
+      time.setAverage(summary.times().average());
+      time.setStandardDeviation(summary.times().standardDeviation());
+    }
+    written.setProcessingTime(time);
+    // Empty until a coverage tool fills it, as in Fig. 17 of the paper.
+    SummaryType.Coverage coverage = new SummaryType.Coverage();
+    coverage.setStatement("");
+    coverage.setBranch("");
+    written.setCoverage(coverage);
+    return written;
+  }
+
+  private static double orZero(@Nullable Double number) {
+    return number == null ? 0 : number;
+  }
+
+  private static String orEmpty(@Nullable String text) {
+    return text == null ? "" : text;
+  }
+}

@@ -1,0 +1,18 @@
+package org.sitaf.core.verdict;
+
+/** How a case ended; later ones are worse. */
+public enum Verdict {
+  /** As expected, or nothing was expected and the call returned. */
+  PASS,
+  /** A wrong value or a broken post-condition. */
+  FAIL,
+  /** An exception, a crash, a timeout, or a condition that could not be evaluated. */
+  ERROR,
+  /** Not executed; the message says why. */
+  DONT;
+
+  /** The worse of two. */
+  public Verdict worse(Verdict other) {
+    return compareTo(other) >= 0 ? this : other;
+  }
+}
