@@ -1,6 +1,9 @@
 package org.sitaf.runtime;
 
 import java.io.IOException;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.runtime.suite.CaseResult;
@@ -50,6 +53,20 @@ public abstract class SuiteDriver<C> {
       component = current;
     }
     return current;
+  }
+
+  /**
+   * A component, made with whatever of the hardware and of these stubs its constructor asks for.
+   */
+  protected final <T extends C> T newComponent(Class<T> type, Object... stubs) throws Exception {
+    List<Object> available = new ArrayList<>(Arrays.asList(stubs));
+    run.hardware().ifPresent(available::add);
+    return ComponentUnderTest.create(type, available.toArray());
+  }
+
+  /** Sets a property by {@code setProperty(String, String)} or by the setter of its name. */
+  protected final void setProperty(C instance, String name, String value) throws Exception {
+    ComponentUnderTest.setProperty(instance, name, value);
   }
 
   /** Measures the call under test. */

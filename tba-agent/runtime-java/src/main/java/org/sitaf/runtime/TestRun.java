@@ -108,6 +108,7 @@ public final class TestRun {
       if (from > 0 && next.isEmpty()) {
         throw new CannotRunException("--from " + from + ": the suite has no case of that number");
       }
+      results.ready();
       for (; next.isPresent(); next = suite.next()) {
         runOne(driver, next.get());
       }

@@ -108,7 +108,7 @@ class TestRunTest {
   }
 
   private List<String> lines() throws IOException {
-    return Files.readAllLines(results);
+    return Files.readAllLines(results).stream().filter(line -> !line.isEmpty()).toList();
   }
 
   private static String errorsOf(Runnable action) {
@@ -140,6 +140,13 @@ class TestRunTest {
         .contains("StackOverflowError");
     assertThat(lines().get(4)).contains("no=\"5\" verdict=\"PASS\"");
     assertThat(Thread.interrupted()).isFalse();
+  }
+
+  @Test
+  void anEmptyLineSaysThatTheFirstCaseBegins() throws IOException {
+    suiteOf("5");
+    run(LifeCycle.CASE);
+    assertThat(Files.readString(results)).startsWith("\n<test_result no=\"1\"");
   }
 
   @Test

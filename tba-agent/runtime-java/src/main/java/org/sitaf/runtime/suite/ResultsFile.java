@@ -48,6 +48,14 @@ public final class ResultsFile implements AutoCloseable {
     return new ResultsFile(channel);
   }
 
+  /**
+   * Writes an empty line: all is set up, and the first case begins. From then on the time limit of
+   * a case holds.
+   */
+  public void ready() throws IOException {
+    channel.write(ByteBuffer.wrap(new byte[] {'\n'}));
+  }
+
   /** Writes the line of a case. */
   public void save(CaseResult result) throws IOException {
     ByteBuffer line = ByteBuffer.wrap(result.line().getBytes(StandardCharsets.UTF_8));
