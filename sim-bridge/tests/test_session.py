@@ -4,6 +4,7 @@ import math
 import subprocess
 import sys
 import time
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 
 import grpc
@@ -24,7 +25,9 @@ BLOCK = world(
     <option timestep="0.001"/>
     <worldbody>
       <geom name="floor" type="plane" size="0 0 1"/>
-      <body name="block" pos="0 0 0.1"><freejoint/><geom name="block" type="box" size="0.1 0.1 0.1" mass="1" friction="0"/></body>
+      <body name="block" pos="0 0 0.1"><freejoint/>
+        <geom name="block" type="box" size="0.1 0.1 0.1" mass="1" friction="0"/>
+      </body>
     </worldbody>
     """,
     """
@@ -72,6 +75,7 @@ def test_many_callers_of_one_session_take_turns(block: TestSession) -> None:
 
 def test_single_steps_equal_one_call_of_many(bridge: Bridge) -> None:
     once, often = bridge.create(BLOCK), bridge.create(BLOCK)
+    last = often.read()
     for _ in range(300):
         last = often.step(1)
         assert often.read() == last
@@ -108,7 +112,8 @@ def test_a_request_with_one_bad_value_changes_nothing(
 ) -> None:
     block.prepare(Friction=0.2, settle_ns=10**8)
     before, parameters = block.read(), block.parameters()
-    for action in (block.set, block.prepare):
+    actions: list[Callable[..., object]] = [block.set, block.prepare]
+    for action in actions:
         code, message = refused(lambda action=action: action(**values))
         assert code is INVALID
         assert "Nope" in message or "Height" in message
@@ -245,4 +250,3 @@ def test_a_killed_client_loses_its_session_only(bridge: Bridge, ir: TestSession,
     time.sleep(1.3)
     assert refused(orphan.read)[0] is NOT_FOUND
     assert set(ranges(ir.read()).values()) == {5.0}
-

@@ -25,14 +25,14 @@ class Mesh:
         vertices = model.mesh_vert[model.mesh_vertadr[mesh] :][: model.mesh_vertnum[mesh]].astype(np.float64)
         return Mesh(vertices[faces], vertices.min(axis=0), vertices.max(axis=0))
 
-    def holds(self, point: NDArray[np.float64]) -> bool:
-        """Whether a point lies strictly inside, by the winding number of the surface around it.
+    def depth(self, point: NDArray[np.float64]) -> float:
+        """1 if a point lies inside, -1 if outside, 0 if on the surface, by the winding number around it.
 
         The solid angle of a triangle is that of van Oosterom and Strackee (1983). Unlike counting the crossings
         of a ray, their sum does not break where a ray would meet an edge.
         """
-        if bool((point <= self.low).any()) or bool((point >= self.high).any()):
-            return False
+        if bool((point < self.low).any()) or bool((point > self.high).any()):
+            return -1.0
         to = self.triangles - point
         length = np.linalg.norm(to, axis=2)
         a, b, c = to[:, 0], to[:, 1], to[:, 2]
@@ -45,5 +45,6 @@ class Mesh:
             + np.einsum("ij,ij->i", c, a) * lb
         )
         angle = np.where(np.abs(volume) <= COPLANAR * la * lb * lc, 0.0, 2.0 * np.arctan2(volume, denominator))
-        # On a face the number is one half, outside zero, inside one (or minus one: faces turned inside out).
-        return abs(float(angle.sum())) / (4.0 * np.pi) > 0.5 + 1e-6
+        # Inside one (or minus one: faces turned inside out), outside zero, on a face one half.
+        winding = abs(float(angle.sum())) / (4.0 * np.pi)
+        return 0.0 if abs(winding - 0.5) < 1e-6 else float(np.sign(winding - 0.5))

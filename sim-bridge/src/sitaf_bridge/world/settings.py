@@ -255,7 +255,8 @@ def _geom_size(model: mujoco.MjModel, name: str, last: str) -> Setting:
 
 def _joint_position(model: mujoco.MjModel, name: str, _last: str) -> Setting:
     joint = name_to_id(model, mujoco.mjtObj.mjOBJ_JOINT, "joint", name)
-    if model.jnt_type[joint] not in (mujoco.mjtJoint.mjJNT_HINGE, mujoco.mjtJoint.mjJNT_SLIDE):
+    # Converted, because MuJoCo's enumerators do not equal NumPy's integers from their own side.
+    if mujoco.mjtJoint(int(model.jnt_type[joint])) not in (mujoco.mjtJoint.mjJNT_HINGE, mujoco.mjtJoint.mjJNT_SLIDE):
         raise NoSuchSetting(f"the joint {name!r} is neither a hinge nor a slide")
     return JointPosition(int(model.jnt_qposadr[joint]))
 

@@ -24,6 +24,8 @@ BOX = int(mujoco.mjtGeom.mjGEOM_BOX)
 MESH = int(mujoco.mjtGeom.mjGEOM_MESH)
 SOLID_TYPES = (PLANE, SPHERE, CAPSULE, ELLIPSOID, CYLINDER, BOX, MESH)
 PARALLEL = 1e-12
+# Metres. Nearer than this to a surface, rounding decides on which side a point lies: it counts as touching.
+TOUCH = 1e-10
 
 
 def visible(model: mujoco.MjModel, geom: int) -> bool:
@@ -90,8 +92,8 @@ class _Group:
     geoms: NDArray[np.intp]
 
 
-class InsideTest:
-    """Tells for each of several sites whether it lies strictly inside one of its solids.
+class Surroundings:
+    """Tells for each of several sites which of its solids it lies inside of, and which it touches.
 
     A plane is solid behind its front, within its rectangle where it has one; height fields have no inside.
     All pairs of one geom type are computed together: calls, not arithmetic, are what costs.
@@ -114,37 +116,47 @@ class InsideTest:
             if kind == MESH:
                 self._meshes = {geom: Mesh.of(model, int(model.geom_dataid[geom])) for _, _, geom in pairs}
 
-    def __call__(self, model: mujoco.MjModel, data: mujoco.MjData) -> NDArray[np.bool_]:
-        """One truth per site."""
+    def __call__(
+        self, model: mujoco.MjModel, data: mujoco.MjData
+    ) -> tuple[NDArray[np.bool_], Sequence[tuple[int, int]]]:
+        """For each site whether it is inside; and the pairs (site's index, geom) of those that touch."""
         inside = np.zeros(self._count, dtype=np.bool_)
+        touching: list[tuple[int, int]] = []
         for group in self._groups:
             relative = data.site_xpos[group.sites] - data.geom_xpos[group.geoms]
-            # Columns of the rotation, so that the sums are those of MuJoCo's own rays.
             axes = data.geom_xmat[group.geoms].reshape(-1, 3, 3)
+            # The transposed rotation, summed in the order of MuJoCo's own rays.
             local = (
                 axes[:, 0, :] * relative[:, 0:1] + axes[:, 1, :] * relative[:, 1:2] + axes[:, 2, :] * relative[:, 2:3]
             )
             if group.kind == MESH:
-                found = np.array([self._meshes[int(g)].holds(p) for g, p in zip(group.geoms, local, strict=True)])
+                pairs = zip(group.geoms.tolist(), local, strict=True)
+                depth = np.array([self._meshes[geom].depth(point) for geom, point in pairs])
             else:
-                found = _inside(group.kind, local, model.geom_size[group.geoms])
-            inside[group.askers[found]] = True
-        return inside
+                depth = _depth(group.kind, local, model.geom_size[group.geoms])
+            inside[group.askers[depth > TOUCH]] = True
+            near = np.abs(depth) <= TOUCH
+            if near.any():
+                touching += zip(group.askers[near].tolist(), group.geoms[near].tolist(), strict=True)
+        return inside, touching
 
 
-def _inside(kind: int, p: Vector, size: Vector) -> NDArray[np.bool_]:
-    """Whether points in the frames of geoms lie strictly inside: p and size are (n, 3)."""
+def _depth(kind: int, p: Vector, size: Vector) -> Vector:
+    """How deep points in the frames of geoms lie inside, in metres, negative outside: p and size are (n, 3).
+
+    Exact near the surface, where it matters, up to a factor for the ellipsoid; elsewhere only the sign counts.
+    """
     if kind == PLANE:
-        within = (size[:, :2] <= 0) | (np.abs(p[:, :2]) <= size[:, :2])
-        return (p[:, 2] < 0) & within[:, 0] & within[:, 1]
+        beside = np.abs(p[:, :2]) - size[:, :2]
+        return np.where(((size[:, :2] > 0) & (beside > 0)).any(axis=1), -np.inf, -p[:, 2])
     if kind == SPHERE:
-        return np.less((p * p).sum(axis=1), size[:, 0] ** 2)
+        return size[:, 0] - np.sqrt((p * p).sum(axis=1))
     if kind == BOX:
-        return (np.abs(p) < size).all(axis=1)
+        return (size - np.abs(p)).min(axis=1)
     if kind == ELLIPSOID:
-        return np.less(((p / size) ** 2).sum(axis=1), 1.0)
-    across = p[:, 0] ** 2 + p[:, 1] ** 2
+        return (1.0 - np.sqrt(((p / size) ** 2).sum(axis=1))) * size.min(axis=1)
+    across = np.hypot(p[:, 0], p[:, 1])
     if kind == CYLINDER:
-        return (across < size[:, 0] ** 2) & (np.abs(p[:, 2]) < size[:, 1])
+        return np.minimum(size[:, 0] - across, size[:, 1] - np.abs(p[:, 2]))
     beyond = np.maximum(np.abs(p[:, 2]) - size[:, 1], 0.0)
-    return np.less(across + beyond * beyond, size[:, 0] ** 2)
+    return size[:, 0] - np.hypot(across, beyond)

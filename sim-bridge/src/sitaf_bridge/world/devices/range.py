@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sitaf_bridge.world.devices.kind import DeviceDeclaration, Reading
-from sitaf_bridge.world.solids import HFIELD, SOLID_TYPES, InsideTest, cast, visible
+from sitaf_bridge.world.solids import HFIELD, SOLID_TYPES, TOUCH, Surroundings, cast, clearance, visible
 from sitaf_bridge.world.yaml_block import Block, Problems
 
 DISTANCE_ONLY = 1 << int(mujoco.mjtRayDataField.mjRAYDATA_DIST)
@@ -75,25 +75,27 @@ class RangeBank:
     def __init__(self, model: mujoco.MjModel, devices: Sequence[tuple[RangeDeclaration, _Ray]]) -> None:
         self._devices = tuple(devices)
         rays = [ray for _, ray in devices]
-        self._inside = InsideTest(model, [ray.site for ray in rays], [ray.solids for ray in rays])
+        self._surroundings = Surroundings(model, [ray.site for ray in rays], [ray.solids for ray in rays])
 
     def read(self, model: mujoco.MjModel, data: mujoco.MjData) -> Sequence[RangeReading]:
         """The distances at the current step."""
-        inside = self._inside(model, data).tolist()
+        inside, touching = self._surroundings(model, data)
         values = data.sensordata.tolist()
+        distances = [values[ray.address] if ray.native else _own_ray(model, data, ray) for _, ray in self._devices]
+        for index, geom in touching:
+            # A ray that starts on a surface, or a rounding error behind it, may report the far side.
+            entry = clearance(model, data, geom, *_line(data, self._devices[index][1].site))
+            if entry is not None and abs(entry) <= TOUCH:
+                distances[index] = max(entry, 0.0)
         return [
-            RangeReading(
-                declaration.name,
-                _measured(
-                    values[ray.address] if ray.native else _own_ray(model, data, ray),
-                    declaration,
-                    inside[index],
-                ),
-                declaration.low,
-                declaration.high,
-            )
-            for index, (declaration, ray) in enumerate(self._devices)
+            RangeReading(d.name, _measured(distance, d, within), d.low, d.high)
+            for (d, _), distance, within in zip(self._devices, distances, inside.tolist(), strict=True)
         ]
+
+
+def _line(data: mujoco.MjData, site: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Origin and direction of a site's ray, which is its z axis."""
+    return data.site_xpos[site], np.ascontiguousarray(data.site_xmat[site].reshape(3, 3)[:, 2])
 
 
 def _measured(distance: float, declaration: RangeDeclaration, inside: bool) -> float:
@@ -110,8 +112,7 @@ def _measured(distance: float, declaration: RangeDeclaration, inside: bool) -> f
 
 def _own_ray(model: mujoco.MjModel, data: mujoco.MjData, ray: _Ray) -> float:
     """As the range finder, but blind to every body of the sensor's own part, not only to the site's."""
-    origin: NDArray[np.float64] = data.site_xpos[ray.site]
-    along = np.ascontiguousarray(data.site_xmat[ray.site].reshape(3, 3)[:, 2])
+    origin, along = _line(data, ray.site)
     hits = (cast(model, data, geom, origin, along) for geom in ray.solids)
     return min((hit for hit in hits if hit >= 0), default=-1.0)
 
