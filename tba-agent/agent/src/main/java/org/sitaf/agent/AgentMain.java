@@ -1,0 +1,240 @@
+package org.sitaf.agent;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.URISyntaxException;
+import java.net.UnknownHostException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicBoolean;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.agent.build.BuildSettings;
+import org.sitaf.agent.manager.AgentSettings;
+import org.sitaf.agent.manager.TestBuildAgent;
+import org.sitaf.agent.toolchain.Toolchains;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+
+/** The command {@code sitaf agent}. */
+@Command(
+    name = "sitaf agent",
+    mixinStandardHelpOptions = true,
+    versionProvider = AgentMain.Version.class,
+    description = "Compiles and executes test applications that a SITAF server assigns.",
+    sortOptions = false)
+public final class AgentMain implements Callable<Integer> {
+  private static final int BAD_SETTINGS = 2;
+
+  @Option(
+      names = "--server",
+      paramLabel = "HOST:PORT",
+      defaultValue = "localhost:9090",
+      description = "The server's gRPC address; default ${DEFAULT-VALUE}.")
+  private String server = "";
+
+  @Option(
+      names = "--name",
+      description = "Unique among the agents of the server; default the name of this machine.")
+  private @Nullable String name;
+
+  @Option(
+      names = "--directory",
+      required = true,
+      description = "Private to this agent: results not yet uploaded, files, builds.")
+  private Path directory = Path.of("");
+
+  @Option(
+      names = "--slots",
+      defaultValue = "1",
+      description = "Builds that may run at the same time; default ${DEFAULT-VALUE}.")
+  private int slots;
+
+  @Option(
+      names = "--bridge-command",
+      paramLabel = "COMMAND",
+      defaultValue = "",
+      description =
+          "Starts a simulation bridge of the agent's own, such as 'python -m sitaf_bridge'; its"
+              + " arguments are appended. Words are separated by spaces; quotes group them.")
+  private String bridgeCommand = "";
+
+  @Option(
+      names = "--bridge",
+      paramLabel = "ADDRESS",
+      description = "Uses a running simulation bridge instead: 127.0.0.1:PORT or unix:PATH.")
+  private @Nullable String bridge;
+
+  @Option(
+      names = "--runtime-java",
+      paramLabel = "FOLDER",
+      description = "Jars of the runtime of Java test applications; default beside agent.jar.")
+  private @Nullable Path runtimeJava;
+
+  @Option(
+      names = "--stop-with-stdin",
+      description = "Ends when standard input closes, so that the agent goes with its launcher.")
+  private boolean stopWithStdin;
+
+  /** Starts an agent; see {@code --help}. */
+  public static void main(String[] arguments) {
+    if (System.getProperty("java.util.logging.SimpleFormatter.format") == null) {
+      System.setProperty("java.util.logging.SimpleFormatter.format", "%1$tFT%1$tT %4$s %5$s%6$s%n");
+    }
+    System.exit(new CommandLine(new AgentMain()).execute(arguments));
+  }
+
+  @Override
+  public Integer call() throws InterruptedException {
+    Toolchains toolchains = Toolchains.find();
+    toolchains.missing().forEach(missing -> System.err.println("sitaf agent: no " + missing));
+    CountDownLatch stop = new CountDownLatch(1);
+    CountDownLatch stopped = new CountDownLatch(1);
+    AtomicBoolean told = new AtomicBoolean();
+    AgentSettings settings;
+    TestBuildAgent agent;
+    try {
+      settings = settings();
+      agent =
+          new TestBuildAgent(
+              settings,
+              toolchains,
+              version -> {
+                if (!told.getAndSet(true)) {
+                  System.out.println(
+                      "registered "
+                          + settings.name()
+                          + " at "
+                          + server
+                          + " (server "
+                          + version
+                          + ")");
+                }
+              });
+    } catch (IllegalArgumentException | IOException e) {
+      System.err.println("sitaf agent: " + e.getMessage());
+      return BAD_SETTINGS;
+    }
+    Runtime.getRuntime()
+        .addShutdownHook(
+            new Thread(
+                () -> {
+                  stop.countDown();
+                  awaitQuietly(stopped);
+                },
+                "sitaf-shutdown"));
+    if (stopWithStdin) {
+      Thread watch = new Thread(() -> watchStdin(stop), "sitaf-stdin");
+      watch.setDaemon(true);
+      watch.start();
+    }
+    try {
+      stop.await();
+    } finally {
+      agent.close();
+      stopped.countDown();
+    }
+    return 0;
+  }
+
+  private AgentSettings settings() throws IOException {
+    Path runtime = runtimeJava != null ? runtimeJava : besideJar();
+    return new AgentSettings(
+        server,
+        name != null ? name : hostName(),
+        Version.text(),
+        directory,
+        slots,
+        words(bridgeCommand),
+        bridge,
+        BuildSettings.runtimeJarsIn(runtime));
+  }
+
+  /**
+   * Splits a command into words as a shell does with plain words and quotes; nothing else is
+   * special.
+   */
+  static List<String> words(String command) {
+    java.util.ArrayList<String> words = new java.util.ArrayList<>();
+    StringBuilder word = new StringBuilder();
+    boolean inWord = false;
+    char quote = 0;
+    for (char c : command.toCharArray()) {
+      if (quote != 0 && c == quote) {
+        quote = 0;
+      } else if (quote == 0 && (c == '\'' || c == '"')) {
+        quote = c;
+        inWord = true;
+      } else if (quote == 0 && Character.isWhitespace(c)) {
+        if (inWord) {
+          words.add(word.toString());
+          word.setLength(0);
+          inWord = false;
+        }
+      } else {
+        word.append(c);
+        inWord = true;
+      }
+    }
+    if (quote != 0) {
+      throw new IllegalArgumentException("--bridge-command: a quote is not closed");
+    }
+    if (inWord) {
+      words.add(word.toString());
+    }
+    return words;
+  }
+
+  private static Path besideJar() {
+    try {
+      Path jar =
+          Path.of(AgentMain.class.getProtectionDomain().getCodeSource().getLocation().toURI());
+      return jar.resolveSibling("runtime-java");
+    } catch (URISyntaxException e) {
+      throw new IllegalArgumentException("give --runtime-java", e);
+    }
+  }
+
+  private static String hostName() {
+    try {
+      return InetAddress.getLocalHost().getHostName().replaceAll("[^A-Za-z0-9._-]", "-");
+    } catch (UnknownHostException e) {
+      return "agent";
+    }
+  }
+
+  private static void watchStdin(CountDownLatch stop) {
+    try {
+      while (System.in.read() >= 0) {
+        // Only the end counts.
+      }
+    } catch (IOException e) {
+      // As good as its end.
+    }
+    stop.countDown();
+  }
+
+  private static void awaitQuietly(CountDownLatch latch) {
+    try {
+      latch.await();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  /** The version in the jar's manifest. */
+  static final class Version implements CommandLine.IVersionProvider {
+    @Override
+    public String[] getVersion() {
+      return new String[] {"sitaf agent " + text()};
+    }
+
+    static String text() {
+      return Optional.ofNullable(AgentMain.class.getPackage().getImplementationVersion())
+          .orElse("development");
+    }
+  }
+}

@@ -1,0 +1,70 @@
+package org.sitaf.agent.build;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.sitaf.agent.executor.OutputSink;
+
+/**
+ * The log of a build: a file, and whoever listens. What a component prints is bounded; the agent's
+ * remarks are always there.
+ */
+final class BuildLog implements OutputSink, AutoCloseable {
+  /** What people may still want to read; a component in an endless loop prints more in a second. */
+  static final long OUTPUT_LIMIT_BYTES = 4L << 20;
+
+  private final OutputStream file;
+  private final BuildListener listener;
+  private long output;
+  private boolean atLineStart = true;
+  private boolean cut;
+
+  BuildLog(Path path, BuildListener listener) throws IOException {
+    this.file = Files.newOutputStream(path);
+    this.listener = listener;
+  }
+
+  @Override
+  public synchronized void output(String text) {
+    if (cut) {
+      return;
+    }
+    byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
+    output += bytes.length;
+    if (output > OUTPUT_LIMIT_BYTES) {
+      cut = true;
+      remark(
+          "output of the test application is cut here: it is more than "
+              + (OUTPUT_LIMIT_BYTES >> 20)
+              + " MiB");
+    } else {
+      append(bytes);
+    }
+  }
+
+  @Override
+  public synchronized void remark(String line) {
+    append(((atLineStart ? "" : "\n") + "[sitaf] " + line + "\n").getBytes(StandardCharsets.UTF_8));
+  }
+
+  private void append(byte[] bytes) {
+    if (bytes.length == 0) {
+      return;
+    }
+    atLineStart = bytes[bytes.length - 1] == '\n';
+    try {
+      file.write(bytes);
+    } catch (IOException e) {
+      throw new UncheckedIOException("the build's log cannot be written", e);
+    }
+    listener.log(bytes);
+  }
+
+  @Override
+  public synchronized void close() throws IOException {
+    file.close();
+  }
+}

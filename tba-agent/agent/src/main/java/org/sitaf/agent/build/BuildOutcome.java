@@ -1,0 +1,40 @@
+package org.sitaf.agent.build;
+
+import java.util.List;
+import java.util.Objects;
+import org.sitaf.agent.compiler.SourceDiagnostic;
+import org.sitaf.core.verdict.TestResult;
+
+/** How a build ended. "Could not run" never looks like "test failed". */
+public sealed interface BuildOutcome {
+
+  /** Every case has a verdict; DONT where it could not be executed. */
+  record Completed(TestResult result) implements BuildOutcome {
+    public Completed {
+      Objects.requireNonNull(result);
+    }
+  }
+
+  /** The user's files do not compile or do not fit; trying again gives the same. */
+  record CompilationFailed(String message, List<SourceDiagnostic> diagnostics)
+      implements BuildOutcome {
+    public CompilationFailed {
+      Objects.requireNonNull(message);
+      diagnostics = List.copyOf(diagnostics);
+    }
+  }
+
+  /** This machine or the simulation is at fault; another attempt may succeed. */
+  record InfrastructureFailed(String message) implements BuildOutcome {
+    public InfrastructureFailed {
+      Objects.requireNonNull(message);
+    }
+  }
+
+  /** Somebody did not want it any more. */
+  record Cancelled(String reason) implements BuildOutcome {
+    public Cancelled {
+      Objects.requireNonNull(reason);
+    }
+  }
+}

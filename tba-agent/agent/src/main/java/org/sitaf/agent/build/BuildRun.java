@@ -1,0 +1,238 @@
+package org.sitaf.agent.build;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.time.Instant;
+import java.time.temporal.ChronoUnit;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.agent.compiler.CompilationException;
+import org.sitaf.agent.compiler.CompiledApplication;
+import org.sitaf.agent.compiler.SourceDiagnostic;
+import org.sitaf.agent.compiler.TestApplicationCompiler;
+import org.sitaf.agent.executor.Execution;
+import org.sitaf.agent.executor.ExecutionRequest;
+import org.sitaf.agent.executor.ExecutionRequest.World;
+import org.sitaf.agent.executor.TestApplicationExecutor;
+import org.sitaf.agent.simulation.SimulatorClient;
+import org.sitaf.agent.simulation.WorldException;
+import org.sitaf.core.activity.ActivityProfile;
+import org.sitaf.core.activity.ActivityProfile.Component;
+import org.sitaf.core.activity.ActivityProfile.Language;
+import org.sitaf.core.activity.FileTree;
+import org.sitaf.core.harness.TestApplication;
+import org.sitaf.core.verdict.CaseResult;
+import org.sitaf.core.verdict.Provenance;
+import org.sitaf.core.verdict.ResultAssembler;
+import org.sitaf.core.verdict.TestResult;
+
+/**
+ * One build of a test application, without any server: its outcome is the same in an agent and in a
+ * person's shell. Runs once, on the thread that calls {@link #run()}.
+ */
+public final class BuildRun {
+  private static final Duration COMPILE_LIMIT = Duration.ofSeconds(120);
+
+  private final TestApplication application;
+  private final Path directory;
+  private final BuildSettings settings;
+  private final BuildListener listener;
+  private final Cancellation cancellation = new Cancellation();
+
+  /**
+   * A build that has not begun.
+   *
+   * @param directory for the build's files, {@link #LOG} among them; created; the caller deletes it
+   */
+  public BuildRun(
+      TestApplication application, Path directory, BuildSettings settings, BuildListener listener) {
+    this.application = application;
+    this.directory = directory.toAbsolutePath().normalize();
+    this.settings = settings;
+    this.listener = listener;
+  }
+
+  /** The log's file in a build's folder. */
+  public static final String LOG = "build.log";
+
+  /** Ends the build soon, in whatever stage it is; from any thread, also before it begins. */
+  public void cancel(String reason) {
+    cancellation.request(reason);
+  }
+
+  /**
+   * Goes through the stages and says how it ended; no failure of a stage leaves as an exception.
+   */
+  public BuildOutcome run() {
+    try {
+      Files.createDirectories(directory);
+      try (BuildLog log = new BuildLog(directory.resolve(LOG), listener)) {
+        BuildOutcome outcome = cancellation.guard(() -> stages(log));
+        remarkOn(outcome, log);
+        return outcome;
+      }
+    } catch (IOException | UncheckedIOException e) {
+      return new BuildOutcome.InfrastructureFailed("the build's folder cannot be used: " + e);
+    }
+  }
+
+  /**
+   * The stages of a test build agent (match, prepare, compile, execute, report); fetching is before
+   * them.
+   */
+  private BuildOutcome stages(BuildLog log) throws InterruptedException {
+    try {
+      Instant started = Instant.now();
+      match();
+
+      listener.stage(BuildStage.PREPARING);
+      Prepared prepared = prepare(log);
+
+      listener.stage(BuildStage.COMPILING);
+      CompiledApplication compiled = compile();
+
+      listener.stage(BuildStage.RUNNING);
+      ResultAssembler assembler = new ResultAssembler(application.model(), application.suite());
+      Execution execution = execute(compiled, prepared, assembler, log);
+
+      return new BuildOutcome.Completed(report(execution, assembler, prepared.bridge(), started));
+    } catch (CompilationException e) {
+      return new BuildOutcome.CompilationFailed(String.valueOf(e.getMessage()), e.diagnostics());
+    } catch (IOException | UncheckedIOException e) {
+      return new BuildOutcome.InfrastructureFailed(String.valueOf(e.getMessage()));
+    }
+  }
+
+  /** Whether this machine can do it at all. */
+  private void match() throws IOException {
+    ActivityProfile profile = application.activity().profile();
+    for (Language language : List.of(profile.component().language(), profile.harness())) {
+      if (settings.toolchains().of(language).isEmpty() || language != Language.JAVA) {
+        throw new IOException(settings.toolchains().lackOf(language));
+      }
+    }
+  }
+
+  /**
+   * What preparing found.
+   *
+   * @param bridge version of the simulator; empty where the activity has no world
+   */
+  private record Prepared(@Nullable World world, String bridge) {}
+
+  /**
+   * Writes the application's files, and asks the simulator for the world before anything is built.
+   */
+  private Prepared prepare(BuildLog log)
+      throws IOException, InterruptedException, CompilationException {
+    FileTree files = application.files();
+    for (String path : files.paths()) {
+      Path file = applicationDirectory().resolve(path);
+      Files.createDirectories(file.getParent());
+      Files.write(file, files.content(path).orElseThrow());
+    }
+    String world = application.activity().profile().world();
+    if (world == null) {
+      return new Prepared(null, "");
+    }
+    int slash = world.lastIndexOf('/');
+    FileTree folder = application.activity().files().below(world.substring(0, slash + 1));
+    Map<String, byte[]> worldFiles = new TreeMap<>();
+    folder.paths().forEach(path -> worldFiles.put(path, folder.content(path).orElseThrow()));
+    try (SimulatorClient client = new SimulatorClient(settings.simulator().target())) {
+      String version = client.version();
+      client.check(world.substring(slash + 1), worldFiles);
+      log.remark("world " + world + " on " + version);
+      Path description = applicationDirectory().resolve("activity").resolve(world);
+      return new Prepared(new World(description, settings.simulator()::target), version);
+    } catch (WorldException e) {
+      String message = String.valueOf(e.getMessage());
+      throw new CompilationException(
+          "the simulator refuses the world: " + message,
+          List.of(SourceDiagnostic.ofFile("activity/" + world, message)));
+    }
+  }
+
+  private CompiledApplication compile()
+      throws CompilationException, IOException, InterruptedException {
+    return new TestApplicationCompiler(settings.runtimeJars(), COMPILE_LIMIT)
+        .compile(application, applicationDirectory(), directory.resolve("classes"));
+  }
+
+  private Execution execute(
+      CompiledApplication compiled, Prepared prepared, ResultAssembler assembler, BuildLog log)
+      throws IOException, InterruptedException {
+    Path execution = Files.createDirectories(directory.resolve("execution"));
+    ExecutionRequest request =
+        new ExecutionRequest(
+            compiled.classPath(),
+            compiled.mainClass(),
+            application.suite(),
+            applicationDirectory().resolve("suite.xml"),
+            execution,
+            prepared.world(),
+            application.activity().profile().limits());
+    return TestApplicationExecutor.DEFAULT.execute(
+        request, log, result -> announce(assembler.judge(result)));
+  }
+
+  private CaseResult announce(CaseResult result) {
+    listener.caseFinished(result);
+    return result;
+  }
+
+  private TestResult report(
+      Execution execution, ResultAssembler assembler, String bridge, Instant started) {
+    byte[] suite = application.files().content("suite.xml").orElseThrow();
+    Provenance provenance =
+        new Provenance(
+            Digests.of(suite),
+            application.suite().generation().seed(),
+            Digests.of(application.harness()),
+            Digests.of(componentFiles()),
+            settings.agent(),
+            bridge,
+            started.truncatedTo(ChronoUnit.MILLIS).toString(),
+            Instant.now().truncatedTo(ChronoUnit.MILLIS).toString());
+    return assembler.assemble(execution.results(), execution.reasonOfRest(), provenance);
+  }
+
+  /** What the component is made of: its sources or library, adapter and external libraries. */
+  private FileTree componentFiles() {
+    ActivityProfile profile = application.activity().profile();
+    Component component = profile.component();
+    FileTree files = application.activity().files();
+    FileTree found = FileTree.of(Map.of());
+    for (String folder : new String[] {component.sources(), component.adapter()}) {
+      if (folder != null) {
+        found = found.with(folder, files.below(folder));
+      }
+    }
+    for (String path : files.paths()) {
+      if (path.equals(component.library()) || profile.libraries().contains(path)) {
+        found = found.with(path, files.content(path).orElseThrow());
+      }
+    }
+    return found;
+  }
+
+  private Path applicationDirectory() {
+    return directory.resolve("application");
+  }
+
+  private static void remarkOn(BuildOutcome outcome, BuildLog log) {
+    if (outcome instanceof BuildOutcome.CompilationFailed failed) {
+      failed.diagnostics().forEach(diagnostic -> log.remark(diagnostic.toString()));
+      log.remark(failed.message());
+    } else if (outcome instanceof BuildOutcome.InfrastructureFailed failed) {
+      log.remark(failed.message());
+    } else if (outcome instanceof BuildOutcome.Cancelled cancelled) {
+      log.remark("cancelled: " + cancelled.reason());
+    }
+  }
+}

@@ -1,0 +1,8 @@
+/**
+ * One build, from a test application to its outcome: the stages of a test build agent, wired in one
+ * place.
+ */
+@NullMarked
+package org.sitaf.agent.build;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,18 @@
+package org.sitaf.agent.executor;
+
+import java.util.List;
+import java.util.Objects;
+import org.sitaf.core.verdict.CaseResult;
+
+/**
+ * What an execution brought.
+ *
+ * @param results of the cases that were executed, each once, not yet judged by post-conditions
+ * @param reasonOfRest why the other cases were not executed; empty where there are none
+ */
+public record Execution(List<CaseResult> results, String reasonOfRest) {
+  public Execution {
+    results = List.copyOf(results);
+    Objects.requireNonNull(reasonOfRest);
+  }
+}

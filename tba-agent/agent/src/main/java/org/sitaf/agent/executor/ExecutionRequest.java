@@ -1,0 +1,54 @@
+package org.sitaf.agent.executor;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.activity.ActivityProfile.Limits;
+import org.sitaf.core.suite.TestSuite;
+
+/**
+ * What to execute.
+ *
+ * @param classPath absolute
+ * @param suiteFile the suite as a document, for the test application
+ * @param directory the executor's own, for the results file and the working folder of the test
+ *     application; created
+ * @param world null where the activity has none
+ */
+public record ExecutionRequest(
+    List<Path> classPath,
+    String mainClass,
+    TestSuite suite,
+    Path suiteFile,
+    Path directory,
+    @Nullable World world,
+    Limits limits) {
+  public ExecutionRequest {
+    classPath = List.copyOf(classPath);
+    Objects.requireNonNull(mainClass);
+    Objects.requireNonNull(suite);
+    Objects.requireNonNull(suiteFile);
+    Objects.requireNonNull(directory);
+    Objects.requireNonNull(limits);
+  }
+
+  /**
+   * The simulation of the activity.
+   *
+   * @param description the world description, absolute; the world's files are those of its folder
+   * @param simulator asked before each process, as its simulator may have to be started anew
+   */
+  public record World(Path description, SimulatorTarget simulator) {}
+
+  /** Where a simulator answers. */
+  @FunctionalInterface
+  public interface SimulatorTarget {
+    /**
+     * A gRPC target.
+     *
+     * @throws java.io.IOException when no simulator answers and none can be started
+     */
+    String get() throws java.io.IOException, InterruptedException;
+  }
+}

@@ -1,0 +1,13 @@
+package org.sitaf.agent.executor;
+
+/**
+ * Where the output of test applications and the agent's remarks on it go. Safe to use from several
+ * threads.
+ */
+public interface OutputSink {
+  /** Output of a test application; an amount that nobody would read may be cut. */
+  void output(String text);
+
+  /** A remark of the agent, one line without its end; never cut. */
+  void remark(String line);
+}

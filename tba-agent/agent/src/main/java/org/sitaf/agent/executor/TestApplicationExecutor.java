@@ -1,0 +1,184 @@
+package org.sitaf.agent.executor;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.List;
+import java.util.Objects;
+import java.util.function.UnaryOperator;
+import org.sitaf.agent.executor.ExecutionRequest.World;
+import org.sitaf.core.verdict.CaseResult;
+
+/**
+ * Executes a suite. A case that crashes or hangs costs its process; the cases after it go on in a
+ * fresh one. What a process has written is kept, however it ends.
+ *
+ * @param startUp what a process may take, besides the limit of a case, until its first case begins
+ * @param crashesInARow after so many processes that ended in their first case the rest is not
+ *     executed
+ */
+public record TestApplicationExecutor(Duration startUp, int crashesInARow) {
+  /** What agents use. */
+  public static final TestApplicationExecutor DEFAULT =
+      new TestApplicationExecutor(Duration.ofSeconds(30), 20);
+
+  private static final Duration POLL = Duration.ofMillis(10);
+  private static final Duration EXIT_GRACE = Duration.ofSeconds(2);
+  private static final int SIMULATOR_RESTARTS = 3;
+
+  public TestApplicationExecutor {
+    Objects.requireNonNull(startUp);
+    if (crashesInARow < 1) {
+      throw new IllegalArgumentException("crashesInARow must be at least 1");
+    }
+  }
+
+  /**
+   * Runs the cases.
+   *
+   * @param onResult is told each result the moment it is known, and may judge it differently
+   * @throws IOException when no process can be started at all
+   * @throws InterruptedException when the build was cancelled; its processes are gone then
+   */
+  public Execution execute(
+      ExecutionRequest request, OutputSink sink, UnaryOperator<CaseResult> onResult)
+      throws IOException, InterruptedException {
+    CaseProgress progress = new CaseProgress(request.suite(), onResult, sink);
+    try (ResultsFile results = new ResultsFile(request.directory().resolve("results"))) {
+      Run run = new Run(request, results, progress, sink);
+      String reason = "";
+      while (!progress.isComplete() && reason.isEmpty()) {
+        reason = run.oneProcess();
+      }
+      return new Execution(progress.results(), progress.isComplete() ? "" : reason);
+    }
+  }
+
+  /** How following a process came to its end. */
+  private enum Follow {
+    ENDED,
+    NO_ANSWER
+  }
+
+  /** What is known from one process to the next. */
+  private final class Run {
+    private final ExecutionRequest request;
+    private final ResultsFile results;
+    private final CaseProgress progress;
+    private final OutputSink sink;
+    private int barrenProcesses;
+    private int simulatorRestarts;
+
+    Run(ExecutionRequest request, ResultsFile results, CaseProgress progress, OutputSink sink) {
+      this.request = request;
+      this.results = results;
+      this.progress = progress;
+      this.sink = sink;
+    }
+
+    /** Runs one process to its end; returns why no further one may be started, or nothing. */
+    String oneProcess() throws IOException, InterruptedException {
+      int before = progress.count();
+      String target = simulatorTarget();
+      try (HarnessProcess process =
+          HarnessProcess.start(request, results.path(), progress.current().no(), sink)) {
+        Follow how = follow(process);
+        if (how == Follow.NO_ANSWER) {
+          process.kill();
+        }
+        ProcessEnd end = process.end();
+        int current = progress.isComplete() ? 0 : progress.current().no();
+        drain();
+        results.dropIncompleteLine();
+        if (progress.isComplete()) {
+          return "";
+        }
+        barrenProcesses = progress.count() == before ? barrenProcesses + 1 : 0;
+        if (end.cannotGoOn()) {
+          return cannotGoOn(end, target);
+        }
+        if (how == Follow.ENDED || current == progress.current().no()) {
+          blameCurrentCase(how, end);
+        }
+        return barrenProcesses < crashesInARow
+            ? ""
+            : barrenProcesses
+                + " test applications in a row ended in their first case; the last with "
+                + end.describe();
+      }
+    }
+
+    private void blameCurrentCase(Follow how, ProcessEnd end) {
+      String message =
+          how == Follow.NO_ANSWER
+              ? "no answer within " + seconds(request.limits().caseWall())
+              : "the test application ended with " + end.describe();
+      sink.remark("case " + progress.current().no() + ": " + message);
+      progress.currentFailed(message);
+    }
+
+    /**
+     * A simulator that died is the agent's matter: the case was not at fault and is tried again
+     * with a fresh one.
+     */
+    private String cannotGoOn(ProcessEnd end, String target)
+        throws IOException, InterruptedException {
+      if (request.world() != null
+          && simulatorRestarts < SIMULATOR_RESTARTS
+          && !simulatorTarget().equals(target)) {
+        simulatorRestarts++;
+        sink.remark("the simulator was started anew: " + end.reason());
+        return "";
+      }
+      return end.reason().isEmpty() ? "the test application cannot go on" : end.reason();
+    }
+
+    private String simulatorTarget() throws IOException, InterruptedException {
+      World world = request.world();
+      return world == null ? "" : world.simulator().get();
+    }
+
+    private Follow follow(HarnessProcess process) throws IOException, InterruptedException {
+      Duration limit = request.limits().caseWall();
+      long deadline = System.nanoTime() + startUp.plus(limit).toNanos();
+      while (true) {
+        boolean ended = process.awaitEnd(POLL);
+        if (drain()) {
+          deadline = System.nanoTime() + limit.toNanos();
+        }
+        if (ended) {
+          return Follow.ENDED;
+        }
+        if (progress.isComplete()) {
+          if (!process.awaitEnd(EXIT_GRACE)) {
+            sink.remark("the test application did not end after its last case and was killed");
+            process.kill();
+          }
+          return Follow.ENDED;
+        }
+        if (System.nanoTime() - deadline > 0) {
+          return Follow.NO_ANSWER;
+        }
+      }
+    }
+
+    /**
+     * Takes what is new in the results file; true when the test application showed that it works
+     * on.
+     */
+    private boolean drain() throws IOException {
+      List<String> lines = results.newLines();
+      for (String line : lines) {
+        // An empty line says that the test application is ready to begin its first case.
+        if (!line.isBlank()) {
+          progress.acceptLine(line);
+        }
+      }
+      return !lines.isEmpty();
+    }
+  }
+
+  private static String seconds(Duration duration) {
+    double seconds = duration.toMillis() / 1000.0;
+    return seconds == Math.rint(seconds) ? (long) seconds + " s" : seconds + " s";
+  }
+}

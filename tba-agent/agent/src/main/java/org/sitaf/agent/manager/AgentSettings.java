@@ -1,0 +1,54 @@
+package org.sitaf.agent.manager;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Objects;
+import java.util.regex.Pattern;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * All settings of an agent.
+ *
+ * @param server gRPC target of the server, such as {@code localhost:9090}
+ * @param name unique among the agents of the server
+ * @param version of the agent
+ * @param directory private to this agent
+ * @param slots builds that may run at the same time
+ * @param bridgeCommand starts a simulation bridge of the agent's own; empty for none
+ * @param bridge gRPC target of a running bridge; null for none
+ * @param runtimeJars what Java test applications link against
+ */
+public record AgentSettings(
+    String server,
+    String name,
+    String version,
+    Path directory,
+    int slots,
+    List<String> bridgeCommand,
+    @Nullable String bridge,
+    List<Path> runtimeJars) {
+  private static final Pattern NAME = Pattern.compile("[A-Za-z0-9._-]{1,100}");
+  private static final int MAX_SLOTS = 256;
+
+  public AgentSettings {
+    Objects.requireNonNull(version);
+    Objects.requireNonNull(directory);
+    bridgeCommand = List.copyOf(bridgeCommand);
+    runtimeJars = List.copyOf(runtimeJars);
+    require(!server.isBlank(), "--server needs HOST:PORT");
+    require(
+        NAME.matcher(name).matches(),
+        "--name '" + name + "': expected letters, digits, '.', '_', '-', at most 100");
+    require(slots >= 1 && slots <= MAX_SLOTS, "--slots " + slots + ": expected 1 to " + MAX_SLOTS);
+    require(
+        bridgeCommand.isEmpty() || bridge == null,
+        "--bridge-command and --bridge exclude each other");
+    require(!runtimeJars.isEmpty(), "the runtime of test applications is missing");
+  }
+
+  private static void require(boolean condition, String message) {
+    if (!condition) {
+      throw new IllegalArgumentException(message);
+    }
+  }
+}

@@ -1,0 +1,168 @@
+package org.sitaf.agent.manager;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.sitaf.agent.build.BuildOutcome;
+import org.sitaf.agent.build.BuildRun;
+import org.sitaf.agent.build.BuildSettings;
+import org.sitaf.agent.spool.AgentDirectory;
+import org.sitaf.agent.spool.FileCache;
+import org.sitaf.agent.v1.Assignment;
+import org.sitaf.agent.v1.AttemptRef;
+import org.sitaf.agent.v1.Cancellation;
+import org.sitaf.agent.v1.SubmitResultRequest;
+
+/**
+ * The attempts that this agent works on, each in a thread of its own, at most as many as there are
+ * slots.
+ */
+final class Attempts {
+  private static final System.Logger LOGGER = System.getLogger("org.sitaf.agent");
+
+  private final int slots;
+  private final Path builds;
+  private final BuildSettings settings;
+  private final ServerCalls calls;
+  private final FileCache cache;
+  private final ResultUpload upload;
+  private final Map<String, AttemptRun> running = new HashMap<>();
+  private final List<Thread> threads = new ArrayList<>();
+  private boolean stopping;
+
+  Attempts(
+      int slots,
+      Path builds,
+      BuildSettings settings,
+      ServerCalls calls,
+      FileCache cache,
+      ResultUpload upload) {
+    this.slots = slots;
+    this.builds = builds;
+    this.settings = settings;
+    this.calls = calls;
+    this.cache = cache;
+    this.upload = upload;
+  }
+
+  /**
+   * Begins an attempt; one that it works on already, or whose result is on its way, is not begun
+   * twice.
+   */
+  synchronized void begin(Assignment assignment) {
+    Attempt attempt = Attempt.of(assignment.getAttempt());
+    if (stopping || running.containsKey(attempt.key()) || upload.owes(attempt)) {
+      return;
+    }
+    if (running.size() >= slots) {
+      owe(attempt, SubmitMessages.infrastructure(attempt, "the agent has no free slot"), null);
+      return;
+    }
+    AttemptRun run =
+        new AttemptRun(attempt, assignment, builds.resolve(attempt.key()), settings, calls, cache);
+    running.put(attempt.key(), run);
+    threads.removeIf(thread -> !thread.isAlive());
+    Thread thread = new Thread(() -> work(run), "sitaf-build");
+    threads.add(thread);
+    thread.start();
+  }
+
+  /**
+   * Cancels an attempt; of one that it does not know it says that it is cancelled, so that nobody
+   * waits for it.
+   */
+  void cancel(Cancellation cancellation) {
+    Attempt attempt = Attempt.of(cancellation.getAttempt());
+    Optional<AttemptRun> run;
+    synchronized (this) {
+      run = Optional.ofNullable(running.get(attempt.key()));
+    }
+    if (run.isPresent()) {
+      run.get().cancel(cancellation.getReason());
+    } else if (!upload.owes(attempt)) {
+      BuildOutcome cancelled = new BuildOutcome.Cancelled(cancellation.getReason());
+      owe(attempt, SubmitMessages.of(attempt, cancelled), null);
+    }
+  }
+
+  /** What the server is told that the agent works on. */
+  List<AttemptRef> refs() {
+    List<AttemptRef> refs = new ArrayList<>(upload.owed());
+    synchronized (this) {
+      running.values().forEach(run -> refs.add(run.attempt().ref()));
+    }
+    return refs.stream().distinct().toList();
+  }
+
+  private void work(AttemptRun run) {
+    Attempt attempt = run.attempt();
+    Path directory = builds.resolve(attempt.key());
+    LOGGER.log(System.Logger.Level.INFO, attempt + ": begins");
+    try {
+      Optional<BuildOutcome> outcome = run.run();
+      outcome.ifPresentOrElse(
+          ended -> owe(attempt, SubmitMessages.of(attempt, ended), directory.resolve(BuildRun.LOG)),
+          () -> LOGGER.log(System.Logger.Level.INFO, attempt + ": was given up"));
+    } catch (RuntimeException | Error e) {
+      LOGGER.log(System.Logger.Level.ERROR, attempt + ": the agent failed", e);
+      owe(attempt, SubmitMessages.infrastructure(attempt, "the agent failed: " + e), null);
+    } finally {
+      synchronized (this) {
+        running.remove(attempt.key());
+      }
+      try {
+        AgentDirectory.deleteTree(directory);
+      } catch (IOException e) {
+        LOGGER.log(System.Logger.Level.WARNING, directory + " cannot be deleted: " + e);
+      }
+    }
+  }
+
+  /**
+   * A result that cannot be put on the disk is tried again for as long as the agent lives; it holds
+   * its slot meanwhile.
+   */
+  private void owe(
+      Attempt attempt, SubmitResultRequest message, @org.jspecify.annotations.Nullable Path log) {
+    Backoff backoff = new Backoff();
+    while (true) {
+      try {
+        upload.add(attempt, message, log);
+        return;
+      } catch (IOException e) {
+        LOGGER.log(System.Logger.Level.ERROR, attempt + ": the spool cannot be written: " + e);
+      }
+      try {
+        Thread.sleep(backoff.next().toMillis());
+      } catch (InterruptedException e) {
+        Thread.currentThread().interrupt();
+        return;
+      }
+    }
+  }
+
+  /** Stops all attempts and waits for their ends. */
+  void stop(Duration atMost) {
+    List<AttemptRun> stopped;
+    List<Thread> left;
+    synchronized (this) {
+      stopping = true;
+      stopped = List.copyOf(running.values());
+      left = List.copyOf(threads);
+    }
+    stopped.forEach(AttemptRun::stopForAgent);
+    long end = System.nanoTime() + atMost.toNanos();
+    try {
+      for (Thread thread : left) {
+        thread.join(Math.max(1, (end - System.nanoTime()) / 1_000_000));
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+}

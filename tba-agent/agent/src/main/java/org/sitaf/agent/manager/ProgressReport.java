@@ -1,0 +1,189 @@
+package org.sitaf.agent.manager;
+
+import com.google.protobuf.ByteString;
+import io.grpc.StatusRuntimeException;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.agent.build.BuildListener;
+import org.sitaf.agent.build.BuildRun;
+import org.sitaf.agent.build.BuildStage;
+import org.sitaf.agent.v1.AttemptState;
+import org.sitaf.agent.v1.CaseOutcome;
+import org.sitaf.core.verdict.CaseResult;
+
+/**
+ * Tells the server how an attempt goes, from a thread of its own, so that a slow server never slows
+ * a build. What is not told when the build ends does not matter: log and result go with the spool.
+ */
+final class ProgressReport implements BuildListener, AutoCloseable {
+  private static final System.Logger LOGGER = System.getLogger("org.sitaf.agent");
+  private static final int CASES_PER_MESSAGE = 500;
+  private static final Duration PAUSE = Duration.ofMillis(100);
+  private static final Duration FLUSH = Duration.ofSeconds(2);
+
+  private final Attempt attempt;
+  private final ServerCalls calls;
+  private final Path log;
+  private final Runnable whenOver;
+  private final Thread thread;
+
+  private @Nullable AttemptState state;
+  private final List<CaseOutcome> cases = new ArrayList<>();
+  private boolean logGrew;
+  private boolean closed;
+
+  /** Only the reporting thread's. */
+  private long logOffset;
+
+  /**
+   * Begins to report.
+   *
+   * @param directory the build's
+   * @param whenOver what to do when the server says that the attempt is over
+   */
+  ProgressReport(Attempt attempt, ServerCalls calls, Path directory, Runnable whenOver) {
+    this.attempt = attempt;
+    this.calls = calls;
+    this.log = directory.resolve(BuildRun.LOG);
+    this.whenOver = whenOver;
+    this.thread = new Thread(this::work, "sitaf-progress");
+    thread.setDaemon(true);
+    thread.start();
+  }
+
+  @Override
+  public synchronized void stage(BuildStage stage) {
+    AttemptState now =
+        switch (stage) {
+          case PREPARING -> AttemptState.ATTEMPT_STATE_PREPARING;
+          case COMPILING -> AttemptState.ATTEMPT_STATE_COMPILING;
+          case RUNNING -> AttemptState.ATTEMPT_STATE_RUNNING;
+        };
+    state = now;
+    notifyAll();
+  }
+
+  @Override
+  public synchronized void log(byte[] utf8) {
+    logGrew = true;
+    notifyAll();
+  }
+
+  @Override
+  public synchronized void caseFinished(CaseResult result) {
+    cases.add(
+        CaseOutcome.newBuilder().setNo(result.no()).setVerdict(result.verdict().name()).build());
+    notifyAll();
+  }
+
+  private void work() {
+    Backoff backoff = new Backoff();
+    try {
+      while (awaitNews()) {
+        Duration pause = PAUSE;
+        try {
+          tell();
+          backoff.reset();
+        } catch (StatusRuntimeException e) {
+          switch (ServerCalls.meaningOf(e)) {
+            case OVER -> {
+              whenOver.run();
+              return;
+            }
+            case LATER -> pause = backoff.next();
+            case REFUSED ->
+                LOGGER.log(System.Logger.Level.WARNING, attempt + ": progress refused: " + e);
+          }
+        } catch (IOException e) {
+          LOGGER.log(System.Logger.Level.WARNING, attempt + ": the log cannot be read: " + e);
+        }
+        pause(pause);
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  private synchronized boolean awaitNews() throws InterruptedException {
+    while (state == null && cases.isEmpty() && !logGrew) {
+      if (closed) {
+        return false;
+      }
+      wait();
+    }
+    return true;
+  }
+
+  /**
+   * News that come meanwhile wait for the next message; the end of the build cuts the pause short.
+   */
+  private synchronized void pause(Duration duration) throws InterruptedException {
+    long end = System.nanoTime() + duration.toNanos();
+    for (long left = duration.toMillis();
+        left > 0 && !(closed && duration.equals(PAUSE));
+        left = (end - System.nanoTime()) / 1_000_000) {
+      wait(left);
+    }
+  }
+
+  private void tell() throws IOException {
+    AttemptState newState;
+    List<CaseOutcome> newCases;
+    synchronized (this) {
+      newState = state;
+      newCases = List.copyOf(cases.subList(0, Math.min(cases.size(), CASES_PER_MESSAGE)));
+      logGrew = false;
+    }
+    if (newState != null) {
+      calls.reportState(attempt, newState);
+      synchronized (this) {
+        state = state == newState ? null : state;
+      }
+    }
+    if (!newCases.isEmpty()) {
+      calls.reportCases(attempt, newCases);
+      synchronized (this) {
+        cases.subList(0, newCases.size()).clear();
+      }
+    }
+    try {
+      tellLog();
+    } catch (StatusRuntimeException e) {
+      synchronized (this) {
+        logGrew = true;
+      }
+      throw e;
+    }
+  }
+
+  private void tellLog() throws IOException {
+    ByteString chunk = LogFile.chunk(log, logOffset);
+    while (!chunk.isEmpty()) {
+      logOffset = calls.appendLog(attempt, logOffset, chunk);
+      chunk = LogFile.chunk(log, logOffset);
+    }
+  }
+
+  /** Ends reporting; what is still to tell has a moment to be told. */
+  @Override
+  public void close() {
+    synchronized (this) {
+      closed = true;
+      notifyAll();
+    }
+    boolean interrupted = false;
+    try {
+      thread.join(FLUSH.toMillis());
+    } catch (InterruptedException e) {
+      interrupted = true;
+    }
+    thread.interrupt();
+    if (interrupted) {
+      Thread.currentThread().interrupt();
+    }
+  }
+}

@@ -1,0 +1,120 @@
+package org.sitaf.agent.manager;
+
+import com.google.protobuf.ByteString;
+import com.google.protobuf.Timestamp;
+import io.grpc.Channel;
+import io.grpc.StatusRuntimeException;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.time.Instant;
+import java.util.Iterator;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.sitaf.agent.v1.AgentServiceGrpc;
+import org.sitaf.agent.v1.AppendLogRequest;
+import org.sitaf.agent.v1.AttemptState;
+import org.sitaf.agent.v1.CaseOutcome;
+import org.sitaf.agent.v1.DownloadFileRequest;
+import org.sitaf.agent.v1.DownloadFileResponse;
+import org.sitaf.agent.v1.ReportCasesRequest;
+import org.sitaf.agent.v1.ReportStateRequest;
+import org.sitaf.agent.v1.SubmitResultRequest;
+
+/**
+ * The calls about an attempt, each with a deadline, so that a server that hangs is one that is
+ * away.
+ */
+final class ServerCalls {
+  /** Largest chunk of a log, by the protocol. */
+  static final int MAX_LOG_CHUNK = 64 * 1024;
+
+  private static final int DEADLINE_S = 15;
+  private static final int TRANSFER_DEADLINE_S = 120;
+
+  private final Channel channel;
+
+  ServerCalls(Channel channel) {
+    this.channel = channel;
+  }
+
+  /** What a failed call means for the one who made it. */
+  enum Failure {
+    /** The server is away or overloaded: try again. */
+    LATER,
+    /** The attempt is over for this agent: keep nothing of it. */
+    OVER,
+    /** The server will never take this. */
+    REFUSED
+  }
+
+  static Failure meaningOf(StatusRuntimeException e) {
+    return switch (e.getStatus().getCode()) {
+      case FAILED_PRECONDITION, NOT_FOUND -> Failure.OVER;
+      case INVALID_ARGUMENT, OUT_OF_RANGE, UNIMPLEMENTED -> Failure.REFUSED;
+      default -> Failure.LATER;
+    };
+  }
+
+  void reportState(Attempt attempt, AttemptState state) {
+    Instant now = Instant.now();
+    stub(DEADLINE_S)
+        .reportState(
+            ReportStateRequest.newBuilder()
+                .setAttempt(attempt.ref())
+                .setState(state)
+                .setTime(
+                    Timestamp.newBuilder().setSeconds(now.getEpochSecond()).setNanos(now.getNano()))
+                .build());
+  }
+
+  /** Where the log ends now, in bytes; with an empty chunk at 0 it only asks. */
+  long appendLog(Attempt attempt, long offset, ByteString chunk) {
+    return stub(DEADLINE_S)
+        .appendLog(
+            AppendLogRequest.newBuilder()
+                .setAttempt(attempt.ref())
+                .setOffset(offset)
+                .setChunk(chunk)
+                .build())
+        .getNextOffset();
+  }
+
+  void reportCases(Attempt attempt, List<CaseOutcome> outcomes) {
+    stub(DEADLINE_S)
+        .reportCases(
+            ReportCasesRequest.newBuilder()
+                .setAttempt(attempt.ref())
+                .addAllOutcomes(outcomes)
+                .build());
+  }
+
+  /** Whether the result counts; either way it need not be kept any longer. */
+  boolean submit(SubmitResultRequest request) {
+    return stub(TRANSFER_DEADLINE_S).submitResult(request).getAccepted();
+  }
+
+  /** Writes a file of the attempt's test application, at most so many bytes of it. */
+  void download(Attempt attempt, String sha256, long atMost, OutputStream out) throws IOException {
+    Iterator<DownloadFileResponse> chunks =
+        stub(TRANSFER_DEADLINE_S)
+            .downloadFile(
+                DownloadFileRequest.newBuilder()
+                    .setAttempt(attempt.ref())
+                    .setSha256(sha256)
+                    .build());
+    long written = 0;
+    while (chunks.hasNext()) {
+      ByteString chunk = chunks.next().getChunk();
+      written += chunk.size();
+      if (written > atMost) {
+        throw new IOException("the file is larger than the " + atMost + " bytes announced");
+      }
+      chunk.writeTo(out);
+    }
+  }
+
+  private AgentServiceGrpc.AgentServiceBlockingStub stub(int deadlineSeconds) {
+    return AgentServiceGrpc.newBlockingStub(channel)
+        .withDeadlineAfter(deadlineSeconds, TimeUnit.SECONDS);
+  }
+}

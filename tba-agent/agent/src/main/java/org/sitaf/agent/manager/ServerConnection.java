@@ -1,0 +1,190 @@
+package org.sitaf.agent.manager;
+
+import io.grpc.Channel;
+import io.grpc.Status;
+import io.grpc.StatusRuntimeException;
+import io.grpc.stub.ClientCallStreamObserver;
+import io.grpc.stub.ClientResponseObserver;
+import java.time.Duration;
+import java.util.List;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.agent.v1.AgentMessage;
+import org.sitaf.agent.v1.AgentServiceGrpc;
+import org.sitaf.agent.v1.AttemptRef;
+import org.sitaf.agent.v1.Heartbeat;
+import org.sitaf.agent.v1.Register;
+import org.sitaf.agent.v1.Registered;
+import org.sitaf.agent.v1.ServerMessage;
+
+/**
+ * The agent's one stream: registers, sends heartbeats, and dials again when the stream ends. All of
+ * it happens in one thread that does nothing else, so that no build can starve it.
+ */
+final class ServerConnection implements AutoCloseable {
+  private static final System.Logger LOGGER = System.getLogger("org.sitaf.agent");
+  private static final Duration REGISTRATION = Duration.ofSeconds(15);
+  private static final Duration SHORTEST_INTERVAL = Duration.ofMillis(20);
+  private static final int HEARTBEATS_PER_LEASE = 3;
+
+  private final Channel channel;
+  private final Supplier<Register> registration;
+  private final Supplier<List<AttemptRef>> running;
+  private final Listener listener;
+  private final CountDownLatch closing = new CountDownLatch(1);
+  private final Thread thread = new Thread(this::work, "sitaf-heartbeat");
+
+  /** What the server says, told from gRPC's threads. */
+  interface Listener {
+    /** The server knows the agent now. */
+    void registered(Registered registered);
+
+    /** An assignment or a cancellation. */
+    void message(ServerMessage message);
+  }
+
+  ServerConnection(
+      Channel channel,
+      Supplier<Register> registration,
+      Supplier<List<AttemptRef>> running,
+      Listener listener) {
+    this.channel = channel;
+    this.registration = registration;
+    this.running = running;
+    this.listener = listener;
+    thread.setDaemon(true);
+  }
+
+  void start() {
+    thread.start();
+  }
+
+  private void work() {
+    Backoff backoff = new Backoff();
+    String lastComplaint = "";
+    try {
+      while (closing.getCount() > 0) {
+        Stream stream = new Stream();
+        Status status = stream.live();
+        if (stream.registered()) {
+          backoff.reset();
+          lastComplaint = "";
+        }
+        if (closing.getCount() > 0) {
+          String complaint = "no connection to the server: " + status;
+          if (!complaint.equals(lastComplaint)) {
+            LOGGER.log(System.Logger.Level.WARNING, complaint);
+            lastComplaint = complaint;
+          }
+          if (closing.await(backoff.next().toMillis(), TimeUnit.MILLISECONDS)) {
+            return;
+          }
+        }
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  @Override
+  public void close() {
+    closing.countDown();
+    try {
+      thread.join(Duration.ofSeconds(2).toMillis());
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  /** One life of the stream. */
+  private final class Stream implements ClientResponseObserver<AgentMessage, ServerMessage> {
+    private final CountDownLatch ended = new CountDownLatch(1);
+    private volatile Status status = Status.OK;
+    private volatile @Nullable Duration interval;
+    private volatile @Nullable ClientCallStreamObserver<AgentMessage> requests;
+
+    boolean registered() {
+      return interval != null;
+    }
+
+    Status live() throws InterruptedException {
+      var sender = AgentServiceGrpc.newStub(channel).connect(this);
+      try {
+        sender.onNext(AgentMessage.newBuilder().setRegister(registration.get()).build());
+        long registrationEnd = System.nanoTime() + REGISTRATION.toNanos();
+        while (!awaitEnd(interval)) {
+          if (closing.getCount() == 0) {
+            sender.onCompleted();
+            ended.await(1, TimeUnit.SECONDS);
+            break;
+          }
+          if (registered()) {
+            Heartbeat heartbeat = Heartbeat.newBuilder().addAllRunning(running.get()).build();
+            sender.onNext(AgentMessage.newBuilder().setHeartbeat(heartbeat).build());
+          } else if (System.nanoTime() - registrationEnd > 0) {
+            status = Status.DEADLINE_EXCEEDED.withDescription("the server does not register");
+            break;
+          }
+        }
+      } catch (IllegalStateException | StatusRuntimeException e) {
+        // The stream ended between two messages.
+        LOGGER.log(System.Logger.Level.DEBUG, "stream ended while sending", e);
+      } finally {
+        ClientCallStreamObserver<AgentMessage> call = requests;
+        if (call != null) {
+          call.cancel("the stream is over", null);
+        }
+      }
+      return status;
+    }
+
+    /** Waits for the end of the stream until the next heartbeat is due; closing is noticed soon. */
+    private boolean awaitEnd(@Nullable Duration heartbeatInterval) throws InterruptedException {
+      Duration step = Duration.ofMillis(50);
+      long due =
+          System.nanoTime() + (heartbeatInterval == null ? step : heartbeatInterval).toNanos();
+      while (closing.getCount() > 0) {
+        long left = due - System.nanoTime();
+        if (left <= 0) {
+          return ended.getCount() == 0;
+        }
+        if (ended.await(Math.min(left, step.toNanos()), TimeUnit.NANOSECONDS)) {
+          return true;
+        }
+      }
+      return ended.getCount() == 0;
+    }
+
+    @Override
+    public void beforeStart(ClientCallStreamObserver<AgentMessage> requestStream) {
+      requests = requestStream;
+    }
+
+    @Override
+    public void onNext(ServerMessage message) {
+      if (message.hasRegistered()) {
+        var given = message.getRegistered().getLease();
+        Duration lease = Duration.ofSeconds(given.getSeconds(), given.getNanos());
+        Duration wanted = lease.dividedBy(HEARTBEATS_PER_LEASE + 1);
+        interval = wanted.compareTo(SHORTEST_INTERVAL) < 0 ? SHORTEST_INTERVAL : wanted;
+        listener.registered(message.getRegistered());
+      } else {
+        listener.message(message);
+      }
+    }
+
+    @Override
+    public void onError(Throwable failure) {
+      status = Status.fromThrowable(failure);
+      ended.countDown();
+    }
+
+    @Override
+    public void onCompleted() {
+      status = Status.UNAVAILABLE.withDescription("the server ended the stream");
+      ended.countDown();
+    }
+  }
+}

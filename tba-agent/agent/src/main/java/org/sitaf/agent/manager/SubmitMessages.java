@@ -1,0 +1,70 @@
+package org.sitaf.agent.manager;
+
+import com.google.protobuf.ByteString;
+import java.io.ByteArrayOutputStream;
+import java.util.HexFormat;
+import java.util.List;
+import org.sitaf.agent.build.BuildOutcome;
+import org.sitaf.agent.compiler.SourceDiagnostic;
+import org.sitaf.agent.v1.BuildFailure;
+import org.sitaf.agent.v1.BuildFailure.Category;
+import org.sitaf.agent.v1.Diagnostic;
+import org.sitaf.agent.v1.SubmitResultRequest;
+import org.sitaf.core.verdict.TestResultXml;
+
+/** What is submitted to the server for an outcome. */
+final class SubmitMessages {
+  private SubmitMessages() {}
+
+  static SubmitResultRequest of(Attempt attempt, BuildOutcome outcome) {
+    if (outcome instanceof BuildOutcome.Completed completed) {
+      ByteArrayOutputStream document = new ByteArrayOutputStream();
+      TestResultXml.write(completed.result(), document);
+      byte[] bytes = document.toByteArray();
+      return SubmitResultRequest.newBuilder()
+          .setAttempt(attempt.ref())
+          .setResultDescriptor(ByteString.copyFrom(bytes))
+          .setSha256(sha256(bytes))
+          .build();
+    }
+    if (outcome instanceof BuildOutcome.CompilationFailed failed) {
+      return failure(attempt, Category.COMPILATION, failed.message(), failed.diagnostics());
+    }
+    if (outcome instanceof BuildOutcome.InfrastructureFailed failed) {
+      return infrastructure(attempt, failed.message());
+    }
+    if (outcome instanceof BuildOutcome.Cancelled cancelled) {
+      return failure(attempt, Category.CANCELLED, cancelled.reason(), List.of());
+    }
+    throw new IllegalArgumentException("unknown outcome " + outcome);
+  }
+
+  static SubmitResultRequest infrastructure(Attempt attempt, String message) {
+    return failure(attempt, Category.INFRASTRUCTURE, message, List.of());
+  }
+
+  private static SubmitResultRequest failure(
+      Attempt attempt, Category category, String message, List<SourceDiagnostic> diagnostics) {
+    BuildFailure.Builder failure =
+        BuildFailure.newBuilder().setCategory(category).setMessage(message);
+    for (SourceDiagnostic diagnostic : diagnostics) {
+      failure.addDiagnostics(
+          Diagnostic.newBuilder()
+              .setFile(diagnostic.file())
+              .setLine(diagnostic.line())
+              .setColumn(diagnostic.column())
+              .setMessage(diagnostic.message())
+              .setGenerated(diagnostic.generated()));
+    }
+    return SubmitResultRequest.newBuilder().setAttempt(attempt.ref()).setFailure(failure).build();
+  }
+
+  private static String sha256(byte[] bytes) {
+    try {
+      return HexFormat.of()
+          .formatHex(java.security.MessageDigest.getInstance("SHA-256").digest(bytes));
+    } catch (java.security.NoSuchAlgorithmException e) {
+      throw new IllegalStateException("every Java has SHA-256", e);
+    }
+  }
+}

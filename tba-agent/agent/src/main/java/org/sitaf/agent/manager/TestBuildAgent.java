@@ -1,0 +1,136 @@
+package org.sitaf.agent.manager;
+
+import io.grpc.ManagedChannel;
+import io.grpc.netty.shaded.io.grpc.netty.NettyChannelBuilder;
+import java.io.IOException;
+import java.time.Duration;
+import java.util.function.Consumer;
+import org.sitaf.agent.build.BuildSettings;
+import org.sitaf.agent.executor.ProcessGroup;
+import org.sitaf.agent.simulation.Simulator;
+import org.sitaf.agent.spool.AgentDirectory;
+import org.sitaf.agent.toolchain.Toolchains;
+import org.sitaf.agent.v1.Register;
+import org.sitaf.agent.v1.Registered;
+import org.sitaf.agent.v1.ServerMessage;
+import org.sitaf.agent.v1.Toolchain;
+
+/** A test build agent at work, from its start to {@link #close()}. */
+public final class TestBuildAgent implements AutoCloseable {
+  private static final int MAX_MESSAGE_BYTES = 16 << 20;
+  private static final Duration STOP = Duration.ofSeconds(5);
+
+  private final AgentSettings settings;
+  private final Toolchains toolchains;
+  private final Consumer<String> onRegistered;
+  private final AgentDirectory directory;
+  private final Simulator simulator;
+  private final ManagedChannel channel;
+  private final ResultUpload upload;
+  private final Attempts attempts;
+  private final ServerConnection connection;
+
+  /**
+   * Starts an agent. It dials the server for as long as it lives, whether the server is there or
+   * not.
+   *
+   * @param onRegistered is told the server's version each time that the server knows the agent
+   * @throws IOException when the agent's folder cannot be used
+   */
+  public TestBuildAgent(
+      AgentSettings settings, Toolchains toolchains, Consumer<String> onRegistered)
+      throws IOException {
+    this.settings = settings;
+    this.toolchains = toolchains;
+    this.onRegistered = onRegistered;
+    this.directory = AgentDirectory.open(settings.directory());
+    // What an agent that was killed left running would disturb the builds to come.
+    new ProcessGroup(ProcessGroup.markOf(directory.path())).kill();
+    this.simulator = simulatorOf(settings, directory);
+    this.channel =
+        NettyChannelBuilder.forTarget(settings.server())
+            .usePlaintext()
+            .maxInboundMessageSize(MAX_MESSAGE_BYTES)
+            .build();
+    ServerCalls calls = new ServerCalls(channel);
+    this.upload = new ResultUpload(directory.spool(), calls);
+    BuildSettings builds =
+        new BuildSettings(
+            settings.runtimeJars(),
+            simulator,
+            toolchains,
+            settings.name() + " " + settings.version());
+    this.attempts =
+        new Attempts(
+            settings.slots(),
+            directory.emptiedBuilds(),
+            builds,
+            calls,
+            directory.fileCache(),
+            upload);
+    this.connection =
+        new ServerConnection(channel, this::registration, attempts::refs, new FromServer());
+    connection.start();
+  }
+
+  private static Simulator simulatorOf(AgentSettings settings, AgentDirectory directory) {
+    if (settings.bridge() != null) {
+      return Simulator.running(settings.bridge());
+    }
+    return settings.bridgeCommand().isEmpty()
+        ? Simulator.none()
+        : Simulator.started(settings.bridgeCommand(), directory.path().resolve("bridge"));
+  }
+
+  private Register registration() {
+    Register.Builder register =
+        Register.newBuilder()
+            .setName(settings.name())
+            .setVersion(settings.version())
+            .setSlots(settings.slots())
+            .addAllRunning(attempts.refs());
+    toolchains
+        .found()
+        .forEach(
+            toolchain ->
+                register.addToolchains(
+                    Toolchain.newBuilder()
+                        .setLanguage(toolchain.language().spelling())
+                        .setVersion(toolchain.version())));
+    return register.build();
+  }
+
+  private final class FromServer implements ServerConnection.Listener {
+    @Override
+    public void registered(Registered registered) {
+      upload.wake();
+      onRegistered.accept(registered.getServerVersion());
+    }
+
+    @Override
+    public void message(ServerMessage message) {
+      switch (message.getMessageCase()) {
+        case ASSIGNMENT -> attempts.begin(message.getAssignment());
+        case CANCELLATION -> attempts.cancel(message.getCancellation());
+        default -> {
+          // A message of a later release; the builds do not depend on it.
+        }
+      }
+    }
+  }
+
+  /** Stops what runs, tells the server if it is there, and ends the agent's own processes. */
+  @Override
+  public void close() {
+    attempts.stop(STOP);
+    upload.close();
+    connection.close();
+    channel.shutdownNow();
+    simulator.close();
+    try {
+      directory.close();
+    } catch (IOException e) {
+      // The lock goes with the process at the latest.
+    }
+  }
+}

@@ -1,0 +1,13 @@
+package org.sitaf.agent.simulation;
+
+import java.util.Objects;
+
+/** A simulator that somebody else runs. */
+record RunningSimulator(String target) implements Simulator {
+  RunningSimulator {
+    Objects.requireNonNull(target);
+  }
+
+  @Override
+  public void close() {}
+}

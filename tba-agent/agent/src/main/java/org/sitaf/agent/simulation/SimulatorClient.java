@@ -1,0 +1,94 @@
+package org.sitaf.agent.simulation;
+
+import com.google.protobuf.ByteString;
+import io.grpc.ManagedChannel;
+import io.grpc.Status;
+import io.grpc.StatusRuntimeException;
+import io.grpc.netty.shaded.io.grpc.netty.NettyChannelBuilder;
+import java.util.Map;
+import java.util.concurrent.TimeUnit;
+import org.sitaf.sim.v1.DescribeWorldRequest;
+import org.sitaf.sim.v1.GetSimulatorFeaturesRequest;
+import org.sitaf.sim.v1.GetSimulatorFeaturesResponse;
+import org.sitaf.sim.v1.SimulationControlGrpc;
+import org.sitaf.sim.v1.WorldSource;
+
+/** Asks a simulator what it is and whether it accepts a world, before anything is built. */
+public final class SimulatorClient implements AutoCloseable {
+  private static final int DEADLINE_S = 60;
+
+  private final ManagedChannel channel;
+  private final String target;
+
+  /** Of the simulator at this gRPC target. */
+  public SimulatorClient(String target) {
+    this.target = target;
+    NettyChannelBuilder builder = NettyChannelBuilder.forTarget(target).usePlaintext();
+    if (target.startsWith("unix:")) {
+      // A socket's path is no host name, and servers refuse it as one.
+      builder.overrideAuthority("localhost");
+    }
+    this.channel = builder.build();
+  }
+
+  /**
+   * Name and version, such as {@code sitaf-bridge 0.1.0 (MuJoCo 4.0.0)}.
+   *
+   * @throws SimulatorException when it does not answer
+   */
+  public String version() throws SimulatorException {
+    try {
+      GetSimulatorFeaturesResponse features =
+          stub().getSimulatorFeatures(GetSimulatorFeaturesRequest.getDefaultInstance());
+      return "sitaf-bridge "
+          + features.getBridgeVersion()
+          + " ("
+          + features.getEngine()
+          + " "
+          + features.getEngineVersion()
+          + ")";
+    } catch (StatusRuntimeException e) {
+      throw notThere(e);
+    }
+  }
+
+  /**
+   * Lets the simulator compile a world.
+   *
+   * @param description name of the world description among the files
+   * @param files of the world's folder, by relative path
+   * @throws WorldException when the simulator refuses it
+   * @throws SimulatorException when it does not answer
+   */
+  public void check(String description, Map<String, byte[]> files)
+      throws WorldException, SimulatorException {
+    WorldSource.Builder world = WorldSource.newBuilder().setDescription(description);
+    files.forEach((path, content) -> world.putFiles(path, ByteString.copyFrom(content)));
+    try {
+      stub().describeWorld(DescribeWorldRequest.newBuilder().setWorld(world).build());
+    } catch (StatusRuntimeException e) {
+      Status.Code code = e.getStatus().getCode();
+      if (code == Status.Code.INVALID_ARGUMENT
+          || code == Status.Code.OUT_OF_RANGE
+          || code == Status.Code.RESOURCE_EXHAUSTED) {
+        throw new WorldException(String.valueOf(e.getStatus().getDescription()));
+      }
+      throw notThere(e);
+    }
+  }
+
+  private SimulationControlGrpc.SimulationControlBlockingStub stub() {
+    return SimulationControlGrpc.newBlockingStub(channel)
+        .withDeadlineAfter(DEADLINE_S, TimeUnit.SECONDS);
+  }
+
+  private SimulatorException notThere(StatusRuntimeException e) {
+    return new SimulatorException(
+        "the simulator at " + target + " does not answer: " + e.getStatus(), e);
+  }
+
+  @Override
+  public void close() {
+    channel.shutdownNow();
+  }
+}

@@ -1,0 +1,16 @@
+package org.sitaf.agent.simulation;
+
+import java.io.IOException;
+
+/** No simulator answers; not the fault of a test. */
+public final class SimulatorException extends IOException {
+  private static final long serialVersionUID = 1L;
+
+  SimulatorException(String message) {
+    super(message);
+  }
+
+  SimulatorException(String message, Throwable cause) {
+    super(message, cause);
+  }
+}

@@ -1,0 +1,115 @@
+package org.sitaf.agent.spool;
+
+import java.io.IOException;
+import java.nio.channels.FileChannel;
+import java.nio.channels.FileLock;
+import java.nio.channels.OverlappingFileLockException;
+import java.nio.file.FileVisitResult;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.SimpleFileVisitor;
+import java.nio.file.StandardOpenOption;
+import java.nio.file.attribute.BasicFileAttributes;
+import java.nio.file.attribute.PosixFilePermissions;
+import org.jspecify.annotations.Nullable;
+
+/** An agent's private folder; one agent at a time uses it. */
+public final class AgentDirectory implements AutoCloseable {
+  private final Path directory;
+  private final FileChannel lockFile;
+  private final FileLock lock;
+
+  private AgentDirectory(Path directory, FileChannel lockFile, FileLock lock) {
+    this.directory = directory;
+    this.lockFile = lockFile;
+    this.lock = lock;
+  }
+
+  /**
+   * Opens the folder, and makes it where there is none.
+   *
+   * @throws IOException when another agent uses it
+   */
+  public static AgentDirectory open(Path path) throws IOException {
+    Path directory = path.toAbsolutePath().normalize();
+    if (!Files.isDirectory(directory)) {
+      Files.createDirectories(
+          directory,
+          PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString("rwx------")));
+    }
+    FileChannel file =
+        FileChannel.open(
+            directory.resolve("lock"), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
+    FileLock lock = tryLock(file);
+    if (lock == null) {
+      file.close();
+      throw new IOException(
+          directory + " is used by another agent; give each agent a --directory of its own");
+    }
+    return new AgentDirectory(directory, file, lock);
+  }
+
+  private static @Nullable FileLock tryLock(FileChannel file) throws IOException {
+    try {
+      return file.tryLock();
+    } catch (OverlappingFileLockException e) {
+      return null;
+    }
+  }
+
+  /** Absolute. */
+  public Path path() {
+    return directory;
+  }
+
+  /** Results that are owed to the server. */
+  public Spool spool() throws IOException {
+    return Spool.open(directory.resolve("spool"));
+  }
+
+  /** Files of test applications by their digest. */
+  public FileCache fileCache() throws IOException {
+    return FileCache.open(directory.resolve("files"));
+  }
+
+  /** The folder for the builds' own folders, emptied of what an earlier agent left. */
+  public Path emptiedBuilds() throws IOException {
+    Path builds = directory.resolve("builds");
+    deleteTree(builds);
+    return Files.createDirectories(builds);
+  }
+
+  /** Deletes a folder with all that is in it; links are deleted, not followed. */
+  public static void deleteTree(Path root) throws IOException {
+    if (!Files.isDirectory(root, java.nio.file.LinkOption.NOFOLLOW_LINKS)) {
+      Files.deleteIfExists(root);
+      return;
+    }
+    Files.walkFileTree(
+        root,
+        new SimpleFileVisitor<>() {
+          @Override
+          public FileVisitResult visitFile(Path file, BasicFileAttributes attributes)
+              throws IOException {
+            Files.delete(file);
+            return FileVisitResult.CONTINUE;
+          }
+
+          @Override
+          public FileVisitResult postVisitDirectory(Path folder, @Nullable IOException failure)
+              throws IOException {
+            if (failure != null) {
+              throw failure;
+            }
+            Files.delete(folder);
+            return FileVisitResult.CONTINUE;
+          }
+        });
+  }
+
+  @Override
+  public void close() throws IOException {
+    lock.release();
+    lockFile.close();
+  }
+}

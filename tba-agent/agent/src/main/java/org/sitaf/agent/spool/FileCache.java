@@ -1,0 +1,116 @@
+package org.sitaf.agent.spool;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.attribute.FileTime;
+import java.security.DigestOutputStream;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.time.Instant;
+import java.util.Comparator;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.Optional;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+
+/** Files by the SHA-256 of their content; a file is there whole or not at all. */
+public final class FileCache {
+  private static final Pattern SHA256 = Pattern.compile("[0-9a-f]{64}");
+  private static final long LIMIT_BYTES = 1L << 30;
+
+  private final Path directory;
+
+  private FileCache(Path directory) {
+    this.directory = directory;
+  }
+
+  /** Opens a cache, and removes what was used longest ago until it holds at most 1 GiB. */
+  static FileCache open(Path directory) throws IOException {
+    Files.createDirectories(directory);
+    List<Path> newestFirst;
+    try (Stream<Path> files = Files.list(directory)) {
+      newestFirst = files.sorted(Comparator.comparing(FileCache::used).reversed()).toList();
+    }
+    long size = 0;
+    for (Path file : newestFirst) {
+      size += Files.size(file);
+      if (size > LIMIT_BYTES || !SHA256.matcher(file.getFileName().toString()).matches()) {
+        Files.delete(file);
+      }
+    }
+    return new FileCache(directory);
+  }
+
+  private static FileTime used(Path file) {
+    try {
+      return Files.getLastModifiedTime(file);
+    } catch (IOException e) {
+      return FileTime.from(Instant.EPOCH);
+    }
+  }
+
+  /** Writes the content of a file. */
+  @FunctionalInterface
+  public interface Source {
+    /** Writes all of it. */
+    void writeTo(OutputStream out) throws IOException;
+  }
+
+  /** A file's content, when it is here and still what its name says. */
+  public Optional<byte[]> find(String sha256) throws IOException {
+    Path file = path(sha256);
+    if (!Files.isRegularFile(file)) {
+      return Optional.empty();
+    }
+    byte[] content = Files.readAllBytes(file);
+    if (!HexFormat.of().formatHex(digest().digest(content)).equals(sha256)) {
+      Files.deleteIfExists(file);
+      return Optional.empty();
+    }
+    Files.setLastModifiedTime(file, FileTime.from(Instant.now()));
+    return Optional.of(content);
+  }
+
+  /**
+   * Takes a file in.
+   *
+   * @throws IOException when its content is not what the digest says
+   */
+  public void add(String sha256, Source source) throws IOException {
+    Path file = path(sha256);
+    Path work = Files.createTempFile(directory, "tmp", "");
+    try {
+      MessageDigest digest = digest();
+      try (OutputStream out = new DigestOutputStream(Files.newOutputStream(work), digest)) {
+        source.writeTo(out);
+      }
+      String actual = HexFormat.of().formatHex(digest.digest());
+      if (!actual.equals(sha256)) {
+        throw new IOException("the file has the digest " + actual + ", expected " + sha256);
+      }
+      Files.move(work, file, StandardCopyOption.ATOMIC_MOVE);
+    } finally {
+      Files.deleteIfExists(work);
+    }
+  }
+
+  private Path path(String sha256) {
+    if (!SHA256.matcher(sha256).matches()) {
+      throw new IllegalArgumentException(
+          "'" + sha256 + "' is no SHA-256 in lower-case hexadecimal");
+    }
+    return directory.resolve(sha256);
+  }
+
+  private static MessageDigest digest() {
+    try {
+      return MessageDigest.getInstance("SHA-256");
+    } catch (NoSuchAlgorithmException e) {
+      throw new IllegalStateException("every Java has SHA-256", e);
+    }
+  }
+}

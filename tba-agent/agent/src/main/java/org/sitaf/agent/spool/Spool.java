@@ -1,0 +1,123 @@
+package org.sitaf.agent.spool;
+
+import java.io.IOException;
+import java.nio.channels.FileChannel;
+import java.nio.file.DirectoryStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.Pattern;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Results on their way to the server. An entry is whole and on the disk when {@link #put} returns,
+ * and stays until {@link #delete}: nothing is lost when the agent or the machine dies in between.
+ * Entries appear and disappear by renaming their folder.
+ */
+public final class Spool {
+  private static final Pattern NAME = Pattern.compile("[A-Za-z0-9_-]{1,120}");
+  private static final String IN_WORK = "tmp.";
+  private static final String REJECTED = "rejected.";
+
+  private final Path directory;
+
+  private Spool(Path directory) {
+    this.directory = directory;
+  }
+
+  /** Opens a spool; what an earlier agent did not finish to write is removed. */
+  static Spool open(Path directory) throws IOException {
+    Files.createDirectories(directory);
+    try (DirectoryStream<Path> unfinished = Files.newDirectoryStream(directory, IN_WORK + "*")) {
+      for (Path path : unfinished) {
+        AgentDirectory.deleteTree(path);
+      }
+    }
+    return new Spool(directory);
+  }
+
+  /** Something that the server shall have. */
+  public record Entry(String name, Path directory) {
+    /** What was put. */
+    public byte[] message() throws IOException {
+      return Files.readAllBytes(directory.resolve("message"));
+    }
+
+    /** The build's log; may be empty. */
+    public Path log() {
+      return directory.resolve("log");
+    }
+  }
+
+  /**
+   * Puts an entry on the disk, and waits until it is there (fsync). One of the same name is
+   * replaced.
+   *
+   * @param name letters, digits, '_' and '-'
+   * @param log copied; null where there is none
+   */
+  public synchronized Entry put(String name, byte[] message, @Nullable Path log)
+      throws IOException {
+    if (!NAME.matcher(name).matches()) {
+      throw new IllegalArgumentException("'" + name + "' is no name of a spool entry");
+    }
+    Path work = directory.resolve(IN_WORK + name);
+    AgentDirectory.deleteTree(work);
+    Files.createDirectories(work);
+    Files.write(work.resolve("message"), message);
+    if (log != null && Files.isRegularFile(log)) {
+      Files.copy(log, work.resolve("log"));
+    } else {
+      Files.write(work.resolve("log"), new byte[0]);
+    }
+    sync(work.resolve("message"));
+    sync(work.resolve("log"));
+    sync(work);
+    Path entry = directory.resolve(name);
+    if (Files.exists(entry)) {
+      delete(new Entry(name, entry));
+    }
+    Files.move(work, entry, StandardCopyOption.ATOMIC_MOVE);
+    sync(directory);
+    return new Entry(name, entry);
+  }
+
+  /** All entries, in the order of their names. */
+  public synchronized List<Entry> entries() throws IOException {
+    List<Entry> entries = new ArrayList<>();
+    try (DirectoryStream<Path> folders = Files.newDirectoryStream(directory)) {
+      for (Path folder : folders) {
+        String name = folder.getFileName().toString();
+        if (NAME.matcher(name).matches()) {
+          entries.add(new Entry(name, folder));
+        }
+      }
+    }
+    entries.sort(java.util.Comparator.comparing(Entry::name));
+    return entries;
+  }
+
+  /** Forgets an entry that the server has, or will never want. */
+  public synchronized void delete(Entry entry) throws IOException {
+    Path work = directory.resolve(IN_WORK + "deleted." + entry.name());
+    AgentDirectory.deleteTree(work);
+    Files.move(entry.directory(), work, StandardCopyOption.ATOMIC_MOVE);
+    AgentDirectory.deleteTree(work);
+  }
+
+  /** Puts aside an entry that the server refuses, for a person to look at. */
+  public synchronized Path reject(Entry entry) throws IOException {
+    Path aside = directory.resolve(REJECTED + entry.name());
+    AgentDirectory.deleteTree(aside);
+    return Files.move(entry.directory(), aside, StandardCopyOption.ATOMIC_MOVE);
+  }
+
+  private static void sync(Path path) throws IOException {
+    try (FileChannel channel = FileChannel.open(path, StandardOpenOption.READ)) {
+      channel.force(true);
+    }
+  }
+}
