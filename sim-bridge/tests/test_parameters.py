@@ -9,7 +9,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from sitaf_bridge.world.geom_bounds import refit
+from sitaf_bridge.world.geometry.geom_bounds import refit
 from tests.client import Bridge, observed, ranges, world
 from tests.conftest import Refused
 

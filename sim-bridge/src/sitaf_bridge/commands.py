@@ -10,8 +10,8 @@ from sitaf_bridge.server.address import BadAddress, parse_address
 from sitaf_bridge.server.ending import Ending
 from sitaf_bridge.server.serving import Settings, serving
 from sitaf_bridge.world.catalog import Catalog
+from sitaf_bridge.world.description.source import read_world
 from sitaf_bridge.world.engine import DEVICE_KINDS, ENGINE, ENGINE_VERSION
-from sitaf_bridge.world.source import read_world
 from sitaf_bridge.world.world import World
 
 # Exit codes.

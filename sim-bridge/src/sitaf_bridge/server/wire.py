@@ -4,9 +4,9 @@ from google.protobuf.duration_pb2 import Duration
 
 from sitaf_bridge.errors import InvalidRequest
 from sitaf_bridge.wire import simulation_pb2 as pb
+from sitaf_bridge.world.description.source import WorldSource
 from sitaf_bridge.world.devices import RangeReading, Reading
 from sitaf_bridge.world.simulation import ResetScope
-from sitaf_bridge.world.source import WorldSource
 from sitaf_bridge.world.state import WorldState
 from sitaf_bridge.world.world import World
 

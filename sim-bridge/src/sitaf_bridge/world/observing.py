@@ -5,8 +5,8 @@ from dataclasses import dataclass
 
 import mujoco
 
-from sitaf_bridge.world.description import AXES, Observation
-from sitaf_bridge.world.settings import name_to_id
+from sitaf_bridge.world.description.declaration import AXES, Observation
+from sitaf_bridge.world.parameters.settings import name_to_id
 
 
 @dataclass(frozen=True)

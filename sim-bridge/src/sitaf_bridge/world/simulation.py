@@ -9,7 +9,7 @@ import mujoco
 import numpy as np
 
 from sitaf_bridge.errors import Cancelled, Diverged, InvalidRequest, LimitReached, UnreachableValue
-from sitaf_bridge.world.settings import INTEGRATION, Setting
+from sitaf_bridge.world.parameters.settings import INTEGRATION, Setting
 from sitaf_bridge.world.state import WorldState
 from sitaf_bridge.world.world import World
 

@@ -7,14 +7,14 @@ import mujoco
 
 from sitaf_bridge.errors import BadWorld, Problem
 from sitaf_bridge.world.compiler import compile_mjcf
-from sitaf_bridge.world.description import Bind, Description, Parameter, read_description
+from sitaf_bridge.world.description.declaration import Bind, Description, Parameter, read_description
+from sitaf_bridge.world.description.mjcf_guard import check_mjcf
+from sitaf_bridge.world.description.source import WorldSource
+from sitaf_bridge.world.description.yaml_block import Problems
 from sitaf_bridge.world.devices import KINDS, Bank
-from sitaf_bridge.world.gap import BoundGap, find_gap
-from sitaf_bridge.world.mjcf_guard import check_mjcf
 from sitaf_bridge.world.observing import BoundObservation, find_observation
-from sitaf_bridge.world.settings import NoSuchSetting, Setting, find_setting
-from sitaf_bridge.world.source import WorldSource
-from sitaf_bridge.world.yaml_block import Problems
+from sitaf_bridge.world.parameters.gap import BoundGap, find_gap
+from sitaf_bridge.world.parameters.settings import NoSuchSetting, Setting, find_setting
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,7 @@ from typing import Protocol
 
 import mujoco
 
-from sitaf_bridge.world.yaml_block import Block, Problems
+from sitaf_bridge.world.description.yaml_block import Block, Problems
 
 
 @dataclass(frozen=True)

@@ -8,9 +8,9 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
+from sitaf_bridge.world.description.yaml_block import Block, Problems
 from sitaf_bridge.world.devices.kind import DeviceDeclaration, Reading
-from sitaf_bridge.world.solids import HFIELD, SOLID_TYPES, TOUCH, Surroundings, cast, clearance, visible
-from sitaf_bridge.world.yaml_block import Block, Problems
+from sitaf_bridge.world.geometry.solids import HFIELD, SOLID_TYPES, TOUCH, Surroundings, cast, clearance, visible
 
 DISTANCE_ONLY = 1 << int(mujoco.mjtRayDataField.mjRAYDATA_DIST)
 

@@ -9,7 +9,7 @@ from pathlib import PurePosixPath
 from xml.parsers import expat
 
 from sitaf_bridge.errors import BadWorld, Problem
-from sitaf_bridge.world.source import unsafe_path
+from sitaf_bridge.world.description.source import unsafe_path
 
 MAX_ELEMENTS = 100_000
 MAX_DEPTH = 200

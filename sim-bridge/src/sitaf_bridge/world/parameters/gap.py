@@ -8,9 +8,9 @@ import mujoco
 import numpy as np
 
 from sitaf_bridge.errors import UnreachableValue
-from sitaf_bridge.world.description import Gap
-from sitaf_bridge.world.settings import NoSuchSetting, Setting, name_to_id
-from sitaf_bridge.world.solids import HFIELD, SOLID_TYPES, clearance
+from sitaf_bridge.world.description.declaration import Gap
+from sitaf_bridge.world.geometry.solids import HFIELD, SOLID_TYPES, clearance
+from sitaf_bridge.world.parameters.settings import NoSuchSetting, Setting, name_to_id
 
 MAX_ITERATIONS = 60
 # Metres. A solution is refused when it is farther off, which no polishing could hide.

@@ -8,7 +8,7 @@ from typing import Protocol
 import mujoco
 import numpy as np
 
-from sitaf_bridge.world.geom_bounds import refit
+from sitaf_bridge.world.geometry.geom_bounds import refit
 
 AXES = "xyz"
 INTEGRATION = int(mujoco.mjtState.mjSTATE_INTEGRATION)

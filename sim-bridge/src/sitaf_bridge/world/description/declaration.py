@@ -3,9 +3,9 @@
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
+from sitaf_bridge.world.description.source import WorldSource, unsafe_path
+from sitaf_bridge.world.description.yaml_block import Block, Problems, parse
 from sitaf_bridge.world.devices import KINDS, DeviceDeclaration
-from sitaf_bridge.world.source import WorldSource, unsafe_path
-from sitaf_bridge.world.yaml_block import Block, Problems, parse
 
 AXES = ("x", "y", "z", "roll", "pitch", "yaw")
 

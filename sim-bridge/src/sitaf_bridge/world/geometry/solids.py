@@ -10,7 +10,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from sitaf_bridge.world.mesh_inside import Mesh
+from sitaf_bridge.world.geometry.mesh_inside import Mesh
 
 Vector = NDArray[np.float64]
 

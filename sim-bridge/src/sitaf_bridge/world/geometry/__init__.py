@@ -1,0 +1,1 @@
+"""Rays, insides and bounds of geoms, where MuJoCo leaves them open."""
