@@ -1,6 +1,7 @@
 """Builds the package; what setuptools cannot say declaratively is that the wire's stubs are generated first."""
 
 import re
+import shutil
 from pathlib import Path
 
 from setuptools import setup
@@ -18,6 +19,8 @@ class BuildWithStubs(build_py):
     def run(self) -> None:
         """Generate into the source tree (ignored by git), where both kinds of installation find it."""
         generate_stubs()
+        # Modules of an earlier version would otherwise be installed along.
+        shutil.rmtree(Path(self.build_lib) / "sitaf_bridge", ignore_errors=True)
         super().run()
 
 
