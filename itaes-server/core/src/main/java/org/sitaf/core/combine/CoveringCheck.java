@@ -1,0 +1,154 @@
+package org.sitaf.core.combine;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+
+/**
+ * Checks an array against its problem, in the plainest way that there is: it shares no code with
+ * the generator.
+ */
+public final class CoveringCheck {
+  private CoveringCheck() {}
+
+  /**
+   * Lists what is wrong, at most a thousand findings; empty when every required tuple is covered or
+   * reported impossible, no constraint is broken, and the seeds stand first. Impossible tuples are
+   * taken from the report when it lists them all, and by their number else.
+   */
+  public static List<String> findings(CombinationProblem problem, CoveringArray array) {
+    List<String> findings = new ArrayList<>();
+    int[][] rows = array.rows();
+    checkRows(problem, rows, findings);
+    Set<List<Integer>> impossible = new HashSet<>();
+    for (CoveringArray.Tuple tuple : array.tuples().examples()) {
+      impossible.add(code(tuple.parameters(), tuple.values()));
+    }
+    boolean allListed = impossible.size() == array.tuples().impossible();
+    long missing = 0;
+    for (Interaction interaction : problem.interactions()) {
+      int[] parameters = interaction.parameters();
+      int strength = Math.min(interaction.strength(), parameters.length);
+      for (int[] set : subsets(parameters, strength)) {
+        for (int[] values : missing(problem.levels(), set, rows)) {
+          missing++;
+          if (allListed && !holdsImpossible(set, values, impossible)) {
+            add(findings, "not covered: " + Arrays.toString(set) + "=" + Arrays.toString(values));
+          }
+        }
+      }
+    }
+    if (!allListed && missing > 0 && array.tuples().impossible() == 0) {
+      findings.add(missing + " tuples are not covered, but none is reported impossible");
+    }
+    return findings;
+  }
+
+  private static void checkRows(CombinationProblem problem, int[][] rows, List<String> findings) {
+    int[] levels = problem.levels();
+    List<int[]> seeds = problem.seeds();
+    Set<List<Integer>> seen = new HashSet<>();
+    for (int r = 0; r < rows.length; r++) {
+      int[] row = rows[r];
+      for (int p = 0; p < levels.length; p++) {
+        if (row[p] < 0 || row[p] >= levels[p]) {
+          add(findings, "row " + r + " has no value " + row[p] + " of parameter " + p);
+        }
+        if (r < seeds.size() && seeds.get(r)[p] >= 0 && seeds.get(r)[p] != row[p]) {
+          add(findings, "row " + r + " is not the seed that should stand there");
+        }
+      }
+      for (Constraint constraint : problem.constraints()) {
+        int[] values = Arrays.stream(constraint.parameters()).map(p -> row[p]).toArray();
+        if (!constraint.allowed().test(values)) {
+          add(findings, "row " + r + " breaks a constraint: " + Arrays.toString(row));
+        }
+      }
+      if (!seen.add(Arrays.stream(row).boxed().toList()) && r >= seeds.size()) {
+        add(findings, "row " + r + " occurs before: " + Arrays.toString(row));
+      }
+    }
+    if (rows.length < seeds.size()) {
+      add(findings, "there are fewer rows than seeds");
+    }
+  }
+
+  private static void add(List<String> findings, String finding) {
+    if (findings.size() < 1000) {
+      findings.add(finding);
+    }
+  }
+
+  private static List<int[]> missing(int[] levels, int[] set, int[][] rows) {
+    int product = 1;
+    for (int p : set) {
+      product *= levels[p];
+    }
+    boolean[] present = new boolean[product];
+    for (int[] row : rows) {
+      int index = 0;
+      for (int p : set) {
+        index = index * levels[p] + row[p];
+      }
+      present[index] = true;
+    }
+    List<int[]> missing = new ArrayList<>();
+    for (int index = 0; index < product; index++) {
+      if (!present[index]) {
+        int[] values = new int[set.length];
+        for (int i = set.length - 1, rest = index; i >= 0; rest /= levels[set[i]], i--) {
+          values[i] = rest % levels[set[i]];
+        }
+        missing.add(values);
+      }
+    }
+    return missing;
+  }
+
+  /** Whether the tuple, or one that it holds, is among the impossible. */
+  private static boolean holdsImpossible(int[] set, int[] values, Set<List<Integer>> impossible) {
+    for (int members = 1; members < 1 << set.length; members++) {
+      int size = Integer.bitCount(members);
+      int[] someColumns = new int[size];
+      int[] someValues = new int[size];
+      for (int i = 0, n = 0; i < set.length; i++) {
+        if ((members >> i & 1) == 1) {
+          someColumns[n] = set[i];
+          someValues[n++] = values[i];
+        }
+      }
+      if (impossible.contains(code(someColumns, someValues))) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private static List<Integer> code(int[] parameters, int[] values) {
+    List<Integer> code = new ArrayList<>();
+    for (int i = 0; i < parameters.length; i++) {
+      code.add(parameters[i]);
+      code.add(values[i]);
+    }
+    return code;
+  }
+
+  private static List<int[]> subsets(int[] of, int size) {
+    List<int[]> all = new ArrayList<>();
+    subsets(of, 0, new int[size], 0, all);
+    return all;
+  }
+
+  private static void subsets(int[] of, int next, int[] chosen, int depth, List<int[]> out) {
+    if (depth == chosen.length) {
+      out.add(chosen.clone());
+      return;
+    }
+    for (int i = next; i < of.length; i++) {
+      chosen[depth] = of[i];
+      subsets(of, i + 1, chosen, depth + 1, out);
+    }
+  }
+}

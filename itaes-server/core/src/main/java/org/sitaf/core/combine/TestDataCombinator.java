@@ -1,0 +1,109 @@
+package org.sitaf.core.combine;
+
+import java.math.BigInteger;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import org.sitaf.core.combine.CoveringArray.TupleReport;
+import org.sitaf.core.combine.coverage.ColumnSets;
+import org.sitaf.core.combine.coverage.Row;
+import org.sitaf.core.combine.coverage.Symbols;
+import org.sitaf.core.combine.feasible.Feasibility;
+import org.sitaf.core.combine.search.Product;
+
+/**
+ * Test Data Combinator (paper, Fig. 2): rows that hold every required tuple of values, as few as it
+ * finds. The same problem, effort and seed give the same rows on every machine.
+ */
+public final class TestDataCombinator {
+  /** The most rows that a full product may have. */
+  public static final long MAX_PRODUCT = 1_000_000;
+
+  /** The most tuples that may be required. */
+  public static final long MAX_TUPLES = 120_000_000;
+
+  /**
+   * Combines.
+   *
+   * @param seed of the pseudo-random choices
+   * @throws TooManyCombinationsException when there are more than {@link #MAX_PRODUCT} rows of a
+   *     full product, or more than {@link #MAX_TUPLES} tuples
+   * @throws IllegalArgumentException when a seed row breaks a constraint
+   */
+  public CoveringArray combine(
+      CombinationProblem problem, Effort effort, long seed, Progress progress) {
+    Symbols symbols = new Symbols(problem.levels());
+    ColumnSets sets = new ColumnSets(symbols, problem.interactions());
+    boolean product = sets.isProduct();
+    refuseExplosion(symbols, sets, product);
+    Feasibility feasibility = new Feasibility(symbols, problem.constraints());
+    List<Row> kept = kept(problem, symbols, feasibility);
+    if (product) {
+      return product(problem, symbols, feasibility, kept);
+    }
+    return new Construction(problem, symbols, sets.list(), feasibility, effort, progress)
+        .run(kept, seed);
+  }
+
+  private static void refuseExplosion(Symbols symbols, ColumnSets sets, boolean product) {
+    if (product) {
+      BigInteger rows = BigInteger.ONE;
+      for (int levels : symbols.levels()) {
+        rows = rows.multiply(BigInteger.valueOf(levels));
+      }
+      if (rows.compareTo(BigInteger.valueOf(MAX_PRODUCT)) > 0) {
+        throw new TooManyCombinationsException("all combinations", rows, MAX_PRODUCT);
+      }
+      return;
+    }
+    BigInteger tuples = sets.tuples();
+    if (tuples.compareTo(BigInteger.valueOf(MAX_TUPLES)) > 0) {
+      throw new TooManyCombinationsException("tuples of values to cover", tuples, MAX_TUPLES);
+    }
+  }
+
+  private static List<Row> kept(
+      CombinationProblem problem, Symbols symbols, Feasibility feasibility) {
+    List<Row> rows = new ArrayList<>();
+    List<int[]> seeds = problem.seeds();
+    for (int i = 0; i < seeds.size(); i++) {
+      Row row = new Row(symbols, seeds.get(i));
+      if (!feasibility.rules().allow(row) || feasibility.complete(row) == null) {
+        throw new IllegalArgumentException(
+            "seed row " + i + " " + Arrays.toString(seeds.get(i)) + " breaks a constraint");
+      }
+      row.keep(seeds.get(i));
+      rows.add(row);
+    }
+    return rows;
+  }
+
+  private static CoveringArray product(
+      CombinationProblem problem, Symbols symbols, Feasibility feasibility, List<Row> seeds) {
+    List<Row> kept = new ArrayList<>();
+    for (Row seed : seeds) {
+      Row row = feasibility.complete(seed);
+      for (int c = 0; c < symbols.columns(); c++) {
+        if (row != null && row.value(c) == Row.FREE) {
+          row.set(c, 0);
+        }
+      }
+      kept.add(java.util.Objects.requireNonNull(row));
+    }
+    List<int[]> rows = new Product(symbols, feasibility).rows(kept);
+    Set<List<Integer>> distinct = new HashSet<>();
+    kept.forEach(row -> distinct.add(Arrays.stream(row.values()).boxed().toList()));
+    long covered = rows.size() + distinct.size();
+    long whole = 1;
+    for (int levels : problem.levels()) {
+      whole *= levels;
+    }
+    List<int[]> all = new ArrayList<>(kept.stream().map(Row::values).toList());
+    all.addAll(rows);
+    // Which combinations the constraints forbid is their very sense, and no finding: only counted.
+    return new CoveringArray(
+        all.toArray(int[][]::new), new TupleReport(covered, whole - covered, List.of()), true);
+  }
+}

@@ -1,0 +1,61 @@
+package org.sitaf.core.combine.construction;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+
+/** Chooses a construction for columns with these levels. */
+public final class Constructions {
+  private static final int MAX_ORDER = 64;
+  private static final long MAX_ROWS = 200_000;
+
+  /** A construction with more rows than this many times the bound is no better than growth. */
+  private static final double NEAR = 1.3;
+
+  private Constructions() {}
+
+  /**
+   * An array of the strength, when one is known that comes near the product of the largest levels;
+   * rows may repeat, and a caller checks what they cover.
+   *
+   * @param levels of each column, at least 2
+   */
+  public static Optional<List<int[]>> find(int strength, int[] levels) {
+    int most = Arrays.stream(levels).max().orElse(0);
+    if (strength < 2 || most > MAX_ORDER) {
+      return Optional.empty();
+    }
+    int order = GaloisField.orderFrom(most);
+    while (OrthogonalArray.columns(strength, order) < levels.length && order <= MAX_ORDER) {
+      order = GaloisField.orderFrom(order + 1);
+    }
+    double rows = Math.pow(order, strength);
+    if (rows > MAX_ROWS || rows > NEAR * product(levels, strength)) {
+      return Optional.empty();
+    }
+    return OrthogonalArray.of(strength, order, levels.length).map(array -> fold(array, levels));
+  }
+
+  /** The product of the largest levels, which no array can go below. */
+  private static double product(int[] levels, int strength) {
+    int[] sorted = levels.clone();
+    Arrays.sort(sorted);
+    double product = 1;
+    for (int i = Math.max(0, sorted.length - strength); i < sorted.length; i++) {
+      product *= sorted[i];
+    }
+    return product;
+  }
+
+  /** Fewer values: what is too large becomes something that is not. */
+  private static List<int[]> fold(int[][] rows, int[] levels) {
+    for (int r = 0; r < rows.length; r++) {
+      for (int c = 0; c < levels.length; c++) {
+        if (rows[r][c] >= levels[c]) {
+          rows[r][c] = (r + rows[r][c]) % levels[c];
+        }
+      }
+    }
+    return List.of(rows);
+  }
+}

@@ -1,0 +1,153 @@
+package org.sitaf.core.combine.feasible;
+
+import java.util.List;
+import org.sitaf.core.combine.coverage.Symbols;
+
+/**
+ * Unit propagation over forbidden sets of symbols: what choosing a value rules out. It never rules
+ * out what is possible, but may miss what is not; {@link Solver} is the judge.
+ */
+public final class Propagation {
+  private final Symbols symbols;
+  private final int[][] sets;
+  private final int[][] setsOf;
+  private final boolean[] out;
+  private final int[] left;
+  private final boolean[] chosen;
+  private final int[] trail;
+  private int trailSize;
+  private int done;
+
+  Propagation(Symbols symbols, List<int[]> forbidden) {
+    this.symbols = symbols;
+    this.sets = forbidden.toArray(int[][]::new);
+    int[] counts = new int[symbols.count()];
+    for (int[] set : sets) {
+      for (int s : set) {
+        counts[s]++;
+      }
+    }
+    this.setsOf = new int[symbols.count()][];
+    for (int s = 0; s < counts.length; s++) {
+      setsOf[s] = new int[counts[s]];
+    }
+    for (int i = 0; i < sets.length; i++) {
+      for (int s : sets[i]) {
+        setsOf[s][--counts[s]] = i;
+      }
+    }
+    this.out = new boolean[symbols.count()];
+    this.chosen = new boolean[symbols.count()];
+    this.left = symbols.levels();
+    this.trail = new int[2 * symbols.count() + 2];
+  }
+
+  /** Draws the first conclusions, from the sets of a single symbol; false: nothing is allowed. */
+  boolean start() {
+    for (int[] set : sets) {
+      if (set.length == 0 || (set.length == 1 && !exclude(set[0]))) {
+        return false;
+      }
+    }
+    return conclude();
+  }
+
+  /** A mark to which {@link #undo} comes back. */
+  public int mark() {
+    return trailSize;
+  }
+
+  /** Takes back all that was concluded since the mark. */
+  public void undo(int mark) {
+    while (trailSize > mark) {
+      int entry = trail[--trailSize];
+      if (entry >= 0) {
+        chosen[entry] = false;
+      } else {
+        int symbol = -entry - 1;
+        out[symbol] = false;
+        left[symbols.column(symbol)]++;
+      }
+    }
+    done = trailSize;
+  }
+
+  /** Whether this value may still be chosen. */
+  public boolean open(int column, int value) {
+    return !out[symbols.symbol(column, value)];
+  }
+
+  /** Chooses a value; false: this cannot be, and the caller takes it back. */
+  public boolean choose(int column, int value) {
+    int symbol = symbols.symbol(column, value);
+    if (out[symbol]) {
+      return false;
+    }
+    return accept(symbol) && conclude();
+  }
+
+  /** Rules a value out; false: this cannot be, and the caller takes it back. */
+  public boolean refuse(int column, int value) {
+    return exclude(symbols.symbol(column, value)) && conclude();
+  }
+
+  private boolean accept(int symbol) {
+    if (chosen[symbol]) {
+      return true;
+    }
+    chosen[symbol] = true;
+    trail[trailSize++] = symbol;
+    int column = symbols.column(symbol);
+    for (int s = symbols.first(column); s < symbols.first(column + 1); s++) {
+      if (s != symbol && !out[s]) {
+        out[s] = true;
+        left[column]--;
+        trail[trailSize++] = -s - 1;
+      }
+    }
+    return true;
+  }
+
+  private boolean exclude(int symbol) {
+    if (out[symbol]) {
+      return true;
+    }
+    int column = symbols.column(symbol);
+    if (chosen[symbol] || left[column] == 1) {
+      return false;
+    }
+    out[symbol] = true;
+    trail[trailSize++] = -symbol - 1;
+    if (--left[column] == 1) {
+      for (int s = symbols.first(column); s < symbols.first(column + 1); s++) {
+        if (!out[s]) {
+          return accept(s);
+        }
+      }
+    }
+    return true;
+  }
+
+  private boolean conclude() {
+    while (done < trailSize) {
+      int symbol = trail[done++];
+      if (symbol < 0) {
+        continue;
+      }
+      for (int i : setsOf[symbol]) {
+        int open = -1;
+        int others = 0;
+        for (int s : sets[i]) {
+          if (!chosen[s]) {
+            others += out[s] ? 2 : 1;
+            open = s;
+          }
+        }
+        if (others == 0 || (others == 1 && !exclude(open))) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+}

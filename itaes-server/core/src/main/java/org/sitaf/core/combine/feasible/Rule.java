@@ -1,0 +1,118 @@
+package org.sitaf.core.combine.feasible;
+
+import java.util.ArrayList;
+import java.util.BitSet;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.combine.Constraint;
+import org.sitaf.core.combine.coverage.Row;
+import org.sitaf.core.combine.coverage.Symbols;
+
+/** A constraint made ready to be asked often: a table of the allowed tuples where one is small. */
+final class Rule {
+  /** Up to this many tuples are tabulated. */
+  static final long MAX_TABLE = 200_000;
+
+  final int[] columns;
+  private final Constraint constraint;
+  private final int[] strides;
+  private final @Nullable BitSet allowed;
+
+  Rule(Symbols symbols, Constraint constraint) {
+    this.constraint = constraint;
+    this.columns = constraint.parameters();
+    this.strides = new int[columns.length];
+    long product = 1;
+    for (int i = columns.length - 1; i >= 0 && product <= MAX_TABLE; i--) {
+      strides[i] = (int) product;
+      product *= symbols.levels(columns[i]);
+    }
+    this.allowed = product <= MAX_TABLE ? tabulate(symbols, (int) product) : null;
+  }
+
+  private BitSet tabulate(Symbols symbols, int size) {
+    BitSet table = new BitSet(size);
+    for (int index = 0; index < size; index++) {
+      table.set(index, constraint.allowed().test(tuple(symbols, index)));
+    }
+    return table;
+  }
+
+  private int[] tuple(Symbols symbols, int index) {
+    int[] values = new int[columns.length];
+    for (int i = 0; i < values.length; i++) {
+      values[i] = index / strides[i] % symbols.levels(columns[i]);
+    }
+    return values;
+  }
+
+  /** Whether all forbidden tuples can be listed. */
+  boolean tabulated() {
+    return allowed != null;
+  }
+
+  /** Whether the row keeps this rule; a row that has not chosen all its columns does. */
+  boolean keeps(Row row) {
+    return keeps(row, -1, 0);
+  }
+
+  /** Whether the row would keep this rule with this value in this column. */
+  boolean keeps(Row row, int column, int value) {
+    if (allowed == null) {
+      int[] values = new int[columns.length];
+      for (int i = 0; i < columns.length; i++) {
+        values[i] = columns[i] == column ? value : row.value(columns[i]);
+        if (values[i] < 0) {
+          return true;
+        }
+      }
+      return constraint.allowed().test(values);
+    }
+    int index = 0;
+    for (int i = 0; i < columns.length; i++) {
+      int v = columns[i] == column ? value : row.value(columns[i]);
+      if (v < 0) {
+        return true;
+      }
+      index += v * strides[i];
+    }
+    return allowed.get(index);
+  }
+
+  /** The forbidden tuples as sets of symbols, merged where the value of a column is all one. */
+  List<int[]> forbidden(Symbols symbols) {
+    List<int[]> out = new ArrayList<>();
+    if (allowed != null) {
+      forbidden(symbols, 0, 0, new int[columns.length], 0, out);
+    }
+    return out;
+  }
+
+  private boolean forbidden(
+      Symbols symbols, int depth, int index, int[] chosen, int size, List<int[]> out) {
+    if (depth == columns.length) {
+      if (allowed == null || allowed.get(index)) {
+        return false;
+      }
+      out.add(java.util.Arrays.copyOf(chosen, size));
+      return true;
+    }
+    int levels = symbols.levels(columns[depth]);
+    if (allForbidden(index, depth, symbols)) {
+      out.add(java.util.Arrays.copyOf(chosen, size));
+      return true;
+    }
+    for (int v = 0; v < levels; v++) {
+      chosen[size] = symbols.symbol(columns[depth], v);
+      forbidden(symbols, depth + 1, index + v * strides[depth], chosen, size + 1, out);
+    }
+    return false;
+  }
+
+  /** Whether every completion of the columns from {@code depth} on is forbidden. */
+  private boolean allForbidden(int index, int depth, Symbols symbols) {
+    int run = strides[depth] * symbols.levels(columns[depth]);
+    int next = allowed == null ? index : allowed.nextSetBit(index);
+    return next < 0 || next >= index + run;
+  }
+}
