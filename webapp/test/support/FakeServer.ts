@@ -1,0 +1,182 @@
+import { createServer, type IncomingMessage, type Server, type ServerResponse } from 'node:http';
+import type { AddressInfo } from 'node:net';
+import type { Activity, Agent, Build, Diagnostic, ResultCase } from '@/shared/api';
+import { AGENT, activity, build, result, suite } from './samples';
+
+type Handler = (context: {
+  request: IncomingMessage;
+  path: string[];
+  query: URLSearchParams;
+  body: Buffer;
+}) => Promise<Answer> | Answer;
+
+interface Answer {
+  status: number;
+  json: unknown;
+  problem?: boolean;
+}
+
+/** The fixed parts of paths; all others are identifiers. */
+const NOUNS = ['activities', 'agents', 'builds', 'cancel', 'cases', 'models', 'result', 'suites'];
+
+/** The server's REST interface with lists in memory, on a free port of loopback. */
+export class FakeServer {
+  readonly activities: Activity[] = [];
+  readonly builds: Build[] = [];
+  readonly cases = new Map<string, ResultCase[]>();
+  agents: Agent[] = [AGENT];
+  /** What the next upload is refused for; none: taken. */
+  refusal: Diagnostic[] = [];
+  /** `METHOD /path?query` of every request, in order. */
+  readonly requests: string[] = [];
+  readonly suiteOptions: unknown[] = [];
+  readonly uploads: Buffer[] = [];
+
+  private http: Server | undefined;
+  private port = 0;
+  private readonly waiting = new Set<() => void>();
+
+  get url(): string {
+    return `http://127.0.0.1:${this.port}`;
+  }
+
+  /** Starts, or starts again on the same port. */
+  async start(): Promise<void> {
+    const http = createServer((request, response) => {
+      void this.serve(request, response);
+    });
+    await new Promise<void>((resolve) => http.listen(this.port, '127.0.0.1', resolve));
+    this.port = (http.address() as AddressInfo).port;
+    this.http = http;
+  }
+
+  async stop(): Promise<void> {
+    const { http } = this;
+    if (!http) return;
+    this.http = undefined;
+    http.closeAllConnections();
+    await new Promise((resolve) => http.close(resolve));
+  }
+
+  /** A build moves on: whoever waits for it is told. */
+  advance(id: string, changes: Partial<Build>): void {
+    const index = this.builds.findIndex((item) => item.id === id);
+    const old = this.builds[index];
+    if (!old) throw new Error(`No build ${id}`);
+    this.builds[index] = { ...old, ...changes, version: old.version + 1 };
+    for (const wake of this.waiting) wake();
+    this.waiting.clear();
+  }
+
+  private async serve(request: IncomingMessage, response: ServerResponse): Promise<void> {
+    const url = new URL(request.url ?? '/', this.url);
+    this.requests.push(`${request.method} ${url.pathname}${url.search}`);
+    const path = url.pathname.split('/').slice(3).map(decodeURIComponent);
+    const chunks: Buffer[] = [];
+    for await (const chunk of request) chunks.push(chunk as Buffer);
+    const { status, json, problem } = await this.route(
+      request.method ?? 'GET',
+      path,
+    )({
+      request,
+      path,
+      query: url.searchParams,
+      body: Buffer.concat(chunks),
+    });
+    response.writeHead(status, {
+      'Content-Type': problem ? 'application/problem+json' : 'application/json',
+      // jsdom's page has another origin than this server.
+      'Access-Control-Allow-Origin': '*',
+    });
+    response.end(JSON.stringify(json));
+  }
+
+  private route(method: string, path: string[]): Handler {
+    const shape = [method, ...path.map((part) => (NOUNS.includes(part) ? part : '*'))].join(' ');
+    return this.handlers[shape] ?? (() => notFound());
+  }
+
+  private readonly handlers: Record<string, Handler> = {
+    'GET agents': () => ({ status: 200, json: this.agents }),
+    'GET activities': ({ query }) => ({ status: 200, json: pageOf(this.activities, query) }),
+    'GET activities *': ({ path }) => found(this.activities.find(({ id }) => id === path[1])),
+    'POST activities': ({ body, request }) => this.upload(body, request),
+    'POST activities * models * suites': ({ path, body }) => {
+      this.suiteOptions.push(JSON.parse(body.toString()));
+      return { status: 201, json: suite('s1', path[1] ?? '', path[3] ?? '') };
+    },
+    'GET builds': ({ query }) => {
+      const activityId = query.get('activityId');
+      const shown = this.builds.filter((item) => !activityId || item.activityId === activityId);
+      return { status: 200, json: pageOf(shown, query) };
+    },
+    'POST builds': ({ body }) => {
+      const { suiteId } = JSON.parse(body.toString()) as { suiteId: string };
+      const created = build(`b${this.builds.length + 1}`, { suiteId });
+      this.builds.unshift(created);
+      return { status: 201, json: created };
+    },
+    'GET builds *': async ({ path, query }) => {
+      const find = () => this.builds.find(({ id }) => id === path[1]);
+      if (String(find()?.version) === query.get('waitForChangeSince')) await this.change();
+      return found(find());
+    },
+    'GET builds * result': ({ path }) => {
+      const cases = this.cases.get(path[1] ?? '');
+      return cases ? { status: 200, json: result(cases) } : notFound();
+    },
+    'GET builds * result cases': ({ path, query }) => {
+      const verdict = query.get('verdict');
+      const cases = this.cases.get(path[1] ?? '') ?? [];
+      const shown = cases.filter((item) => !verdict || item.verdict === verdict);
+      return { status: 200, json: pageOf(shown, query) };
+    },
+    'POST builds * cancel': ({ path }) => {
+      this.advance(path[1] ?? '', { state: 'CANCELLED' });
+      return found(this.builds.find(({ id }) => id === path[1]));
+    },
+  };
+
+  private upload(body: Buffer, request: IncomingMessage): Answer {
+    if (request.headers['content-type'] !== 'application/zip') return notFound();
+    this.uploads.push(body);
+    if (this.refusal.length > 0) {
+      return {
+        status: 422,
+        problem: true,
+        json: {
+          title: 'The activity has problems',
+          detail: 'Nothing was stored. Correct the files and upload the zip again.',
+          status: 422,
+          diagnostics: this.refusal,
+        },
+      };
+    }
+    const created = activity(`a${this.activities.length + 1}`, { name: 'uploaded' });
+    this.activities.push(created);
+    return { status: 201, json: created };
+  }
+
+  private change(): Promise<void> {
+    return new Promise((resolve) => this.waiting.add(resolve));
+  }
+}
+
+function found(item: unknown): Answer {
+  return item ? { status: 200, json: item } : notFound();
+}
+
+function notFound(): Answer {
+  return { status: 404, problem: true, json: { title: 'Not found', status: 404 } };
+}
+
+function pageOf<T>(all: readonly T[], query: URLSearchParams) {
+  const page = Number(query.get('page') ?? 0);
+  const size = Number(query.get('size') ?? 50);
+  return {
+    items: all.slice(page * size, (page + 1) * size),
+    page,
+    size,
+    total: all.length,
+  };
+}

@@ -1,0 +1,151 @@
+import type {
+  Activity,
+  Agent,
+  Build,
+  Parameter,
+  Result,
+  ResultCase,
+  Suite,
+  Verdict,
+} from '@/shared/api';
+
+const THEN = '2026-03-01T10:00:00Z';
+
+export const PARAMETERS: Parameter[] = [
+  { name: 'IndexOfSensor', type: 'TDI', realType: 'int' },
+  { name: 'NumOfSensor', type: 'TDI', realType: 'int' },
+  { name: 'Distance', type: 'TDSD', realType: 'double' },
+];
+
+export function activity(id: string, changes: Partial<Activity> = {}): Activity {
+  return {
+    id,
+    name: 'ir-sensor',
+    description: 'Infrared range sensor, the evaluation of the paper',
+    language: 'java',
+    componentClass: 'org.sitaf.examples.ir.InfraredSensor',
+    created: THEN,
+    updated: THEN,
+    version: 1,
+    files: [
+      { path: 'activity.yaml', size: 412, sha256: 'a'.repeat(64) },
+      { path: 'GetInfraredData.xml', size: 1873, sha256: 'b'.repeat(64) },
+    ],
+    models: [
+      {
+        name: 'GetInfraredData',
+        path: 'GetInfraredData.xml',
+        interfaceName: 'InfraredSensorService',
+        method: 'GetInfraredData',
+      },
+    ],
+    interfaces: [
+      { name: 'InfraredSensorService', usage: 'provided', methods: ['GetInfraredData'] },
+    ],
+    ...changes,
+  };
+}
+
+export function suite(id: string, activityId: string, model: string): Suite {
+  return {
+    id,
+    activityId,
+    model,
+    name: `${model}-2way`,
+    seed: 1,
+    total: 55,
+    valid: 25,
+    invalid: 30,
+    created: THEN,
+    version: 1,
+    parameters: PARAMETERS,
+  };
+}
+
+export function build(id: string, changes: Partial<Build> = {}): Build {
+  return {
+    id,
+    activityId: 'a1',
+    activityName: 'ir-sensor',
+    suiteId: 's1',
+    model: 'GetInfraredData',
+    state: 'QUEUED',
+    attempt: 1,
+    created: THEN,
+    version: 1,
+    casesTotal: 55,
+    casesDone: 0,
+    ...changes,
+  };
+}
+
+/** A build that has ended, with the verdicts of its cases. */
+export function doneBuild(id: string, cases: readonly ResultCase[]): Build {
+  const { total, pass, fail, error, dont, unjudged } = result(cases).summary;
+  return build(id, {
+    state: 'DONE',
+    agent: 'bench-1',
+    started: THEN,
+    finished: '2026-03-01T10:00:04.200Z',
+    casesTotal: total,
+    casesDone: total - dont,
+    summary: { total, pass, fail, error, dont, unjudged },
+  });
+}
+
+export function resultCase(no: number, verdict: Verdict, changes: Partial<ResultCase> = {}) {
+  const distance = ['9.5', '5.0', '0.5', '0.0', '10.0'][no % 5] ?? '0.0';
+  const seen = no % 7 < 4;
+  const expected = seen ? distance : '-1.0';
+  const sample: ResultCase = {
+    no,
+    values: [String((no % 7) + 1), String(((no * 3) % 7) + 1), distance],
+    expected: { return: expected },
+    actual: { return: verdict === 'FAIL' ? '10.0' : expected },
+    verdict,
+    processingTimeUs: 4 + (no % 9) / 4,
+    ...changes,
+  };
+  return sample;
+}
+
+export function resultCases(verdicts: readonly Verdict[]): ResultCase[] {
+  return verdicts.map((verdict, index) => resultCase(index + 1, verdict));
+}
+
+export function result(cases: readonly ResultCase[]): Result {
+  const count = (verdict: Verdict) => cases.filter((item) => item.verdict === verdict).length;
+  const times = cases.map((item) => item.processingTimeUs ?? 0);
+  const average = times.reduce((sum, time) => sum + time, 0) / Math.max(1, times.length);
+  const squares = times.reduce((sum, time) => sum + (time - average) ** 2, 0);
+  return {
+    name: 'GetInfraredData',
+    summary: {
+      total: cases.length,
+      pass: count('PASS'),
+      fail: count('FAIL'),
+      error: count('ERROR'),
+      dont: count('DONT'),
+      unjudged: 0,
+      processingTime: {
+        unit: 'us',
+        min: Math.min(...times),
+        max: Math.max(...times),
+        average,
+        standardDeviation: Math.sqrt(squares / Math.max(1, times.length - 1)),
+      },
+    },
+    parameters: PARAMETERS,
+    provenance: { seed: '1' },
+  };
+}
+
+export const AGENT: Agent = {
+  name: 'bench-1',
+  version: '0.1.0',
+  state: 'ONLINE',
+  slots: 2,
+  busy: 0,
+  toolchains: [{ language: 'java', version: '17' }],
+  lastSeen: THEN,
+};

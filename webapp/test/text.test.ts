@@ -1,0 +1,47 @@
+// @vitest-environment node
+import { expect, test } from 'vitest';
+import { formatAge, formatDuration, formatTime, plural } from '@/shared/lib/format';
+import { visible } from '@/shared/lib/visible';
+
+test('no control character and no mark of direction stays in visible text, whatever goes in', () => {
+  const all = Array.from({ length: 0x3000 }, (_, code) => String.fromCharCode(code)).join('');
+  const hidden = /[\p{Cc}\p{Bidi_Control}]/gu;
+  expect(all.match(hidden)?.length).toBeGreaterThan(70);
+  expect(visible(all).match(hidden)).toEqual(['\t', '\n']);
+});
+
+test.each(['plain', 'Größe', '거리', '𝄞 and 🤖', 'two\nlines\tand a tab', ''])(
+  'what can be seen stays as it is: %j',
+  (text) => {
+    expect(visible(text)).toBe(text);
+  },
+);
+
+test('times have three decimals, and a dash stands for what was not measured', () => {
+  expect(formatTime(4.605137)).toBe('4.605');
+  expect(formatTime(1234.5)).toBe('1,234.500');
+  expect([undefined, null, Number.NaN].map(formatTime)).toEqual(['–', '–', '–']);
+});
+
+test('ages grow from just now over minutes and days to a date', () => {
+  const now = new Date('2026-03-10T12:00:00Z');
+  expect(formatAge('2026-03-10T11:59:30Z', now)).toBe('just now');
+  expect(formatAge('2026-03-10T11:55:00Z', now)).toBe('5 minutes ago');
+  expect(formatAge('2026-03-08T12:00:00Z', now)).toBe('2 days ago');
+  expect(formatAge('2026-02-01T12:00:00Z', now)).toContain('2026');
+});
+
+test('durations are in seconds, from a minute on in minutes and seconds', () => {
+  const start = '2026-03-10T12:00:00Z';
+  expect(formatDuration(start, '2026-03-10T12:00:04.250Z')).toBe('4.3 s');
+  expect(formatDuration(start, '2026-03-10T12:02:05Z')).toBe('2 min 5 s');
+  expect(formatDuration('2026-03-10T12:00:01Z', start)).toBe('0.0 s');
+});
+
+test('one is singular', () => {
+  expect([0, 1, 55].map((count) => plural(count, 'case'))).toEqual([
+    '0 cases',
+    '1 case',
+    '55 cases',
+  ]);
+});

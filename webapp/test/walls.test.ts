@@ -1,0 +1,36 @@
+// @vitest-environment node
+import { ESLint } from 'eslint';
+import { expect, test } from 'vitest';
+
+const RULE = 'no-restricted-imports';
+const eslint = new ESLint({ ruleFilter: ({ ruleId }) => ruleId === RULE });
+
+/** Whether a file of this place may import that module, by the lint rules as they stand. */
+async function mayImport(place: string, module: string): Promise<boolean> {
+  const [report] = await eslint.lintText(`import '${module}';\n`, { filePath: place });
+  const messages = report?.messages ?? [];
+  expect(messages.filter((message) => message.fatal)).toEqual([]);
+  return messages.every((message) => message.ruleId !== RULE);
+}
+
+test.each([
+  ['src/features/builds/state.ts', '@/features/results'],
+  ['src/features/builds/state.ts', '../results'],
+  ['src/features/builds/state.ts', '@/app/router'],
+  ['src/shared/lib/format.ts', '@/features/results'],
+  ['src/shared/lib/format.ts', '@/app/theme'],
+  ['src/shared/lib/format.ts', '../../features/results'],
+  ['src/app/theme.ts', '@/features/results/queries'],
+])('%s may not import %s', async (place, module) => {
+  expect(await mayImport(place, module)).toBe(false);
+});
+
+test.each([
+  ['src/app/theme.ts', '@/features/results'],
+  ['src/app/theme.ts', '@/shared/ui'],
+  ['src/features/builds/state.ts', '@/shared/api'],
+  ['src/features/builds/state.ts', './queries'],
+  ['src/shared/lib/format.ts', '@/shared/lib/visible'],
+])('%s may import %s', async (place, module) => {
+  expect(await mayImport(place, module)).toBe(true);
+});
