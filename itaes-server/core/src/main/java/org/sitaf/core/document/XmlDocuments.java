@@ -10,6 +10,7 @@ import java.io.InputStream;
 import java.io.OutputStream;
 import java.io.StringReader;
 import java.util.Set;
+import javax.xml.namespace.QName;
 import javax.xml.stream.Location;
 import javax.xml.stream.XMLInputFactory;
 import javax.xml.stream.XMLOutputFactory;
@@ -114,9 +115,11 @@ public final class XmlDocuments {
   /**
    * Writes a document in UTF-8, indented, elements named in {@code rows} on one line each.
    *
+   * @param root name of the root element
    * @throws IllegalArgumentException when the stream cannot be written
    */
-  public static void write(Object document, Set<String> rows, OutputStream out) {
+  public static <T> void write(
+      String root, Class<T> type, T document, Set<String> rows, OutputStream out) {
     try {
       XMLStreamWriter writer =
           new IndentingWriter(
@@ -124,7 +127,7 @@ public final class XmlDocuments {
       Marshaller marshaller = CONTEXT.createMarshaller();
       marshaller.setProperty(Marshaller.JAXB_FRAGMENT, true);
       writer.writeStartDocument("UTF-8", "1.0");
-      marshaller.marshal(document, writer);
+      marshaller.marshal(new JAXBElement<>(new QName(root), type, document), writer);
       writer.writeEndDocument();
       writer.flush();
     } catch (JAXBException | XMLStreamException e) {

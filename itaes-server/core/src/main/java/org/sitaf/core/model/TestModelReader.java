@@ -118,7 +118,9 @@ final class TestModelReader {
             .ifPresent(userValues::add);
       }
     }
-    if (element.getTestSpec() == null && userValues.isEmpty() && !isBoolean(type)) {
+    boolean noUserValues =
+        element.getUserValueList() == null || element.getUserValueList().getValue().isEmpty();
+    if (element.getTestSpec() == null && noUserValues && !isBoolean(type)) {
       diagnostics.error(
           file, line, where, "gives no values; it needs a test_spec or a user_value_list");
     }

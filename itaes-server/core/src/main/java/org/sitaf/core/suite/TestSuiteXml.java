@@ -20,6 +20,8 @@ import org.sitaf.schemas.TestSuiteDocument;
 
 /** The document of a test suite (schemas/test_suite_data.xsd). */
 public final class TestSuiteXml {
+  private static final String ROOT = "test_suite_data";
+
   private TestSuiteXml() {}
 
   /**
@@ -31,7 +33,7 @@ public final class TestSuiteXml {
   public static TestSuite read(InputStream document, String file) {
     Diagnostics diagnostics = new Diagnostics();
     TestSuiteDocument root =
-        XmlDocuments.read(document, file, "test_suite_data", TestSuiteDocument.class, diagnostics);
+        XmlDocuments.read(document, file, ROOT, TestSuiteDocument.class, diagnostics);
     TestSuite suite = new Reading(file, diagnostics).suite(root);
     diagnostics.throwIfErrors();
     return suite;
@@ -54,7 +56,8 @@ public final class TestSuiteXml {
     CaseListType list = new CaseListType();
     suite.cases().forEach(c -> list.getCases().add(write(c)));
     root.setCaseList(list);
-    XmlDocuments.write(root, Set.of("case", "param", "generation"), out);
+    XmlDocuments.write(
+        ROOT, TestSuiteDocument.class, root, Set.of("case", "param", "generation"), out);
   }
 
   /** The parameters in the form of {@code case_param_info}. */

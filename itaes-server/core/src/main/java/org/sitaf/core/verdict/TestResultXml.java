@@ -23,6 +23,7 @@ import org.sitaf.schemas.TestResultType;
  * application writes for each case.
  */
 public final class TestResultXml {
+  private static final String ROOT = "test_result_descriptor";
   private static final String MICROSECONDS = "us";
 
   private TestResultXml() {}
@@ -36,8 +37,7 @@ public final class TestResultXml {
   public static TestResult read(InputStream document, String file) {
     Diagnostics diagnostics = new Diagnostics();
     TestResultDocument root =
-        XmlDocuments.read(
-            document, file, "test_result_descriptor", TestResultDocument.class, diagnostics);
+        XmlDocuments.read(document, file, ROOT, TestResultDocument.class, diagnostics);
     List<CaseResult> cases = new ArrayList<>();
     if (root.getSummary() == null || root.getTestResultList() == null) {
       diagnostics.error(file, 0, "", "needs a summary and a test_result_list");
@@ -83,7 +83,8 @@ public final class TestResultXml {
     TestResultListType list = new TestResultListType();
     result.cases().forEach(c -> list.getTestResults().add(write(c)));
     root.setTestResultList(list);
-    XmlDocuments.write(root, Set.of("test_result", "param", "provenance"), out);
+    XmlDocuments.write(
+        ROOT, TestResultDocument.class, root, Set.of("test_result", "param", "provenance"), out);
   }
 
   private static CaseResult read(TestResultType given) {

@@ -1,0 +1,138 @@
+# Sets up what is missing, once, and again when the sources changed. Sourced by the launcher; expects $home and $state.
+
+# What a stage does while it runs goes to a log; a person sees one line that moves.
+stage() {
+  local title=$1 log=$state/log/$2.log
+  shift 2
+  mkdir -p "$state/log"
+  local began=$SECONDS
+  "$@" >"$log" 2>&1 &
+  local pid=$!
+  if [ -t 2 ]; then
+    while kill -0 "$pid" 2>/dev/null; do
+      printf '\r\033[K%s, %d s: %s' "$title" $((SECONDS - began)) "$(progress_of "$log")" >&2
+      sleep 0.5
+    done
+    printf '\r\033[K' >&2
+  else
+    printf '%s ...\n' "$title" >&2
+  fi
+  if ! wait "$pid"; then
+    printf 'sitaf: %s failed; the end of %s:\n' "$title" "$log" >&2
+    tail -n 40 "$log" >&2
+    printf "sitaf: './sitaf doctor' says whether something is missing on this machine\n" >&2
+    exit 2
+  fi
+  printf '%s: %d s\n' "$title" $((SECONDS - began)) >&2
+}
+
+progress_of() {
+  grep -aoE 'Building [A-Z][A-Za-z ]+ [0-9.]+ +\[[0-9/]+\]|Collecting [A-Za-z0-9_-]+|Installing collected packages' "$1" 2>/dev/null | tail -n 1
+}
+
+require() {
+  command -v "$1" >/dev/null || {
+    printf "sitaf: %s is missing; './sitaf doctor' says how to get it\n" "$1" >&2
+    exit 2
+  }
+}
+
+# Only one set-up at a time; the others wait for it and then find it done.
+locked() {
+  mkdir -p "$state"
+  exec 9>"$state/lock"
+  flock 9
+}
+
+unlocked() {
+  exec 9>&-
+}
+
+# Whether something below the given paths is newer than a stamp.
+newer_than() {
+  local stamp=$1
+  shift
+  [ ! -e "$stamp" ] || [ -n "$(find "$@" \( -name target -o -name node_modules -o -name dist -o -name build -o -name '*.egg-info' -o -name __pycache__ \) -prune \
+    -o -type f -newer "$stamp" -print -quit)" ]
+}
+
+java_sources() {
+  printf '%s\n' "$home/pom.xml" "$home/proto" "$home/schemas" "$home/itaes-server" "$home/tba-agent" "$home/webapp"
+}
+
+set_up_java() {
+  require java
+  require javac
+  mapfile -t sources < <(java_sources)
+  newer_than "$state/java.stamp" "${sources[@]}" || return 0
+  locked
+  if newer_than "$state/java.stamp" "${sources[@]}"; then
+    require mvn
+    require npm
+    touch "$state/java.begun"
+    stage "Building SITAF" build mvn -B -ntp -f "$home/pom.xml" -DskipTests -Dspotless.check.skip=true package
+    stage "Installing SITAF below .sitaf" install install_java
+    mv "$state/java.begun" "$state/java.stamp"
+  fi
+  unlocked
+}
+
+# Copies what was built, so that a later build never changes what runs, and records the classes that each program loads:
+# a start from such an archive takes a third of the time.
+install_java() {
+  set -e
+  local new=$state/dist.new
+  rm -rf "$new"
+  mkdir -p "$new"
+  cp -r "$home/itaes-server/cli/target/dist" "$new/cli"
+  cp -r "$home/tba-agent/agent/target/dist" "$new/agent"
+  java -Djarmode=tools -jar "$home/itaes-server/app/target/sitaf-server.jar" extract --destination "$new/server"
+  rm -rf "$state/dist"
+  mv "$new" "$state/dist"
+  local server=$state/dist/server trial=$state/trial
+  rm -rf "$trial"
+  java -XX:ArchiveClassesAtExit="$server/server.jsa" -XX:TieredStopAtLevel=1 -Dspring.context.exit=onRefresh \
+    -jar "$server/sitaf-server.jar" --sitaf.data-directory="$trial" --server.port=0 --spring.grpc.server.port=0
+  rm -rf "$trial"
+  java -XX:ArchiveClassesAtExit="$state/dist/cli/cli.jsa" -XX:TieredStopAtLevel=1 -jar "$state/dist/cli/cli.jar" \
+    generate "$home/examples/ir-sensor/GetInfraredData.xml"
+  java -XX:ArchiveClassesAtExit="$state/dist/agent/agent.jsa" -XX:TieredStopAtLevel=1 -jar "$state/dist/agent/agent.jar" --help
+}
+
+set_up_bridge() {
+  newer_than "$state/bridge.stamp" "$home/sim-bridge" "$home/proto" || return 0
+  locked
+  if newer_than "$state/bridge.stamp" "$home/sim-bridge" "$home/proto"; then
+    require python3
+    touch "$state/bridge.begun"
+    stage "Setting up the simulation" bridge install_bridge
+    mv "$state/bridge.begun" "$state/bridge.stamp"
+  fi
+  unlocked
+}
+
+install_bridge() {
+  set -e
+  [ -x "$state/venv/bin/python" ] || python3 -m venv "$state/venv"
+  "$state/venv/bin/python" -m pip install "$home/sim-bridge[dev]"
+}
+
+java_flags() {
+  printf '%s\n' -XX:SharedArchiveFile="$state/dist/$1/$1.jsa" -Xshare:auto -Xlog:disable -Xlog:all=error:stderr -XX:TieredStopAtLevel=1
+}
+
+run_cli() {
+  mapfile -t flags < <(java_flags cli)
+  exec java "${flags[@]}" -Dsitaf.home="$home" -jar "$state/dist/cli/cli.jar" "$@"
+}
+
+run_server() {
+  mapfile -t flags < <(java_flags server)
+  exec java "${flags[@]}" -jar "$state/dist/server/sitaf-server.jar" --sitaf.data-directory="$state/data" "$@"
+}
+
+run_agent() {
+  mapfile -t flags < <(java_flags agent)
+  exec java "${flags[@]}" -jar "$state/dist/agent/agent.jar" --directory "$state/agent" \
+    --bridge-command "$state/venv/bin/python -m sitaf_bridge" "$@"
+}

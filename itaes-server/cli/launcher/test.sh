@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# Every test. --fast: format, lint and unit tests only.
+set -euo pipefail
+home=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../../.." && pwd)
+state=$home/.sitaf
+# shellcheck source=itaes-server/cli/launcher/setup.sh
+source "$home/itaes-server/cli/launcher/setup.sh"
+
+fast=false
+[ "${1:-}" = --fast ] && fast=true
+[ -d "$home/../shared" ] || echo "sitaf: no ../shared beside the checkout: tests that need it are skipped"
+
+section() { printf '\n== %s (%d s)\n' "$1" "$SECONDS"; }
+
+section "Simulation bridge: environment"
+set_up_bridge
+python=$state/venv/bin/python
+
+section "Simulation bridge: format, lint, types, tests"
+cd "$home/sim-bridge"
+bash check.sh "$python"
+if $fast; then "$python" -m pytest -q -m "not slow"; else "$python" -m pytest -q; fi
+
+section "Java and portal: format, lint, types, tests"
+cd "$home"
+if $fast; then
+  mvn -B -ntp -q verify -DexcludedGroups=slow -Dsitaf.bridge.python="$python"
+  exit 0
+fi
+mvn -B -ntp verify -Dsitaf.bridge.python="$python" | grep -vE '^\[INFO\] *$|Download(ing|ed)'
+
+section "End to end: the launcher as a person uses it"
+cd "$home/tests"
+"$python" -m pytest -q
+section "Done"

@@ -1,0 +1,142 @@
+package org.sitaf.cli;
+
+import java.io.BufferedOutputStream;
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.combine.Effort;
+import org.sitaf.core.diagnostic.InvalidInputException;
+import org.sitaf.core.model.InvalidValues;
+import org.sitaf.core.model.Strength;
+import org.sitaf.core.model.TestModel;
+import org.sitaf.core.model.TestModelXml;
+import org.sitaf.core.suite.GeneratedSuite;
+import org.sitaf.core.suite.GenerationOptions;
+import org.sitaf.core.suite.TestCaseGenerator;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** Test cases from a test model, offline. */
+@Command(
+    name = "generate",
+    description = "Generates the test cases of a test model. Exit code 2: the model cannot be used.",
+    mixinStandardHelpOptions = true)
+final class GenerateCommand implements Callable<Integer> {
+  @Spec private @Nullable CommandSpec spec;
+
+  @Parameters(paramLabel = "MODEL.xml", description = "The test model.")
+  private Path model = Path.of("");
+
+  @Option(
+      names = {"-o", "--output"},
+      paramLabel = "FILE",
+      description = "Where the cases go; without it, to standard output.")
+  private @Nullable Path output;
+
+  @Option(
+      names = "--strength",
+      paramLabel = "N|all",
+      converter = StrengthConverter.class,
+      description = "Order of combinations, 1 to 6 or all; without it, the model's.")
+  private @Nullable Strength strength;
+
+  @Option(
+      names = "--invalid",
+      paramLabel = "isolate|combine",
+      converter = InvalidValuesConverter.class,
+      description = "How invalid values take part; without it, the model's.")
+  private @Nullable InvalidValues invalidValues;
+
+  @Option(
+      names = "--seed",
+      paramLabel = "S",
+      defaultValue = "1",
+      description = "Seed of everything random (default: ${DEFAULT-VALUE}).")
+  private long seed = 1;
+
+  @Option(
+      names = "--effort",
+      paramLabel = "fast|default|best",
+      converter = EffortConverter.class,
+      defaultValue = "default",
+      description = "How long to look for fewer cases (default: ${DEFAULT-VALUE}).")
+  private Effort effort = Effort.DEFAULT;
+
+  @Option(
+      names = "--format",
+      paramLabel = "xml|csv|json",
+      converter = SuiteFormatConverter.class,
+      defaultValue = "xml",
+      description = "Format of the cases (default: ${DEFAULT-VALUE}).")
+  private SuiteFormat format = SuiteFormat.XML;
+
+  @Override
+  public Integer call() throws IOException {
+    TestModel parsed =
+        TestModelXml.read(new ByteArrayInputStream(UserFiles.file(model)), model.toString());
+    GeneratedSuite generated =
+        TestCaseGenerator.generate(
+            parsed, new GenerationOptions(strength, invalidValues, seed, effort));
+    CommandLine command = java.util.Objects.requireNonNull(spec).commandLine();
+    Sitaf.print(generated.notes(), command.getErr());
+    if (output == null) {
+      OutputStream out = new BufferedOutputStream(System.out, 1 << 16);
+      format.write(generated.suite(), out);
+      out.flush();
+    } else {
+      try (OutputStream out = new BufferedOutputStream(Files.newOutputStream(output))) {
+        format.write(generated.suite(), out);
+      } catch (java.nio.file.FileSystemException e) {
+        throw InvalidInputException.of(
+            output.toString(), "cannot be written: " + e.getClass().getSimpleName());
+      }
+      long valid = generated.suite().validCount();
+      int total = generated.suite().cases().size();
+      command
+          .getErr()
+          .println(
+              total + " cases (" + valid + " valid, " + (total - valid) + " invalid) in " + output);
+    }
+    return 0;
+  }
+
+  static final class StrengthConverter implements CommandLine.ITypeConverter<Strength> {
+    @Override
+    public Strength convert(String value) {
+      try {
+        return Strength.parse(value);
+      } catch (IllegalArgumentException e) {
+        throw new CommandLine.TypeConversionException(e.getMessage());
+      }
+    }
+  }
+
+  static final class InvalidValuesConverter implements CommandLine.ITypeConverter<InvalidValues> {
+    @Override
+    public InvalidValues convert(String value) {
+      return Words.parse(value, InvalidValues.values());
+    }
+  }
+
+  static final class EffortConverter implements CommandLine.ITypeConverter<Effort> {
+    @Override
+    public Effort convert(String value) {
+      return Words.parse(value, Effort.values());
+    }
+  }
+
+  static final class SuiteFormatConverter implements CommandLine.ITypeConverter<SuiteFormat> {
+    @Override
+    public SuiteFormat convert(String value) {
+      return Words.parse(value, SuiteFormat.values());
+    }
+  }
+}

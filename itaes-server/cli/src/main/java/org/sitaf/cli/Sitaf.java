@@ -1,0 +1,61 @@
+package org.sitaf.cli;
+
+import java.io.PrintWriter;
+import java.io.UncheckedIOException;
+import org.sitaf.core.diagnostic.Diagnostic;
+import org.sitaf.core.diagnostic.InvalidInputException;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.ExitCode;
+
+/** The command line. Commands end with 0 when all is well; each says what its other exit codes mean. */
+@Command(
+    name = "sitaf",
+    description = "Tests the interface of a robot software component against a simulation.",
+    mixinStandardHelpOptions = true,
+    versionProvider = Version.class,
+    subcommands = {GenerateCommand.class, DescribeCommand.class})
+public final class Sitaf {
+  /** The input cannot be used, or nothing ran. */
+  static final int UNUSABLE = 2;
+
+  private Sitaf() {}
+
+  /** Runs a command and ends the process with its exit code. */
+  public static void main(String[] arguments) {
+    System.exit(commandLine().execute(arguments));
+  }
+
+  static CommandLine commandLine() {
+    return new CommandLine(new Sitaf())
+        .setExecutionExceptionHandler(
+            (failure, command, parsed) -> {
+              report(failure, command.getErr());
+              return UNUSABLE;
+            })
+        .setParameterExceptionHandler(
+            (failure, arguments) -> {
+              PrintWriter err = failure.getCommandLine().getErr();
+              err.println("sitaf: " + failure.getMessage());
+              err.println(
+                  "Try './sitaf " + failure.getCommandLine().getCommandName() + " --help'.");
+              return ExitCode.USAGE;
+            });
+  }
+
+  /** Says what is wrong without a stack trace where it is the user's to mend. */
+  private static void report(Exception failure, PrintWriter err) throws Exception {
+    if (failure instanceof InvalidInputException invalid) {
+      print(invalid.diagnostics(), err);
+    } else if (failure instanceof UncheckedIOException || failure instanceof java.io.IOException) {
+      err.println("sitaf: " + failure.getMessage());
+    } else {
+      throw failure;
+    }
+  }
+
+  static void print(Iterable<Diagnostic> diagnostics, PrintWriter err) {
+    diagnostics.forEach(d -> err.println(Printable.line(d.toString())));
+    err.flush();
+  }
+}

@@ -1,0 +1,118 @@
+package org.sitaf.cli;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.OutputStreamWriter;
+import java.io.Writer;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Collectors;
+import org.sitaf.core.suite.CaseParameter;
+import org.sitaf.core.suite.ExpectedValue;
+import org.sitaf.core.suite.TestCase;
+import org.sitaf.core.suite.TestSuite;
+import org.sitaf.core.suite.TestSuiteXml;
+import tools.jackson.core.JsonGenerator;
+import tools.jackson.core.json.JsonFactory;
+
+/** Forms in which test cases leave the command line. */
+enum SuiteFormat {
+  /** The paper's document (Fig. 9). */
+  XML {
+    @Override
+    void write(TestSuite suite, OutputStream out) {
+      TestSuiteXml.write(suite, out);
+    }
+  },
+  /** A header and a line a case, as RFC 4180 has it. */
+  CSV {
+    @Override
+    void write(TestSuite suite, OutputStream out) throws IOException {
+      Writer writer = new OutputStreamWriter(out, StandardCharsets.UTF_8);
+      List<String> outputs = outputs(suite);
+      List<String> header = new ArrayList<>(List.of("no", "class"));
+      suite.parameters().stream().map(CaseParameter::name).forEach(header::add);
+      outputs.forEach(o -> header.add(o.isEmpty() ? "expected" : "expected " + o));
+      writeLine(header, writer);
+      for (TestCase testCase : suite.cases()) {
+        List<String> line = new ArrayList<>();
+        line.add(Integer.toString(testCase.no()));
+        line.add(testCase.valid() ? "valid" : "invalid");
+        line.addAll(testCase.values());
+        outputs.forEach(o -> line.add(expected(testCase, o)));
+        writeLine(line, writer);
+      }
+      writer.flush();
+    }
+  },
+  /** One object with the parameters and the cases; values are literals, as in the document. */
+  JSON {
+    @Override
+    void write(TestSuite suite, OutputStream out) {
+      try (JsonGenerator json = new JsonFactory().createGenerator(out)) {
+        json.writeStartObject();
+        json.writeStringProperty("name", suite.name());
+        json.writeStringProperty("test_model_name", suite.modelName());
+        json.writeNumberProperty("seed", suite.generation().seed());
+        json.writeArrayPropertyStart("parameters");
+        for (CaseParameter parameter : suite.parameters()) {
+          json.writeStartObject();
+          json.writeStringProperty("name", parameter.name());
+          json.writeStringProperty("type", parameter.kind().name());
+          json.writeStringProperty("real_type", parameter.realType());
+          json.writeEndObject();
+        }
+        json.writeEndArray();
+        json.writeArrayPropertyStart("cases");
+        for (TestCase testCase : suite.cases()) {
+          json.writeStartObject();
+          json.writeNumberProperty("no", testCase.no());
+          json.writeStringProperty("class", testCase.valid() ? "valid" : "invalid");
+          json.writeArrayPropertyStart("values");
+          testCase.values().forEach(json::writeString);
+          json.writeEndArray();
+          json.writeObjectPropertyStart("expected");
+          for (ExpectedValue expected : testCase.expected()) {
+            json.writeStringProperty(
+                expected.output().isEmpty() ? "return" : expected.output(), expected.literal());
+          }
+          json.writeEndObject();
+          json.writeEndObject();
+        }
+        json.writeEndArray();
+        json.writeEndObject();
+        json.writeRaw('\n');
+      }
+    }
+  };
+
+  /** Writes all cases; the same suite gives the same bytes. */
+  abstract void write(TestSuite suite, OutputStream out) throws IOException;
+
+  private static List<String> outputs(TestSuite suite) {
+    return suite.cases().stream()
+        .flatMap(c -> c.expected().stream().map(ExpectedValue::output))
+        .distinct()
+        .toList();
+  }
+
+  private static String expected(TestCase testCase, String output) {
+    return testCase.expected().stream()
+        .filter(e -> e.output().equals(output))
+        .map(ExpectedValue::literal)
+        .findFirst()
+        .orElse("");
+  }
+
+  private static void writeLine(List<String> fields, Writer writer) throws IOException {
+    writer.write(fields.stream().map(SuiteFormat::quote).collect(Collectors.joining(",")));
+    writer.write("\r\n");
+  }
+
+  private static String quote(String field) {
+    return field.matches("(?s).*[\",\r\n].*") || field.startsWith(" ") || field.endsWith(" ")
+        ? '"' + field.replace("\"", "\"\"") + '"'
+        : field;
+  }
+}

@@ -1,0 +1,68 @@
+package org.sitaf.cli;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.LinkOption;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.stream.Stream;
+import org.sitaf.core.activity.FileTree;
+import org.sitaf.core.diagnostic.InvalidInputException;
+
+/** Files on this machine, as a person names them. */
+final class UserFiles {
+  private static final int MAX_DEPTH = 20;
+
+  private UserFiles() {}
+
+  /**
+   * Reads a folder with all that lies in it; hidden files and folders are left out.
+   *
+   * @throws InvalidInputException when there is no such folder, or a link lies in it
+   */
+  static FileTree folder(Path folder) {
+    if (!Files.isDirectory(folder)) {
+      throw InvalidInputException.of(folder.toString(), "is not a folder");
+    }
+    Map<String, byte[]> files = new HashMap<>();
+    try (Stream<Path> all = Files.walk(folder, MAX_DEPTH)) {
+      for (Path path : (Iterable<Path>) all::iterator) {
+        String name = folder.relativize(path).toString().replace('\\', '/');
+        if (name.startsWith(".") || name.contains("/.")) {
+          continue;
+        }
+        if (Files.isSymbolicLink(path)) {
+          throw InvalidInputException.of(
+              path.toString(), "is a link; put the file itself into the activity");
+        }
+        if (Files.isRegularFile(path, LinkOption.NOFOLLOW_LINKS)) {
+          files.put(name, Files.readAllBytes(path));
+        }
+      }
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+    try {
+      return FileTree.of(files);
+    } catch (IllegalArgumentException e) {
+      throw InvalidInputException.of(folder.toString(), String.valueOf(e.getMessage()));
+    }
+  }
+
+  /**
+   * Reads a file.
+   *
+   * @throws InvalidInputException when it cannot be read
+   */
+  static byte[] file(Path file) {
+    try {
+      return Files.readAllBytes(file);
+    } catch (IOException e) {
+      throw InvalidInputException.of(
+          file.toString(),
+          Files.exists(file) ? "cannot be read: " + e.getMessage() : "there is no such file");
+    }
+  }
+}

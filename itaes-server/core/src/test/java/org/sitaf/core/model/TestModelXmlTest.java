@@ -1,0 +1,200 @@
+package org.sitaf.core.model;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.catchThrowableOfType;
+
+import java.io.ByteArrayInputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.sitaf.core.diagnostic.Diagnostic;
+import org.sitaf.core.diagnostic.InvalidInputException;
+
+class TestModelXmlTest {
+  private static TestModel read(String xml) {
+    return TestModelXml.read(
+        new ByteArrayInputStream(xml.getBytes(StandardCharsets.UTF_8)), "model.xml");
+  }
+
+  private static List<Diagnostic> problems(String xml) {
+    return catchThrowableOfType(InvalidInputException.class, () -> read(xml)).diagnostics();
+  }
+
+  private static String model(String elements) {
+    return """
+        <test_model>
+          <name>M</name>
+          <input_spec_list>
+        %s
+          </input_spec_list>
+          <order_of_combinations>2</order_of_combinations>
+        </test_model>
+        """
+        .formatted(elements);
+  }
+
+  @Test
+  void everyContradictionIsToldAtOnceWithItsElementAndLine() {
+    List<Diagnostic> problems =
+        problems(
+            """
+            <test_model>
+              <name>M</name>
+              <input_spec_list>
+                <test_element abstract_type="NUMERIC" real_type="int">
+                  <name>A</name><type>TDI</type>
+                  <test_spec type="BVA" offset="0">
+                    <equiv_class type="NEC_NUMERIC_TWO_BOUNDARY" min="7" max="1"/>
+                  </test_spec>
+                </test_element>
+                <test_element abstract_type="STRING" real_type="int">
+                  <name>B</name><type>XXX</type>
+                  <user_value_list><value>seven</value></user_value_list>
+                </test_element>
+                <test_element abstract_type="NUMERIC" real_type="uint8">
+                  <name>A</name><type>TDI</type>
+                </test_element>
+              </input_spec_list>
+              <invalid_values>ignore</invalid_values>
+              <order_of_combinations>9</order_of_combinations>
+            </test_model>
+            """);
+    assertThat(problems)
+        .extracting(Diagnostic::element)
+        .containsExactlyInAnyOrder(
+            "test_element A/test_spec/equiv_class",
+            "test_element A/test_spec/offset",
+            "test_element B/type",
+            "test_element B",
+            "test_element B/user_value_list",
+            "test_element A",
+            "test_element A",
+            "invalid_values",
+            "order_of_combinations");
+    assertThat(problems)
+        .filteredOn(d -> d.element().equals("test_element A/test_spec/offset"))
+        .first()
+        .satisfies(
+            d -> {
+              assertThat(d.line()).isEqualTo(6);
+              assertThat(d.toString())
+                  .isEqualTo(
+                      "model.xml:6: error: test_element A/test_spec/offset: must be above 0, not 0");
+            });
+  }
+
+  @Test
+  void aDocumentTypeDeclarationIsRefused() {
+    String hostile =
+        "<!DOCTYPE test_model [<!ENTITY x SYSTEM \"file:///etc/passwd\">]>"
+            + "<test_model><name>&x;</name></test_model>";
+    assertThatThrownBy(() -> read(hostile))
+        .isInstanceOf(InvalidInputException.class)
+        .hasMessageContaining("document type declarations and entities are refused");
+  }
+
+  @Test
+  void whatIsNotXmlIsAnsweredWithTheLineOfTheMistake() {
+    List<Diagnostic> problems = problems("<test_model>\n<name>M</nam>\n</test_model>");
+    assertThat(problems).hasSize(1);
+    assertThat(problems.get(0).line()).isEqualTo(2);
+    assertThat(problems.get(0).message()).startsWith("not well-formed XML");
+  }
+
+  @Test
+  void anotherRootIsNamed() {
+    assertThat(problems("<suite/>").get(0).message())
+        .isEqualTo("the root element must be <test_model>");
+  }
+
+  @Test
+  void aMisspeltElementIsNotPassedOver() {
+    String misspelt =
+        model(
+            """
+            <test_element abstract_type="NUMERIC" real_type="int">
+              <name>A</name><type>TDI</type>
+              <user_values><value>1</value></user_values>
+              <user_value_list><value>1</value></user_value_list>
+            </test_element>
+            """);
+    assertThat(problems(misspelt)).extracting(Diagnostic::element).containsExactly("user_values");
+  }
+
+  @Test
+  void settingsMayStandAsElementsOrAsAttributes() {
+    String element =
+        """
+        <test_element abstract_type="NUMERIC" real_type="double">
+          <name>A</name><type>TDI</type>
+          <test_spec type="RANDOM">
+            <count>3</count><min>0</min><max>1</max>
+            <distribution>normal</distribution><mean>0.5</mean>
+            <standard_deviation>0.1</standard_deviation>
+          </test_spec>
+        </test_element>
+        """;
+    String attribute =
+        """
+        <test_element abstract_type="NUMERIC" real_type="double">
+          <name>A</name><type>TDI</type>
+          <test_spec type="RANDOM" count="3" min="0" max="1"
+              distribution="normal" mean="0.5" standard_deviation="0.1"/>
+        </test_element>
+        """;
+    assertThat(read(model(element)).inputs().get(0).spec())
+        .isEqualTo(read(model(attribute)).inputs().get(0).spec());
+  }
+
+  @Test
+  void thePapersSpellingsAreAccepted() {
+    TestModel model =
+        read(
+            model(
+                """
+                <test_element abstract_type="NUMERIC" real_type="int">
+                  <type>TDS</type><name>A</name>
+                  <test_spec type="ECP"><equiv_class type="NEC_NUMERIC_ONE_BOUDARY" max="10"/></test_spec>
+                </test_element>
+                """));
+    assertThat(model.inputs().get(0).kind()).isEqualTo(InputKind.TDSD);
+    assertThat(model.target().method()).isEqualTo("M");
+    assertThat(model.invalidValues()).isEqualTo(InvalidValues.ISOLATE);
+  }
+
+  @Test
+  void aNumberThatOnlyExhaustsMemoryIsNotANumber() {
+    assertThat(
+            problems(
+                    model(
+                        """
+                        <test_element abstract_type="NUMERIC" real_type="int">
+                          <name>A</name><type>TDI</type>
+                          <user_value_list><value>1e999999999</value></user_value_list>
+                        </test_element>
+                        """))
+                .get(0)
+                .message())
+        .isEqualTo("'1e999999999' is not a whole number");
+  }
+
+  @Test
+  void boundsOfAWholeNumberMustBeWhole() {
+    assertThat(
+            problems(
+                model(
+                    """
+                    <test_element abstract_type="NUMERIC" real_type="int">
+                      <name>A</name><type>TDI</type>
+                      <test_spec type="BVA" offset="0.5">
+                        <equiv_class type="NEC_NUMERIC_TWO_BOUNDARY" min="0.5" max="3"/>
+                      </test_spec>
+                    </test_element>
+                    """)))
+        .extracting(Diagnostic::message)
+        .containsExactlyInAnyOrder(
+            "0.5 is not a whole number, but the real_type is int32",
+            "0.5 is not a whole number, but the real_type is int32");
+  }
+}

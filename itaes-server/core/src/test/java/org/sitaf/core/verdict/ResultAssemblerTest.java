@@ -1,0 +1,105 @@
+package org.sitaf.core.verdict;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.sitaf.core.model.TestModel;
+import org.sitaf.core.model.TestModelXml;
+import org.sitaf.core.suite.GenerationOptions;
+import org.sitaf.core.suite.TestCaseGenerator;
+import org.sitaf.core.suite.TestSuite;
+
+class ResultAssemblerTest {
+  private static final String MODEL =
+      """
+      <test_model>
+        <name>Half</name>
+        <input_spec_list>
+          <test_element abstract_type="NUMERIC" real_type="int"><name>n</name><type>TDI</type>
+            <user_value_list><value>0</value><value>2</value><value>4</value></user_value_list>
+          </test_element>
+        </input_spec_list>
+        <output_spec_list>
+          <test_element abstract_type="NUMERIC" real_type="double"><name>return</name><type>RETURN</type></test_element>
+        </output_spec_list>
+        <post_condition_spec_list>
+          <post_condition>actual * 2.0 == n</post_condition>
+          <post_condition>n == 0 || 4 / n &lt;= 2</post_condition>
+        </post_condition_spec_list>
+        <order_of_combinations>1</order_of_combinations>
+      </test_model>
+      """;
+  private static final Provenance PROVENANCE =
+      new Provenance("s", 1, "h", "c", "", "", "2026-01-01T00:00:00Z", "2026-01-01T00:00:01Z");
+
+  private final TestModel model = read();
+  private final TestSuite suite =
+      TestCaseGenerator.generate(model, GenerationOptions.DEFAULT).suite();
+  private final ResultAssembler assembler = new ResultAssembler(model, suite);
+
+  private static TestModel read() {
+    return TestModelXml.read(
+        new ByteArrayInputStream(MODEL.getBytes(StandardCharsets.UTF_8)), "Half.xml");
+  }
+
+  private static CaseResult line(int no, String value, String actual, double time) {
+    return TestResultXml.readCase(
+        "<test_result no=\"%d\" verdict=\"PASS\"><value>%s</value><actual>%s</actual><processing_time unit=\"us\" hardware=\"1\" stub=\"0\">%s</processing_time></test_result>"
+            .formatted(no, value, actual, time));
+  }
+
+  @Test
+  void aBrokenPostConditionFailsACaseThatPassedSoFar() {
+    CaseResult judged = assembler.judge(line(2, "2", "1.5", 1));
+    assertThat(judged.verdict()).isEqualTo(Verdict.FAIL);
+    assertThat(judged.message()).isEqualTo("post-condition broken: actual * 2.0 == n");
+  }
+
+  @Test
+  void aConditionThatHasNoValueIsAnErrorAndNoFailure() {
+    CaseResult judged = assembler.judge(line(2, "2", "one", 1));
+    assertThat(judged.verdict()).isEqualTo(Verdict.ERROR);
+  }
+
+  @Test
+  void everyCaseIsAccountedForAndTimesAreThoseOfPassAndFail() {
+    List<CaseResult> results =
+        List.of(assembler.judge(line(1, "0", "0", 2)), assembler.judge(line(2, "2", "7", 4)));
+    TestResult result = assembler.assemble(results, "the agent was stopped", PROVENANCE);
+    Summary summary = result.summary();
+    assertThat(summary.total()).isEqualTo(3);
+    assertThat(List.of(summary.pass(), summary.fail(), summary.error(), summary.dont()))
+        .containsExactly(1, 1, 0, 1);
+    assertThat(result.cases().get(2).message()).isEqualTo("the agent was stopped");
+    assertThat(summary.times().average()).isEqualTo(3);
+    assertThat(summary.times().standardDeviation()).isCloseTo(Math.sqrt(2), within(1e-12));
+    assertThat(summary.unjudged()).isZero();
+  }
+
+  @Test
+  void aResultReadsBackAsItWasWritten() {
+    TestResult result =
+        assembler.assemble(
+            List.of(line(1, "0", "0", 2).judged(Verdict.FAIL, "a\rb \"<&")), "why not", PROVENANCE);
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    TestResultXml.write(result, out);
+    assertThat(TestResultXml.read(new ByteArrayInputStream(out.toByteArray()), "result.xml"))
+        .isEqualTo(result);
+  }
+
+  @Test
+  void junitCountsWhatTheSummaryCounts() {
+    TestResult result = assembler.assemble(List.of(line(1, "0", "0", 2)), "stopped", PROVENANCE);
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    JunitXml.write("activity", result, out);
+    assertThat(out.toString(StandardCharsets.UTF_8))
+        .contains("tests=\"3\" failures=\"0\" errors=\"0\" skipped=\"2\"")
+        .contains("name=\"1: n=0\"")
+        .contains("<skipped message=\"stopped\">");
+  }
+}
