@@ -1,0 +1,85 @@
+package org.sitaf.core.harness.java;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SortedSet;
+import java.util.TreeSet;
+import org.sitaf.core.harness.java.HarnessPlan.Argument;
+
+/** What the template of the concrete test driver prints. */
+record ConcreteTestDriverView(
+    String packageName,
+    SortedSet<String> imports,
+    String documentation,
+    String component,
+    List<String> setUp,
+    String beforeDeclaration,
+    String afterDeclaration,
+    String callDeclaration,
+    String call) {
+
+  static ConcreteTestDriverView of(HarnessPlan plan) {
+    SortedSet<String> imports = new TreeSet<>();
+    imports.add("org.sitaf.runtime.TestRun");
+    imports.add("org.sitaf.runtime.suite.TestCase");
+    TestDriverView.addTypesOfCall(plan, imports);
+    if (plan.before().stream()
+        .flatMap(c -> c.arguments().stream())
+        .anyMatch(a -> a.startsWith("new BigInteger("))) {
+      imports.add("java.math.BigInteger");
+    }
+    return new ConcreteTestDriverView(
+        plan.packageName(),
+        imports,
+        documentation(plan),
+        plan.component(),
+        setUp(plan),
+        hook(plan, "beforeCase"),
+        hook(plan, "afterCase"),
+        TestDriverView.callDeclaration(plan, "", " {"),
+        JavaText.call(
+            4,
+            plan.returns() == null ? "" : "return",
+            "component." + plan.method(),
+            plan.arguments().stream().map(Argument::local).toList()));
+  }
+
+  private static String documentation(HarnessPlan plan) {
+    return JavaText.javadoc(
+        0,
+        List.of(
+            "Concrete test driver: what is particular about testing "
+                + JavaText.comment(plan.interfaceName() + "." + plan.method())
+                + ", to be changed freely.",
+            "Keep a changed version in the activity as harness/"
+                + JavaText.comment(plan.modelName())
+                + "/ConcreteTestDriver.java: it is used from then on, and never generated over."),
+        List.of());
+  }
+
+  private static List<String> setUp(HarnessPlan plan) {
+    List<String> statements = new ArrayList<>();
+    plan.properties()
+        .forEach(
+            (name, value) ->
+                statements.add(
+                    JavaText.call(
+                        4,
+                        "",
+                        "setProperty",
+                        List.of("component", JavaText.string(name), JavaText.string(value)))));
+    plan.before()
+        .forEach(
+            c -> statements.add(JavaText.call(4, "", "component." + c.method(), c.arguments())));
+    return statements;
+  }
+
+  private static String hook(HarnessPlan plan, String name) {
+    return JavaText.declaration(
+        2,
+        "protected void " + name,
+        List.of(plan.component() + " component", "TestCase testCase"),
+        true,
+        " {}");
+  }
+}

@@ -1,0 +1,135 @@
+package org.sitaf.core.harness.java;
+
+import java.util.Arrays;
+import java.util.HashSet;
+import java.util.Locale;
+import java.util.Set;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+
+/**
+ * Names of users' documents in Java sources. What is called must keep its name and is refused where
+ * Java cannot spell it; locals are only named after something, and step aside.
+ */
+final class JavaNames {
+  private static final Pattern IDENTIFIER = Pattern.compile("[\\p{L}_$][\\p{L}\\p{Nd}_$]*");
+  private static final int MAX_LENGTH = 255;
+
+  private static final Set<String> KEYWORDS =
+      words(
+          """
+          abstract assert boolean break byte case catch char class const continue default do double else enum extends
+          false final finally float for goto if implements import instanceof int interface long native new null package
+          private protected public return short static strictfp super switch synchronized this throw throws transient
+          true try void volatile while _""");
+
+  /** Cannot name a type, though it is no keyword. */
+  private static final Set<String> RESTRICTED = words("var yield record sealed permits");
+
+  /** Types that generated sources use by their simple name. */
+  private static final Set<String> USED_TYPES =
+      words(
+          """
+          BigInteger Boolean Byte CaseResult Character ConcreteTestDriver Double Duration Exception Float Integer
+          LifeCycle LinkedHashMap Long Map Object Out Override Short Simulation SimulationControl Stopwatch String
+          StubbedMethod SuiteDriver TestCase TestDriver TestRun TestStub Tolerance""");
+
+  /** Methods that every object has: an interface cannot declare its own. */
+  private static final Set<String> OBJECT_METHODS =
+      words("clone equals finalize getClass hashCode notify notifyAll toString wait");
+
+  /**
+   * Locals of generated methods, and the first parts of qualified names, which a local would hide.
+   */
+  private static final Set<String> USED_LOCALS =
+      words(
+          """
+          component java javax org parameters result returned run simulation simulationControl sitaf stopwatch
+          testCase testStub""");
+
+  private final Set<String> taken = new HashSet<>(USED_LOCALS);
+
+  /** Names of one scope. */
+  JavaNames(String... alsoTaken) {
+    taken.addAll(Arrays.asList(alsoTaken));
+  }
+
+  private static Set<String> words(String text) {
+    return Arrays.stream(text.split("\\s+")).collect(Collectors.toUnmodifiableSet());
+  }
+
+  /** Whether Java spells a method or a variable so. */
+  static boolean isName(String name) {
+    return name.length() <= MAX_LENGTH
+        && IDENTIFIER.matcher(name).matches()
+        && !KEYWORDS.contains(name);
+  }
+
+  /** Whether a document's name is one that a local can be named after. */
+  static boolean isWord(String name) {
+    return name.length() <= MAX_LENGTH && IDENTIFIER.matcher(name).matches();
+  }
+
+  /** Whether Java spells a type so. */
+  static boolean isTypeName(String name) {
+    return isName(name) && !RESTRICTED.contains(name);
+  }
+
+  /** Whether generated sources mean something else by that simple name of a type. */
+  static boolean isUsedType(String simpleName) {
+    return USED_TYPES.contains(simpleName);
+  }
+
+  /** Whether every object has a method of that name. */
+  static boolean isObjectMethod(String name) {
+    return OBJECT_METHODS.contains(name);
+  }
+
+  /**
+   * A package's last part for a model: its name in lower case, with what Java cannot spell
+   * replaced.
+   */
+  static String packagePart(String modelName) {
+    String part = modelName.toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9_]", "_");
+    if (part.isEmpty() || Character.isDigit(part.charAt(0))) {
+      part = "_" + part;
+    }
+    return KEYWORDS.contains(part) ? part + "_" : part;
+  }
+
+  /**
+   * A name for a local: {@code IndexOfSensor} gives {@code indexOfSensor}, {@code Finder.GetRange}
+   * gives {@code finderGetRange}.
+   */
+  String local(String documentName) {
+    StringBuilder joined = new StringBuilder();
+    for (String part : documentName.split("[^\\p{L}\\p{Nd}_$]+")) {
+      joined.append(joined.isEmpty() ? lowered(part) : raised(part));
+    }
+    String wanted = joined.toString();
+    String name = isName(wanted) && !RESTRICTED.contains(wanted) ? wanted : wanted + "Value";
+    for (int i = 2; !taken.add(name); i++) {
+      name = wanted + "Value" + (i == 2 ? "" : i - 1);
+    }
+    return name;
+  }
+
+  /**
+   * {@code IndexOfSensor} to {@code indexOfSensor}, {@code IRSensor} to {@code irSensor}, {@code
+   * ID} to {@code id}.
+   */
+  private static String lowered(String part) {
+    int upper = 0;
+    while (upper < part.length() && Character.isUpperCase(part.charAt(upper))) {
+      upper++;
+    }
+    int lowered = upper > 1 && upper < part.length() ? upper - 1 : upper;
+    return part.substring(0, lowered).toLowerCase(Locale.ROOT) + part.substring(lowered);
+  }
+
+  private static String raised(String part) {
+    return part.isEmpty()
+        ? part
+        : part.substring(0, 1).toUpperCase(Locale.ROOT) + part.substring(1);
+  }
+}

@@ -1,0 +1,75 @@
+package org.sitaf.core.harness.java;
+
+import java.time.Duration;
+import java.util.List;
+import org.sitaf.core.harness.java.HarnessPlan.World;
+
+/** What the template of the simulation control prints. */
+record SimulationControlView(
+    String packageName,
+    boolean hasWorld,
+    String documentation,
+    String settle,
+    String runFor,
+    boolean runsOn,
+    boolean observes,
+    boolean hasSettings,
+    String prepareDocumentation,
+    String prepareDeclaration,
+    List<String> puts) {
+
+  static SimulationControlView of(HarnessPlan plan) {
+    World world = plan.world();
+    if (world == null) {
+      return new SimulationControlView(
+          plan.packageName(), false, "", "", "", false, false, false, "", "", List.of());
+    }
+    List<World.Setting> settings = world.settings();
+    return new SimulationControlView(
+        plan.packageName(),
+        true,
+        JavaText.javadoc(
+            0,
+            List.of(
+                "Simulation control (SC): sets the virtual environment that "
+                    + JavaText.comment(world.path())
+                    + " describes."),
+            List.of()),
+        duration(world.settle()),
+        duration(world.runFor()),
+        runsOn(plan),
+        plan.observes(),
+        !settings.isEmpty(),
+        JavaText.javadoc(
+            2,
+            List.of(
+                "Puts the world into the state of a case, from a clean reset, and lets it settle."),
+            settings.stream().map(s -> "@param " + s.local() + " " + s.documentation()).toList()),
+        JavaText.declaration(
+            2,
+            "void prepare",
+            settings.stream().map(s -> "double " + s.local()).toList(),
+            false,
+            " {"),
+        settings.stream()
+            .map(
+                s ->
+                    JavaText.call(
+                        4, "", "parameters.put", List.of(JavaText.string(s.name()), s.local())))
+            .toList());
+  }
+
+  /** Whether simulation time passes after the call. */
+  static boolean runsOn(HarnessPlan plan) {
+    return plan.world() != null && !plan.world().runFor().isZero();
+  }
+
+  private static String duration(Duration time) {
+    if (time.isZero()) {
+      return "Duration.ZERO";
+    }
+    return time.toNanos() % 1_000_000 == 0
+        ? "Duration.ofMillis(" + time.toMillis() + ")"
+        : "Duration.ofNanos(" + time.toNanos() + "L)";
+  }
+}
