@@ -91,7 +91,13 @@ public final class SuiteReader implements AutoCloseable {
       }
       switch (xml.getLocalName()) {
         case "test_suite_data" -> isSuite = true;
-        case "param" -> parameters.add(attribute("name"));
+        case "param" -> {
+          String name = attribute("name");
+          if (parameters.contains(name)) {
+            throw problem("two parameters are named '" + name + "'");
+          }
+          parameters.add(name);
+        }
         case "case_list" -> {
           if (isSuite) {
             return;
