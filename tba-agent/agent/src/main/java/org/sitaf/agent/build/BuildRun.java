@@ -25,6 +25,7 @@ import org.sitaf.core.activity.ActivityProfile;
 import org.sitaf.core.activity.ActivityProfile.Component;
 import org.sitaf.core.activity.ActivityProfile.Language;
 import org.sitaf.core.activity.FileTree;
+import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.harness.TestApplication;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.Provenance;
@@ -36,6 +37,7 @@ import org.sitaf.core.verdict.TestResult;
  * person's shell. Runs once, on the thread that calls {@link #run()}.
  */
 public final class BuildRun {
+  private static final System.Logger LOGGER = System.getLogger("org.sitaf.agent");
   private static final Duration COMPILE_LIMIT = Duration.ofSeconds(120);
 
   private final TestApplication application;
@@ -103,8 +105,17 @@ public final class BuildRun {
       return new BuildOutcome.Completed(report(execution, assembler, prepared.bridge(), started));
     } catch (CompilationException e) {
       return new BuildOutcome.CompilationFailed(String.valueOf(e.getMessage()), e.diagnostics());
+    } catch (InvalidInputException e) {
+      return new BuildOutcome.CompilationFailed(
+          "the test application is not valid",
+          e.diagnostics().stream()
+              .map(d -> new SourceDiagnostic(d.file(), d.line(), 0, d.message(), false))
+              .toList());
     } catch (IOException | UncheckedIOException e) {
       return new BuildOutcome.InfrastructureFailed(String.valueOf(e.getMessage()));
+    } catch (RuntimeException e) {
+      LOGGER.log(System.Logger.Level.ERROR, "a build failed by a fault of SITAF's own", e);
+      return new BuildOutcome.InfrastructureFailed("a fault of SITAF's own: " + e);
     }
   }
 

@@ -12,7 +12,7 @@ import org.sitaf.core.verdict.CaseResult;
  * Executes a suite. A case that crashes or hangs costs its process; the cases after it go on in a
  * fresh one. What a process has written is kept, however it ends.
  *
- * @param startUp what a process may take, besides the limit of a case, until its first case begins
+ * @param startUp what a process may take until it is ready for its first case
  * @param crashesInARow after so many processes that ended in their first case the rest is not
  *     executed
  */
@@ -24,6 +24,7 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow) {
   private static final Duration POLL = Duration.ofMillis(10);
   private static final Duration EXIT_GRACE = Duration.ofSeconds(2);
   private static final int SIMULATOR_RESTARTS = 3;
+  private static final int STARTS = 2;
 
   public TestApplicationExecutor {
     Objects.requireNonNull(startUp);
@@ -56,7 +57,8 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow) {
   /** How following a process came to its end. */
   private enum Follow {
     ENDED,
-    NO_ANSWER
+    NO_ANSWER,
+    NOT_READY
   }
 
   /** What is known from one process to the next. */
@@ -67,6 +69,8 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow) {
     private final OutputSink sink;
     private int barrenProcesses;
     private int simulatorRestarts;
+    private int failedStarts;
+    private boolean ready;
 
     Run(ExecutionRequest request, ResultsFile results, CaseProgress progress, OutputSink sink) {
       this.request = request;
@@ -78,11 +82,12 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow) {
     /** Runs one process to its end; returns why no further one may be started, or nothing. */
     String oneProcess() throws IOException, InterruptedException {
       int before = progress.count();
+      ready = false;
       String target = simulatorTarget();
       try (HarnessProcess process =
           HarnessProcess.start(request, results.path(), progress.current().no(), sink)) {
         Follow how = follow(process);
-        if (how == Follow.NO_ANSWER) {
+        if (how != Follow.ENDED) {
           process.kill();
         }
         ProcessEnd end = process.end();
@@ -96,6 +101,9 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow) {
         if (end.cannotGoOn()) {
           return cannotGoOn(end, target);
         }
+        if (!ready) {
+          return notReady(how, end);
+        }
         if (how == Follow.ENDED || current == progress.current().no()) {
           blameCurrentCase(how, end);
         }
@@ -105,6 +113,16 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow) {
                 + " test applications in a row ended in their first case; the last with "
                 + end.describe();
       }
+    }
+
+    /** No case had begun, so none is at fault; once may be bad luck of the machine. */
+    private String notReady(Follow how, ProcessEnd end) {
+      String message =
+          how == Follow.NOT_READY
+              ? "the test application was not ready within " + seconds(startUp)
+              : "the test application ended before its first case with " + end.describe();
+      sink.remark(message);
+      return ++failedStarts < STARTS ? "" : message;
     }
 
     private void blameCurrentCase(Follow how, ProcessEnd end) {
@@ -139,7 +157,7 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow) {
 
     private Follow follow(HarnessProcess process) throws IOException, InterruptedException {
       Duration limit = request.limits().caseWall();
-      long deadline = System.nanoTime() + startUp.plus(limit).toNanos();
+      long deadline = System.nanoTime() + startUp.toNanos();
       while (true) {
         boolean ended = process.awaitEnd(POLL);
         if (drain()) {
@@ -156,7 +174,7 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow) {
           return Follow.ENDED;
         }
         if (System.nanoTime() - deadline > 0) {
-          return Follow.NO_ANSWER;
+          return ready ? Follow.NO_ANSWER : Follow.NOT_READY;
         }
       }
     }
@@ -169,6 +187,7 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow) {
       List<String> lines = results.newLines();
       for (String line : lines) {
         // An empty line says that the test application is ready to begin its first case.
+        ready = true;
         if (!line.isBlank()) {
           progress.acceptLine(line);
         }

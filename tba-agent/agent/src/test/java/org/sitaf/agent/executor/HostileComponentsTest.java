@@ -1,0 +1,248 @@
+package org.sitaf.agent.executor;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.sitaf.agent.build.BuildOutcome;
+import org.sitaf.agent.build.BuildOutcome.Cancelled;
+import org.sitaf.agent.build.BuildOutcome.Completed;
+import org.sitaf.agent.build.BuildRun;
+import org.sitaf.agent.testing.EchoActivity;
+import org.sitaf.agent.testing.Recording;
+import org.sitaf.core.verdict.CaseResult;
+import org.sitaf.core.verdict.TestResult;
+import org.sitaf.core.verdict.Verdict;
+
+/** Whatever a component does, its own case pays for it and the others have their results. */
+@Timeout(120)
+class HostileComponentsTest {
+  @TempDir private Path directory;
+  private final Recording recording = new Recording();
+
+  private BuildRun run(EchoActivity activity) {
+    return new BuildRun(
+        activity.application(), directory.resolve("build"), EchoActivity.settings(), recording);
+  }
+
+  private TestResult result(EchoActivity activity) {
+    return ((Completed) run(activity).run()).result();
+  }
+
+  private static void onlyThirdIsError(TestResult result, String message) {
+    assertThat(result.cases())
+        .extracting(CaseResult::verdict)
+        .containsExactly(Verdict.PASS, Verdict.PASS, Verdict.ERROR, Verdict.PASS, Verdict.PASS);
+    assertThat(result.cases().get(2).message()).contains(message);
+    assertThat(result.cases().get(2).values()).containsExactly("3");
+    assertThat(result.cases().get(2).expected()).hasSize(1);
+  }
+
+  @Test
+  void anExitIsAnErrorWithItsCodeAndLastWords() {
+    TestResult result =
+        result(
+            EchoActivity.doing(
+                "if (value == 3) { System.err.println(\"battery empty\"); System.exit(7); }"
+                    + " return value;"));
+
+    onlyThirdIsError(result, "exit code 7: battery empty");
+  }
+
+  @Test
+  void anExitWithTheCodeOfSuccessIsAnErrorToo() {
+    TestResult result = result(EchoActivity.doing("if (value == 3) System.exit(0); return value;"));
+
+    onlyThirdIsError(result, "exit code 0");
+  }
+
+  @Test
+  void aDeathBySignalIsNamed() {
+    TestResult result =
+        result(
+            EchoActivity.doing(
+                "if (value == 3) { new ProcessBuilder(\"kill\", \"-9\", \"\" +"
+                    + " ProcessHandle.current().pid()).start().waitFor(); Thread.sleep(9999); }"
+                    + " return value;"));
+
+    onlyThirdIsError(result, "signal 9 (SIGKILL)");
+  }
+
+  @Test
+  void aHangIsAnErrorAfterTheLimitOfACase() {
+    TestResult result =
+        result(
+            EchoActivity.doing("while (value == 3) { Thread.onSpinWait(); } return value;")
+                .caseWallSeconds(1));
+
+    onlyThirdIsError(result, "no answer within 1 s");
+  }
+
+  @Test
+  void slowCasesTogetherMayTakeLongerThanTheLimitOfOne() {
+    TestResult result =
+        result(EchoActivity.doing("Thread.sleep(400); return value;").caseWallSeconds(1.5));
+
+    assertThat(result.summary().pass()).isEqualTo(5);
+  }
+
+  @Test
+  void aFloodOfOutputIsCutWithANote() {
+    TestResult result =
+        result(
+            EchoActivity.doing(
+                "byte[] line = \"x\".repeat(1000).getBytes();"
+                    + " for (int i = 0; i < 4000; i++) { System.out.write(line, 0, 1000); }"
+                    + " return value;"));
+
+    assertThat(result.summary().pass()).isEqualTo(5);
+    assertThat(recording.logText().length()).isLessThan((4 << 20) + 10_000);
+    assertThat(recording.logText()).contains("output of the test application is cut here");
+  }
+
+  @Test
+  void outputThatIsNoTextBecomesText() {
+    TestResult result =
+        result(
+            EchoActivity.doing(
+                "System.out.write(0xFF); System.out.write(0xC3); System.out.println();"
+                    + " return value;"));
+
+    assertThat(result.summary().pass()).isEqualTo(5);
+    assertThat(recording.logText()).contains("\uFFFD");
+  }
+
+  @Test
+  void afterTwentyCrashesInARowTheRestIsNotExecuted() {
+    TestResult result = result(EchoActivity.doing("System.exit(5); return value;").cases(25));
+
+    assertThat(result.summary().error()).isEqualTo(20);
+    assertThat(result.summary().dont()).isEqualTo(5);
+    assertThat(result.cases().get(24).message())
+        .contains("20 test applications in a row ended in their first case", "exit code 5");
+  }
+
+  @Test
+  void anApplicationThatCannotGoOnLeavesTheRestWithItsReason() {
+    TestResult result =
+        result(
+            EchoActivity.doing(
+                "if (value == 4) throw new IllegalStateException(\"the arm is gone\");"
+                    + " return value;"));
+
+    assertThat(result.summary().pass()).isEqualTo(3);
+    assertThat(result.summary().dont()).isEqualTo(2);
+    assertThat(result.cases().get(3).message()).isEqualTo("the arm is gone");
+  }
+
+  @Test
+  void aComponentThatExitsAsIfItCouldNotGoOnIsAnError() {
+    TestResult result = result(EchoActivity.doing("if (value == 3) System.exit(3); return value;"));
+
+    onlyThirdIsError(result, "exit code 3");
+  }
+
+  @Test
+  void anApplicationThatDoesNotStartBlamesNoCase() {
+    TestResult result =
+        result(
+            EchoActivity.withComponent(
+                "package demo; public class Component {"
+                    + " static { System.exit(9); }"
+                    + " public int echo(int value) { return value; } }"));
+
+    assertThat(result.summary().dont()).isEqualTo(5);
+    assertThat(result.cases().get(0).message())
+        .contains("ended before its first case with exit code 9");
+  }
+
+  @Test
+  void memoryBeyondTheLimitEndsTheCaseAlone() {
+    TestResult result =
+        result(
+            EchoActivity.doing(
+                "if (value == 3) { try { var all = new java.util.ArrayList<long[]>();"
+                    + " while (true) all.add(new long[1 << 20]); }"
+                    + " catch (OutOfMemoryError e) { throw new Exception(\"no memory\"); } }"
+                    + " return value;"));
+
+    onlyThirdIsError(result, "no memory");
+  }
+
+  @Test
+  void whatAComponentLeavesRunningIsGoneAfterTheBuild() throws Exception {
+    Path pidFile = directory.resolve("pid");
+    TestResult result =
+        result(
+            EchoActivity.doing(
+                "if (value == 2) { new ProcessBuilder(\"sh\", \"-c\", \"sleep 1000 & echo $! > "
+                    + pidFile
+                    + "\").start().waitFor(); } return value;"));
+
+    assertThat(result.summary().pass()).isEqualTo(5);
+    long pid = Long.parseLong(Files.readString(pidFile).strip());
+    for (int i = 0; i < 100 && isRunning(pid); i++) {
+      Thread.sleep(20);
+    }
+    assertThat(isRunning(pid)).isFalse();
+  }
+
+  @Test
+  void aCancelledBuildEndsAtOnceAndLeavesNoProcess() throws Exception {
+    BuildRun run = run(EchoActivity.doing("if (value == 2) Thread.sleep(60000); return value;"));
+    CompletableFuture<BuildOutcome> outcome = CompletableFuture.supplyAsync(run::run);
+    recording.awaitCases(1);
+    long cancelled = System.nanoTime();
+    run.cancel("enough");
+
+    assertThat(outcome.get(10, TimeUnit.SECONDS)).isEqualTo(new Cancelled("enough"));
+    assertThat(Duration.ofNanos(System.nanoTime() - cancelled)).isLessThan(Duration.ofSeconds(5));
+    List<String> left =
+        ProcessHandle.current()
+            .descendants()
+            .filter(ProcessHandle::isAlive)
+            .map(handle -> handle.info().commandLine().orElse(""))
+            .filter(line -> line.contains(directory.toString()))
+            .toList();
+    assertThat(left).isEmpty();
+  }
+
+  @Test
+  void theAgentsEnvironmentIsNotTheComponents() {
+    TestResult result =
+        result(
+            EchoActivity.doing(
+                "return System.getenv().keySet().stream().allMatch(k -> java.util.Set.of(\"PATH\","
+                    + " \"HOME\", \"TMPDIR\", \"LANG\", \"SITAF_RUN\", \"PWD\", \"SHLVL\", \"_\")"
+                    + ".contains(k)) ? value : -1;"));
+
+    assertThat(result.summary().pass()).isEqualTo(5);
+  }
+
+  @Test
+  void forgedResultLinesChangeNothingButTheLog() {
+    TestResult result =
+        result(
+            EchoActivity.doing(
+                "if (value == 3) { var file = java.nio.file.Path.of(\"..\", \"results\");"
+                    + " java.nio.file.Files.writeString(file, \"<test_result no='1'"
+                    + " verdict='FAIL'/>\\nnonsense\\n<test_result no='99' verdict='PASS'/>\\n\","
+                    + " java.nio.file.StandardOpenOption.APPEND); } return value;"));
+
+    assertThat(result.summary().pass()).isEqualTo(5);
+    assertThat(result.cases()).hasSize(5);
+    assertThat(recording.logText())
+        .contains("a second result of case 1", "not a test_result", "a result of case 99");
+  }
+
+  private static boolean isRunning(long pid) {
+    return ProcessHandle.of(pid).map(ProcessHandle::isAlive).orElse(false);
+  }
+}

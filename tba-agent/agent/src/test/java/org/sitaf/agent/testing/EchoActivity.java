@@ -1,0 +1,158 @@
+package org.sitaf.agent.testing;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Objects;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import org.sitaf.agent.build.BuildSettings;
+import org.sitaf.agent.simulation.Simulator;
+import org.sitaf.agent.toolchain.Toolchains;
+import org.sitaf.core.activity.Activity;
+import org.sitaf.core.activity.FileTree;
+import org.sitaf.core.harness.TestApplication;
+import org.sitaf.core.model.TestModel;
+import org.sitaf.core.suite.GenerationOptions;
+import org.sitaf.core.suite.TestCaseGenerator;
+
+/**
+ * A test application of a component that should return what it is given, with the cases 1, 2, 3 and
+ * so on. Its driver is written by hand and keeps the contract with the executor, so that the
+ * component may do what it likes.
+ */
+public final class EchoActivity {
+  private final Map<String, String> files = new HashMap<>();
+  private String language = "java";
+  private String limits = "{case_wall_s: 10, case_sim_s: 60, memory_mb: 128}";
+  private String extra = "";
+  private int cases = 5;
+  private String harness = resource("ScriptedHarness.java");
+
+  /** The component's class with this body of {@code int echo(int value) throws Exception}. */
+  public static EchoActivity doing(String body) {
+    return withComponent(
+        """
+        package demo;
+
+        public class Component {
+          public int echo(int value) throws Exception {
+            %s
+          }
+        }
+        """
+            .formatted(body));
+  }
+
+  /** The component's source as it stands. */
+  public static EchoActivity withComponent(String source) {
+    EchoActivity activity = new EchoActivity();
+    activity.files.put("component/demo/Component.java", source);
+    return activity;
+  }
+
+  public EchoActivity language(String name) {
+    language = name;
+    return this;
+  }
+
+  public EchoActivity cases(int number) {
+    cases = number;
+    return this;
+  }
+
+  public EchoActivity caseWallSeconds(double seconds) {
+    limits = "{case_wall_s: " + seconds + ", case_sim_s: 60, memory_mb: 128}";
+    return this;
+  }
+
+  public EchoActivity profileLine(String line) {
+    extra += line + "\n";
+    return this;
+  }
+
+  public EchoActivity file(String path, String content) {
+    files.put(path, content);
+    return this;
+  }
+
+  public EchoActivity harness(String source) {
+    harness = source;
+    return this;
+  }
+
+  public static String scriptedHarness() {
+    return resource("ScriptedHarness.java");
+  }
+
+  public TestApplication application() {
+    Map<String, byte[]> tree = new HashMap<>();
+    files.forEach((path, text) -> tree.put(path, text.getBytes(StandardCharsets.UTF_8)));
+    tree.put("activity.yaml", profile().getBytes(StandardCharsets.UTF_8));
+    tree.put("Echo.xml", model().getBytes(StandardCharsets.UTF_8));
+    tree.put("EchoService.xml", resource("EchoService.xml").getBytes(StandardCharsets.UTF_8));
+    Activity activity = Activity.read(FileTree.of(tree));
+    TestModel model = activity.model("Echo").orElseThrow();
+    return new TestApplication(
+        activity,
+        model,
+        TestCaseGenerator.generate(model, GenerationOptions.DEFAULT).suite(),
+        FileTree.of(
+            Map.of(
+                "sitaf/harness/echo/ScriptedHarness.java",
+                harness.getBytes(StandardCharsets.UTF_8))),
+        "sitaf.harness.echo.ScriptedHarness");
+  }
+
+  private String profile() {
+    return """
+        name: echo
+        description: Returns what it is given
+        component:
+          language: %s
+          sources: component/
+          class: demo.Component
+        provided: [EchoService.xml]
+        models: [Echo.xml]
+        limits: %s
+        %s"""
+        .formatted(language, limits, extra);
+  }
+
+  private String model() {
+    String values =
+        IntStream.rangeClosed(1, cases)
+            .mapToObj(value -> "<value>" + value + "</value>")
+            .collect(Collectors.joining());
+    return resource("Echo.xml").replace("@VALUES@", values);
+  }
+
+  private static String resource(String name) {
+    try (InputStream stream =
+        Objects.requireNonNull(EchoActivity.class.getResourceAsStream("/echo/" + name))) {
+      return new String(stream.readAllBytes(), StandardCharsets.UTF_8);
+    } catch (IOException e) {
+      throw new java.io.UncheckedIOException(e);
+    }
+  }
+
+  /** The jars that the build copied for test applications. */
+  public static java.util.List<Path> runtimeJars() {
+    try {
+      return BuildSettings.runtimeJarsIn(
+          Path.of(
+              Objects.requireNonNull(
+                  System.getProperty("sitaf.runtime-java"), "run the tests through Maven")));
+    } catch (IOException e) {
+      throw new java.io.UncheckedIOException(e);
+    }
+  }
+
+  /** This machine, without a simulator. */
+  public static BuildSettings settings() {
+    return new BuildSettings(runtimeJars(), Simulator.none(), Toolchains.find(), "tester 1");
+  }
+}

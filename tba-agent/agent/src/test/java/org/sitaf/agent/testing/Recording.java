@@ -1,0 +1,52 @@
+package org.sitaf.agent.testing;
+
+import java.io.ByteArrayOutputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import org.sitaf.agent.build.BuildListener;
+import org.sitaf.agent.build.BuildStage;
+import org.sitaf.core.verdict.CaseResult;
+
+/** Remembers what a build told. */
+public final class Recording implements BuildListener {
+  private final List<BuildStage> stages = new ArrayList<>();
+  private final List<CaseResult> cases = new ArrayList<>();
+  private final ByteArrayOutputStream log = new ByteArrayOutputStream();
+
+  @Override
+  public synchronized void stage(BuildStage stage) {
+    stages.add(stage);
+    notifyAll();
+  }
+
+  @Override
+  public synchronized void log(byte[] utf8) {
+    log.writeBytes(utf8);
+  }
+
+  @Override
+  public synchronized void caseFinished(CaseResult result) {
+    cases.add(result);
+    notifyAll();
+  }
+
+  public synchronized List<BuildStage> stages() {
+    return List.copyOf(stages);
+  }
+
+  public synchronized List<CaseResult> cases() {
+    return List.copyOf(cases);
+  }
+
+  public synchronized String logText() {
+    return log.toString(StandardCharsets.UTF_8);
+  }
+
+  /** Waits until so many cases have a result. */
+  public synchronized void awaitCases(int number) throws InterruptedException {
+    while (cases.size() < number) {
+      wait();
+    }
+  }
+}

@@ -1,0 +1,54 @@
+package sitaf.harness.echo;
+
+import java.io.FileOutputStream;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/** Keeps the contract of a test application with its executor, and nothing more. */
+public class ScriptedHarness {
+  private static final Pattern CASE =
+      Pattern.compile("<case no=\"(\\d+)\".*?<value>(-?\\d+)</value>", Pattern.DOTALL);
+
+  public static void main(String[] arguments) throws Exception {
+    Map<String, String> options = new HashMap<>();
+    for (int i = 0; i < arguments.length; i += 2) {
+      options.put(arguments[i], arguments[i + 1]);
+    }
+    int from = Integer.parseInt(options.get("--from"));
+    String suite = Files.readString(Path.of(options.get("--suite")));
+    try (OutputStream results = new FileOutputStream(options.get("--results"), true)) {
+      demo.Component component = new demo.Component();
+      results.write('\n');
+      Matcher each = CASE.matcher(suite);
+      while (each.find()) {
+        int no = Integer.parseInt(each.group(1));
+        if (no >= from) {
+          int value = Integer.parseInt(each.group(2));
+          String line;
+          try {
+            int actual = component.echo(value);
+            String verdict = actual == value ? "PASS" : "FAIL";
+            line = "verdict=\"" + verdict + "\"><value>" + value + "</value><expected>" + value
+                + "</expected><actual>" + actual + "</actual><processing_time unit=\"us\" "
+                + "hardware=\"0\" stub=\"0\">1.5</processing_time></test_result>\n";
+          } catch (IllegalStateException e) {
+            System.err.println("sitaf: " + e.getMessage());
+            System.exit(3);
+            return;
+          } catch (Exception e) {
+            line = "verdict=\"ERROR\"><value>" + value + "</value><expected>" + value + "</expected><message>" + e.getMessage()
+                + "</message></test_result>\n";
+          }
+          results.write(("<test_result no=\"" + no + "\" " + line).getBytes(StandardCharsets.UTF_8));
+        }
+      }
+    }
+    System.exit(0);
+  }
+}
