@@ -12,6 +12,7 @@ import java.util.function.Predicate;
  * @param allowed whether these values may stand together in a row; a pure function, asked once for
  *     every tuple where there are few enough, else as needed
  */
+@SuppressWarnings("ArrayRecordComponent") // copied in and out
 public record Constraint(int[] parameters, Predicate<int[]> allowed) {
   public Constraint {
     Objects.requireNonNull(allowed);

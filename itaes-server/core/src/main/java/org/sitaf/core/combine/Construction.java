@@ -59,6 +59,13 @@ final class Construction {
     }
     addConstructed(rows, coverage);
     greedy.grow(rows, effort == Effort.FAST ? 1 : 4, Integer.MAX_VALUE);
+    if (rows.isEmpty()) {
+      Row only = greedy.fill(new Row(symbols));
+      if (only != null) {
+        coverage.add(only);
+        rows.add(only);
+      }
+    }
     progress.report(rows.size(), 0);
 
     List<int[]> best = rows.stream().map(Row::values).toList();
@@ -98,9 +105,6 @@ final class Construction {
 
   /** No array has fewer rows than one set of columns has possible tuples. */
   private int bound(TupleReport report) {
-    if (report.covered() == 0) {
-      return 1;
-    }
     long most = 1;
     for (int[] set : sets) {
       long tuples = 1;

@@ -11,6 +11,7 @@ import java.util.List;
  * @param tuples what was covered, and what cannot be
  * @param optimal whether no smaller array exists, by proof
  */
+@SuppressWarnings("ArrayRecordComponent") // copied in and out
 public record CoveringArray(int[][] rows, TupleReport tuples, boolean optimal) {
   public CoveringArray {
     rows = copy(rows);
@@ -53,6 +54,7 @@ public record CoveringArray(int[][] rows, TupleReport tuples, boolean optimal) {
    * @param parameters indices in ascending order
    * @param values one for each of them
    */
+  @SuppressWarnings("ArrayRecordComponent") // copied in and out
   public record Tuple(int[] parameters, int[] values) {
     public Tuple {
       parameters = parameters.clone();

@@ -8,6 +8,7 @@ import java.util.Arrays;
  * @param strength how many parameters at a time, at least 1; more than there are means all of them
  * @param parameters distinct indices of parameters, from 0; kept in ascending order
  */
+@SuppressWarnings("ArrayRecordComponent") // copied in and out
 public record Interaction(int strength, int[] parameters) {
   public Interaction {
     if (strength < 1) {

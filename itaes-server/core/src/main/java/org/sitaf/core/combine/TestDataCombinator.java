@@ -95,7 +95,7 @@ public final class TestDataCombinator {
     List<int[]> rows = new Product(symbols, feasibility).rows(kept);
     Set<List<Integer>> distinct = new HashSet<>();
     kept.forEach(row -> distinct.add(Arrays.stream(row.values()).boxed().toList()));
-    long covered = rows.size() + distinct.size();
+    long covered = (long) rows.size() + distinct.size();
     long whole = 1;
     for (int levels : problem.levels()) {
       whole *= levels;

@@ -52,5 +52,6 @@ public interface Coverage {
    * @param columns in ascending order
    * @param values one for each column
    */
+  @SuppressWarnings("ArrayRecordComponent") // made anew for each pick
   record Tuple(int[] columns, int[] values) {}
 }

@@ -97,6 +97,9 @@ public final class Greedy {
    * @return null when no allowed row holds the chosen cells
    */
   public @Nullable Row fill(Row partial) {
+    if (feasibility.contradiction()) {
+      return null;
+    }
     boolean[] fixed = new boolean[order.length];
     for (int c = 0; c < fixed.length; c++) {
       fixed[c] = partial.value(c) != Row.FREE;
@@ -165,7 +168,7 @@ public final class Greedy {
       open = row.value(order[i]) != Row.FREE || chooseOpen(row, order[i], propagation);
     }
     propagation.undo(mark);
-    return open && (feasibility.propagatesAll() || feasibility.rules().allow(row)) ? row : null;
+    return open && feasibility.rules().allow(row) ? row : null;
   }
 
   private boolean chooseOpen(Row row, int column, Propagation propagation) {
