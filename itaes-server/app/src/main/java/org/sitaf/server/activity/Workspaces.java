@@ -1,0 +1,184 @@
+package org.sitaf.server.activity;
+
+import java.io.InputStream;
+import java.time.Clock;
+import java.time.Instant;
+import java.time.temporal.ChronoUnit;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.UUID;
+import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.activity.Activity;
+import org.sitaf.core.activity.ActivityArchive;
+import org.sitaf.core.activity.FileTree;
+import org.sitaf.core.model.TestModel;
+import org.sitaf.server.file.StoredFile;
+import org.sitaf.server.file.StoredFiles;
+import org.sitaf.server.refusal.Refusal;
+import org.springframework.context.ApplicationEventPublisher;
+import org.springframework.data.domain.Page;
+import org.springframework.data.domain.Pageable;
+import org.springframework.stereotype.Service;
+import org.springframework.transaction.support.TransactionTemplate;
+
+/**
+ * The activities on the server. Whatever is stored here was read and verified as a whole before.
+ */
+@Service
+public class Workspaces {
+  private final WorkspaceRepository workspaces;
+  private final StoredFiles contents;
+  private final TransactionTemplate transaction;
+  private final ApplicationEventPublisher events;
+  private final Clock clock;
+
+  Workspaces(
+      WorkspaceRepository workspaces,
+      StoredFiles contents,
+      TransactionTemplate transaction,
+      ApplicationEventPublisher events,
+      Clock clock) {
+    this.workspaces = workspaces;
+    this.contents = contents;
+    this.transaction = transaction;
+    this.events = events;
+    this.clock = clock;
+  }
+
+  /**
+   * The activity, read from its files.
+   *
+   * @throws Refusal when there is none of that id
+   */
+  public Activity activity(String id) {
+    return Activity.read(contents.load(files(id)));
+  }
+
+  /**
+   * The name of an activity.
+   *
+   * @throws Refusal when there is none of that id
+   */
+  public String name(String id) {
+    return inspect(id, Workspace::name);
+  }
+
+  /**
+   * A model of an activity.
+   *
+   * @throws Refusal when it has none of that name
+   */
+  public static TestModel model(Activity activity, String name) {
+    return activity.model(name).orElseThrow(() -> Refusal.notFound("model", name));
+  }
+
+  /** Runs with the workspace of an id, within a transaction. */
+  <T> T inspect(String id, Function<Workspace, T> view) {
+    return required(transaction.execute(status -> view.apply(find(id))));
+  }
+
+  /** A page of the workspaces, of one name or all, each viewed within the transaction. */
+  <T> Page<T> list(@Nullable String name, Pageable page, Function<Workspace, T> view) {
+    return required(
+        transaction.execute(
+            status ->
+                (name == null ? workspaces.findAll(page) : workspaces.findByName(name, page))
+                    .map(view)));
+  }
+
+  /**
+   * Reads, verifies and stores an uploaded archive; nothing is stored when anything is wrong with
+   * it.
+   */
+  String create(InputStream zip) {
+    Activity activity = Activity.read(ActivityArchive.read(zip, "the uploaded archive"));
+    List<StoredFile> files = contents.store(activity.files());
+    String id = UUID.randomUUID().toString();
+    transaction.executeWithoutResult(
+        status -> workspaces.saveAndFlush(new Workspace(id, activity, files, now())));
+    return id;
+  }
+
+  /** Puts an uploaded archive into the place of the activity's files. */
+  void replace(String id, InputStream zip, @Nullable Long expectedVersion) {
+    files(id);
+    replace(id, ActivityArchive.read(zip, "the uploaded archive"), expectedVersion);
+  }
+
+  /** The document of a model. */
+  byte[] modelDocument(String id, String name) {
+    return content(id, modelPath(id, name));
+  }
+
+  /**
+   * Puts another document into the place of a model's, when the activity holds together with it.
+   */
+  void replaceModel(String id, String name, byte[] document, @Nullable Long expectedVersion) {
+    FileTree tree = contents.load(files(id));
+    Map<String, byte[]> files = new HashMap<>();
+    tree.paths().forEach(path -> files.put(path, tree.content(path).orElseThrow()));
+    files.put(modelPath(id, name), document);
+    replace(id, FileTree.of(files), expectedVersion);
+  }
+
+  FileTree tree(String id) {
+    return contents.load(files(id));
+  }
+
+  byte[] content(String id, String path) {
+    StoredFile file =
+        files(id).stream()
+            .filter(f -> f.path().equals(path))
+            .findFirst()
+            .orElseThrow(() -> Refusal.notFound("file", path));
+    return contents.content(file.sha256());
+  }
+
+  void delete(String id) {
+    transaction.executeWithoutResult(
+        status -> {
+          Workspace workspace = find(id);
+          events.publishEvent(new ActivityDeletion(id));
+          workspaces.delete(workspace);
+        });
+  }
+
+  private void replace(String id, FileTree tree, @Nullable Long expectedVersion) {
+    Activity activity = Activity.read(tree);
+    List<StoredFile> files = contents.store(tree);
+    transaction.executeWithoutResult(
+        status -> {
+          Workspace workspace = find(id);
+          workspace.requireVersion(expectedVersion);
+          workspace.replace(activity, files, now());
+          workspaces.saveAndFlush(workspace);
+        });
+  }
+
+  private List<StoredFile> files(String id) {
+    return inspect(id, Workspace::files);
+  }
+
+  private String modelPath(String id, String name) {
+    return inspect(id, Workspace::models).stream()
+        .filter(m -> m.name().equals(name))
+        .findFirst()
+        .orElseThrow(() -> Refusal.notFound("model", name))
+        .path();
+  }
+
+  private Workspace find(String id) {
+    return workspaces.findById(id).orElseThrow(() -> Refusal.notFound("activity", id));
+  }
+
+  private Instant now() {
+    return clock.instant().truncatedTo(ChronoUnit.MICROS);
+  }
+
+  private static <T> T required(@Nullable T result) {
+    return Objects.requireNonNull(result);
+  }
+}

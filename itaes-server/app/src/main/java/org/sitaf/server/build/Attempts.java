@@ -1,0 +1,331 @@
+package org.sitaf.server.build;
+
+import java.time.Clock;
+import java.time.Instant;
+import java.time.temporal.ChronoUnit;
+import java.util.Collection;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.sitaf.core.verdict.TestResult;
+import org.sitaf.server.file.StoredFile;
+import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.result.Results;
+import org.sitaf.server.settings.SitafSettings;
+import org.springframework.context.ApplicationEventPublisher;
+import org.springframework.data.domain.Limit;
+import org.springframework.jdbc.core.simple.JdbcClient;
+import org.springframework.stereotype.Service;
+import org.springframework.transaction.annotation.Transactional;
+
+/**
+ * Attempts at builds: their leases, what agents report of them, and their ends. A build is executed
+ * at least once, and exactly one result of it is accepted: each change locks the build first and
+ * looks at the fencing token then.
+ */
+@Service
+@Transactional
+public class Attempts {
+  private static final int QUEUE_WINDOW = 100;
+
+  private final BuildRepository builds;
+  private final AttemptRepository attempts;
+  private final Results results;
+  private final JdbcClient jdbc;
+  private final ApplicationEventPublisher events;
+  private final SitafSettings settings;
+  private final Clock clock;
+
+  Attempts(
+      BuildRepository builds,
+      AttemptRepository attempts,
+      Results results,
+      JdbcClient jdbc,
+      ApplicationEventPublisher events,
+      SitafSettings settings,
+      Clock clock) {
+    this.builds = builds;
+    this.attempts = attempts;
+    this.results = results;
+    this.jdbc = jdbc;
+    this.events = events;
+    this.settings = settings;
+    this.clock = clock;
+  }
+
+  /**
+   * What an agent is given.
+   *
+   * @param activity name of the activity
+   */
+  public record Assignment(
+      AttemptKey key, String activity, String model, String language, List<StoredFile> files) {}
+
+  /** What becomes of a result. */
+  public enum Delivery {
+    /** It is the build's result, and on disk. */
+    ACCEPTED,
+    /** Another attempt's result was accepted before. */
+    SUPERSEDED,
+    /** The attempt was given up or cancelled, and the build has no result yet. */
+    GIVEN_UP
+  }
+
+  /** The oldest builds that wait for one of these languages. */
+  @Transactional(readOnly = true)
+  public List<String> waiting(Collection<String> languages) {
+    return languages.isEmpty() ? List.of() : builds.findQueued(languages, Limit.of(QUEUE_WINDOW));
+  }
+
+  /** What a waiting build needs to be dispatched. */
+  @Transactional(readOnly = true)
+  public Optional<String> languageOf(String buildId) {
+    return builds.findById(buildId).map(Build::language);
+  }
+
+  /** Gives a build to an agent; empty when it does not wait any more. */
+  public Optional<Assignment> lease(String buildId, String agent) {
+    Build build = builds.findForChange(buildId).orElse(null);
+    if (build == null || build.state() != BuildState.QUEUED) {
+      return Optional.empty();
+    }
+    Instant now = now();
+    long logStart =
+        jdbc.sql("SELECT log_length FROM build WHERE id = ?")
+            .param(buildId)
+            .query(Long.class)
+            .single();
+    int no = build.attempt() + 1;
+    Attempt attempt =
+        attempts.saveAndFlush(
+            new Attempt(buildId, no, agent, now, now.plus(settings.lease()), logStart));
+    build.lease(no, agent, now);
+    changed(build);
+    return Optional.of(
+        new Assignment(
+            attempt.key(), build.activityName(), build.model(), build.language(), build.files()));
+  }
+
+  /**
+   * Renews the leases of what an agent says it works on; answers with what it should not work on
+   * any more.
+   */
+  public Set<AttemptKey> renew(String agent, Collection<AttemptKey> running) {
+    if (running.isEmpty()) {
+      return Set.of();
+    }
+    Set<Long> live =
+        Set.copyOf(attempts.findLive(agent, running.stream().map(AttemptKey::token).toList()));
+    if (!live.isEmpty()) {
+      attempts.renew(live, now().plus(settings.lease()));
+    }
+    return running.stream()
+        .filter(key -> !live.contains(key.token()))
+        .collect(Collectors.toUnmodifiableSet());
+  }
+
+  /** Grants everybody a whole lease: while the server was away nobody could renew one. */
+  public int renewAll() {
+    return attempts.renewAll(now().plus(settings.lease()));
+  }
+
+  /** Attempts of agents that were not heard of for a lease. */
+  @Transactional(readOnly = true)
+  public List<AttemptKey> overdue() {
+    return attempts.findOverdue(now());
+  }
+
+  /** When the next lease ends, if nobody renews it. */
+  @Transactional(readOnly = true)
+  public Optional<Instant> nextDeadline() {
+    return attempts.findNextDeadline();
+  }
+
+  /** Gives up an attempt whose lease has ended, unless it was renewed meanwhile. */
+  public void expire(AttemptKey key) {
+    Optional<Build> build = builds.findForChange(key.buildId());
+    Optional<Attempt> attempt = attempts.findById(key.token());
+    if (build.isPresent() && attempt.isPresent() && attempt.get().isOverdue(now())) {
+      giveUp(
+          build.get(),
+          attempt.get(),
+          "nothing was heard of agent "
+              + attempt.get().agent()
+              + " for "
+              + settings.lease().toSeconds()
+              + " s");
+    }
+  }
+
+  /** Gives up an attempt that its agent did not even get to know of. */
+  public void giveUp(AttemptKey key, String why) {
+    Optional<Build> build = builds.findForChange(key.buildId());
+    Optional<Attempt> attempt = attempts.findById(key.token());
+    if (build.isPresent() && attempt.isPresent() && !attempt.get().isOver()) {
+      giveUp(build.get(), attempt.get(), why);
+    }
+  }
+
+  /** Follows an agent from state to state. */
+  public void advance(AttemptKey key, BuildState state) {
+    Build build = lock(key);
+    Attempt attempt = live(key);
+    attempt.advance(state);
+    build.advance(state, now());
+    changed(build);
+  }
+
+  /** Notes cases that have ended. */
+  public void noteCases(AttemptKey key, Collection<Integer> numbers) {
+    Build build = lock(key);
+    live(key);
+    build.noteCases(numbers);
+    changed(build);
+  }
+
+  /** Where the log of a live attempt begins in the log of its build, in bytes. */
+  @Transactional(readOnly = true)
+  public long logStart(AttemptKey key) {
+    return live(key).logStart();
+  }
+
+  /**
+   * The digest of a file of a live attempt's build, which makes sure that the agent may have it.
+   */
+  @Transactional(readOnly = true)
+  public StoredFile file(AttemptKey key, String sha256) {
+    live(key);
+    return builds.findById(key.buildId()).orElseThrow(() -> noBuild(key)).files().stream()
+        .filter(file -> file.sha256().equals(sha256))
+        .findFirst()
+        .orElseThrow(() -> Refusal.notFound("file in build " + key.buildId(), sha256));
+  }
+
+  /**
+   * Accepts the result of a live attempt; accepting it again changes nothing.
+   *
+   * @throws OutdatedAttemptException when there never was such an attempt
+   */
+  public Delivery deliver(AttemptKey key, TestResult result, byte[] document, String sha256) {
+    Build build = lock(key);
+    Attempt attempt = known(key);
+    if (attempt.delivered(sha256)) {
+      return Delivery.ACCEPTED;
+    }
+    if (attempt.isOver()) {
+      return keepLate(build, attempt, document);
+    }
+    if (result.cases().size() > build.casesTotal()) {
+      throw Refusal.malformed(
+          "The result has "
+              + result.cases().size()
+              + " cases, the suite "
+              + build.casesTotal()
+              + ".");
+    }
+    Instant now = now();
+    results.accept(key.buildId(), result, document, sha256, now);
+    attempt.endWithResult(sha256, now);
+    build.complete(result.summary(), now);
+    events.publishEvent(new BuildEvent.Delivered(key, attempt.agent()));
+    changed(build);
+    return Delivery.ACCEPTED;
+  }
+
+  /** Ends a live attempt that has no result; saying it again changes nothing. */
+  public void fail(AttemptKey key, BuildFailure failure) {
+    Build build = lock(key);
+    Attempt attempt = known(key);
+    if (attempt.state() == BuildState.FAILED) {
+      return;
+    }
+    requireLive(attempt);
+    attempt.end(BuildState.FAILED, now());
+    events.publishEvent(new BuildEvent.Delivered(key, attempt.agent()));
+    tryAgain(build, failure);
+  }
+
+  /**
+   * An agent confirms that it has stopped a cancelled attempt, or has cancelled it of its own
+   * accord.
+   */
+  public void cancelled(AttemptKey key, String message) {
+    Build build = lock(key);
+    Attempt attempt = known(key);
+    events.publishEvent(new BuildEvent.Delivered(key, attempt.agent()));
+    if (attempt.isOver()) {
+      return;
+    }
+    attempt.end(BuildState.CANCELLED, now());
+    build.cancel(message, now());
+    changed(build);
+  }
+
+  private void tryAgain(Build build, BuildFailure failure) {
+    boolean again =
+        failure.category() == BuildFailure.Category.INFRASTRUCTURE
+            && build.attempt() < settings.maxAttempts();
+    if (again) {
+      build.queueAgain(failure.message(), now());
+    } else {
+      build.fail(failure, now());
+    }
+    changed(build);
+  }
+
+  private void giveUp(Build build, Attempt attempt, String why) {
+    attempt.end(BuildState.FAILED, now());
+    events.publishEvent(new BuildEvent.Stopped(attempt.key(), attempt.agent(), why));
+    tryAgain(build, new BuildFailure(BuildFailure.Category.INFRASTRUCTURE, why, List.of()));
+  }
+
+  /** A late result is kept for people; what counts is decided already. */
+  private Delivery keepLate(Build build, Attempt attempt, byte[] document) {
+    if (attempt.state() == BuildState.FAILED) {
+      results.keepSuperseded(attempt.key().token(), document, now());
+      attempt.supersede();
+    }
+    events.publishEvent(new BuildEvent.Delivered(attempt.key(), attempt.agent()));
+    return build.state() == BuildState.DONE ? Delivery.SUPERSEDED : Delivery.GIVEN_UP;
+  }
+
+  private Build lock(AttemptKey key) {
+    return builds.findForChange(key.buildId()).orElseThrow(() -> noBuild(key));
+  }
+
+  private Attempt live(AttemptKey key) {
+    Attempt attempt = known(key);
+    requireLive(attempt);
+    return attempt;
+  }
+
+  private Attempt known(AttemptKey key) {
+    Attempt attempt =
+        attempts
+            .findById(key.token())
+            .orElseThrow(() -> new OutdatedAttemptException(key, "has another fencing token"));
+    if (!attempt.key().equals(key)) {
+      throw new OutdatedAttemptException(key, "has another fencing token");
+    }
+    return attempt;
+  }
+
+  private static void requireLive(Attempt attempt) {
+    if (attempt.isOver()) {
+      throw new OutdatedAttemptException(attempt.key(), "is over: " + attempt.state());
+    }
+  }
+
+  private void changed(Build build) {
+    events.publishEvent(new BuildEvent.Changed(build.id(), build.state()));
+  }
+
+  private Instant now() {
+    return clock.instant().truncatedTo(ChronoUnit.MICROS);
+  }
+
+  private static Refusal noBuild(AttemptKey key) {
+    return Refusal.notFound("build", key.buildId());
+  }
+}

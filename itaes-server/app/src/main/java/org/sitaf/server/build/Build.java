@@ -1,0 +1,316 @@
+package org.sitaf.server.build;
+
+import jakarta.persistence.CollectionTable;
+import jakarta.persistence.Column;
+import jakarta.persistence.ElementCollection;
+import jakarta.persistence.Embeddable;
+import jakarta.persistence.Embedded;
+import jakarta.persistence.Entity;
+import jakarta.persistence.EnumType;
+import jakarta.persistence.Enumerated;
+import jakarta.persistence.Id;
+import jakarta.persistence.JoinColumn;
+import jakarta.persistence.OrderColumn;
+import jakarta.persistence.Version;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.BitSet;
+import java.util.Collection;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.verdict.Summary;
+import org.sitaf.server.file.StoredFile;
+import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.suite.SuiteOrigin;
+
+/**
+ * A request to execute a suite, and what became of it. The test application is frozen with the
+ * request.
+ */
+@Entity
+public class Build {
+  @Id private String id;
+
+  @Column(name = "workspace_id")
+  private String activityId;
+
+  private String activityName;
+  private String suiteId;
+  private String model;
+  private String language;
+
+  @Enumerated(EnumType.STRING)
+  private BuildState state;
+
+  private int attempt;
+  private @Nullable String agent;
+  private Instant created;
+  private @Nullable Instant started;
+  private @Nullable Instant finished;
+  @Version private long version;
+  private int casesTotal;
+  private byte[] casesSeen;
+  private int casesDone;
+
+  @Enumerated(EnumType.STRING)
+  private BuildFailure.@Nullable Category failureCategory;
+
+  private @Nullable String failureMessage;
+  @Embedded private @Nullable CaseCounts counts;
+  private @Nullable String scheduleId;
+  private @Nullable Instant fireTime;
+
+  @ElementCollection
+  @CollectionTable(name = "build_file", joinColumns = @JoinColumn(name = "build_id"))
+  private Set<StoredFile> files = new HashSet<>();
+
+  @ElementCollection
+  @CollectionTable(name = "build_diagnostic", joinColumns = @JoinColumn(name = "build_id"))
+  @OrderColumn(name = "position")
+  private List<BuildFailure.SourceProblem> problems = new ArrayList<>();
+
+  @ElementCollection
+  @CollectionTable(name = "build_transition", joinColumns = @JoinColumn(name = "build_id"))
+  @OrderColumn(name = "position")
+  private List<Transition> transitions = new ArrayList<>();
+
+  /** For the persistence provider. */
+  protected Build() {
+    id = "";
+    activityId = "";
+    activityName = "";
+    suiteId = "";
+    model = "";
+    language = "";
+    state = BuildState.QUEUED;
+    created = Instant.EPOCH;
+    casesSeen = new byte[0];
+  }
+
+  /**
+   * A build that waits for an agent.
+   *
+   * @param language that an agent must be able to compile and run
+   * @param files of the test application
+   * @param reservation null for a build at once
+   */
+  Build(
+      String id,
+      SuiteOrigin origin,
+      String language,
+      Collection<StoredFile> files,
+      int casesTotal,
+      @Nullable Reservation reservation,
+      Instant now) {
+    this();
+    this.id = id;
+    this.activityId = origin.activityId();
+    this.activityName = origin.activityName();
+    this.suiteId = origin.suiteId();
+    this.model = origin.model();
+    this.language = language;
+    this.files.addAll(files);
+    this.casesTotal = casesTotal;
+    this.created = now;
+    if (reservation != null) {
+      this.scheduleId = reservation.scheduleId();
+      this.fireTime = reservation.fireTime();
+    }
+    move(BuildState.QUEUED, now, reservation == null ? "requested" : "reserved time reached");
+  }
+
+  /** Gives it to an agent. */
+  void lease(int attemptNo, String toAgent, Instant now) {
+    require(state == BuildState.QUEUED, "given to an agent");
+    attempt = attemptNo;
+    agent = toAgent;
+    started = started == null ? now : started;
+    casesSeen = new byte[0];
+    casesDone = 0;
+    move(BuildState.LEASED, now, "given to agent " + toAgent);
+  }
+
+  /** Follows what the agent reports; a state that is reached already changes nothing. */
+  void advance(BuildState to, Instant now) {
+    if (!to.isActive() || to.compareTo(state) < 0) {
+      throw Refusal.malformed("A build that is " + state + " cannot become " + to + ".");
+    }
+    require(state.isActive(), "worked on");
+    if (to != state) {
+      move(to, now, "reported by agent " + agent);
+    }
+  }
+
+  /** Notes cases that have ended; a case that was noted before is not counted again. */
+  void noteCases(Collection<Integer> numbers) {
+    require(state.isActive(), "worked on");
+    BitSet seen = BitSet.valueOf(casesSeen);
+    numbers.stream().filter(no -> no >= 1 && no <= casesTotal).forEach(seen::set);
+    casesSeen = seen.toByteArray();
+    casesDone = seen.cardinality();
+  }
+
+  /** The result is accepted. */
+  void complete(Summary summary, Instant now) {
+    require(state.isActive(), "completed");
+    counts = CaseCounts.of(summary);
+    casesDone = summary.total() - summary.dont();
+    finished = now;
+    move(BuildState.DONE, now, "result accepted");
+  }
+
+  /** There will be no result. */
+  void fail(BuildFailure failure, Instant now) {
+    require(!state.isOver(), "failed");
+    failureCategory = failure.category();
+    failureMessage = failure.message();
+    problems.clear();
+    problems.addAll(failure.problems());
+    finished = now;
+    move(BuildState.FAILED, now, failure.message());
+  }
+
+  /** Nobody wants it any more. */
+  void cancel(String cause, Instant now) {
+    require(!state.isOver(), "cancelled");
+    finished = now;
+    move(BuildState.CANCELLED, now, cause);
+  }
+
+  /** The attempt failed for a reason outside the build: another one may succeed. */
+  void queueAgain(String cause, Instant now) {
+    require(state.isActive(), "queued again");
+    agent = null;
+    move(BuildState.QUEUED, now, cause);
+  }
+
+  private void move(BuildState to, Instant now, String cause) {
+    state = to;
+    transitions.add(new Transition(attempt, to, now, cause));
+  }
+
+  private void require(boolean allowed, String change) {
+    if (!allowed) {
+      throw Refusal.conflict("Build " + id + " is " + state + " and cannot be " + change + ".");
+    }
+  }
+
+  public String id() {
+    return id;
+  }
+
+  public String activityId() {
+    return activityId;
+  }
+
+  public String activityName() {
+    return activityName;
+  }
+
+  public String suiteId() {
+    return suiteId;
+  }
+
+  public String model() {
+    return model;
+  }
+
+  public String language() {
+    return language;
+  }
+
+  public BuildState state() {
+    return state;
+  }
+
+  /** The latest attempt, from 1; 0 before the first. */
+  public int attempt() {
+    return attempt;
+  }
+
+  public Optional<String> agent() {
+    return Optional.ofNullable(agent);
+  }
+
+  public Instant created() {
+    return created;
+  }
+
+  public Optional<Instant> started() {
+    return Optional.ofNullable(started);
+  }
+
+  public Optional<Instant> finished() {
+    return Optional.ofNullable(finished);
+  }
+
+  public long version() {
+    return version;
+  }
+
+  public int casesTotal() {
+    return casesTotal;
+  }
+
+  public int casesDone() {
+    return casesDone;
+  }
+
+  public Optional<String> scheduleId() {
+    return Optional.ofNullable(scheduleId);
+  }
+
+  public Optional<CaseCounts> counts() {
+    return Optional.ofNullable(counts);
+  }
+
+  public Optional<BuildFailure> failure() {
+    return failureCategory == null || failureMessage == null
+        ? Optional.empty()
+        : Optional.of(new BuildFailure(failureCategory, failureMessage, problems));
+  }
+
+  public List<StoredFile> files() {
+    return List.copyOf(files);
+  }
+
+  public List<Transition> transitions() {
+    return List.copyOf(transitions);
+  }
+
+  /** Cases of an accepted result by verdict. */
+  @Embeddable
+  public record CaseCounts(
+      Integer total, Integer pass, Integer fail, Integer error, Integer dont, Integer unjudged) {
+    static CaseCounts of(Summary summary) {
+      return new CaseCounts(
+          summary.total(),
+          summary.pass(),
+          summary.fail(),
+          summary.error(),
+          summary.dont(),
+          summary.unjudged());
+    }
+  }
+
+  /**
+   * A change of a build's state.
+   *
+   * @param attempt the attempt under way, from 1; 0 before the first
+   */
+  @Embeddable
+  public record Transition(
+      int attempt, @Enumerated(EnumType.STRING) BuildState state, Instant atTime, String cause) {
+    private static final int MAX_CAUSE = 1000;
+
+    public Transition {
+      cause = BuildFailure.cut(cause, MAX_CAUSE);
+    }
+  }
+
+  /** Which fire time of which schedule asked for a build; at most one build comes of it. */
+  public record Reservation(String scheduleId, Instant fireTime) {}
+}

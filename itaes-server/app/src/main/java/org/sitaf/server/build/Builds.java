@@ -1,0 +1,214 @@
+package org.sitaf.server.build;
+
+import java.time.Clock;
+import java.time.Instant;
+import java.time.temporal.ChronoUnit;
+import java.util.List;
+import java.util.Optional;
+import java.util.UUID;
+import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.diagnostic.Diagnostic;
+import org.sitaf.core.diagnostic.InvalidInputException;
+import org.sitaf.core.harness.TestApplication;
+import org.sitaf.server.activity.ActivityDeletion;
+import org.sitaf.server.build.Build.Reservation;
+import org.sitaf.server.build.BuildFailure.SourceProblem;
+import org.sitaf.server.file.StoredFile;
+import org.sitaf.server.file.StoredFiles;
+import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.suite.SuiteOrigin;
+import org.sitaf.server.suite.Suites;
+import org.springframework.context.ApplicationEventPublisher;
+import org.springframework.context.event.EventListener;
+import org.springframework.dao.DataIntegrityViolationException;
+import org.springframework.data.domain.Page;
+import org.springframework.data.domain.Pageable;
+import org.springframework.data.jpa.domain.Specification;
+import org.springframework.stereotype.Service;
+import org.springframework.transaction.support.TransactionTemplate;
+
+/** Build requests: made, looked at, cancelled. */
+@Service
+public class Builds {
+  private final BuildRepository builds;
+  private final AttemptRepository attempts;
+  private final Suites suites;
+  private final StoredFiles contents;
+  private final TransactionTemplate transaction;
+  private final ApplicationEventPublisher events;
+  private final Clock clock;
+
+  Builds(
+      BuildRepository builds,
+      AttemptRepository attempts,
+      Suites suites,
+      StoredFiles contents,
+      TransactionTemplate transaction,
+      ApplicationEventPublisher events,
+      Clock clock) {
+    this.builds = builds;
+    this.attempts = attempts;
+    this.suites = suites;
+    this.contents = contents;
+    this.transaction = transaction;
+    this.events = events;
+    this.clock = clock;
+  }
+
+  /**
+   * Requests a build at once.
+   *
+   * @return its id
+   * @throws InvalidInputException when no test application can be made of the suite
+   */
+  public String request(String suiteId) {
+    return queue(suites.origin(suiteId), suites.application(suiteId), null);
+  }
+
+  /**
+   * Requests the build of a reservation, unless that was done before. A suite that does not make a
+   * test application any more gives a build that failed, so that people see why nothing ran.
+   */
+  public void requestReserved(String suiteId, Reservation reservation) {
+    if (isMade(reservation)) {
+      return;
+    }
+    SuiteOrigin origin = suites.origin(suiteId);
+    try {
+      queue(origin, suites.application(suiteId), reservation);
+    } catch (InvalidInputException e) {
+      failed(origin, reservation, "The suite makes no test application.", e.diagnostics());
+    } catch (Refusal e) {
+      failed(origin, reservation, String.valueOf(e.getMessage()), List.of());
+    } catch (DataIntegrityViolationException e) {
+      // Another server was faster; the database lets only one of them in.
+      if (!isMade(reservation)) {
+        throw e;
+      }
+    }
+  }
+
+  /** Views a build, within a transaction. */
+  public <T> T inspect(String id, Function<Build, T> view) {
+    return required(
+        transaction.execute(
+            status ->
+                view.apply(builds.findById(id).orElseThrow(() -> Refusal.notFound("build", id)))));
+  }
+
+  /**
+   * A page of the builds of an activity and state, or of all where these are null; each viewed
+   * within the transaction.
+   */
+  public <T> Page<T> list(
+      @Nullable String activityId,
+      @Nullable BuildState state,
+      Pageable page,
+      Function<Build, T> view) {
+    Specification<Build> wanted =
+        (build, query, is) ->
+            is.and(
+                activityId == null
+                    ? is.conjunction()
+                    : is.equal(build.get("activityId"), activityId),
+                state == null ? is.conjunction() : is.equal(build.get("state"), state));
+    return required(transaction.execute(status -> builds.findAll(wanted, page).map(view)));
+  }
+
+  /** Cancels a build in whatever state it is, unless it is over. */
+  public void cancel(String id, String cause) {
+    transaction.executeWithoutResult(
+        status -> {
+          Build build = builds.findForChange(id).orElseThrow(() -> Refusal.notFound("build", id));
+          boolean active = build.state().isActive();
+          Instant now = now();
+          build.cancel(cause, now);
+          if (active) {
+            Attempt attempt = attempts.findByBuildIdAndNo(id, build.attempt()).orElseThrow();
+            attempt.end(BuildState.CANCELLED, now);
+            events.publishEvent(new BuildEvent.Stopped(attempt.key(), attempt.agent(), cause));
+          }
+          changed(build);
+        });
+  }
+
+  @EventListener
+  void on(ActivityDeletion deletion) {
+    List<Build> all = builds.findByActivityId(deletion.workspaceId());
+    all.stream()
+        .filter(b -> !b.state().isOver())
+        .findFirst()
+        .ifPresent(
+            b -> {
+              throw Refusal.conflict(
+                  "Build "
+                      + b.id()
+                      + " of the activity is "
+                      + b.state()
+                      + "; cancel it first, or wait for its end.");
+            });
+    events.publishEvent(new BuildEvent.Deleted(all.stream().map(Build::id).toList()));
+  }
+
+  private String queue(
+      SuiteOrigin origin, TestApplication application, @Nullable Reservation reservation) {
+    List<StoredFile> files = contents.store(application.files());
+    return insert(
+        new Build(
+            UUID.randomUUID().toString(),
+            origin,
+            application.activity().profile().harness().spelling(),
+            files,
+            application.suite().cases().size(),
+            reservation,
+            now()));
+  }
+
+  private void failed(
+      SuiteOrigin origin, Reservation reservation, String message, List<Diagnostic> diagnostics) {
+    Build build =
+        new Build(UUID.randomUUID().toString(), origin, "", List.of(), 0, reservation, now());
+    build.fail(
+        new BuildFailure(
+            BuildFailure.Category.INPUT,
+            message,
+            diagnostics.stream()
+                .map(
+                    d ->
+                        new SourceProblem(
+                            d.file(),
+                            d.line(),
+                            0,
+                            d.element().isEmpty() ? d.message() : d.element() + ": " + d.message(),
+                            false))
+                .toList()),
+        now());
+    insert(build);
+  }
+
+  private String insert(Build build) {
+    transaction.executeWithoutResult(
+        status -> {
+          builds.saveAndFlush(build);
+          changed(build);
+        });
+    return build.id();
+  }
+
+  private boolean isMade(Reservation reservation) {
+    return builds.existsByScheduleIdAndFireTime(reservation.scheduleId(), reservation.fireTime());
+  }
+
+  private void changed(Build build) {
+    events.publishEvent(new BuildEvent.Changed(build.id(), build.state()));
+  }
+
+  private Instant now() {
+    return clock.instant().truncatedTo(ChronoUnit.MICROS);
+  }
+
+  private static <T> T required(@Nullable T result) {
+    return Optional.ofNullable(result).orElseThrow();
+  }
+}

@@ -1,0 +1,155 @@
+package org.sitaf.server.build.agent;
+
+import java.time.Clock;
+import java.time.Instant;
+import java.time.temporal.ChronoUnit;
+import java.util.Collection;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import org.sitaf.agent.v1.Cancellation;
+import org.sitaf.agent.v1.Register;
+import org.sitaf.agent.v1.ServerMessage;
+import org.sitaf.server.build.AttemptKey;
+import org.sitaf.server.build.Attempts;
+import org.sitaf.server.build.BuildEvent;
+import org.sitaf.server.build.agent.KnownAgent.Toolchain;
+import org.sitaf.server.settings.SitafSettings;
+import org.springframework.stereotype.Component;
+import org.springframework.transaction.event.TransactionalEventListener;
+import org.springframework.transaction.support.TransactionTemplate;
+
+/** The agents: who is connected, and who ever was. */
+@Component
+class Agents {
+  private final Map<String, AgentSession> sessions = new ConcurrentHashMap<>();
+  private final KnownAgentRepository known;
+  private final Attempts attempts;
+  private final TransactionTemplate transaction;
+  private final SitafSettings settings;
+  private final Clock clock;
+
+  Agents(
+      KnownAgentRepository known,
+      Attempts attempts,
+      TransactionTemplate transaction,
+      SitafSettings settings,
+      Clock clock) {
+    this.known = known;
+    this.attempts = attempts;
+    this.transaction = transaction;
+    this.settings = settings;
+    this.clock = clock;
+  }
+
+  /**
+   * Takes in a session.
+   *
+   * @return false when another live stream has the same name
+   */
+  boolean add(AgentSession session, Register register) {
+    AgentSession winner =
+        sessions.compute(
+            session.name(),
+            (name, present) ->
+                present != null && present.isOpen() && !isSilent(present) ? present : session);
+    if (winner != session) {
+      return false;
+    }
+    List<Toolchain> toolchains = toolchains(register);
+    transaction.executeWithoutResult(
+        status -> {
+          KnownAgent agent =
+              known.findById(session.name()).orElseGet(() -> new KnownAgent(session.name()));
+          agent.register(register.getVersion(), register.getSlots(), toolchains, now());
+          known.save(agent);
+        });
+    return true;
+  }
+
+  /** The session's stream has ended. */
+  void remove(AgentSession session) {
+    session.close(null);
+    if (sessions.remove(session.name(), session)) {
+      transaction.executeWithoutResult(
+          status -> known.findById(session.name()).ifPresent(a -> a.seen(session.lastHeard())));
+    }
+  }
+
+  /**
+   * A sign of life of an agent: renews its leases, and stops what it should not work on any more.
+   */
+  void heard(AgentSession session, Collection<AttemptKey> running) {
+    Set<AttemptKey> outdated = attempts.renew(session.name(), running);
+    session.heard(running, now());
+    outdated.forEach(
+        key -> {
+          session.stopped(key);
+          cancel(session, key, "the attempt is over");
+        });
+  }
+
+  /** Closes the streams of agents that have been silent for a lease. */
+  void closeSilent() {
+    for (AgentSession session : sessions.values()) {
+      if (isSilent(session)) {
+        session.close(
+            io.grpc.Status.UNAVAILABLE
+                .withDescription("nothing was heard for a lease; register again")
+                .asRuntimeException());
+        remove(session);
+      }
+    }
+  }
+
+  Collection<AgentSession> connected() {
+    return List.copyOf(sessions.values());
+  }
+
+  Optional<AgentSession> session(String name) {
+    return Optional.ofNullable(sessions.get(name));
+  }
+
+  List<KnownAgent> all() {
+    return known.findAllByOrderByName();
+  }
+
+  static List<Toolchain> toolchains(Register register) {
+    return register.getToolchainsList().stream()
+        .map(t -> new Toolchain(t.getLanguage(), t.getVersion()))
+        .toList();
+  }
+
+  @TransactionalEventListener
+  void on(BuildEvent.Stopped stopped) {
+    session(stopped.agent())
+        .ifPresent(
+            session -> {
+              session.stopped(stopped.attempt());
+              cancel(session, stopped.attempt(), stopped.reason());
+            });
+  }
+
+  @TransactionalEventListener
+  void on(BuildEvent.Delivered delivered) {
+    session(delivered.agent()).ifPresent(session -> session.delivered(delivered.attempt()));
+  }
+
+  private static void cancel(AgentSession session, AttemptKey key, String reason) {
+    session.send(
+        ServerMessage.newBuilder()
+            .setCancellation(
+                Cancellation.newBuilder().setAttempt(Messages.toRef(key)).setReason(reason))
+            .build());
+  }
+
+  private boolean isSilent(AgentSession session) {
+    return session.lastHeard().plus(settings.lease()).isBefore(now());
+  }
+
+  private Instant now() {
+    return clock.instant().truncatedTo(ChronoUnit.MICROS);
+  }
+}

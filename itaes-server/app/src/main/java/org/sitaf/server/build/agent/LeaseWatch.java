@@ -1,0 +1,96 @@
+package org.sitaf.server.build.agent;
+
+import java.time.Clock;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.TimeUnit;
+import org.sitaf.server.build.AttemptKey;
+import org.sitaf.server.build.Attempts;
+import org.sitaf.server.settings.SitafSettings;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import org.springframework.context.SmartLifecycle;
+import org.springframework.stereotype.Component;
+
+/**
+ * Finds agents that are lost. It looks again when the next lease can end at the earliest: at the
+ * deadline that is next now, or a lease from now, because no lease that begins later ends before.
+ */
+@Component
+class LeaseWatch implements SmartLifecycle {
+  private static final Logger log = LoggerFactory.getLogger(LeaseWatch.class);
+
+  private final Attempts attempts;
+  private final Agents agents;
+  private final SitafSettings settings;
+  private final Clock clock;
+  private ScheduledExecutorService timer = newTimer();
+  private volatile boolean running;
+
+  LeaseWatch(Attempts attempts, Agents agents, SitafSettings settings, Clock clock) {
+    this.attempts = attempts;
+    this.agents = agents;
+    this.settings = settings;
+    this.clock = clock;
+  }
+
+  private void look() {
+    Instant next = clock.instant().plus(settings.lease());
+    try {
+      agents.closeSilent();
+      for (AttemptKey key : attempts.overdue()) {
+        log.warn("Build {}: attempt {} has lost its agent", key.buildId(), key.no());
+        attempts.expire(key);
+      }
+      Instant deadline = attempts.nextDeadline().orElse(next);
+      next = deadline.isBefore(next) ? deadline : next;
+      for (AgentSession session : agents.connected()) {
+        Instant silentAt = session.lastHeard().plus(settings.lease());
+        next = silentAt.isBefore(next) ? silentAt : next;
+      }
+    } catch (RuntimeException e) {
+      log.error("Looking for lost agents failed", e);
+    } finally {
+      lookAgainAt(next);
+    }
+  }
+
+  private void lookAgainAt(Instant when) {
+    if (running) {
+      long delayMs = Math.max(10, Duration.between(clock.instant(), when).toMillis() + 1);
+      timer.schedule(this::look, delayMs, TimeUnit.MILLISECONDS);
+    }
+  }
+
+  @Override
+  public void start() {
+    if (timer.isShutdown()) {
+      timer = newTimer();
+    }
+    running = true;
+    attempts.renewAll();
+    timer.execute(this::look);
+  }
+
+  @Override
+  public void stop() {
+    running = false;
+    timer.shutdownNow();
+  }
+
+  @Override
+  public boolean isRunning() {
+    return running;
+  }
+
+  private static ScheduledExecutorService newTimer() {
+    return Executors.newSingleThreadScheduledExecutor(
+        task -> {
+          Thread made = new Thread(task, "lease-watch");
+          made.setDaemon(true);
+          return made;
+        });
+  }
+}

@@ -1,0 +1,123 @@
+package org.sitaf.server.build.agent;
+
+import java.util.List;
+import java.util.regex.Pattern;
+import org.sitaf.agent.v1.ApplicationFile;
+import org.sitaf.agent.v1.Assignment;
+import org.sitaf.agent.v1.AttemptRef;
+import org.sitaf.agent.v1.AttemptState;
+import org.sitaf.agent.v1.Register;
+import org.sitaf.server.build.AttemptKey;
+import org.sitaf.server.build.Attempts;
+import org.sitaf.server.build.BuildFailure;
+import org.sitaf.server.build.BuildFailure.SourceProblem;
+import org.sitaf.server.build.BuildState;
+import org.sitaf.server.refusal.Refusal;
+
+/**
+ * Between the wire's messages and the domain; what contradicts the protocol is refused with the
+ * name of the field.
+ */
+final class Messages {
+  private static final Pattern AGENT_NAME = Pattern.compile("[A-Za-z0-9._-]{1,100}");
+  private static final Pattern LANGUAGE = Pattern.compile("[a-z]{1,20}");
+  private static final int MAX_SLOTS = 1000;
+  private static final int MAX_TOOLCHAINS = 50;
+
+  private Messages() {}
+
+  static AttemptKey toKey(AttemptRef ref) {
+    if (ref.getBuildId().isEmpty() || ref.getAttempt() < 1 || ref.getFencingToken() == 0) {
+      throw Refusal.malformed("attempt: build_id, attempt and fencing_token must be given.");
+    }
+    return new AttemptKey(ref.getBuildId(), ref.getAttempt(), ref.getFencingToken());
+  }
+
+  static List<AttemptKey> toKeys(List<AttemptRef> refs) {
+    return refs.stream().map(Messages::toKey).toList();
+  }
+
+  static AttemptRef toRef(AttemptKey key) {
+    return AttemptRef.newBuilder()
+        .setBuildId(key.buildId())
+        .setAttempt(key.no())
+        .setFencingToken(key.token())
+        .build();
+  }
+
+  static Assignment toAssignment(Attempts.Assignment assignment) {
+    Assignment.Builder message =
+        Assignment.newBuilder()
+            .setAttempt(toRef(assignment.key()))
+            .setActivity(assignment.activity())
+            .setModel(assignment.model());
+    assignment.files().stream()
+        .sorted(java.util.Comparator.comparing(f -> f.path()))
+        .forEach(
+            file ->
+                message.addFiles(
+                    ApplicationFile.newBuilder()
+                        .setPath(file.path())
+                        .setSha256(file.sha256())
+                        .setSize(file.size())));
+    return message.build();
+  }
+
+  static BuildState toState(AttemptState state) {
+    return switch (state) {
+      case ATTEMPT_STATE_PREPARING -> BuildState.PREPARING;
+      case ATTEMPT_STATE_COMPILING -> BuildState.COMPILING;
+      case ATTEMPT_STATE_RUNNING -> BuildState.RUNNING;
+      case ATTEMPT_STATE_UPLOADING -> BuildState.UPLOADING;
+      case ATTEMPT_STATE_UNSPECIFIED, UNRECOGNIZED ->
+          throw Refusal.malformed("state: must be one of AttemptState.");
+    };
+  }
+
+  static BuildFailure toFailure(org.sitaf.agent.v1.BuildFailure failure) {
+    BuildFailure.Category category =
+        switch (failure.getCategory()) {
+          case COMPILATION -> BuildFailure.Category.COMPILATION;
+          case INFRASTRUCTURE -> BuildFailure.Category.INFRASTRUCTURE;
+          case CANCELLED, CATEGORY_UNSPECIFIED, UNRECOGNIZED ->
+              throw Refusal.malformed("failure.category: must be COMPILATION or INFRASTRUCTURE.");
+        };
+    return new BuildFailure(
+        category,
+        failure.getMessage(),
+        failure.getDiagnosticsList().stream()
+            .map(
+                d ->
+                    new SourceProblem(
+                        d.getFile(), d.getLine(), d.getColumn(), d.getMessage(), d.getGenerated()))
+            .toList());
+  }
+
+  static void verify(Register register) {
+    if (!AGENT_NAME.matcher(register.getName()).matches()) {
+      throw Refusal.malformed(
+          "name: must be 1 to 100 letters, digits, '.', '_' or '-', not '"
+              + register.getName()
+              + "'.");
+    }
+    if (register.getSlots() < 1 || register.getSlots() > MAX_SLOTS) {
+      throw Refusal.malformed("slots: must be 1 to " + MAX_SLOTS + ".");
+    }
+    if (register.getVersion().length() > 100) {
+      throw Refusal.malformed("version: must be at most 100 characters.");
+    }
+    boolean bad =
+        register.getToolchainsCount() > MAX_TOOLCHAINS
+            || register.getToolchainsList().stream()
+                .anyMatch(
+                    t ->
+                        !LANGUAGE.matcher(t.getLanguage()).matches()
+                            || t.getVersion().length() > 200);
+    if (bad) {
+      throw Refusal.malformed(
+          "toolchains: at most "
+              + MAX_TOOLCHAINS
+              + ", each with a language in small letters and a version of at most 200 characters.");
+    }
+  }
+}

@@ -1,0 +1,166 @@
+package org.sitaf.server.build.rest;
+
+import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.media.Content;
+import io.swagger.v3.oas.annotations.media.Schema;
+import io.swagger.v3.oas.annotations.responses.ApiResponse;
+import io.swagger.v3.oas.annotations.tags.Tag;
+import java.net.URI;
+import java.time.Duration;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.server.build.Build;
+import org.sitaf.server.build.BuildState;
+import org.sitaf.server.build.Builds;
+import org.sitaf.server.build.agent.Dispatcher;
+import org.sitaf.server.build.log.BuildLogs;
+import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.web.Listing;
+import org.springframework.data.domain.Sort;
+import org.springframework.http.HttpStatus;
+import org.springframework.http.MediaType;
+import org.springframework.http.ResponseEntity;
+import org.springframework.web.bind.annotation.GetMapping;
+import org.springframework.web.bind.annotation.PathVariable;
+import org.springframework.web.bind.annotation.PostMapping;
+import org.springframework.web.bind.annotation.RequestBody;
+import org.springframework.web.bind.annotation.RequestMapping;
+import org.springframework.web.bind.annotation.RequestParam;
+import org.springframework.web.bind.annotation.ResponseStatus;
+import org.springframework.web.bind.annotation.RestController;
+import org.springframework.web.context.request.async.DeferredResult;
+
+@RestController
+@RequestMapping("/api/v1/builds")
+@Tag(name = "builds")
+class BuildController {
+  private static final int MAX_WAIT_S = 60;
+  private static final int LOG_EXCERPT = 1 << 20;
+
+  private final Builds builds;
+  private final BuildLogs logs;
+  private final BuildWaiters waiters;
+  private final Dispatcher dispatcher;
+
+  BuildController(Builds builds, BuildLogs logs, BuildWaiters waiters, Dispatcher dispatcher) {
+    this.builds = builds;
+    this.logs = logs;
+    this.waiters = waiters;
+    this.dispatcher = dispatcher;
+  }
+
+  @Schema(name = "BuildRequest")
+  record BuildRequest(String suiteId) {}
+
+  @PostMapping
+  @Operation(
+      operationId = "requestBuild",
+      summary = "Requests a build of a suite at once",
+      description = "The test application is generated now and frozen with the build.")
+  @ResponseStatus(HttpStatus.CREATED)
+  ResponseEntity<BuildView> request(@RequestBody BuildRequest request) {
+    if (request.suiteId() == null) {
+      throw Refusal.malformed("suiteId is missing; it says which suite to execute.");
+    }
+    String id = builds.request(request.suiteId());
+    return ResponseEntity.created(URI.create("/api/v1/builds/" + id)).body(view(id));
+  }
+
+  @GetMapping
+  @Operation(operationId = "listBuilds", summary = "Builds, the newest first")
+  Listing<BuildView> list(
+      @RequestParam(required = false) @Nullable String activityId,
+      @RequestParam(required = false) BuildView.@Nullable State state,
+      @RequestParam(defaultValue = "0") int page,
+      @RequestParam(defaultValue = "50") int size) {
+    Sort newestFirst = Sort.by("created").descending().and(Sort.by("id"));
+    return Listing.of(
+        builds.list(
+            activityId,
+            state == null ? null : BuildState.valueOf(state.name()),
+            Listing.request(page, size, newestFirst),
+            this::view),
+        view -> view);
+  }
+
+  @GetMapping("/{id}")
+  @Operation(
+      operationId = "getBuild",
+      summary = "A build",
+      description =
+          "With waitForChangeSince, answers when the build's version is another one, or after timeoutS (at most 60).")
+  DeferredResult<BuildView> get(
+      @PathVariable String id,
+      @RequestParam(required = false) @Nullable Long waitForChangeSince,
+      @RequestParam(defaultValue = "20") int timeoutS) {
+    int waitS = Math.max(0, Math.min(timeoutS, MAX_WAIT_S));
+    DeferredResult<BuildView> answer = new DeferredResult<>(Duration.ofSeconds(waitS).toMillis());
+    if (waitForChangeSince == null || waitS == 0) {
+      answer.setResult(view(id));
+      return answer;
+    }
+    Runnable answerIfChanged =
+        () -> {
+          try {
+            BuildView present = view(id);
+            if (present.version() != waitForChangeSince) {
+              answer.setResult(present);
+            }
+          } catch (Refusal e) {
+            answer.setErrorResult(e);
+          }
+        };
+    answer.onTimeout(() -> answer.setResult(view(id)));
+    answer.onCompletion(() -> waiters.remove(id, answerIfChanged));
+    // First to the waiters, then the look: a change in between is seen by either.
+    waiters.add(id, answerIfChanged);
+    answerIfChanged.run();
+    return answer;
+  }
+
+  @GetMapping("/{id}/history")
+  @Operation(
+      operationId = "getBuildHistory",
+      summary = "Changes of a build's state, the first first")
+  List<BuildView.TransitionView> history(@PathVariable String id) {
+    return builds.inspect(
+        id, build -> build.transitions().stream().map(BuildView.TransitionView::of).toList());
+  }
+
+  @PostMapping("/{id}/cancel")
+  @Operation(
+      operationId = "cancelBuild",
+      summary = "Cancels a build",
+      description = "Refused (409) when it is over.")
+  BuildView cancel(@PathVariable String id) {
+    builds.cancel(id, "cancelled by a user");
+    return view(id);
+  }
+
+  @GetMapping(path = "/{id}/log", produces = MediaType.TEXT_PLAIN_VALUE)
+  @Operation(
+      operationId = "getBuildLog",
+      summary = "Part of a build's log, at most 1 MiB",
+      description =
+          "offset is in bytes; Sitaf-Log-End says where the log ends at present, so that a reader goes on until there.")
+  @ApiResponse(
+      responseCode = "200",
+      content = @Content(mediaType = "text/plain", schema = @Schema(type = "string")))
+  ResponseEntity<byte[]> log(
+      @PathVariable String id, @RequestParam(defaultValue = "0") long offset) {
+    BuildLogs.Excerpt excerpt = logs.read(id, offset, LOG_EXCERPT);
+    return ResponseEntity.ok()
+        .contentType(MediaType.parseMediaType("text/plain;charset=UTF-8"))
+        .header("Sitaf-Log-End", Long.toString(excerpt.end()))
+        .body(excerpt.bytes());
+  }
+
+  private BuildView view(String id) {
+    return builds.inspect(id, this::view);
+  }
+
+  private BuildView view(Build build) {
+    return BuildView.of(
+        build, build.state() == BuildState.QUEUED ? dispatcher.whyWaiting(build.language()) : null);
+  }
+}

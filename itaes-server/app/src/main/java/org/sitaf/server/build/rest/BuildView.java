@@ -1,0 +1,130 @@
+package org.sitaf.server.build.rest;
+
+import io.swagger.v3.oas.annotations.media.Schema;
+import java.time.Instant;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.server.build.Build;
+import org.sitaf.server.build.BuildFailure;
+import org.sitaf.server.build.BuildState;
+
+/** A build as people and programs see it. */
+@Schema(name = "Build")
+record BuildView(
+    String id,
+    String activityId,
+    String activityName,
+    String suiteId,
+    String model,
+    State state,
+    @Schema(description = "from 1; 0 before the first") int attempt,
+    @Schema(description = "that has the latest attempt") @Nullable String agent,
+    Instant created,
+    @Schema(description = "when it was first given to an agent") @Nullable Instant started,
+    @Nullable Instant finished,
+    @Schema(description = "grows with each change") long version,
+    int casesTotal,
+    int casesDone,
+    @Schema(description = "why it waits; only while QUEUED") @Nullable String waitingFor,
+    @Schema(description = "only when FAILED") @Nullable FailureView failure,
+    @Schema(description = "only when DONE") @Nullable CountsView summary,
+    @Schema(description = "that reserved it") @Nullable String scheduleId) {
+
+  /** As {@link BuildState}, without what only attempts can be. */
+  enum State {
+    QUEUED,
+    LEASED,
+    PREPARING,
+    COMPILING,
+    RUNNING,
+    UPLOADING,
+    DONE,
+    FAILED,
+    CANCELLED
+  }
+
+  @Schema(name = "BuildFailure")
+  record FailureView(
+      BuildFailure.Category category, String message, List<ProblemView> diagnostics) {
+    static FailureView of(BuildFailure failure) {
+      return new FailureView(
+          failure.category(),
+          failure.message(),
+          failure.problems().stream()
+              .map(
+                  p ->
+                      new ProblemView(
+                          p.file(), p.line(), p.columnNo(), p.message(), p.isGenerated()))
+              .toList());
+    }
+  }
+
+  @Schema(name = "SourceProblem")
+  record ProblemView(
+      String file,
+      @Schema(description = "from 1; 0 where unknown") int line,
+      @Schema(description = "from 1; 0 where unknown") int column,
+      String message,
+      @Schema(description = "whether the file was generated") boolean generated) {}
+
+  @Schema(name = "Verdicts", description = "total = pass + fail + error + dont")
+  record CountsView(
+      int total,
+      int pass,
+      int fail,
+      int error,
+      @Schema(description = "not executed") int dont,
+      @Schema(description = "passed without an expected value or post-condition") int unjudged) {
+    static CountsView of(Build.CaseCounts counts) {
+      return new CountsView(
+          counts.total(),
+          counts.pass(),
+          counts.fail(),
+          counts.error(),
+          counts.dont(),
+          counts.unjudged());
+    }
+  }
+
+  @Schema(name = "BuildTransition")
+  record TransitionView(
+      @Schema(description = "from 1; 0 before the first") int attempt,
+      State state,
+      Instant time,
+      String cause) {
+    static TransitionView of(Build.Transition transition) {
+      return new TransitionView(
+          transition.attempt(),
+          State.valueOf(transition.state().name()),
+          transition.atTime(),
+          transition.cause());
+    }
+  }
+
+  /**
+   * A view.
+   *
+   * @param waitingFor why the build waits; null where it does not
+   */
+  static BuildView of(Build build, @Nullable String waitingFor) {
+    return new BuildView(
+        build.id(),
+        build.activityId(),
+        build.activityName(),
+        build.suiteId(),
+        build.model(),
+        State.valueOf(build.state().name()),
+        build.attempt(),
+        build.agent().orElse(null),
+        build.created(),
+        build.started().orElse(null),
+        build.finished().orElse(null),
+        build.version(),
+        build.casesTotal(),
+        build.casesDone(),
+        waitingFor,
+        build.failure().map(FailureView::of).orElse(null),
+        build.counts().map(CountsView::of).orElse(null),
+        build.scheduleId().orElse(null));
+  }
+}

@@ -1,0 +1,5 @@
+/** The SITAF server. */
+@NullMarked
+package org.sitaf.server;
+
+import org.jspecify.annotations.NullMarked;

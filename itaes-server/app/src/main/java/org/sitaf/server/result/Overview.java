@@ -1,0 +1,15 @@
+package org.sitaf.server.result;
+
+import java.util.List;
+import org.sitaf.core.suite.CaseParameter;
+import org.sitaf.core.verdict.Provenance;
+import org.sitaf.core.verdict.Summary;
+import org.sitaf.core.verdict.TestResult;
+
+/** A result without its cases. */
+record Overview(
+    String name, Provenance provenance, Summary summary, List<CaseParameter> parameters) {
+  static Overview of(TestResult result) {
+    return new Overview(result.name(), result.provenance(), result.summary(), result.parameters());
+  }
+}

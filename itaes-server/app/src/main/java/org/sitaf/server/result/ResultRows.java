@@ -1,0 +1,146 @@
+package org.sitaf.server.result;
+
+import java.time.Instant;
+import java.time.ZoneOffset;
+import java.util.List;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.verdict.CaseResult;
+import org.sitaf.core.verdict.NamedValue;
+import org.sitaf.core.verdict.TestResult;
+import org.sitaf.core.verdict.Verdict;
+import org.springframework.data.domain.Page;
+import org.springframework.data.domain.PageImpl;
+import org.springframework.data.domain.Pageable;
+import org.springframework.jdbc.core.JdbcTemplate;
+import org.springframework.jdbc.core.simple.JdbcClient;
+import org.springframework.stereotype.Repository;
+import tools.jackson.databind.json.JsonMapper;
+
+/**
+ * Rows of accepted results. They are written once, in bulk, and never changed: plain SQL says that
+ * best.
+ */
+@Repository
+class ResultRows {
+  private static final int BATCH = 500;
+
+  /**
+   * The databases take about a million characters in a row; what is longer is cut here and whole in
+   * the document.
+   */
+  private static final int MAX_OUTCOME = 500_000;
+
+  private static final int MAX_TEXT = 1000;
+
+  private final JdbcClient jdbc;
+  private final JdbcTemplate batches;
+  private final JsonMapper json;
+
+  ResultRows(JdbcClient jdbc, JdbcTemplate batches, JsonMapper json) {
+    this.jdbc = jdbc;
+    this.batches = batches;
+    this.json = json;
+  }
+
+  void insert(String buildId, TestResult result, byte[] document, String sha256, Instant received) {
+    jdbc.sql(
+            "INSERT INTO result (build_id, sha256, received, document, overview)"
+                + " VALUES (?, ?, ?, ?, ?)")
+        .params(
+            buildId,
+            sha256,
+            received.atOffset(ZoneOffset.UTC),
+            document,
+            json.writeValueAsString(Overview.of(result)))
+        .update();
+    batches.batchUpdate(
+        "INSERT INTO result_case (build_id, no, verdict, processing_time_us, outcome)"
+            + " VALUES (?, ?, ?, ?, ?)",
+        result.cases(),
+        BATCH,
+        (row, outcome) -> {
+          row.setString(1, buildId);
+          row.setInt(2, outcome.no());
+          row.setString(3, outcome.verdict().name());
+          row.setObject(
+              4, outcome.time() == null ? null : outcome.time().total(), java.sql.Types.DOUBLE);
+          row.setString(5, toText(outcome));
+        });
+  }
+
+  void insertSuperseded(long token, byte[] document, Instant received) {
+    jdbc.sql("INSERT INTO superseded_result (token, received, document) VALUES (?, ?, ?)")
+        .params(token, received.atOffset(ZoneOffset.UTC), document)
+        .update();
+  }
+
+  Optional<Overview> overview(String buildId) {
+    return jdbc.sql("SELECT overview FROM result WHERE build_id = ?")
+        .param(buildId)
+        .query(String.class)
+        .optional()
+        .map(text -> json.readValue(text, Overview.class));
+  }
+
+  Optional<byte[]> document(String buildId) {
+    return jdbc.sql("SELECT document FROM result WHERE build_id = ?")
+        .param(buildId)
+        .query((row, index) -> row.getBytes(1))
+        .optional();
+  }
+
+  Optional<String> activityName(String buildId) {
+    return jdbc.sql("SELECT activity_name FROM build WHERE id = ?")
+        .param(buildId)
+        .query(String.class)
+        .optional();
+  }
+
+  /** Cases by number, of one verdict or all. */
+  Page<CaseResult> cases(String buildId, @Nullable Verdict verdict, Pageable page) {
+    String where =
+        " FROM result_case WHERE build_id = :build"
+            + (verdict == null ? "" : " AND verdict = :verdict");
+    String verdictName = verdict == null ? "" : verdict.name();
+    long total =
+        jdbc.sql("SELECT COUNT(*)" + where)
+            .param("build", buildId)
+            .param("verdict", verdictName)
+            .query(Long.class)
+            .single();
+    List<CaseResult> items =
+        jdbc.sql("SELECT outcome" + where + " ORDER BY no LIMIT :size OFFSET :offset")
+            .param("build", buildId)
+            .param("verdict", verdictName)
+            .param("size", page.getPageSize())
+            .param("offset", page.getOffset())
+            .query((row, index) -> json.readValue(row.getString(1), CaseResult.class))
+            .list();
+    return new PageImpl<>(items, page, total);
+  }
+
+  private String toText(CaseResult outcome) {
+    String text = json.writeValueAsString(outcome);
+    return text.length() <= MAX_OUTCOME ? text : json.writeValueAsString(shortened(outcome));
+  }
+
+  private static CaseResult shortened(CaseResult outcome) {
+    return new CaseResult(
+        outcome.no(),
+        outcome.verdict(),
+        outcome.values().stream().limit(MAX_TEXT / 10).map(ResultRows::cut).toList(),
+        outcome.expected().stream().limit(MAX_TEXT / 10).map(ResultRows::cut).toList(),
+        outcome.actual().stream().limit(MAX_TEXT / 10).map(ResultRows::cut).toList(),
+        outcome.time(),
+        cut(outcome.message()));
+  }
+
+  private static NamedValue cut(NamedValue value) {
+    return new NamedValue(value.output(), cut(value.literal()));
+  }
+
+  private static String cut(String text) {
+    return text.length() <= MAX_TEXT ? text : text.substring(0, MAX_TEXT) + "…";
+  }
+}

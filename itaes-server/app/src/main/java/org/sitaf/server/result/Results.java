@@ -1,0 +1,71 @@
+package org.sitaf.server.result;
+
+import java.io.ByteArrayInputStream;
+import java.time.Instant;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.verdict.CaseResult;
+import org.sitaf.core.verdict.TestResult;
+import org.sitaf.core.verdict.TestResultXml;
+import org.sitaf.core.verdict.Verdict;
+import org.sitaf.server.refusal.Refusal;
+import org.springframework.data.domain.Page;
+import org.springframework.data.domain.Pageable;
+import org.springframework.stereotype.Service;
+import org.springframework.transaction.annotation.Propagation;
+import org.springframework.transaction.annotation.Transactional;
+
+/** Accepted results, and those that came too late. */
+@Service
+public class Results {
+  private static final String DOCUMENT_NAME = "result descriptor";
+
+  private final ResultRows rows;
+
+  Results(ResultRows rows) {
+    this.rows = rows;
+  }
+
+  /**
+   * Reads a test result descriptor.
+   *
+   * @throws org.sitaf.core.diagnostic.InvalidInputException when it is none
+   */
+  public static TestResult read(byte[] document) {
+    return TestResultXml.read(new ByteArrayInputStream(document), DOCUMENT_NAME);
+  }
+
+  /** Stores the result of a build, within the transaction that ends the build. */
+  @Transactional(propagation = Propagation.MANDATORY)
+  public void accept(
+      String buildId, TestResult result, byte[] document, String sha256, Instant received) {
+    rows.insert(buildId, result, document, sha256, received);
+  }
+
+  /** Keeps a result that came after its attempt was given up; it counts nowhere. */
+  @Transactional(propagation = Propagation.MANDATORY)
+  public void keepSuperseded(long fencingToken, byte[] document, Instant received) {
+    rows.insertSuperseded(fencingToken, document, received);
+  }
+
+  Overview overview(String buildId) {
+    return rows.overview(buildId).orElseThrow(() -> noResult(buildId));
+  }
+
+  byte[] document(String buildId) {
+    return rows.document(buildId).orElseThrow(() -> noResult(buildId));
+  }
+
+  String activityName(String buildId) {
+    return rows.activityName(buildId).orElseThrow(() -> noResult(buildId));
+  }
+
+  @Transactional(readOnly = true)
+  Page<CaseResult> cases(String buildId, @Nullable Verdict verdict, Pageable page) {
+    overview(buildId);
+    return rows.cases(buildId, verdict, page);
+  }
+
+  private static Refusal noResult(String buildId) {
+    return Refusal.notFound("result of build", buildId);
+  }
+}

@@ -1,0 +1,5 @@
+/** Reserved builds, by Quartz. */
+@NullMarked
+package org.sitaf.server.schedule;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,42 @@
+package org.sitaf.server.settings;
+
+import jakarta.validation.constraints.Max;
+import jakarta.validation.constraints.Min;
+import jakarta.validation.constraints.NotNull;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import org.hibernate.validator.constraints.time.DurationMax;
+import org.hibernate.validator.constraints.time.DurationMin;
+import org.springframework.boot.context.properties.ConfigurationProperties;
+import org.springframework.boot.context.properties.bind.DefaultValue;
+import org.springframework.util.unit.DataSize;
+import org.springframework.validation.annotation.Validated;
+
+/**
+ * Settings {@code sitaf.*} of the server.
+ *
+ * @param dataDirectory where the database, the logs of builds and {@code ports.properties} lie;
+ *     absolute, or beginning with {@code ./}
+ * @param publicHosts host names, besides those of the loopback, under which people reach the server
+ * @param lease an agent from which nothing is heard for so long is taken for lost
+ * @param maxAttempts how often a build is tried while only the infrastructure fails
+ * @param maxUpload largest body of a request
+ * @param maxLog largest log of a build; what goes beyond is dropped, with a note
+ * @param stopWithStdin whether the server ends when its standard input does, so that it never
+ *     outlives a launcher
+ */
+@Validated
+@ConfigurationProperties("sitaf")
+public record SitafSettings(
+    @NotNull Path dataDirectory,
+    @DefaultValue List<String> publicHosts,
+    @DurationMin(seconds = 1) @DurationMax(minutes = 60) @DefaultValue("15s") Duration lease,
+    @Min(1) @Max(100) @DefaultValue("3") int maxAttempts,
+    @DefaultValue("256MB") DataSize maxUpload,
+    @DefaultValue("64MB") DataSize maxLog,
+    @DefaultValue("false") boolean stopWithStdin) {
+  public SitafSettings {
+    publicHosts = List.copyOf(publicHosts);
+  }
+}

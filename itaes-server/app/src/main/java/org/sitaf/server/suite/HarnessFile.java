@@ -1,0 +1,38 @@
+package org.sitaf.server.suite;
+
+import io.swagger.v3.oas.annotations.media.Schema;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import org.sitaf.core.activity.FileTree;
+import org.sitaf.core.harness.InterfaceTestApplicationGenerator;
+import org.sitaf.core.harness.TestApplication;
+
+/** A generated source of a test application. */
+@Schema(name = "HarnessFile")
+record HarnessFile(
+    String path,
+    String content,
+    @Schema(
+            description =
+                "whether it is meant to be edited and kept in the activity, below harness/MODEL/")
+        boolean editable) {
+
+  /**
+   * The concrete test driver is the one that users edit (paper, Fig. 13(e)); the others are
+   * generated anew each time.
+   */
+  private static final String EDITABLE_PREFIX = "ConcreteTestDriver.";
+
+  static List<HarnessFile> of(TestApplication application) {
+    FileTree sources = application.harness();
+    String editable = InterfaceTestApplicationGenerator.editableFile(application.model());
+    return sources.paths().stream()
+        .map(
+            path ->
+                new HarnessFile(
+                    path,
+                    new String(sources.content(path).orElseThrow(), StandardCharsets.UTF_8),
+                    path.equals(editable)))
+        .toList();
+  }
+}

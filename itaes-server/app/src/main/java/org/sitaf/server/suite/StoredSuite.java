@@ -1,0 +1,169 @@
+package org.sitaf.server.suite;
+
+import jakarta.persistence.Basic;
+import jakarta.persistence.CollectionTable;
+import jakarta.persistence.Column;
+import jakarta.persistence.ElementCollection;
+import jakarta.persistence.Embeddable;
+import jakarta.persistence.Entity;
+import jakarta.persistence.EnumType;
+import jakarta.persistence.Enumerated;
+import jakarta.persistence.Id;
+import jakarta.persistence.JoinColumn;
+import jakarta.persistence.OrderColumn;
+import jakarta.persistence.Table;
+import jakarta.persistence.Version;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.diagnostic.Diagnostic;
+import org.sitaf.core.diagnostic.Severity;
+import org.sitaf.core.suite.TestSuite;
+import org.sitaf.server.refusal.Refusal;
+
+/** A suite and its document, which is what counts; the rest is for lists. */
+@Entity
+@Table(name = "suite")
+class StoredSuite {
+  private static final int MAX_NOTES = 500;
+
+  @Id private String id;
+
+  @Column(name = "workspace_id")
+  private String activityId;
+
+  private String model;
+  private String name;
+  private long seed;
+  private int total;
+  private int valid;
+  private Instant created;
+  @Version private long version;
+  @Basic private byte[] document;
+
+  @ElementCollection
+  @CollectionTable(name = "suite_note", joinColumns = @JoinColumn(name = "suite_id"))
+  @OrderColumn(name = "position")
+  private List<Note> notes = new ArrayList<>();
+
+  /** What its reader should know of its making, such as values that a type cannot hold. */
+  @Embeddable
+  record Note(
+      @Enumerated(EnumType.STRING) Severity severity,
+      String file,
+      int line,
+      String element,
+      String message) {
+    static Note of(Diagnostic diagnostic) {
+      return new Note(
+          diagnostic.severity(),
+          cut(diagnostic.file(), 400),
+          diagnostic.line(),
+          cut(diagnostic.element(), 1000),
+          cut(diagnostic.message(), 4000));
+    }
+
+    Diagnostic toDiagnostic() {
+      return new Diagnostic(severity, file, line, element, message);
+    }
+
+    private static String cut(String text, int length) {
+      return text.length() <= length ? text : text.substring(0, length - 1) + "…";
+    }
+  }
+
+  /** For the persistence provider. */
+  protected StoredSuite() {
+    id = "";
+    activityId = "";
+    model = "";
+    name = "";
+    created = Instant.EPOCH;
+    document = new byte[0];
+  }
+
+  StoredSuite(
+      String id,
+      String activityId,
+      TestSuite suite,
+      List<Diagnostic> notes,
+      byte[] document,
+      Instant now) {
+    this();
+    notes.stream().limit(MAX_NOTES).map(Note::of).forEach(this.notes::add);
+    this.id = id;
+    this.activityId = activityId;
+    this.created = now;
+    model = suite.modelName();
+    replace(suite, document);
+  }
+
+  /** Puts an edited suite of the same model into the place of the present one. */
+  final void replace(TestSuite suite, byte[] newDocument) {
+    if (!suite.modelName().equals(model)) {
+      throw Refusal.conflict(
+          "The document is of model '" + suite.modelName() + "', the suite of '" + model + "'.");
+    }
+    name = suite.name();
+    seed = suite.generation().seed();
+    total = suite.cases().size();
+    valid = Math.toIntExact(suite.validCount());
+    document = newDocument.clone();
+  }
+
+  /**
+   * Makes sure that a change is made to the state that its author saw.
+   *
+   * @param expected null where the author does not care
+   */
+  void requireVersion(@Nullable Long expected) {
+    if (expected != null && expected != version) {
+      throw Refusal.outdated("suite", version);
+    }
+  }
+
+  String id() {
+    return id;
+  }
+
+  String activityId() {
+    return activityId;
+  }
+
+  String model() {
+    return model;
+  }
+
+  String name() {
+    return name;
+  }
+
+  long seed() {
+    return seed;
+  }
+
+  int total() {
+    return total;
+  }
+
+  int valid() {
+    return valid;
+  }
+
+  Instant created() {
+    return created;
+  }
+
+  long version() {
+    return version;
+  }
+
+  List<Diagnostic> notes() {
+    return notes.stream().map(Note::toDiagnostic).toList();
+  }
+
+  byte[] document() {
+    return document.clone();
+  }
+}

@@ -1,0 +1,131 @@
+package org.sitaf.server.suite;
+
+import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.Parameter;
+import io.swagger.v3.oas.annotations.media.Content;
+import io.swagger.v3.oas.annotations.media.Schema;
+import io.swagger.v3.oas.annotations.tags.Tag;
+import jakarta.servlet.http.HttpServletRequest;
+import java.io.IOException;
+import java.io.InputStream;
+import java.net.URI;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.server.suite.SuiteView.CaseView;
+import org.sitaf.server.web.Listing;
+import org.sitaf.server.web.Requests;
+import org.springframework.data.domain.Sort;
+import org.springframework.http.HttpHeaders;
+import org.springframework.http.HttpStatus;
+import org.springframework.http.MediaType;
+import org.springframework.http.ResponseEntity;
+import org.springframework.web.bind.annotation.GetMapping;
+import org.springframework.web.bind.annotation.PathVariable;
+import org.springframework.web.bind.annotation.PostMapping;
+import org.springframework.web.bind.annotation.PutMapping;
+import org.springframework.web.bind.annotation.RequestBody;
+import org.springframework.web.bind.annotation.RequestHeader;
+import org.springframework.web.bind.annotation.RequestMapping;
+import org.springframework.web.bind.annotation.RequestParam;
+import org.springframework.web.bind.annotation.ResponseStatus;
+import org.springframework.web.bind.annotation.RestController;
+
+@RestController
+@RequestMapping("/api/v1")
+@Tag(name = "suites")
+class SuiteController {
+  private final Suites suites;
+  private final Requests requests;
+
+  SuiteController(Suites suites, Requests requests) {
+    this.suites = suites;
+    this.requests = requests;
+  }
+
+  @PostMapping("/activities/{id}/models/{name}/suites")
+  @Operation(operationId = "generateSuite", summary = "Generates the cases of a model")
+  @ResponseStatus(HttpStatus.CREATED)
+  ResponseEntity<SuiteView> generate(
+      @PathVariable String id,
+      @PathVariable String name,
+      @RequestBody(required = false) @Nullable SuiteOptions options) {
+    SuiteOptions given = options == null ? SuiteOptions.NONE : options;
+    String suiteId = suites.generate(id, name, given.toGeneration());
+    return ResponseEntity.created(URI.create("/api/v1/suites/" + suiteId)).body(get(suiteId));
+  }
+
+  @GetMapping("/activities/{id}/suites")
+  @Operation(operationId = "listSuites", summary = "Suites of an activity, the newest first")
+  Listing<SuiteView> list(
+      @PathVariable String id,
+      @RequestParam(defaultValue = "0") int page,
+      @RequestParam(defaultValue = "50") int size) {
+    Sort newestFirst = Sort.by("created").descending().and(Sort.by("id"));
+    return Listing.of(
+        suites.ofActivity(id, Listing.request(page, size, newestFirst), SuiteView::of),
+        view -> view);
+  }
+
+  @GetMapping("/suites/{id}")
+  @Operation(operationId = "getSuite", summary = "A suite")
+  SuiteView get(@PathVariable String id) {
+    return suites.inspect(id, SuiteView::of);
+  }
+
+  @GetMapping("/suites/{id}/cases")
+  @Operation(operationId = "listSuiteCases", summary = "Cases of a suite, by number")
+  Listing<CaseView> cases(
+      @PathVariable String id,
+      @RequestParam(defaultValue = "0") int page,
+      @RequestParam(defaultValue = "50") int size) {
+    return Listing.of(
+        Suites.suite(suites.find(id)).cases(),
+        Listing.request(page, size, Sort.unsorted()),
+        CaseView::of);
+  }
+
+  @GetMapping(path = "/suites/{id}/document", produces = MediaType.APPLICATION_XML_VALUE)
+  @Operation(
+      operationId = "getSuiteDocument",
+      summary = "The document of a suite (test_suite_data)")
+  ResponseEntity<byte[]> document(@PathVariable String id) {
+    StoredSuite stored = suites.find(id);
+    return ResponseEntity.ok()
+        .contentType(MediaType.APPLICATION_XML)
+        .eTag(Long.toString(stored.version()))
+        .body(stored.document());
+  }
+
+  @PutMapping(path = "/suites/{id}/document", consumes = MediaType.APPLICATION_XML_VALUE)
+  @Operation(
+      operationId = "replaceSuiteDocument",
+      summary = "Puts an edited document into the place of a suite's",
+      description =
+          "For expected values, or cases of one's own. With If-Match, only onto that version (412).",
+      requestBody =
+          @io.swagger.v3.oas.annotations.parameters.RequestBody(
+              required = true,
+              content =
+                  @Content(
+                      mediaType = MediaType.APPLICATION_XML_VALUE,
+                      schema = @Schema(type = "string"))))
+  SuiteView replaceDocument(
+      @PathVariable String id,
+      @RequestHeader(name = HttpHeaders.IF_MATCH, required = false) @Nullable String ifMatch,
+      @Parameter(hidden = true) HttpServletRequest request)
+      throws IOException {
+    try (InputStream body = requests.body(request)) {
+      suites.replaceDocument(id, body.readAllBytes(), Requests.version(ifMatch));
+    }
+    return get(id);
+  }
+
+  @GetMapping("/suites/{id}/harness")
+  @Operation(
+      operationId = "getHarness",
+      summary =
+          "The sources of the test application that executes a suite, as they would be generated now")
+  List<HarnessFile> harness(@PathVariable String id) {
+    return HarnessFile.of(suites.application(id));
+  }
+}

@@ -1,0 +1,38 @@
+package org.sitaf.server.suite;
+
+import io.swagger.v3.oas.annotations.media.Schema;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.model.InvalidValues;
+import org.sitaf.core.model.Strength;
+import org.sitaf.core.suite.GenerationOptions;
+import org.sitaf.server.refusal.Refusal;
+
+/** How cases are to be generated; what is absent is as the model has it. */
+@Schema(name = "SuiteOptions")
+record SuiteOptions(
+    @Schema(description = "1 where absent") @Nullable Long seed,
+    @Schema(description = "1 to 6, or all") @Nullable String orderOfCombinations,
+    @Nullable Handling invalidValues) {
+
+  /** How invalid values take part. */
+  enum Handling {
+    isolate,
+    combine
+  }
+
+  static final SuiteOptions NONE = new SuiteOptions(null, null, null);
+
+  GenerationOptions toGeneration() {
+    try {
+      return new GenerationOptions(
+          orderOfCombinations == null ? null : Strength.parse(orderOfCombinations),
+          invalidValues == null
+              ? null
+              : invalidValues == Handling.isolate ? InvalidValues.ISOLATE : InvalidValues.COMBINE,
+          seed == null ? GenerationOptions.DEFAULT.seed() : seed,
+          GenerationOptions.DEFAULT.effort());
+    } catch (IllegalArgumentException e) {
+      throw Refusal.malformed("orderOfCombinations: " + e.getMessage() + ".");
+    }
+  }
+}

@@ -1,0 +1,140 @@
+package org.sitaf.server.suite;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.time.Clock;
+import java.time.temporal.ChronoUnit;
+import java.util.Objects;
+import java.util.UUID;
+import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.activity.Activity;
+import org.sitaf.core.harness.InterfaceTestApplicationGenerator;
+import org.sitaf.core.harness.TestApplication;
+import org.sitaf.core.model.TestModel;
+import org.sitaf.core.suite.CaseParameter;
+import org.sitaf.core.suite.GeneratedSuite;
+import org.sitaf.core.suite.GenerationOptions;
+import org.sitaf.core.suite.TestCaseGenerator;
+import org.sitaf.core.suite.TestSuite;
+import org.sitaf.core.suite.TestSuiteXml;
+import org.sitaf.server.activity.Workspaces;
+import org.sitaf.server.refusal.Refusal;
+import org.springframework.data.domain.Page;
+import org.springframework.data.domain.Pageable;
+import org.springframework.stereotype.Service;
+import org.springframework.transaction.support.TransactionTemplate;
+
+/** The suites on the server. */
+@Service
+public class Suites {
+  private final SuiteRepository suites;
+  private final Workspaces workspaces;
+  private final TransactionTemplate transaction;
+  private final Clock clock;
+
+  Suites(
+      SuiteRepository suites, Workspaces workspaces, TransactionTemplate transaction, Clock clock) {
+    this.suites = suites;
+    this.workspaces = workspaces;
+    this.transaction = transaction;
+    this.clock = clock;
+  }
+
+  /**
+   * The test application that executes a suite, generated from the present state of its activity.
+   *
+   * @throws Refusal when there is no such suite, or its model has changed so that it no longer fits
+   * @throws org.sitaf.core.diagnostic.InvalidInputException when no application can be made of it
+   */
+  public TestApplication application(String suiteId) {
+    StoredSuite stored = find(suiteId);
+    Activity activity = workspaces.activity(stored.activityId());
+    TestModel model = Workspaces.model(activity, stored.model());
+    TestSuite suite = suite(stored);
+    requireFit(suite, model);
+    return InterfaceTestApplicationGenerator.generate(activity, model, suite);
+  }
+
+  /**
+   * What a suite belongs to, whether or not an application can be made of it.
+   *
+   * @throws Refusal when there is no such suite
+   */
+  public SuiteOrigin origin(String suiteId) {
+    StoredSuite stored = find(suiteId);
+    return new SuiteOrigin(
+        stored.activityId(), workspaces.name(stored.activityId()), stored.id(), stored.model());
+  }
+
+  String generate(String activityId, String modelName, GenerationOptions options) {
+    TestModel model = Workspaces.model(workspaces.activity(activityId), modelName);
+    GeneratedSuite generated = TestCaseGenerator.generate(model, options);
+    String id = UUID.randomUUID().toString();
+    StoredSuite stored =
+        new StoredSuite(
+            id,
+            activityId,
+            generated.suite(),
+            generated.notes(),
+            document(generated.suite()),
+            clock.instant().truncatedTo(ChronoUnit.MICROS));
+    suites.saveAndFlush(stored);
+    return id;
+  }
+
+  /** Puts an edited document into the place of a suite's. */
+  void replaceDocument(String id, byte[] document, @Nullable Long expectedVersion) {
+    TestSuite edited = TestSuiteXml.read(new ByteArrayInputStream(document), "the document");
+    TestModel model =
+        Workspaces.model(workspaces.activity(find(id).activityId()), find(id).model());
+    requireFit(edited, model);
+    transaction.executeWithoutResult(
+        status -> {
+          StoredSuite stored = find(id);
+          stored.requireVersion(expectedVersion);
+          stored.replace(edited, document(edited));
+          suites.saveAndFlush(stored);
+        });
+  }
+
+  StoredSuite find(String id) {
+    return suites.findById(id).orElseThrow(() -> Refusal.notFound("suite", id));
+  }
+
+  /** Views a suite, within a transaction. */
+  <T> T inspect(String id, Function<StoredSuite, T> view) {
+    return Objects.requireNonNull(transaction.execute(status -> view.apply(find(id))));
+  }
+
+  /** A page of an activity's suites, each viewed within the transaction. */
+  <T> Page<T> ofActivity(String activityId, Pageable page, Function<StoredSuite, T> view) {
+    workspaces.name(activityId);
+    return Objects.requireNonNull(
+        transaction.execute(status -> suites.findByActivityId(activityId, page).map(view)));
+  }
+
+  /** The suite as its document says. */
+  static TestSuite suite(StoredSuite stored) {
+    return TestSuiteXml.read(new ByteArrayInputStream(stored.document()), stored.name());
+  }
+
+  private static byte[] document(TestSuite suite) {
+    ByteArrayOutputStream document = new ByteArrayOutputStream();
+    TestSuiteXml.write(suite, document);
+    return document.toByteArray();
+  }
+
+  private static void requireFit(TestSuite suite, TestModel model) {
+    var expected =
+        model.inputs().stream()
+            .map(i -> new CaseParameter(i.name(), i.kind(), i.realType()))
+            .toList();
+    if (!suite.parameters().equals(expected)) {
+      throw Refusal.conflict(
+          "The suite's parameters are not those of the model '"
+              + model.name()
+              + "' any more; generate a suite anew.");
+    }
+  }
+}

@@ -1,0 +1,98 @@
+package org.sitaf.server.web;
+
+import io.swagger.v3.core.converter.ModelConverters;
+import io.swagger.v3.oas.models.Components;
+import io.swagger.v3.oas.models.OpenAPI;
+import io.swagger.v3.oas.models.Operation;
+import io.swagger.v3.oas.models.info.Info;
+import io.swagger.v3.oas.models.media.Content;
+import io.swagger.v3.oas.models.media.MediaType;
+import io.swagger.v3.oas.models.media.Schema;
+import io.swagger.v3.oas.models.responses.ApiResponse;
+import io.swagger.v3.oas.models.responses.ApiResponses;
+import io.swagger.v3.oas.models.servers.Server;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.springdoc.core.customizers.OpenApiCustomizer;
+import org.springframework.context.annotation.Bean;
+import org.springframework.context.annotation.Configuration;
+import org.springframework.context.annotation.Lazy;
+
+/**
+ * The OpenAPI document at /v3/api-docs: the same bytes wherever the server runs, good enough to
+ * generate a client from.
+ */
+@Configuration(proxyBeanMethods = false)
+class OpenApiDocument {
+  private static final String REFERENCE = "#/components/schemas/";
+  private static final String LISTING = "Listing";
+
+  @Bean
+  @Lazy
+  OpenAPI description() {
+    return new OpenAPI()
+        .info(
+            new Info()
+                .title("SITAF")
+                .version("v1")
+                .description(
+                    "Automated interface testing of robot software components. Errors are problem details (RFC 9457)."))
+        .servers(List.of(new Server().url("/")));
+  }
+
+  @Bean
+  @Lazy
+  OpenApiCustomizer tidied() {
+    return document -> {
+      Components components = document.getComponents();
+      for (Class<?> view : Problems.views()) {
+        ModelConverters.getInstance(true).readAll(view).forEach(components::addSchemas);
+      }
+      renamePages(components);
+      document
+          .getPaths()
+          .values()
+          .forEach(path -> path.readOperations().forEach(OpenApiDocument::tidy));
+    };
+  }
+
+  /** {@code ListingActivity} reads better as {@code ActivityPage}. */
+  private static void renamePages(Components components) {
+    Map<String, Schema> renamed = new LinkedHashMap<>();
+    components.getSchemas().forEach((name, schema) -> renamed.put(pageName(name), schema));
+    components.setSchemas(renamed);
+  }
+
+  private static void tidy(Operation operation) {
+    ApiResponses responses = operation.getResponses();
+    responses
+        .values()
+        .forEach(
+            response -> {
+              if (response.getContent() != null) {
+                response.getContent().values().forEach(OpenApiDocument::renameReference);
+              }
+            });
+    responses.addApiResponse(
+        "default",
+        new ApiResponse()
+            .description("what went wrong")
+            .content(
+                new Content()
+                    .addMediaType(
+                        "application/problem+json",
+                        new MediaType().schema(new Schema<>().$ref(REFERENCE + "Problem")))));
+  }
+
+  private static void renameReference(MediaType content) {
+    Schema<?> schema = content.getSchema();
+    if (schema != null && schema.get$ref() != null && schema.get$ref().startsWith(REFERENCE)) {
+      schema.set$ref(REFERENCE + pageName(schema.get$ref().substring(REFERENCE.length())));
+    }
+  }
+
+  private static String pageName(String name) {
+    return name.startsWith(LISTING) ? name.substring(LISTING.length()) + "Page" : name;
+  }
+}

@@ -1,0 +1,107 @@
+package org.sitaf.server.web;
+
+import io.swagger.v3.oas.annotations.media.Schema;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.diagnostic.InvalidInputException;
+import org.sitaf.server.refusal.Refusal;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import org.springframework.dao.OptimisticLockingFailureException;
+import org.springframework.http.HttpHeaders;
+import org.springframework.http.HttpStatus;
+import org.springframework.http.HttpStatusCode;
+import org.springframework.http.MediaType;
+import org.springframework.http.ProblemDetail;
+import org.springframework.http.ResponseEntity;
+import org.springframework.web.bind.annotation.ExceptionHandler;
+import org.springframework.web.bind.annotation.RestControllerAdvice;
+import org.springframework.web.context.request.WebRequest;
+import org.springframework.web.servlet.mvc.method.annotation.ResponseEntityExceptionHandler;
+
+/**
+ * Errors as problem details (RFC 9457); what is wrong with an input stands in {@code diagnostics}.
+ */
+@RestControllerAdvice
+class Problems extends ResponseEntityExceptionHandler {
+  private static final Logger log = LoggerFactory.getLogger(Problems.class);
+
+  /** What a problem looks like, for the OpenAPI document. */
+  @Schema(name = "Problem", description = "RFC 9457 problem details")
+  record ProblemView(
+      @Nullable String type,
+      String title,
+      int status,
+      @Nullable String detail,
+      @Nullable String instance,
+      @Schema(description = "what is wrong with the input; absent where that is not the matter")
+          @Nullable List<DiagnosticView> diagnostics) {}
+
+  @ExceptionHandler
+  ResponseEntity<ProblemDetail> invalid(InvalidInputException e) {
+    ProblemDetail problem =
+        problem(HttpStatus.UNPROCESSABLE_CONTENT, "The input cannot be used", e);
+    problem.setProperty("diagnostics", e.diagnostics().stream().map(DiagnosticView::of).toList());
+    return answer(problem);
+  }
+
+  @ExceptionHandler
+  ResponseEntity<ProblemDetail> refused(Refusal e) {
+    return answer(
+        switch (e.reason()) {
+          case NOT_FOUND -> problem(HttpStatus.NOT_FOUND, "Not found", e);
+          case MALFORMED -> problem(HttpStatus.BAD_REQUEST, "The request is wrong", e);
+          case CONFLICT -> problem(HttpStatus.CONFLICT, "Not possible at present", e);
+          case OUTDATED -> problem(HttpStatus.PRECONDITION_FAILED, "Changed meanwhile", e);
+          case TOO_LARGE -> problem(HttpStatus.CONTENT_TOO_LARGE, "Too large", e);
+        });
+  }
+
+  @ExceptionHandler
+  ResponseEntity<ProblemDetail> outdated(OptimisticLockingFailureException e) {
+    ProblemDetail problem =
+        ProblemDetail.forStatusAndDetail(
+            HttpStatus.CONFLICT,
+            "Somebody else changed it at the same moment; repeat the request.");
+    problem.setTitle("Changed meanwhile");
+    return answer(problem);
+  }
+
+  /** What nobody foresaw: the log has it all, the answer nothing of the inside. */
+  @ExceptionHandler
+  @Nullable ResponseEntity<Object> failed(Exception e, WebRequest request) {
+    log.error("A request failed: {}", request.getDescription(false), e);
+    ProblemDetail problem =
+        ProblemDetail.forStatusAndDetail(
+            HttpStatus.INTERNAL_SERVER_ERROR, "The server failed; its log says why.");
+    return handleExceptionInternal(
+        e, problem, new HttpHeaders(), HttpStatus.INTERNAL_SERVER_ERROR, request);
+  }
+
+  @Override
+  protected @Nullable ResponseEntity<Object> createResponseEntity(
+      @Nullable Object body, HttpHeaders headers, HttpStatusCode status, WebRequest request) {
+    headers.setContentType(MediaType.APPLICATION_PROBLEM_JSON);
+    return super.createResponseEntity(body, headers, status, request);
+  }
+
+  private static ProblemDetail problem(HttpStatus status, String title, RuntimeException e) {
+    ProblemDetail problem = ProblemDetail.forStatusAndDetail(status, e.getMessage());
+    problem.setTitle(title);
+    return problem;
+  }
+
+  /**
+   * As JSON whatever the client asked for: a client that wants XML still has to learn what is
+   * wrong.
+   */
+  private static ResponseEntity<ProblemDetail> answer(ProblemDetail problem) {
+    return ResponseEntity.status(problem.getStatus())
+        .contentType(MediaType.APPLICATION_PROBLEM_JSON)
+        .body(problem);
+  }
+
+  static List<Class<?>> views() {
+    return List.of(ProblemView.class);
+  }
+}

@@ -1,0 +1,76 @@
+package org.sitaf.server.web;
+
+import jakarta.servlet.http.HttpServletRequest;
+import java.io.FilterInputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.settings.SitafSettings;
+import org.springframework.stereotype.Component;
+
+/**
+ * What requests bring besides JSON: bodies of bounded size, and the version that a change is meant
+ * for.
+ */
+@Component
+public class Requests {
+  private final long maxBytes;
+
+  Requests(SitafSettings settings) {
+    maxBytes = settings.maxUpload().toBytes();
+  }
+
+  /** The body; reading beyond the limit ends in a {@link Refusal}. */
+  public InputStream body(HttpServletRequest request) throws IOException {
+    if (request.getContentLengthLong() > maxBytes) {
+      throw tooLarge();
+    }
+    return new FilterInputStream(request.getInputStream()) {
+      private long left = maxBytes;
+
+      @Override
+      public int read() throws IOException {
+        int read = in.read();
+        if (read >= 0) {
+          count(1);
+        }
+        return read;
+      }
+
+      @Override
+      public int read(byte[] buffer, int offset, int length) throws IOException {
+        int read = in.read(buffer, offset, length);
+        return read < 0 ? read : count(read);
+      }
+
+      private int count(int read) {
+        left -= read;
+        if (left < 0) {
+          throw tooLarge();
+        }
+        return read;
+      }
+    };
+  }
+
+  /**
+   * The version in an {@code If-Match} header.
+   *
+   * @return null where the header is absent or {@code *}
+   */
+  public static @Nullable Long version(@Nullable String ifMatch) {
+    if (ifMatch == null || ifMatch.equals("*")) {
+      return null;
+    }
+    try {
+      return Long.valueOf(ifMatch.replace("\"", ""));
+    } catch (NumberFormatException e) {
+      throw Refusal.malformed("If-Match must be a version, such as \"3\", not " + ifMatch + ".");
+    }
+  }
+
+  private Refusal tooLarge() {
+    return Refusal.tooLarge("The body is larger than " + (maxBytes >> 20) + " MiB.");
+  }
+}
