@@ -93,7 +93,7 @@ describe('a build', () => {
     server.activities.push(activity('a1'));
     const { user, history } = openPortal(server);
 
-    await user.click(await screen.findByRole('button', { name: /Build ir-sensor/ }));
+    await user.click(await screen.findByRole('button', { name: /Build now: ir-sensor/ }));
     expect(await screen.findByText('Queued')).toBeVisible();
     expect(history.location.pathname).toBe('/builds/b1');
     expect(server.suiteOptions).toEqual([{}]);
@@ -138,9 +138,9 @@ describe('a build', () => {
       }),
     );
     openPortal(server, '/builds/b1');
-    expect(await screen.findByRole('alert', { name: /COMPILATION/ })).toHaveTextContent(
-      "component/InfraredSensor.java:31: ';' expected",
-    );
+    expect(
+      await screen.findByRole('alert', { name: 'Could not run: compilation' }),
+    ).toHaveTextContent("component/InfraredSensor.java:31: ';' expected");
     expect(screen.getByText('Could not run')).toBeVisible();
     expect(screen.queryByText('Cases failed')).toBeNull();
   });
@@ -197,9 +197,9 @@ describe('a result', () => {
       Error: '1',
       'Not executed': '1',
       'Min (µs)': '4.250',
-      'Max (µs)': '5.250',
-      'Average (µs)': '4.750',
-      'Std deviation (µs)': '0.395',
+      'Max (µs)': '4.750',
+      'Average (µs)': '4.500',
+      'Std deviation (µs)': '0.250',
     });
   });
 

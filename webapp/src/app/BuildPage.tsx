@@ -37,7 +37,9 @@ export function BuildPage({ buildId, shown, onShow }: BuildPageProps) {
             <UserText>{model}</UserText>
           </Title>
         </div>
-        <Anchor href={`/api/v1/builds/${encodeURIComponent(buildId)}/log`}>Log</Anchor>
+        <Anchor size="sm" href={`/api/v1/builds/${encodeURIComponent(buildId)}/log`}>
+          Log
+        </Anchor>
       </Group>
       <BuildOverview build={build.data} />
       {state === 'DONE' && (

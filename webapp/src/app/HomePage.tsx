@@ -36,7 +36,7 @@ export function HomePage({ shown, onShow }: HomePageProps) {
           modelAction={(activity, model) => (
             <Button
               size="xs"
-              aria-label={`Build ${activity.name} ${model.name} now`}
+              aria-label={`Build now: ${activity.name} ${model.name}`}
               disabled={start.isPending}
               loading={
                 start.isPending &&

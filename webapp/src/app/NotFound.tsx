@@ -8,7 +8,10 @@ export function NotFound() {
       <title>No such page · SITAF</title>
       <Title order={1}>No such page</Title>
       <Text>
-        The address is wrong, or the page is gone. <RouteLink to="/">To the activities</RouteLink>
+        The address is wrong, or the page is gone.{' '}
+        <RouteLink to="/" underline="always">
+          To the activities
+        </RouteLink>
       </Text>
     </Stack>
   );

@@ -115,7 +115,9 @@ export function resultCases(verdicts: readonly Verdict[]): ResultCase[] {
 
 export function result(cases: readonly ResultCase[]): Result {
   const count = (verdict: Verdict) => cases.filter((item) => item.verdict === verdict).length;
-  const times = cases.map((item) => item.processingTimeUs ?? 0);
+  const times = cases
+    .filter((item) => item.verdict === 'PASS' || item.verdict === 'FAIL')
+    .map((item) => item.processingTimeUs ?? 0);
   const average = times.reduce((sum, time) => sum + time, 0) / Math.max(1, times.length);
   const squares = times.reduce((sum, time) => sum + (time - average) ** 2, 0);
   return {

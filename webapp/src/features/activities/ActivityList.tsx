@@ -1,4 +1,4 @@
-import { Group, Stack, Table, Text } from '@mantine/core';
+import { Box, Group, Stack, Table, Text } from '@mantine/core';
 import type { ReactNode } from 'react';
 import type { Activity, ActivityModel } from '@/shared/api';
 import { Age, Loading, Pager, ProblemAlert, RouteLink, ScrollTable, UserText } from '@/shared/ui';
@@ -57,7 +57,12 @@ function ActivityRow({
   return (
     <Table.Tr>
       <Table.Td>
-        <RouteLink to="/activities/$activityId" params={{ activityId: activity.id }} fw={600}>
+        <RouteLink
+          to="/activities/$activityId"
+          params={{ activityId: activity.id }}
+          fw={600}
+          size="sm"
+        >
           <UserText>{activity.name}</UserText>
         </RouteLink>
         {activity.description && (
@@ -79,7 +84,7 @@ function ActivityRow({
           {activity.models.map((model) => (
             <Group key={model.name} gap="sm" justify="space-between" wrap="nowrap">
               <UserText>{model.name}</UserText>
-              {modelAction(activity, model)}
+              <Box flex="none">{modelAction(activity, model)}</Box>
             </Group>
           ))}
         </Stack>

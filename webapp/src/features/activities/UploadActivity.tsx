@@ -1,5 +1,6 @@
 import { Button, FileButton, Group, Loader, Stack, Text } from '@mantine/core';
 import { useEffect, useState, type DragEvent } from 'react';
+import { plural } from '@/shared/lib/format';
 import { ProblemAlert, RouteLink, UserText } from '@/shared/ui';
 import { useUploadActivity } from './queries';
 import classes from './UploadActivity.module.css';
@@ -74,11 +75,15 @@ export function UploadActivity() {
         {upload.isPending && <Text size="sm">Uploading {upload.variables.name}…</Text>}
         {upload.isSuccess && !tooMany && (
           <Text size="sm">
-            <RouteLink to="/activities/$activityId" params={{ activityId: upload.data.id }}>
+            <RouteLink
+              to="/activities/$activityId"
+              params={{ activityId: upload.data.id }}
+              underline="always"
+              inherit
+            >
               <UserText>{upload.data.name}</UserText>
             </RouteLink>{' '}
-            is here, with {upload.data.models.length} test model
-            {upload.data.models.length === 1 ? '' : 's'}.
+            is here, with {plural(upload.data.models.length, 'test model')}.
           </Text>
         )}
         {tooMany && <Text size="sm">One zip at a time: an activity is one zip.</Text>}

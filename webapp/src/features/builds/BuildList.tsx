@@ -4,6 +4,7 @@ import { formatDuration } from '@/shared/lib/format';
 import { useNow } from '@/shared/lib/useNow';
 import { Age, Loading, Pager, ProblemAlert, RouteLink, ScrollTable, UserText } from '@/shared/ui';
 import { BuildStanding } from './BuildStanding';
+import classes from './builds.module.css';
 import { BUILDS_PER_PAGE, useBuilds } from './queries';
 import { isFinished, progressOf } from './state';
 
@@ -56,7 +57,7 @@ function BuildRow({ build }: { build: Build }) {
   return (
     <Table.Tr>
       <Table.Td>
-        <RouteLink to="/builds/$buildId" params={{ buildId: build.id }} fw={600}>
+        <RouteLink to="/builds/$buildId" params={{ buildId: build.id }} fw={600} size="sm">
           <UserText>{`${build.activityName} / ${build.model}`}</UserText>
         </RouteLink>
       </Table.Td>
@@ -69,7 +70,7 @@ function BuildRow({ build }: { build: Build }) {
       <Table.Td>
         <Age at={build.created} />
       </Table.Td>
-      <Table.Td>
+      <Table.Td className={classes.took}>
         <Took build={build} />
       </Table.Td>
       <Table.Td>{build.agent ? <UserText>{build.agent}</UserText> : '–'}</Table.Td>

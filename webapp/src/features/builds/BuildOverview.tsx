@@ -23,7 +23,7 @@ export function BuildOverview({ build }: { build: Build }) {
           role="alert"
           color="red"
           variant="outline"
-          title={`Could not run: ${build.failure.category}`}
+          title={`Could not run: ${build.failure.category.toLowerCase().replaceAll('_', ' ')}`}
         >
           <Stack gap="xs">
             <Text size="sm">

@@ -32,7 +32,7 @@ export function ResultTable({ buildId, parameters, page, onPage, verdict }: Resu
         label="Cases"
         minWidth={640}
         withColumnBorders
-        stickyHeader
+        verticalSpacing={5}
         className={classes.cases}
       >
         <Head groups={groups} withMessages={withMessages} />
@@ -69,11 +69,15 @@ function Head({ groups, withMessages }: { groups: ColumnGroup[]; withMessages: b
         <Table.Th rowSpan={2}>
           <abbr title="Measured result">MR</abbr>
         </Table.Th>
-        <Table.Th rowSpan={2}>
+        <Table.Th rowSpan={2} className={classes.text}>
           <abbr title="Pass or fail">PF</abbr>
         </Table.Th>
         <Table.Th rowSpan={2}>Time (µs)</Table.Th>
-        {withMessages && <Table.Th rowSpan={2}>Message</Table.Th>}
+        {withMessages && (
+          <Table.Th rowSpan={2} className={classes.text}>
+            Message
+          </Table.Th>
+        )}
       </Table.Tr>
       <Table.Tr>
         {groups.flatMap((group) =>

@@ -57,10 +57,10 @@ function Downloads({ buildId }: { buildId: string }) {
   const result = `/api/v1/builds/${encodeURIComponent(buildId)}/result`;
   return (
     <Group gap="md">
-      <Anchor href={`${result}/document`} download={`result-${buildId}.xml`}>
+      <Anchor size="sm" href={`${result}/document`} download={`result-${buildId}.xml`}>
         Result XML
       </Anchor>
-      <Anchor href={`${result}/junit`} download={`junit-${buildId}.xml`}>
+      <Anchor size="sm" href={`${result}/junit`} download={`junit-${buildId}.xml`}>
         JUnit XML
       </Anchor>
     </Group>

@@ -22,7 +22,7 @@ export function formatUnit(unit: string | null | undefined): string {
 export function formatInstant(iso: string): string {
   const date = new Date(iso);
   if (Number.isNaN(date.getTime())) return iso;
-  return date.toLocaleString(undefined, { dateStyle: 'medium', timeStyle: 'medium' });
+  return date.toLocaleString('en-GB', { dateStyle: 'medium', timeStyle: 'medium' });
 }
 
 const AGES: readonly [Intl.RelativeTimeFormatUnit, number][] = [
