@@ -186,7 +186,7 @@ final class AttemptRun {
           throw new StoppedException();
         }
         if (ServerCalls.meaningOf(e) != ServerCalls.Failure.LATER) {
-          throw new IOException(file.getPath() + ": " + e.getStatus(), e);
+          throw new IOException(file.getPath() + ": " + ServerCalls.describe(e.getStatus()), e);
         }
       } catch (IOException e) {
         if (++damaged == DAMAGED_TRIES) {

@@ -96,7 +96,9 @@ final class ProgressReport implements BuildListener, AutoCloseable {
             }
             case LATER -> pause = backoff.next();
             case REFUSED ->
-                LOGGER.log(System.Logger.Level.WARNING, attempt + ": progress refused: " + e);
+                LOGGER.log(
+                    System.Logger.Level.WARNING,
+                    attempt + ": progress refused: " + ServerCalls.describe(e.getStatus()));
           }
         } catch (IOException e) {
           LOGGER.log(System.Logger.Level.WARNING, attempt + ": the log cannot be read: " + e);

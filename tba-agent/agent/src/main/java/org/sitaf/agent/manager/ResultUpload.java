@@ -129,7 +129,9 @@ final class ResultUpload implements AutoCloseable {
       return switch (ServerCalls.meaningOf(e)) {
         case LATER -> false;
         case OVER -> {
-          LOGGER.log(System.Logger.Level.INFO, attempt + ": is over: " + e.getStatus());
+          LOGGER.log(
+              System.Logger.Level.INFO,
+              attempt + ": is over: " + ServerCalls.describe(e.getStatus()));
           forget(entry);
           yield true;
         }
@@ -154,7 +156,9 @@ final class ResultUpload implements AutoCloseable {
       if (ServerCalls.meaningOf(e) != ServerCalls.Failure.REFUSED) {
         throw e;
       }
-      LOGGER.log(System.Logger.Level.WARNING, attempt + ": log refused: " + e.getStatus());
+      LOGGER.log(
+          System.Logger.Level.WARNING,
+          attempt + ": log refused: " + ServerCalls.describe(e.getStatus()));
     }
   }
 
@@ -162,7 +166,9 @@ final class ResultUpload implements AutoCloseable {
   private boolean refused(
       Spool.Entry entry, Attempt attempt, SubmitResultRequest message, StatusRuntimeException e)
       throws IOException {
-    LOGGER.log(System.Logger.Level.ERROR, attempt + ": the result is refused: " + e.getStatus());
+    LOGGER.log(
+        System.Logger.Level.ERROR,
+        attempt + ": the result is refused: " + ServerCalls.describe(e.getStatus()));
     if (message.hasFailure()) {
       spool.reject(entry);
       owed.remove(entry.name());

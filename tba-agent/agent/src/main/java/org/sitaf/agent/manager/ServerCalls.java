@@ -3,6 +3,7 @@ package org.sitaf.agent.manager;
 import com.google.protobuf.ByteString;
 import com.google.protobuf.Timestamp;
 import io.grpc.Channel;
+import io.grpc.Status;
 import io.grpc.StatusRuntimeException;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -53,6 +54,14 @@ final class ServerCalls {
       case INVALID_ARGUMENT, OUT_OF_RANGE, UNIMPLEMENTED -> Failure.REFUSED;
       default -> Failure.LATER;
     };
+  }
+
+  /** A status in one line, without the stack that may hang on it. */
+  static String describe(Status status) {
+    Throwable cause = status.getCause();
+    return status.getCode()
+        + (status.getDescription() == null ? "" : ": " + status.getDescription())
+        + (cause == null ? "" : ": " + cause.getMessage());
   }
 
   void reportState(Attempt attempt, AttemptState state) {

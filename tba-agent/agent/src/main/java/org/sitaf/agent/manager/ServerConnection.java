@@ -1,6 +1,6 @@
 package org.sitaf.agent.manager;
 
-import io.grpc.Channel;
+import io.grpc.ManagedChannel;
 import io.grpc.Status;
 import io.grpc.StatusRuntimeException;
 import io.grpc.stub.ClientCallStreamObserver;
@@ -29,7 +29,7 @@ final class ServerConnection implements AutoCloseable {
   private static final Duration SHORTEST_INTERVAL = Duration.ofMillis(20);
   private static final int HEARTBEATS_PER_LEASE = 3;
 
-  private final Channel channel;
+  private final ManagedChannel channel;
   private final Supplier<Register> registration;
   private final Supplier<List<AttemptRef>> running;
   private final Listener listener;
@@ -46,7 +46,7 @@ final class ServerConnection implements AutoCloseable {
   }
 
   ServerConnection(
-      Channel channel,
+      ManagedChannel channel,
       Supplier<Register> registration,
       Supplier<List<AttemptRef>> running,
       Listener listener) {
@@ -66,6 +66,8 @@ final class ServerConnection implements AutoCloseable {
     String lastComplaint = "";
     try {
       while (closing.getCount() > 0) {
+        // Our own waiting holds; the channel's would grow to minutes.
+        channel.resetConnectBackoff();
         Stream stream = new Stream();
         Status status = stream.live();
         if (stream.registered()) {
@@ -73,7 +75,7 @@ final class ServerConnection implements AutoCloseable {
           lastComplaint = "";
         }
         if (closing.getCount() > 0) {
-          String complaint = "no connection to the server: " + status;
+          String complaint = "no connection to the server: " + ServerCalls.describe(status);
           if (!complaint.equals(lastComplaint)) {
             LOGGER.log(System.Logger.Level.WARNING, complaint);
             lastComplaint = complaint;

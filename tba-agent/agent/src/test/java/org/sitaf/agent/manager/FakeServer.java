@@ -1,0 +1,332 @@
+package org.sitaf.agent.manager;
+
+import com.google.protobuf.ByteString;
+import com.google.protobuf.Duration;
+import io.grpc.Server;
+import io.grpc.Status;
+import io.grpc.netty.shaded.io.grpc.netty.NettyServerBuilder;
+import io.grpc.stub.StreamObserver;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Predicate;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.agent.v1.AgentMessage;
+import org.sitaf.agent.v1.AgentServiceGrpc;
+import org.sitaf.agent.v1.AppendLogRequest;
+import org.sitaf.agent.v1.AppendLogResponse;
+import org.sitaf.agent.v1.ApplicationFile;
+import org.sitaf.agent.v1.Assignment;
+import org.sitaf.agent.v1.AttemptRef;
+import org.sitaf.agent.v1.AttemptState;
+import org.sitaf.agent.v1.Cancellation;
+import org.sitaf.agent.v1.CaseOutcome;
+import org.sitaf.agent.v1.DownloadFileRequest;
+import org.sitaf.agent.v1.DownloadFileResponse;
+import org.sitaf.agent.v1.Heartbeat;
+import org.sitaf.agent.v1.Register;
+import org.sitaf.agent.v1.Registered;
+import org.sitaf.agent.v1.ReportCasesRequest;
+import org.sitaf.agent.v1.ReportCasesResponse;
+import org.sitaf.agent.v1.ReportStateRequest;
+import org.sitaf.agent.v1.ReportStateResponse;
+import org.sitaf.agent.v1.ServerMessage;
+import org.sitaf.agent.v1.SubmitResultRequest;
+import org.sitaf.agent.v1.SubmitResultResponse;
+import org.sitaf.core.activity.FileTree;
+
+/**
+ * A server at the rim, on a free port of loopback: keeps the protocol, remembers what it was told,
+ * and fails on request.
+ */
+final class FakeServer extends AgentServiceGrpc.AgentServiceImplBase implements AutoCloseable {
+  private final Server server;
+  private final Map<String, byte[]> files = new HashMap<>();
+  private final List<Register> registrations = new ArrayList<>();
+  private final List<Heartbeat> heartbeats = new ArrayList<>();
+  private final List<AttemptState> states = new ArrayList<>();
+  private final List<CaseOutcome> cases = new ArrayList<>();
+  private final List<SubmitResultRequest> submitted = new ArrayList<>();
+  private final Map<String, ByteArrayOutputStream> logs = new HashMap<>();
+  private @Nullable StreamObserver<ServerMessage> agent;
+  private int downloads;
+  private boolean damageDownloads;
+  private boolean superseded;
+  private @Nullable Status refuseSubmit;
+  private @Nullable Status refuseAttempt;
+
+  private FakeServer(int port) throws IOException {
+    server =
+        NettyServerBuilder.forAddress(new InetSocketAddress("127.0.0.1", port))
+            .addService(this)
+            .build()
+            .start();
+  }
+
+  static FakeServer start() throws IOException {
+    return new FakeServer(0);
+  }
+
+  /** Another server at the address of one that was closed. */
+  static FakeServer startAt(String address) throws IOException {
+    return new FakeServer(Integer.parseInt(address.substring(address.indexOf(':') + 1)));
+  }
+
+  String address() {
+    return "127.0.0.1:" + server.getPort();
+  }
+
+  @Override
+  public void close() {
+    server.shutdownNow();
+    try {
+      server.awaitTermination();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  // What tests tell it to do.
+
+  static AttemptRef attempt(String build, int number, long token) {
+    return AttemptRef.newBuilder()
+        .setBuildId(build)
+        .setAttempt(number)
+        .setFencingToken(token)
+        .build();
+  }
+
+  synchronized void assign(AttemptRef attempt, FileTree application) {
+    Assignment.Builder assignment =
+        Assignment.newBuilder().setAttempt(attempt).setActivity("echo").setModel("Echo");
+    for (String path : application.paths()) {
+      byte[] content = application.content(path).orElseThrow();
+      String digest = TestDigests.sha256(content);
+      files.put(digest, content);
+      assignment.addFiles(
+          ApplicationFile.newBuilder().setPath(path).setSha256(digest).setSize(content.length));
+    }
+    send(ServerMessage.newBuilder().setAssignment(assignment).build());
+  }
+
+  synchronized void cancel(AttemptRef attempt, String reason) {
+    Cancellation cancellation =
+        Cancellation.newBuilder().setAttempt(attempt).setReason(reason).build();
+    send(ServerMessage.newBuilder().setCancellation(cancellation).build());
+  }
+
+  private void send(ServerMessage message) {
+    if (agent == null) {
+      throw new IllegalStateException("no agent is connected");
+    }
+    agent.onNext(message);
+  }
+
+  synchronized void damageDownloads(boolean damage) {
+    damageDownloads = damage;
+  }
+
+  synchronized void acceptNothingAnyMore() {
+    superseded = true;
+  }
+
+  synchronized void refuseSubmit(@Nullable Status status) {
+    refuseSubmit = status;
+  }
+
+  /** Every call about an attempt is answered so. */
+  synchronized void refuseAttempt(Status status) {
+    refuseAttempt = status;
+  }
+
+  synchronized void endStream() {
+    if (agent != null) {
+      agent.onCompleted();
+    }
+  }
+
+  // What tests ask it.
+
+  synchronized void await(Predicate<FakeServer> condition) throws InterruptedException {
+    long end = System.nanoTime() + 30_000_000_000L;
+    while (!condition.test(this)) {
+      long left = (end - System.nanoTime()) / 1_000_000;
+      if (left <= 0) {
+        throw new AssertionError("nothing of the kind within 30 s");
+      }
+      wait(left);
+    }
+  }
+
+  synchronized List<Register> registrations() {
+    return List.copyOf(registrations);
+  }
+
+  synchronized List<Heartbeat> heartbeats() {
+    return List.copyOf(heartbeats);
+  }
+
+  synchronized List<AttemptState> states() {
+    return List.copyOf(states);
+  }
+
+  synchronized List<CaseOutcome> cases() {
+    return List.copyOf(cases);
+  }
+
+  synchronized List<SubmitResultRequest> submitted() {
+    return List.copyOf(submitted);
+  }
+
+  synchronized String log(String build) {
+    ByteArrayOutputStream log = logs.get(build);
+    return log == null ? "" : log.toString(StandardCharsets.UTF_8);
+  }
+
+  synchronized int downloads() {
+    return downloads;
+  }
+
+  // The protocol.
+
+  @Override
+  public StreamObserver<AgentMessage> connect(StreamObserver<ServerMessage> responses) {
+    return new StreamObserver<>() {
+      @Override
+      public void onNext(AgentMessage message) {
+        synchronized (FakeServer.this) {
+          if (message.hasRegister()) {
+            agent = responses;
+            registrations.add(message.getRegister());
+            Registered registered =
+                Registered.newBuilder()
+                    .setServerVersion("test")
+                    .setLease(Duration.newBuilder().setNanos(400_000_000))
+                    .build();
+            responses.onNext(ServerMessage.newBuilder().setRegistered(registered).build());
+          } else {
+            heartbeats.add(message.getHeartbeat());
+          }
+          FakeServer.this.notifyAll();
+        }
+      }
+
+      @Override
+      public void onError(Throwable failure) {
+        forget();
+      }
+
+      @Override
+      public void onCompleted() {
+        forget();
+        responses.onCompleted();
+      }
+
+      private void forget() {
+        synchronized (FakeServer.this) {
+          if (agent == responses) {
+            agent = null;
+          }
+        }
+      }
+    };
+  }
+
+  @Override
+  public synchronized void downloadFile(
+      DownloadFileRequest request, StreamObserver<DownloadFileResponse> responses) {
+    if (refused(responses)) {
+      return;
+    }
+    downloads++;
+    byte[] content = files.get(request.getSha256());
+    if (content == null) {
+      responses.onError(Status.NOT_FOUND.asRuntimeException());
+      return;
+    }
+    byte[] sent = content.clone();
+    if (damageDownloads) {
+      sent[0] ^= 1;
+    }
+    for (int offset = 0; offset < sent.length; offset += 1000) {
+      int length = Math.min(1000, sent.length - offset);
+      responses.onNext(
+          DownloadFileResponse.newBuilder()
+              .setChunk(ByteString.copyFrom(sent, offset, length))
+              .build());
+    }
+    responses.onCompleted();
+  }
+
+  @Override
+  public synchronized void reportState(
+      ReportStateRequest request, StreamObserver<ReportStateResponse> responses) {
+    if (!refused(responses)) {
+      states.add(request.getState());
+      answer(responses, ReportStateResponse.getDefaultInstance());
+    }
+  }
+
+  @Override
+  public synchronized void appendLog(
+      AppendLogRequest request, StreamObserver<AppendLogResponse> responses) {
+    if (refused(responses)) {
+      return;
+    }
+    ByteArrayOutputStream log =
+        logs.computeIfAbsent(
+            request.getAttempt().getBuildId(), build -> new ByteArrayOutputStream());
+    long offset = request.getOffset();
+    if (offset > log.size()) {
+      responses.onError(
+          Status.OUT_OF_RANGE.withDescription("ends at " + log.size()).asRuntimeException());
+      return;
+    }
+    byte[] chunk = request.getChunk().toByteArray();
+    int known = (int) Math.min(chunk.length, log.size() - offset);
+    log.write(chunk, known, chunk.length - known);
+    answer(responses, AppendLogResponse.newBuilder().setNextOffset(log.size()).build());
+  }
+
+  @Override
+  public synchronized void reportCases(
+      ReportCasesRequest request, StreamObserver<ReportCasesResponse> responses) {
+    if (!refused(responses)) {
+      cases.addAll(request.getOutcomesList());
+      answer(responses, ReportCasesResponse.getDefaultInstance());
+    }
+  }
+
+  @Override
+  public synchronized void submitResult(
+      SubmitResultRequest request, StreamObserver<SubmitResultResponse> responses) {
+    if (refused(responses)) {
+      return;
+    }
+    if (refuseSubmit != null && request.hasResultDescriptor()) {
+      responses.onError(refuseSubmit.asRuntimeException());
+      return;
+    }
+    submitted.add(request);
+    answer(responses, SubmitResultResponse.newBuilder().setAccepted(!superseded).build());
+  }
+
+  private boolean refused(StreamObserver<?> responses) {
+    if (refuseAttempt != null) {
+      responses.onError(refuseAttempt.asRuntimeException());
+      return true;
+    }
+    return false;
+  }
+
+  private <T> void answer(StreamObserver<T> responses, T response) {
+    responses.onNext(response);
+    responses.onCompleted();
+    notifyAll();
+  }
+}

@@ -1,0 +1,344 @@
+package org.sitaf.agent.manager;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import io.grpc.Status;
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.sitaf.agent.testing.EchoActivity;
+import org.sitaf.agent.toolchain.Toolchains;
+import org.sitaf.agent.v1.AttemptRef;
+import org.sitaf.agent.v1.AttemptState;
+import org.sitaf.agent.v1.BuildFailure.Category;
+import org.sitaf.agent.v1.CaseOutcome;
+import org.sitaf.agent.v1.SubmitResultRequest;
+import org.sitaf.core.verdict.TestResult;
+import org.sitaf.core.verdict.TestResultXml;
+
+/** The whole agent against a server at the rim. */
+@Timeout(120)
+class TestBuildAgentTest {
+  private static final AttemptRef ATTEMPT = FakeServer.attempt("b-1", 1, 17);
+  private static final EchoActivity GOOD =
+      EchoActivity.doing("System.out.println(\"echo \" + value); return value;");
+  private static final EchoActivity SLEEPING =
+      EchoActivity.doing("if (value == 2) Thread.sleep(60000); return value;").caseWallSeconds(90);
+
+  @TempDir private Path directory;
+  private FakeServer server;
+  private TestBuildAgent agent;
+
+  private void startBoth() throws IOException {
+    server = FakeServer.start();
+    startAgent();
+  }
+
+  private void startAgent() throws IOException {
+    AgentSettings settings =
+        new AgentSettings(
+            server.address(),
+            "tester",
+            "1",
+            directory,
+            1,
+            List.of(),
+            null,
+            EchoActivity.runtimeJars());
+    agent = new TestBuildAgent(settings, Toolchains.find(), version -> {});
+  }
+
+  @AfterEach
+  void stop() {
+    if (agent != null) {
+      agent.close();
+    }
+    if (server != null) {
+      server.close();
+    }
+  }
+
+  private void assign(EchoActivity activity) throws InterruptedException {
+    server.await(s -> !s.registrations().isEmpty());
+    server.assign(ATTEMPT, activity.application().files());
+  }
+
+  private List<Path> spooled() throws IOException {
+    try (Stream<Path> entries = Files.list(directory.resolve("spool"))) {
+      return entries.toList();
+    }
+  }
+
+  private SubmitResultRequest theResult() throws InterruptedException {
+    server.await(s -> !s.submitted().isEmpty());
+    assertThat(server.submitted()).hasSize(1);
+    return server.submitted().get(0);
+  }
+
+  private void awaitEmptySpool() throws Exception {
+    for (int i = 0; i < 500 && !spooled().isEmpty(); i++) {
+      Thread.sleep(10);
+    }
+    assertThat(spooled()).isEmpty();
+  }
+
+  @Test
+  void registersWithItsNameSlotsAndToolchains() throws Exception {
+    startBoth();
+
+    server.await(s -> !s.registrations().isEmpty());
+    var registration = server.registrations().get(0);
+    assertThat(registration.getName()).isEqualTo("tester");
+    assertThat(registration.getSlots()).isEqualTo(1);
+    assertThat(registration.getToolchains(0).getLanguage()).isEqualTo("java");
+    assertThat(registration.getToolchains(0).getVersion()).startsWith("javac 17");
+  }
+
+  @Test
+  void anAssignmentBecomesAResultWithItsLogAndStates() throws Exception {
+    startBoth();
+    assign(GOOD);
+
+    SubmitResultRequest submitted = theResult();
+    assertThat(submitted.getAttempt()).isEqualTo(ATTEMPT);
+    byte[] document = submitted.getResultDescriptor().toByteArray();
+    assertThat(submitted.getSha256()).isEqualTo(TestDigests.sha256(document));
+    TestResult result = TestResultXml.read(new ByteArrayInputStream(document), "result");
+    assertThat(result.summary().pass()).isEqualTo(5);
+    assertThat(result.provenance().agent()).isEqualTo("tester 1");
+    assertThat(server.states())
+        .isSorted()
+        .endsWith(AttemptState.ATTEMPT_STATE_RUNNING, AttemptState.ATTEMPT_STATE_UPLOADING);
+    assertThat(server.log("b-1")).contains("echo 1\n", "echo 5\n");
+    assertThat(server.cases()).extracting(CaseOutcome::getNo).containsExactly(1, 2, 3, 4, 5);
+    awaitEmptySpool();
+  }
+
+  @Test
+  void theSameFilesAreNotFetchedTwice() throws Exception {
+    startBoth();
+    assign(GOOD);
+    server.await(s -> s.submitted().size() == 1);
+    int downloads = server.downloads();
+
+    server.assign(FakeServer.attempt("b-2", 1, 18), GOOD.application().files());
+    server.await(s -> s.submitted().size() == 2);
+    assertThat(server.downloads()).isEqualTo(downloads);
+  }
+
+  @Test
+  void heartbeatsGoOnDuringABuildAndNameIt() throws Exception {
+    startBoth();
+    assign(SLEEPING);
+    server.await(s -> !s.cases().isEmpty());
+    int before = server.heartbeats().size();
+
+    server.await(s -> s.heartbeats().size() >= before + 5);
+    assertThat(server.heartbeats().get(before + 4).getRunningList()).containsExactly(ATTEMPT);
+  }
+
+  @Test
+  void aCompilerErrorIsAFailureWithDiagnostics() throws Exception {
+    startBoth();
+    assign(EchoActivity.doing("return valve;"));
+
+    var failure = theResult().getFailure();
+    assertThat(failure.getCategory()).isEqualTo(Category.COMPILATION);
+    assertThat(failure.getDiagnostics(0).getFile())
+        .isEqualTo("activity/component/demo/Component.java");
+    assertThat(failure.getDiagnostics(0).getLine()).isEqualTo(5);
+    assertThat(failure.getDiagnostics(0).getMessage()).contains("cannot find symbol", "valve");
+    assertThat(server.log("b-1")).contains("Component.java:5:");
+  }
+
+  @Test
+  void anApplicationThatIsNotValidIsAFailureAndNotACrash() throws Exception {
+    startBoth();
+    server.await(s -> !s.registrations().isEmpty());
+    server.assign(
+        ATTEMPT, GOOD.application().files().with("suite.xml", "<!DOCTYPE x><x/>".getBytes(UTF_8)));
+
+    assertThat(theResult().getFailure().getCategory()).isEqualTo(Category.COMPILATION);
+  }
+
+  @Test
+  void aCancellationEndsARunningBuild() throws Exception {
+    startBoth();
+    assign(SLEEPING);
+    server.await(s -> !s.cases().isEmpty());
+    server.cancel(ATTEMPT, "not wanted");
+
+    var failure = theResult().getFailure();
+    assertThat(failure.getCategory()).isEqualTo(Category.CANCELLED);
+    assertThat(failure.getMessage()).isEqualTo("not wanted");
+  }
+
+  @Test
+  void aCancellationOfABuildThatItDoesNotKnowIsAnswered() throws Exception {
+    startBoth();
+    server.await(s -> !s.registrations().isEmpty());
+    server.cancel(ATTEMPT, "not wanted");
+
+    assertThat(theResult().getFailure().getCategory()).isEqualTo(Category.CANCELLED);
+  }
+
+  @Test
+  void theResultOfAnAttemptThatIsOverIsDropped() throws Exception {
+    startBoth();
+    assign(SLEEPING);
+    server.await(s -> !s.cases().isEmpty());
+    server.refuseAttempt(Status.FAILED_PRECONDITION);
+    int before = server.heartbeats().size();
+    server.cancel(ATTEMPT, "not wanted");
+
+    server.await(
+        s ->
+            s.heartbeats().size() > before
+                && s.heartbeats().get(s.heartbeats().size() - 1).getRunningCount() == 0);
+    awaitEmptySpool();
+    assertThat(server.submitted()).isEmpty();
+  }
+
+  @Test
+  void anAttemptThatIsOverIsStoppedByItsOwnReports() throws Exception {
+    startBoth();
+    server.await(s -> !s.registrations().isEmpty());
+    server.assign(
+        ATTEMPT,
+        EchoActivity.doing("System.out.println(value); Thread.sleep(300); return value;")
+            .cases(500)
+            .application()
+            .files());
+    server.await(s -> !s.cases().isEmpty());
+    server.refuseAttempt(Status.FAILED_PRECONDITION);
+    int before = server.heartbeats().size();
+
+    server.await(
+        s ->
+            s.heartbeats().size() > before
+                && s.heartbeats().get(s.heartbeats().size() - 1).getRunningCount() == 0);
+    assertThat(spooled()).isEmpty();
+    assertThat(server.submitted()).isEmpty();
+  }
+
+  @Test
+  void aResultThatCannotBeDeliveredSurvivesTheEndOfTheAgent() throws Exception {
+    startBoth();
+    server.refuseSubmit(Status.UNAVAILABLE);
+    assign(GOOD);
+    server.await(s -> s.states().contains(AttemptState.ATTEMPT_STATE_UPLOADING));
+    assertThat(spooled()).hasSize(1);
+    agent.close();
+    assertThat(spooled()).hasSize(1);
+    server.refuseSubmit(null);
+    startAgent();
+
+    SubmitResultRequest submitted = theResult();
+    TestResult result = TestResultXml.read(submitted.getResultDescriptor().newInput(), "result");
+    assertThat(result.summary().pass()).isEqualTo(5);
+    assertThat(server.registrations().get(1).getRunningList()).containsExactly(ATTEMPT);
+    awaitEmptySpool();
+  }
+
+  @Test
+  void aServerThatWasAwayGetsResultAndLogWhenItIsBack() throws Exception {
+    startBoth();
+    assign(EchoActivity.doing("System.out.println(value); Thread.sleep(300); return value;"));
+    server.await(s -> !s.cases().isEmpty());
+    String address = server.address();
+    server.close();
+    for (int i = 0; i < 1000 && spooled().isEmpty(); i++) {
+      Thread.sleep(10);
+    }
+    server = FakeServer.startAt(address);
+
+    SubmitResultRequest submitted = theResult();
+    assertThat(submitted.hasResultDescriptor()).isTrue();
+    assertThat(server.log("b-1")).contains("1\n2\n3\n4\n5\n");
+    server.await(s -> !s.registrations().isEmpty());
+  }
+
+  @Test
+  void aStreamThatEndsIsDialledAgain() throws Exception {
+    startBoth();
+    server.await(s -> s.registrations().size() == 1);
+    server.endStream();
+
+    server.await(s -> s.registrations().size() == 2);
+  }
+
+  @Test
+  void aResultThatWasSupersededIsForgotten() throws Exception {
+    startBoth();
+    server.acceptNothingAnyMore();
+    assign(GOOD);
+
+    theResult();
+    awaitEmptySpool();
+  }
+
+  @Test
+  void aResultThatTheServerRefusesIsPutAsideAndTheBuildEnds() throws Exception {
+    startBoth();
+    server.refuseSubmit(Status.INVALID_ARGUMENT.withDescription("not a descriptor"));
+    assign(GOOD);
+
+    var failure = theResult().getFailure();
+    assertThat(failure.getCategory()).isEqualTo(Category.INFRASTRUCTURE);
+    assertThat(failure.getMessage()).contains("not a descriptor");
+    assertThat(spooled()).anyMatch(path -> path.getFileName().toString().startsWith("rejected."));
+  }
+
+  @Test
+  void damagedFilesAreNotBuilt() throws Exception {
+    startBoth();
+    server.damageDownloads(true);
+    assign(GOOD);
+
+    var failure = theResult().getFailure();
+    assertThat(failure.getCategory()).isEqualTo(Category.INFRASTRUCTURE);
+    assertThat(failure.getMessage()).contains("has the digest");
+  }
+
+  @Test
+  void moreBuildsThanSlotsAreSentBack() throws Exception {
+    startBoth();
+    assign(SLEEPING);
+    server.await(s -> !s.cases().isEmpty());
+    server.assign(FakeServer.attempt("b-2", 1, 18), GOOD.application().files());
+
+    SubmitResultRequest submitted = theResult();
+    assertThat(submitted.getAttempt().getBuildId()).isEqualTo("b-2");
+    assertThat(submitted.getFailure().getMessage()).contains("no free slot");
+  }
+
+  @Test
+  void anAgentThatIsStoppedSaysSoOfItsBuilds() throws Exception {
+    startBoth();
+    assign(SLEEPING);
+    server.await(s -> !s.cases().isEmpty());
+    agent.close();
+
+    var failure = theResult().getFailure();
+    assertThat(failure.getCategory()).isEqualTo(Category.INFRASTRUCTURE);
+    assertThat(failure.getMessage()).isEqualTo("the agent was stopped");
+  }
+
+  @Test
+  void twoAgentsDoNotShareAFolder() throws Exception {
+    startBoth();
+
+    assertThatThrownBy(this::startAgent)
+        .isInstanceOf(IOException.class)
+        .hasMessageContaining("is used by another agent");
+  }
+}

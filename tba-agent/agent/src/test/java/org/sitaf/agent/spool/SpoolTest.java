@@ -1,0 +1,74 @@
+package org.sitaf.agent.spool;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class SpoolTest {
+  @TempDir private Path directory;
+
+  @Test
+  void anEntryIsThereWithItsLogAfterTheSpoolIsOpenedAgain() throws Exception {
+    Path log = Files.writeString(directory.resolve("build.log"), "lines");
+    Spool.open(directory.resolve("spool")).put("a", "result".getBytes(UTF_8), log);
+    Files.delete(log);
+
+    Spool.Entry entry = Spool.open(directory.resolve("spool")).entries().get(0);
+    assertThat(entry.name()).isEqualTo("a");
+    assertThat(entry.message()).asString(UTF_8).isEqualTo("result");
+    assertThat(entry.log()).hasContent("lines");
+  }
+
+  @Test
+  void anEntryThatWasNotWrittenToItsEndIsNoEntry() throws Exception {
+    Path spool = directory.resolve("spool");
+    Files.createDirectories(spool.resolve("tmp.half"));
+    Files.writeString(spool.resolve("tmp.half/message"), "ha");
+
+    assertThat(Spool.open(spool).entries()).isEmpty();
+    assertThat(spool).isEmptyDirectory();
+  }
+
+  @Test
+  void aDeletedEntryIsGone() throws Exception {
+    Spool spool = Spool.open(directory);
+    spool.delete(spool.put("a", new byte[] {1}, null));
+
+    assertThat(spool.entries()).isEmpty();
+    assertThat(directory).isEmptyDirectory();
+  }
+
+  @Test
+  void aRejectedEntryIsKeptForAPersonAndNotSentAgain() throws Exception {
+    Spool spool = Spool.open(directory);
+    Path aside = spool.reject(spool.put("a", new byte[] {1}, null));
+
+    assertThat(spool.entries()).isEmpty();
+    assertThat(aside.resolve("message")).hasBinaryContent(new byte[] {1});
+    assertThat(Spool.open(directory).entries()).isEmpty();
+    assertThat(aside).exists();
+  }
+
+  @Test
+  void aLaterEntryOfTheSameNameReplacesTheFirst() throws Exception {
+    Spool spool = Spool.open(directory);
+    spool.put("a", new byte[] {1}, null);
+    spool.put("a", new byte[] {2}, null);
+
+    assertThat(spool.entries()).hasSize(1);
+    assertThat(spool.entries().get(0).message()).containsExactly(2);
+  }
+
+  @Test
+  void aNameThatIsAPathIsRefused() throws Exception {
+    Spool spool = Spool.open(directory);
+
+    assertThatThrownBy(() -> spool.put("../a", new byte[0], null))
+        .isInstanceOf(IllegalArgumentException.class);
+  }
+}
