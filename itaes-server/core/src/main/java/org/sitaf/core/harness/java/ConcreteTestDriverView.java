@@ -4,7 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SortedSet;
 import java.util.TreeSet;
-import org.sitaf.core.harness.java.HarnessPlan.Argument;
+import org.sitaf.core.harness.java.plan.HarnessPlan;
+import org.sitaf.core.harness.java.plan.HarnessPlan.Argument;
+import org.sitaf.core.harness.java.plan.JavaText;
 
 /** What the template of the concrete test driver prints. */
 record ConcreteTestDriverView(

@@ -13,6 +13,8 @@ import java.util.Objects;
 import org.sitaf.core.activity.Activity;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.diagnostic.InvalidInputException;
+import org.sitaf.core.harness.java.plan.HarnessPlan;
+import org.sitaf.core.harness.java.plan.HarnessPlanner;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.suite.TestSuite;
 
@@ -57,7 +59,7 @@ public final class JavaHarness {
 
   /** What to start. */
   public static String mainClass(TestModel model) {
-    return packageName(model) + "." + CONCRETE;
+    return HarnessPlanner.packageName(model) + "." + CONCRETE;
   }
 
   /** The path, among the sources, of the file that the user may edit. */
@@ -73,12 +75,8 @@ public final class JavaHarness {
     return "harness/" + model.name() + "/" + CONCRETE + ".java";
   }
 
-  static String packageName(TestModel model) {
-    return "sitaf.harness." + JavaNames.packagePart(model.name());
-  }
-
   private static String folder(TestModel model) {
-    return packageName(model).replace('.', '/') + "/";
+    return HarnessPlanner.packageName(model).replace('.', '/') + "/";
   }
 
   private static byte[] print(String template, Object view) {

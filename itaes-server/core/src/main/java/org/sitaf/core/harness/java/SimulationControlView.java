@@ -2,7 +2,9 @@ package org.sitaf.core.harness.java;
 
 import java.time.Duration;
 import java.util.List;
-import org.sitaf.core.harness.java.HarnessPlan.World;
+import org.sitaf.core.harness.java.plan.HarnessPlan;
+import org.sitaf.core.harness.java.plan.HarnessPlan.World;
+import org.sitaf.core.harness.java.plan.JavaText;
 
 /** What the template of the simulation control prints. */
 record SimulationControlView(

@@ -6,10 +6,13 @@ import java.util.SortedSet;
 import java.util.TreeSet;
 import java.util.stream.Stream;
 import org.sitaf.core.description.Direction;
-import org.sitaf.core.harness.java.HarnessPlan.Argument;
-import org.sitaf.core.harness.java.HarnessPlan.Output;
-import org.sitaf.core.harness.java.HarnessPlan.StubMethod;
-import org.sitaf.core.harness.java.HarnessPlan.World;
+import org.sitaf.core.harness.java.plan.HarnessPlan;
+import org.sitaf.core.harness.java.plan.HarnessPlan.Argument;
+import org.sitaf.core.harness.java.plan.HarnessPlan.Output;
+import org.sitaf.core.harness.java.plan.HarnessPlan.StubMethod;
+import org.sitaf.core.harness.java.plan.HarnessPlan.World;
+import org.sitaf.core.harness.java.plan.JavaText;
+import org.sitaf.core.harness.java.plan.JavaType;
 import org.sitaf.core.model.Tolerance;
 
 /** What the template of the test driver prints: the five steps of Fig. 10. */

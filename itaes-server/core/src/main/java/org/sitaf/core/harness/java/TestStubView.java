@@ -5,8 +5,11 @@ import java.util.Objects;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import java.util.stream.Stream;
-import org.sitaf.core.harness.java.HarnessPlan.Stub;
-import org.sitaf.core.harness.java.HarnessPlan.StubMethod;
+import org.sitaf.core.harness.java.plan.HarnessPlan;
+import org.sitaf.core.harness.java.plan.HarnessPlan.Stub;
+import org.sitaf.core.harness.java.plan.HarnessPlan.StubMethod;
+import org.sitaf.core.harness.java.plan.JavaText;
+import org.sitaf.core.harness.java.plan.JavaType;
 
 /** What the template of the test stub prints. */
 record TestStubView(

@@ -1,4 +1,4 @@
-package org.sitaf.core.harness.java;
+package org.sitaf.core.harness.java.plan;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -10,7 +10,7 @@ import org.sitaf.core.description.InterfaceDescription;
 import org.sitaf.core.description.Method;
 import org.sitaf.core.description.Parameter;
 import org.sitaf.core.diagnostic.Diagnostics;
-import org.sitaf.core.harness.java.HarnessPlan.Call;
+import org.sitaf.core.harness.java.plan.HarnessPlan.Call;
 import org.sitaf.core.model.Value;
 
 /**

@@ -1,4 +1,4 @@
-package org.sitaf.core.harness.java;
+package org.sitaf.core.harness.java.plan;
 
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -15,8 +15,8 @@ import org.sitaf.core.description.Method;
 import org.sitaf.core.description.Parameter;
 import org.sitaf.core.description.ScalarType;
 import org.sitaf.core.diagnostic.Diagnostics;
-import org.sitaf.core.harness.java.HarnessPlan.Stub;
-import org.sitaf.core.harness.java.HarnessPlan.StubMethod;
+import org.sitaf.core.harness.java.plan.HarnessPlan.Stub;
+import org.sitaf.core.harness.java.plan.HarnessPlan.StubMethod;
 import org.sitaf.core.model.InputKind;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.suite.CaseParameter;

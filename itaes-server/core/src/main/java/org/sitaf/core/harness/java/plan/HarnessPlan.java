@@ -1,4 +1,4 @@
-package org.sitaf.core.harness.java;
+package org.sitaf.core.harness.java.plan;
 
 import java.time.Duration;
 import java.util.List;
@@ -25,7 +25,7 @@ import org.sitaf.core.model.Tolerance;
  * @param properties of the component, by name
  * @param before calls that set the component up, as statements without the component
  */
-record HarnessPlan(
+public record HarnessPlan(
     String modelName,
     String packageName,
     String interfaceName,
@@ -49,26 +49,27 @@ record HarnessPlan(
    * @param local its variable
    * @param given whether the suite has a value for it
    */
-  record Argument(String name, String local, JavaType type, Direction direction, boolean given) {
+  public record Argument(
+      String name, String local, JavaType type, Direction direction, boolean given) {
     /** The type of the variable. */
-    String declared() {
+    public String declared() {
       return direction == Direction.IN ? type.name() : "Out<" + type.boxed() + ">";
     }
 
     /** The variable's declaration as a parameter. */
-    String parameter() {
+    public String parameter() {
       return declared() + " " + local;
     }
   }
 
   /** The world of the activity and what the suite sets in it. */
-  record World(String path, List<Setting> settings, Duration settle, Duration runFor) {
+  public record World(String path, List<Setting> settings, Duration settle, Duration runFor) {
     /**
      * A parameter of the world that the suite sets (TDSD).
      *
      * @param documentation its unit and range, fit for a comment
      */
-    record Setting(String name, String local, String documentation) {}
+    public record Setting(String name, String local, String documentation) {}
   }
 
   /**
@@ -77,7 +78,7 @@ record HarnessPlan(
    * @param name of the interface, and of the Java interface
    * @param field of the test stub that implements it
    */
-  record Stub(String name, String source, String field, List<StubMethod> methods) {}
+  public record Stub(String name, String source, String field, List<StubMethod> methods) {}
 
   /**
    * A method of a required interface.
@@ -86,13 +87,13 @@ record HarnessPlan(
    * @param field of the test stub that holds its answer; empty where it returns nothing
    * @param answer what the suite calls its answer (TDTS); null where the suite sets none
    */
-  record StubMethod(
+  public record StubMethod(
       String name,
       @Nullable JavaType returns,
       List<String> parameters,
       String field,
       @Nullable String answer) {
-    String returnName() {
+    public String returnName() {
       return returns == null ? "void" : returns.name();
     }
   }
@@ -103,23 +104,24 @@ record HarnessPlan(
    * @param expression that gives it
    * @param tolerance null where nothing is expected of it
    */
-  record Output(String name, String expression, boolean observed, @Nullable Tolerance tolerance) {}
+  public record Output(
+      String name, String expression, boolean observed, @Nullable Tolerance tolerance) {}
 
   /** A call of the component, with arguments as expressions. */
-  record Call(String method, List<String> arguments) {}
+  public record Call(String method, List<String> arguments) {}
 
   /** The return type as sources spell it. */
-  String returnName() {
+  public String returnName() {
     return returns == null ? "void" : returns.name();
   }
 
   /** Whether anything is observed in the world after the call. */
-  boolean observes() {
+  public boolean observes() {
     return outputs.stream().anyMatch(Output::observed);
   }
 
   /** The answers that the suite sets. */
-  List<StubMethod> answers() {
+  public List<StubMethod> answers() {
     return stubs.stream()
         .flatMap(s -> s.methods().stream())
         .filter(m -> m.answer() != null)

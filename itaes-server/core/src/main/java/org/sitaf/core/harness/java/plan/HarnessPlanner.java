@@ -1,4 +1,4 @@
-package org.sitaf.core.harness.java;
+package org.sitaf.core.harness.java.plan;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -16,9 +16,9 @@ import org.sitaf.core.description.ScalarType;
 import org.sitaf.core.description.WorldDescription;
 import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.diagnostic.InvalidInputException;
-import org.sitaf.core.harness.java.HarnessPlan.Argument;
-import org.sitaf.core.harness.java.HarnessPlan.Output;
-import org.sitaf.core.harness.java.HarnessPlan.World;
+import org.sitaf.core.harness.java.plan.HarnessPlan.Argument;
+import org.sitaf.core.harness.java.plan.HarnessPlan.Output;
+import org.sitaf.core.harness.java.plan.HarnessPlan.World;
 import org.sitaf.core.model.InputKind;
 import org.sitaf.core.model.OutputElement;
 import org.sitaf.core.model.OutputKind;
@@ -30,7 +30,7 @@ import org.sitaf.core.suite.TestSuite;
  * Decides about a test application before anything is printed, and says everything that Java cannot
  * express.
  */
-final class HarnessPlanner {
+public final class HarnessPlanner {
   private static final String PROFILE = "activity.yaml";
   private static final DataType VOID = new DataType.Scalar(ScalarType.VOID);
 
@@ -52,8 +52,13 @@ final class HarnessPlanner {
    *
    * @throws InvalidInputException with everything that has no spelling in Java
    */
-  static HarnessPlan plan(Activity activity, TestModel model, TestSuite suite) {
+  public static HarnessPlan plan(Activity activity, TestModel model, TestSuite suite) {
     return new HarnessPlanner(activity, model, suite).plan();
+  }
+
+  /** The package of a model's test application. */
+  public static String packageName(TestModel model) {
+    return "sitaf.harness." + JavaNames.packagePart(model.name());
   }
 
   private HarnessPlan plan() {
@@ -83,7 +88,7 @@ final class HarnessPlanner {
     boolean clash = JavaNames.isUsedType(simpleName);
     return new HarnessPlan(
         model.name(),
-        JavaHarness.packageName(model),
+        packageName(model),
         target.declaring().name(),
         method.name(),
         model.description(),

@@ -1,4 +1,4 @@
-package org.sitaf.core.harness.java;
+package org.sitaf.core.harness.java.plan;
 
 import java.util.Optional;
 import org.sitaf.core.description.DataType;
@@ -16,7 +16,7 @@ import org.sitaf.core.model.Value;
  * @param zero the value that nobody has set
  * @param scalar null for a sequence
  */
-record JavaType(
+public record JavaType(
     String name,
     String boxed,
     String accessor,

@@ -1,4 +1,4 @@
-package org.sitaf.core.harness.java;
+package org.sitaf.core.harness.java.plan;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -8,14 +8,14 @@ import java.util.Locale;
  * Values and texts of users in Java sources. Java reads {@code &#92;u000a} as a line break wherever
  * it stands, even in a comment, so that no backslash of a user's ever reaches a source unescaped.
  */
-final class JavaText {
+public final class JavaText {
   private static final int WIDTH = 100;
   private static final int MAX_COMMENT_LENGTH = 600;
 
   private JavaText() {}
 
   /** A string literal. */
-  static String string(String text) {
+  public static String string(String text) {
     StringBuilder literal = new StringBuilder("\"");
     for (int i = 0; i < text.length(); i++) {
       literal.append(escaped(text.charAt(i), '"'));
@@ -63,7 +63,7 @@ final class JavaText {
    * A user's text for a documentation comment: one line, without anything that means something to
    * javac or to Javadoc.
    */
-  static String comment(String text) {
+  public static String comment(String text) {
     String oneLine =
         text.replaceAll("[\\s\\p{Cntrl}\\p{Cf}\\p{Cs}\\p{Co}\\p{Cn}\\p{Zl}\\p{Zp}]+", " ").strip();
     if (oneLine.length() > MAX_COMMENT_LENGTH) {
@@ -92,7 +92,7 @@ final class JavaText {
    * @param paragraphs its paragraphs
    * @param tags block tags, such as {@code @param name what it is}
    */
-  static String javadoc(int indent, List<String> paragraphs, List<String> tags) {
+  public static String javadoc(int indent, List<String> paragraphs, List<String> tags) {
     String pad = " ".repeat(indent);
     String only = pad + "/** " + paragraphs.get(0) + " */";
     if (paragraphs.size() == 1 && tags.isEmpty() && only.length() <= WIDTH) {
@@ -137,7 +137,7 @@ final class JavaText {
    * @param left what stands before the call: empty, {@code return} or an assignment with its {@code
    *     =}
    */
-  static String call(int indent, String left, String callee, List<String> arguments) {
+  public static String call(int indent, String left, String callee, List<String> arguments) {
     String pad = " ".repeat(indent);
     String before = left.isEmpty() ? "" : left + " ";
     String whole = pad + before + callee + "(" + String.join(", ", arguments) + ");";
@@ -155,7 +155,7 @@ final class JavaText {
    *
    * @param end what follows: {@code  {}, {@code  {}} or {@code ;}
    */
-  static String declaration(
+  public static String declaration(
       int indent, String head, List<String> parameters, boolean throwing, String end) {
     String pad = " ".repeat(indent);
     String oneLine = pad + head + "(" + String.join(", ", parameters) + ")";

@@ -1,4 +1,4 @@
-package org.sitaf.core.harness.java;
+package org.sitaf.core.harness.java.plan;
 
 import java.util.Arrays;
 import java.util.HashSet;

@@ -1,0 +1,315 @@
+package org.sitaf.core.harness.java;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.sitaf.core.activity.Activity;
+import org.sitaf.core.activity.ActivityProfile;
+import org.sitaf.core.activity.ActivityProfile.Component;
+import org.sitaf.core.activity.ActivityProfile.Language;
+import org.sitaf.core.activity.ActivityProfile.LifeCycle;
+import org.sitaf.core.activity.ActivityProfile.Limits;
+import org.sitaf.core.description.CallType;
+import org.sitaf.core.description.DataType;
+import org.sitaf.core.description.Direction;
+import org.sitaf.core.description.InterfaceDescription;
+import org.sitaf.core.description.Method;
+import org.sitaf.core.description.Parameter;
+import org.sitaf.core.description.ScalarType;
+import org.sitaf.core.diagnostic.InvalidInputException;
+import org.sitaf.core.harness.InterfaceTestApplicationGenerator;
+import org.sitaf.core.harness.TestApplication;
+import org.sitaf.core.model.InputKind;
+import org.sitaf.core.model.InvalidValues;
+import org.sitaf.core.model.Strength;
+import org.sitaf.core.model.Target;
+import org.sitaf.core.model.TestModel;
+import org.sitaf.core.suite.CaseParameter;
+import org.sitaf.core.suite.Generation;
+import org.sitaf.core.suite.TestCase;
+import org.sitaf.core.suite.TestSuite;
+
+/** Names and values that try to become code: in strings, comments, identifiers and templates. */
+class InjectionTest {
+  private static final DataType STRING = new DataType.Scalar(ScalarType.STRING);
+
+  /** Each would run code of its own, or break the source, if it reached a source as it is. */
+  private static final List<String> HOSTILE =
+      List.of(
+          "\"; System.exit(9); //",
+          "\\\"; System.exit(9); //",
+          "\\u0022; System.exit(9); //",
+          "\\\\u0022; System.exit(9); //",
+          "*/ static { System.exit(9); } /*",
+          "\\u002a\\u002f static { System.exit(9); } /*",
+          "\\u000a static { System.exit(9); } //",
+          "\\uuuu000a static { System.exit(9); } //",
+          "\n static { System.exit(9); } //",
+          "\r*/ static { System.exit(9); }",
+          "\u2028 static { System.exit(9); } //",
+          "{{packageName}} {{{component}}} {{#imports}}",
+          "{@link System#exit} @param <b> & &lt; {@code",
+          "\\",
+          "\\u",
+          "\u0000\u0007\u001b\u007f\u0085\u202e",
+          "${jndi:ldap://127.0.0.1/x} #{1+1} %s %n",
+          "'); DROP TABLE cases; --",
+          "\uD83E\uDD16 ü 한국어",
+          "*\\/ /** // /*",
+          "a".repeat(5000));
+
+  @TempDir Path folder;
+
+  private String className = "robot.Echo";
+  private String interfaceName = "EchoService";
+  private String method = "Say";
+  private String parameter = "text";
+  private String modelName = "Say";
+  private String description = "";
+  private String source = "provided.xml";
+  private final Map<String, String> properties = new TreeMap<>();
+  private final List<String> before = new ArrayList<>();
+  private List<InterfaceDescription> required = List.of();
+
+  private TestApplication generate() {
+    Component component =
+        new Component(
+            Language.JAVA,
+            "component/",
+            null,
+            null,
+            null,
+            className,
+            null,
+            null,
+            properties,
+            LifeCycle.CASE,
+            null,
+            before);
+    ActivityProfile profile =
+        new ActivityProfile(
+            "echo",
+            description,
+            component,
+            List.of("provided.xml"),
+            List.of(),
+            List.of(),
+            Language.JAVA,
+            null,
+            List.of("model.xml"),
+            false,
+            Limits.DEFAULT);
+    Method say =
+        new Method(
+            method,
+            STRING,
+            List.of(new Parameter(parameter, STRING, Direction.IN)),
+            CallType.BLOCKING,
+            1);
+    TestModel model =
+        new TestModel(
+            modelName,
+            description,
+            new Target(interfaceName, method, null, Duration.ZERO, Duration.ZERO),
+            List.of(),
+            List.of(),
+            List.of(),
+            List.of(),
+            InvalidValues.ISOLATE,
+            new Strength(1),
+            List.of(),
+            List.of(),
+            "model.xml");
+    TestSuite suite =
+        new TestSuite(
+            "s",
+            "",
+            modelName,
+            new Generation(new Strength(1), InvalidValues.ISOLATE, 1, "default", "test"),
+            List.of(new CaseParameter(parameter, InputKind.TDI, "string")),
+            List.of(new TestCase(1, true, List.of("hello"), List.of())));
+    Activity activity =
+        new Activity(
+            profile,
+            HarnessBuild.tree(Map.of("model.xml", "", "component/robot/Echo.java", ECHO)),
+            List.of(new InterfaceDescription(interfaceName, List.of(say), source)),
+            required,
+            null,
+            List.of(model),
+            List.of());
+    return InterfaceTestApplicationGenerator.generate(activity, model, suite);
+  }
+
+  /** Gives back, as numbers of characters, everything that it was ever given. */
+  private static final String ECHO =
+      """
+      package robot;
+
+      public final class Echo {
+        private final StringBuilder heard = new StringBuilder();
+
+        public void setProperty(String name, String value) {
+          Say(name);
+          Say(value);
+        }
+
+        public String Say(String text) {
+          text.chars().forEach(c -> heard.append(c).append(' '));
+          heard.append(';');
+          return heard.toString();
+        }
+      }
+      """;
+
+  private static String numbers(String text) {
+    StringBuilder numbers = new StringBuilder();
+    text.chars().forEach(c -> numbers.append(c).append(' '));
+    return numbers.append(';').toString();
+  }
+
+  @Test
+  void everyTextArrivesAsItIsAndNothingElseHappens() throws Exception {
+    StringBuilder heard = new StringBuilder();
+    for (int i = 0; i < HOSTILE.size(); i++) {
+      properties.put("%02d".formatted(i) + HOSTILE.get(i), HOSTILE.get(i));
+    }
+    properties.forEach((name, value) -> heard.append(numbers(name)).append(numbers(value)));
+    for (String text : HOSTILE) {
+      before.add("Say(\"" + text.replace("\\", "\\\\").replace("\"", "\\\"") + "\")");
+      heard.append(numbers(text));
+    }
+    heard.append(numbers("hello"));
+    description = String.join(" ", HOSTILE);
+    source = String.join(" ", HOSTILE);
+    TestApplication application = generate();
+    HarnessBuild build = new HarnessBuild(folder);
+    build.compile(application);
+    List<String> lines = build.run(application);
+    assertThat(lines).hasSize(1);
+    assertThat(lines.get(0))
+        .contains("verdict=\"PASS\"")
+        .contains("<actual>" + heard + "</actual>");
+  }
+
+  @Test
+  void aDescriptionStaysInItsComment() throws Exception {
+    for (int i = 0; i < HOSTILE.size(); i++) {
+      description = HOSTILE.get(i);
+      Path subfolder = Files.createDirectory(folder.resolve("d" + i));
+      new HarnessBuild(subfolder).compile(generate());
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "",
+        " ",
+        "a b",
+        "a-b",
+        "1a",
+        "a;b",
+        "a(",
+        "a\"b",
+        "a\\u0022",
+        "a\nb",
+        "a//b",
+        "a/*",
+        "{{x}}",
+        "a\u0000b",
+        "a\u200bb",
+        "a\u00adb",
+        "class",
+        "int",
+        "null",
+        "_",
+        "true"
+      })
+  void aNameThatCodeWouldCallMustBeOneThatJavaHas(String name) {
+    method = name;
+    assertThatThrownBy(this::generate).as("method").isInstanceOf(InvalidInputException.class);
+    method = "Say";
+    className = "robot." + name;
+    assertThatThrownBy(this::generate).as("class").isInstanceOf(InvalidInputException.class);
+    className = name + ".Echo";
+    assertThatThrownBy(this::generate).as("package").isInstanceOf(InvalidInputException.class);
+    className = "robot.Echo";
+    required = List.of(new InterfaceDescription(name, List.of(), "r.xml"));
+    assertThatThrownBy(this::generate).as("interface").isInstanceOf(InvalidInputException.class);
+    Method named = new Method(name, STRING, List.of(), CallType.BLOCKING, 1);
+    required = List.of(new InterfaceDescription("Finder", List.of(named), "r.xml"));
+    assertThatThrownBy(this::generate).as("required").isInstanceOf(InvalidInputException.class);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"", "a b", "1a", "a;b", "a\\u0022", "a\nb", "int x, int", "a\u200bb"})
+  void aParameterMustBeAnIdentifier(String name) {
+    parameter = name;
+    assertThatThrownBy(this::generate).isInstanceOf(InvalidInputException.class);
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "class",
+        "String",
+        "int",
+        "component",
+        "result",
+        "testCase",
+        "returned",
+        "org",
+        "robot",
+        "Component",
+        "stopwatch",
+        "call",
+        "한글",
+        "IRSensor",
+        "ID",
+        "var",
+        "record",
+        "_"
+      })
+  void aParameterMayBeNamedLikeAnythingElseInTheSource(String name) throws Exception {
+    parameter = name;
+    new HarnessBuild(folder).compile(generate());
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"class", "1st", "a-b.c", "../up", "Ünïcode", "a;b"})
+  void aModelOfAnyNameGetsAPackageOfItsOwn(String name) throws Exception {
+    modelName = name;
+    TestApplication application = generate();
+    assertThat(application.mainClass())
+        .matches("sitaf\\.harness\\.[a-z0-9_]+\\.ConcreteTestDriver");
+    new HarnessBuild(folder).compile(application);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"String", "Object", "TestStub", "Out"})
+  void aRequiredInterfaceMayNotHideATypeOfTheSources(String name) {
+    required = List.of(new InterfaceDescription(name, List.of(), "r.xml"));
+    assertThatThrownBy(this::generate)
+        .isInstanceOf(InvalidInputException.class)
+        .hasMessageContaining("rename the interface");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"wait", "getClass", "toString"})
+  void aRequiredMethodMayNotBeOneThatEveryObjectHas(String name) {
+    Method named = new Method(name, STRING, List.of(), CallType.BLOCKING, 1);
+    required = List.of(new InterfaceDescription("Finder", List.of(named), "r.xml"));
+    assertThatThrownBy(this::generate).isInstanceOf(InvalidInputException.class);
+  }
+}

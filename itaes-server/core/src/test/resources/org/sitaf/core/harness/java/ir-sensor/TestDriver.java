@@ -1,0 +1,63 @@
+package sitaf.harness.getinfrareddata;
+
+import org.sitaf.examples.ir.InfraredSensor;
+import org.sitaf.runtime.LifeCycle;
+import org.sitaf.runtime.Stopwatch;
+import org.sitaf.runtime.SuiteDriver;
+import org.sitaf.runtime.TestRun;
+import org.sitaf.runtime.suite.CaseResult;
+import org.sitaf.runtime.suite.TestCase;
+import org.sitaf.runtime.suite.Tolerance;
+
+/**
+ * Test driver (TD) of InfraredSensorService.GetInfraredData: runs the cases of the test model
+ * GetInfraredData.
+ *
+ * <p>Distance to the obstacle, as infrared sensor IndexOfSensor sees it
+ */
+abstract class TestDriver extends SuiteDriver<InfraredSensor> {
+  private final SimulationControl simulationControl;
+  private final TestStub testStub;
+
+  TestDriver(TestRun run) {
+    super(run, LifeCycle.CASE);
+    simulationControl = new SimulationControl(run.simulation());
+    testStub = new TestStub();
+  }
+
+  /** The call under test, InfraredSensorService.GetInfraredData; nothing else is timed. */
+  abstract double call(InfraredSensor component, int indexOfSensor, int numOfSensor)
+      throws Exception;
+
+  /** Makes the component, with whatever of hardware and stubs its constructor asks for. */
+  final InfraredSensor newComponent() throws Exception {
+    return newComponent(InfraredSensor.class);
+  }
+
+  @Override
+  protected final void runCase(TestCase testCase, CaseResult result) throws Exception {
+    // 1. Read the test case.
+    int indexOfSensor = testCase.intValue("IndexOfSensor");
+    int numOfSensor = testCase.intValue("NumOfSensor");
+    double distance = testCase.doubleValue("Distance");
+
+    // 2. Simulation control sets the virtual environment (TDSD).
+    simulationControl.prepare(distance);
+
+    // 3. The test stub gets what the required interfaces answer (TDTS).
+    testStub.prepare();
+
+    // 4. The component is called with the input (TDI), and timed.
+    InfraredSensor component = component();
+    beforeCase(component, testCase);
+    Stopwatch stopwatch = stopwatch();
+    stopwatch.start();
+    double returned = call(component, indexOfSensor, numOfSensor);
+    stopwatch.stop();
+    afterCase(component, testCase);
+
+    // 5. The result is compared with what is expected, and saved.
+    result.compare("return", returned, new Tolerance(1.0E-9, 0.0));
+    save(result);
+  }
+}

@@ -1,0 +1,6 @@
+package sitaf.harness.getinfrareddata;
+
+/** Test stub (TS): the component requires no interface, so that there is nothing to answer. */
+final class TestStub {
+  void prepare() {}
+}
