@@ -27,7 +27,8 @@ import picocli.CommandLine.Spec;
 /** Test cases from a test model, offline. */
 @Command(
     name = "generate",
-    description = "Generates the test cases of a test model. Exit code 2: the model cannot be used.",
+    description =
+        "Generates the test cases of a test model. Exit code 2: the model cannot be used.",
     mixinStandardHelpOptions = true)
 final class GenerateCommand implements Callable<Integer> {
   @Spec private @Nullable CommandSpec spec;

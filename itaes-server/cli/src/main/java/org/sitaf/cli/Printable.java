@@ -1,6 +1,9 @@
 package org.sitaf.cli;
 
-/** Text of users, made harmless for a terminal: escape sequences and other control characters become visible. */
+/**
+ * Text of users, made harmless for a terminal: escape sequences and other control characters become
+ * visible.
+ */
 final class Printable {
   private Printable() {}
 

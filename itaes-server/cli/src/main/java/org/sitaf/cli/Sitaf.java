@@ -2,19 +2,29 @@ package org.sitaf.cli;
 
 import java.io.PrintWriter;
 import java.io.UncheckedIOException;
+import org.sitaf.cli.system.DemoCommand;
+import org.sitaf.cli.system.UpCommand;
 import org.sitaf.core.diagnostic.Diagnostic;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 
-/** The command line. Commands end with 0 when all is well; each says what its other exit codes mean. */
+/**
+ * The command line. Commands end with 0 when all is well; each says what its other exit codes mean.
+ */
 @Command(
     name = "sitaf",
     description = "Tests the interface of a robot software component against a simulation.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
-    subcommands = {GenerateCommand.class, DescribeCommand.class})
+    subcommands = {
+      GenerateCommand.class,
+      DescribeCommand.class,
+      RunCommand.class,
+      DemoCommand.class,
+      UpCommand.class
+    })
 public final class Sitaf {
   /** The input cannot be used, or nothing ran. */
   static final int UNUSABLE = 2;

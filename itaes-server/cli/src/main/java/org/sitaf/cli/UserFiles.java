@@ -12,7 +12,7 @@ import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.diagnostic.InvalidInputException;
 
 /** Files on this machine, as a person names them. */
-final class UserFiles {
+public final class UserFiles {
   private static final int MAX_DEPTH = 20;
 
   private UserFiles() {}
@@ -22,7 +22,7 @@ final class UserFiles {
    *
    * @throws InvalidInputException when there is no such folder, or a link lies in it
    */
-  static FileTree folder(Path folder) {
+  public static FileTree folder(Path folder) {
     if (!Files.isDirectory(folder)) {
       throw InvalidInputException.of(folder.toString(), "is not a folder");
     }
@@ -56,7 +56,7 @@ final class UserFiles {
    *
    * @throws InvalidInputException when it cannot be read
    */
-  static byte[] file(Path file) {
+  public static byte[] file(Path file) {
     try {
       return Files.readAllBytes(file);
     } catch (IOException e) {

@@ -17,7 +17,9 @@ final class Words {
             () ->
                 new TypeConversionException(
                     "must be one of "
-                        + Arrays.stream(choices).map(Words::spelling).collect(Collectors.joining(", "))
+                        + Arrays.stream(choices)
+                            .map(Words::spelling)
+                            .collect(Collectors.joining(", "))
                         + ", not '"
                         + word
                         + "'"));

@@ -1,11 +1,14 @@
 package org.sitaf.core.document;
 
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.Deque;
+import java.util.List;
 import java.util.Set;
 import javax.xml.namespace.NamespaceContext;
 import javax.xml.stream.XMLStreamException;
 import javax.xml.stream.XMLStreamWriter;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Indents by two spaces, keeps rows on one line, and keeps carriage returns, which XML would
@@ -15,7 +18,11 @@ final class IndentingWriter implements XMLStreamWriter {
   private final XMLStreamWriter out;
   private final Set<String> rows;
   private final Deque<Boolean> hasChildren = new ArrayDeque<>();
+  private final List<String[]> attributes = new ArrayList<>();
   private int insideRow;
+
+  /** An element that has begun and has no content yet. */
+  private @Nullable String pending;
 
   IndentingWriter(XMLStreamWriter out, Set<String> rows) {
     this.out = out;
@@ -23,6 +30,7 @@ final class IndentingWriter implements XMLStreamWriter {
   }
 
   private void begin(String name, boolean empty) throws XMLStreamException {
+    flushPending(false);
     if (insideRow == 0) {
       if (!hasChildren.isEmpty()) {
         hasChildren.pop();
@@ -39,6 +47,22 @@ final class IndentingWriter implements XMLStreamWriter {
     hasChildren.push(false);
   }
 
+  private void flushPending(boolean empty) throws XMLStreamException {
+    if (pending == null) {
+      return;
+    }
+    if (empty) {
+      out.writeEmptyElement(pending);
+    } else {
+      out.writeStartElement(pending);
+    }
+    for (String[] attribute : attributes) {
+      out.writeAttribute(attribute[0], attribute[1]);
+    }
+    attributes.clear();
+    pending = null;
+  }
+
   private void newLine(int depth) throws XMLStreamException {
     out.writeCharacters("\n" + "  ".repeat(depth));
   }
@@ -46,7 +70,7 @@ final class IndentingWriter implements XMLStreamWriter {
   @Override
   public void writeStartElement(String name) throws XMLStreamException {
     begin(name, false);
-    out.writeStartElement(name);
+    pending = name;
   }
 
   @Override
@@ -78,12 +102,16 @@ final class IndentingWriter implements XMLStreamWriter {
   @Override
   public void writeEndElement() throws XMLStreamException {
     boolean children = hasChildren.pop();
+    boolean empty = pending != null;
+    flushPending(true);
     if (insideRow > 0) {
       insideRow--;
     } else if (children) {
       newLine(hasChildren.size());
     }
-    out.writeEndElement();
+    if (!empty) {
+      out.writeEndElement();
+    }
   }
 
   @Override
@@ -94,6 +122,10 @@ final class IndentingWriter implements XMLStreamWriter {
 
   @Override
   public void writeCharacters(String text) throws XMLStreamException {
+    if (text.isEmpty()) {
+      return;
+    }
+    flushPending(false);
     int from = 0;
     for (int at = text.indexOf('\r'); at >= 0; at = text.indexOf('\r', from)) {
       out.writeCharacters(text.substring(from, at));
@@ -109,19 +141,18 @@ final class IndentingWriter implements XMLStreamWriter {
   }
 
   @Override
-  public void writeAttribute(String name, String value) throws XMLStreamException {
-    out.writeAttribute(name, value);
+  public void writeAttribute(String name, String value) {
+    attributes.add(new String[] {name, value});
   }
 
   @Override
-  public void writeAttribute(String uri, String name, String value) throws XMLStreamException {
-    out.writeAttribute(name, value);
+  public void writeAttribute(String uri, String name, String value) {
+    attributes.add(new String[] {name, value});
   }
 
   @Override
-  public void writeAttribute(String prefix, String uri, String name, String value)
-      throws XMLStreamException {
-    out.writeAttribute(name, value);
+  public void writeAttribute(String prefix, String uri, String name, String value) {
+    attributes.add(new String[] {name, value});
   }
 
   @Override
@@ -151,6 +182,7 @@ final class IndentingWriter implements XMLStreamWriter {
 
   @Override
   public void writeComment(String data) throws XMLStreamException {
+    flushPending(false);
     out.writeComment(data);
   }
 

@@ -1,6 +1,7 @@
 package org.sitaf.core.verdict;
 
 import java.io.OutputStream;
+import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -13,33 +14,20 @@ public final class JunitXml {
   private JunitXml() {}
 
   /**
-   * Writes a result as one {@code testsuite}.
+   * Writes each result as a {@code testsuite}.
    *
    * @param activity name of the activity, for the class names of the cases
    */
-  public static void write(String activity, TestResult result, OutputStream out) {
+  public static void write(String activity, List<TestResult> results, OutputStream out) {
     try {
       XMLStreamWriter xml =
           XMLOutputFactory.newDefaultFactory().createXMLStreamWriter(out, "UTF-8");
       xml.writeStartDocument("UTF-8", "1.0");
       xml.writeCharacters("\n");
       xml.writeStartElement("testsuites");
-      Summary summary = result.summary();
-      xml.writeCharacters("\n  ");
-      xml.writeStartElement("testsuite");
-      xml.writeAttribute("name", activity + "." + result.name());
-      xml.writeAttribute("tests", Integer.toString(summary.total()));
-      xml.writeAttribute("failures", Integer.toString(summary.fail()));
-      xml.writeAttribute("errors", Integer.toString(summary.error()));
-      xml.writeAttribute("skipped", Integer.toString(summary.dont()));
-      xml.writeAttribute("timestamp", result.provenance().started());
-      xml.writeAttribute(
-          "time", seconds(result.cases().stream().mapToDouble(JunitXml::microseconds).sum()));
-      for (CaseResult kase : result.cases()) {
-        write(activity, result, kase, xml);
+      for (TestResult result : results) {
+        write(activity, result, xml);
       }
-      xml.writeCharacters("\n  ");
-      xml.writeEndElement();
       xml.writeCharacters("\n");
       xml.writeEndElement();
       xml.writeCharacters("\n");
@@ -48,6 +36,26 @@ public final class JunitXml {
     } catch (XMLStreamException e) {
       throw new IllegalArgumentException("the report cannot be written: " + e.getMessage(), e);
     }
+  }
+
+  private static void write(String activity, TestResult result, XMLStreamWriter xml)
+      throws XMLStreamException {
+    Summary summary = result.summary();
+    xml.writeCharacters("\n  ");
+    xml.writeStartElement("testsuite");
+    xml.writeAttribute("name", activity + "." + result.name());
+    xml.writeAttribute("tests", Integer.toString(summary.total()));
+    xml.writeAttribute("failures", Integer.toString(summary.fail()));
+    xml.writeAttribute("errors", Integer.toString(summary.error()));
+    xml.writeAttribute("skipped", Integer.toString(summary.dont()));
+    xml.writeAttribute("timestamp", result.provenance().started());
+    xml.writeAttribute(
+        "time", seconds(result.cases().stream().mapToDouble(JunitXml::microseconds).sum()));
+    for (CaseResult kase : result.cases()) {
+      write(activity, result, kase, xml);
+    }
+    xml.writeCharacters("\n  ");
+    xml.writeEndElement();
   }
 
   private static void write(
@@ -79,7 +87,7 @@ public final class JunitXml {
     xml.writeEndElement();
   }
 
-  private static String values(java.util.List<NamedValue> values) {
+  private static String values(List<NamedValue> values) {
     return values.isEmpty()
         ? "none"
         : values.stream()

@@ -96,7 +96,7 @@ class ResultAssemblerTest {
   void junitCountsWhatTheSummaryCounts() {
     TestResult result = assembler.assemble(List.of(line(1, "0", "0", 2)), "stopped", PROVENANCE);
     ByteArrayOutputStream out = new ByteArrayOutputStream();
-    JunitXml.write("activity", result, out);
+    JunitXml.write("activity", List.of(result), out);
     assertThat(out.toString(StandardCharsets.UTF_8))
         .contains("tests=\"3\" failures=\"0\" errors=\"0\" skipped=\"2\"")
         .contains("name=\"1: n=0\"")

@@ -1,0 +1,105 @@
+package org.sitaf.cli;
+
+import java.io.PrintWriter;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Collectors;
+import org.sitaf.core.suite.CaseParameter;
+import org.sitaf.core.verdict.CaseResult;
+import org.sitaf.core.verdict.NamedValue;
+import org.sitaf.core.verdict.Summary;
+import org.sitaf.core.verdict.TestResult;
+import org.sitaf.core.verdict.Verdict;
+
+/**
+ * A result as the paper shows it (Fig. 17a): summary, then a row a case with ER (expected), MR
+ * (measured) and PF (verdict).
+ */
+public final class ResultTable {
+  private static final int MAX_WIDTH = 40;
+
+  private ResultTable() {}
+
+  /** Prints cases, a row each; the reason stands behind those that did not pass. */
+  public static void printCases(TestResult result, List<CaseResult> cases, PrintWriter out) {
+    List<List<String>> rows = new ArrayList<>();
+    List<String> header = new ArrayList<>(List.of("No"));
+    result.parameters().stream().map(CaseParameter::name).forEach(header::add);
+    header.addAll(List.of("ER", "MR", "PF", "Time(us)"));
+    rows.add(header);
+    for (CaseResult kase : cases) {
+      List<String> row = new ArrayList<>(List.of(Integer.toString(kase.no())));
+      row.addAll(kase.values());
+      row.add(values(kase.expected()));
+      row.add(values(kase.actual()));
+      row.add(kase.verdict().name());
+      row.add(kase.time() == null ? "-" : number(kase.time().total()));
+      rows.add(row.stream().map(ResultTable::cell).toList());
+    }
+    int columns = header.size();
+    int[] widths = new int[columns];
+    for (List<String> row : rows) {
+      for (int i = 0; i < columns; i++) {
+        widths[i] = Math.max(widths[i], row.get(i).length());
+      }
+    }
+    for (int r = 0; r < rows.size(); r++) {
+      StringBuilder line = new StringBuilder();
+      for (int i = 0; i < columns; i++) {
+        line.append(" ".repeat(widths[i] - rows.get(r).get(i).length()));
+        line.append(rows.get(r).get(i)).append("  ");
+      }
+      String reason = r == 0 ? "" : cases.get(r - 1).message();
+      out.println((line + Printable.line(reason)).stripTrailing());
+    }
+  }
+
+  /** Prints the numbers of a result. */
+  public static void printSummary(TestResult result, PrintWriter out) {
+    Summary summary = result.summary();
+    out.printf(
+        Locale.ROOT,
+        "%s: %d cases, %d PASS, %d FAIL, %d ERROR, %d not executed%s%n",
+        result.name(),
+        summary.total(),
+        summary.pass(),
+        summary.fail(),
+        summary.error(),
+        summary.dont(),
+        summary.unjudged() == 0 ? "" : ", " + summary.unjudged() + " unjudged");
+    if (summary.times() != null) {
+      out.printf(
+          Locale.ROOT,
+          "processing time of the component (us): min %s, max %s, average %s, standard deviation"
+              + " %s%n",
+          number(summary.times().min()),
+          number(summary.times().max()),
+          number(summary.times().average()),
+          number(summary.times().standardDeviation()));
+    }
+    out.flush();
+  }
+
+  /** The cases that did not pass. */
+  public static List<CaseResult> notPassed(TestResult result) {
+    return result.cases().stream().filter(c -> c.verdict() != Verdict.PASS).toList();
+  }
+
+  private static String values(List<NamedValue> values) {
+    return values.isEmpty()
+        ? "-"
+        : values.stream()
+            .map(v -> v.output().isEmpty() ? v.literal() : v.output() + "=" + v.literal())
+            .collect(Collectors.joining(" "));
+  }
+
+  private static String cell(String text) {
+    String line = Printable.line(text);
+    return line.length() <= MAX_WIDTH ? line : line.substring(0, MAX_WIDTH - 1) + "…";
+  }
+
+  private static String number(double microseconds) {
+    return String.format(Locale.ROOT, "%.3f", microseconds);
+  }
+}

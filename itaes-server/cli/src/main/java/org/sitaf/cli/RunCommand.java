@@ -1,0 +1,175 @@
+package org.sitaf.cli;
+
+import java.io.BufferedOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.agent.build.BuildOutcome;
+import org.sitaf.core.activity.Activity;
+import org.sitaf.core.diagnostic.InvalidInputException;
+import org.sitaf.core.model.TestModel;
+import org.sitaf.core.suite.GeneratedSuite;
+import org.sitaf.core.suite.GenerationOptions;
+import org.sitaf.core.suite.TestCaseGenerator;
+import org.sitaf.core.verdict.CaseResult;
+import org.sitaf.core.verdict.JunitXml;
+import org.sitaf.core.verdict.TestResult;
+import org.sitaf.core.verdict.TestResultXml;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** One activity from its files to verdicts, without a server. */
+@Command(
+    name = "run",
+    description = {
+      "Tests one activity: generates cases and test application, compiles and executes them here.",
+      "Exit code 0: every case passed; 1: a case is FAIL or ERROR; 2: a case is DONT, or nothing"
+          + " ran (2 wins)."
+    },
+    mixinStandardHelpOptions = true)
+final class RunCommand implements Callable<Integer> {
+  private static final int TEST_FAILED = 1;
+  private static final int MOST_ROWS = 100;
+
+  @Spec private @Nullable CommandSpec spec;
+
+  @Parameters(paramLabel = "ACTIVITY_DIR", description = "Folder that holds activity.yaml.")
+  private Path folder = Path.of("");
+
+  @Option(
+      names = "--model",
+      paramLabel = "NAME",
+      description = "The test model; without it, all of the activity.")
+  private @Nullable String modelName;
+
+  @Option(
+      names = "--junit",
+      paramLabel = "FILE",
+      description = "Also writes the results as JUnit XML.")
+  private @Nullable Path junit;
+
+  @Option(
+      names = "--result",
+      paramLabel = "FILE",
+      description =
+          "Also writes the test result descriptor; without --model a folder, with a file a model.")
+  private @Nullable Path resultFile;
+
+  @Option(
+      names = "--seed",
+      paramLabel = "S",
+      defaultValue = "1",
+      description = "Seed of everything random (default: ${DEFAULT-VALUE}).")
+  private long seed = 1;
+
+  @Option(names = "--table", description = "Prints every case, not only those that did not pass.")
+  private boolean table;
+
+  @Override
+  public Integer call() throws IOException {
+    PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
+    PrintWriter err = spec.commandLine().getErr();
+    Activity activity = Activity.read(UserFiles.folder(folder));
+    Sitaf.print(activity.warnings(), err);
+    List<TestResult> results = new ArrayList<>();
+    int exitCode = 0;
+    try (LocalBuilds builds = new LocalBuilds(Installation.current())) {
+      for (TestModel model : models(activity)) {
+        GeneratedSuite generated =
+            TestCaseGenerator.generate(model, GenerationOptions.DEFAULT.withSeed(seed));
+        Sitaf.print(generated.notes(), err);
+        BuildOutcome outcome = builds.run(activity, model, generated.suite());
+        if (outcome instanceof BuildOutcome.Completed completed) {
+          print(completed.result(), out);
+          results.add(completed.result());
+          exitCode = Math.max(exitCode, exitCode(completed.result()));
+        } else {
+          print(outcome, err);
+          exitCode = Sitaf.UNUSABLE;
+        }
+      }
+    }
+    write(activity, results);
+    return exitCode;
+  }
+
+  private List<TestModel> models(Activity activity) {
+    if (modelName == null) {
+      return activity.models();
+    }
+    return List.of(
+        activity
+            .model(modelName)
+            .orElseThrow(
+                () ->
+                    InvalidInputException.of(
+                        folder.toString(),
+                        "has no model "
+                            + modelName
+                            + "; it has "
+                            + activity.models().stream().map(TestModel::name).toList())));
+  }
+
+  private void print(TestResult result, PrintWriter out) {
+    List<CaseResult> shown = table ? result.cases() : ResultTable.notPassed(result);
+    if (!shown.isEmpty()) {
+      ResultTable.printCases(
+          result, table ? shown : shown.subList(0, Math.min(shown.size(), MOST_ROWS)), out);
+      if (!table && shown.size() > MOST_ROWS) {
+        out.println(
+            "... and " + (shown.size() - MOST_ROWS) + " more that did not pass; --table shows all");
+      }
+      out.println();
+    }
+    ResultTable.printSummary(result, out);
+  }
+
+  private static void print(BuildOutcome outcome, PrintWriter err) {
+    if (outcome instanceof BuildOutcome.CompilationFailed failed) {
+      failed.diagnostics().forEach(d -> err.println(Printable.line(d.toString())));
+      err.println("sitaf: " + Printable.line(failed.message()));
+    } else if (outcome instanceof BuildOutcome.InfrastructureFailed failed) {
+      err.println("sitaf: " + Printable.line(failed.message()));
+    } else if (outcome instanceof BuildOutcome.Cancelled cancelled) {
+      err.println("sitaf: cancelled: " + cancelled.reason());
+    }
+    err.flush();
+  }
+
+  private static int exitCode(TestResult result) {
+    if (result.summary().dont() > 0 || result.summary().total() == 0) {
+      return Sitaf.UNUSABLE;
+    }
+    return result.summary().pass() == result.summary().total() ? 0 : TEST_FAILED;
+  }
+
+  private void write(Activity activity, List<TestResult> results) throws IOException {
+    if (junit != null) {
+      try (OutputStream out = new BufferedOutputStream(Files.newOutputStream(junit))) {
+        JunitXml.write(activity.profile().name(), results, out);
+      }
+    }
+    if (resultFile != null) {
+      for (TestResult result : results) {
+        Path file = resultFile;
+        if (modelName == null) {
+          Files.createDirectories(resultFile);
+          file = resultFile.resolve(result.name() + ".xml");
+        }
+        try (OutputStream out = new BufferedOutputStream(Files.newOutputStream(file))) {
+          TestResultXml.write(result, out);
+        }
+      }
+    }
+  }
+}

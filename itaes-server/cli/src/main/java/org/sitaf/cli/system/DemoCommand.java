@@ -1,0 +1,127 @@
+package org.sitaf.cli.system;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Comparator;
+import java.util.Map;
+import java.util.Objects;
+import java.util.concurrent.Callable;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.cli.Installation;
+import org.sitaf.cli.ProgressLine;
+import org.sitaf.cli.ResultTable;
+import org.sitaf.cli.UserFiles;
+import org.sitaf.core.activity.ActivityArchive;
+import org.sitaf.core.verdict.TestResult;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+import tools.jackson.databind.JsonNode;
+
+/** The paper's evaluation (section 4) on the whole system: server, agent, simulation. */
+@Command(
+    name = "demo",
+    description =
+        "Runs the paper's evaluation: the infrared sensor's interface, from its description to a"
+            + " verdict for each case. Exit code 1: a case did not pass.",
+    mixinStandardHelpOptions = true)
+public final class DemoCommand implements Callable<Integer> {
+  private static final String MODEL = "GetInfraredData";
+
+  @Spec private @Nullable CommandSpec spec;
+
+  @Option(
+      names = "--keep",
+      description = "Leaves server, agent and portal running until this command is stopped.")
+  private boolean keep;
+
+  @Override
+  public Integer call() throws IOException, InterruptedException {
+    PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
+    Installation installation = Installation.current();
+    Path directory = Files.createTempDirectory("sitaf-demo-");
+    try (ProgressLine progress = new ProgressLine(System.err);
+        LocalSystem system = LocalSystem.start(installation, directory, 0, 0, progress)) {
+      Thread onExit = new Thread(system::close);
+      Runtime.getRuntime().addShutdownHook(onExit);
+      int exitCode = evaluate(installation, system, progress, out);
+      progress.close();
+      if (keep) {
+        out.println("The portal is at " + system.address() + " until you press Ctrl-C.");
+        out.flush();
+        system.await();
+      }
+      Runtime.getRuntime().removeShutdownHook(onExit);
+      return exitCode;
+    } finally {
+      delete(directory);
+    }
+  }
+
+  private int evaluate(
+      Installation installation, LocalSystem system, ProgressLine progress, PrintWriter out)
+      throws IOException, InterruptedException {
+    ServerClient server = new ServerClient(system.address());
+    progress.step("Creating the activity from examples/ir-sensor");
+    ByteArrayOutputStream zip = new ByteArrayOutputStream();
+    ActivityArchive.write(UserFiles.folder(installation.example("ir-sensor")), zip);
+    JsonNode activity = server.post("activities", "application/zip", zip.toByteArray());
+    String suites = "activities/" + activity.path("id").asString() + "/models/" + MODEL + "/suites";
+
+    RemoteBuild builds = new RemoteBuild(server, progress);
+    progress.step("Generating test cases");
+    byte[] isolatedDocument = builds.build(suite(server.post(suites, Map.of()), progress, out));
+    TestResult isolated = RemoteBuild.parse(isolatedDocument);
+    byte[] combinedDocument =
+        builds.build(suite(server.post(suites, Map.of("invalidValues", "combine")), progress, out));
+    TestResult combined = RemoteBuild.parse(combinedDocument);
+
+    progress.close();
+    out.println();
+    ResultTable.printCases(isolated, isolated.cases(), out);
+    out.println();
+    ResultTable.printSummary(isolated, out);
+    out.println();
+    out.println("With invalid values combined instead of isolated:");
+    ResultTable.printSummary(combined, out);
+    out.println();
+    Path folder = Files.createDirectories(installation.state().resolve("demo"));
+    Path file = folder.resolve(MODEL + ".xml");
+    Files.write(file, isolatedDocument);
+    Files.write(folder.resolve(MODEL + "-combined.xml"), combinedDocument);
+    out.println("The results as XML: " + file + " and, combined, beside it.");
+    out.flush();
+    return allPassed(isolated) && allPassed(combined) ? 0 : 1;
+  }
+
+  private static String suite(JsonNode suite, ProgressLine progress, PrintWriter out) {
+    progress.close();
+    out.println(
+        "Generated "
+            + suite.path("total").asInt()
+            + " test cases: "
+            + suite.path("valid").asInt()
+            + " valid, "
+            + suite.path("invalid").asInt()
+            + " with an invalid value");
+    out.flush();
+    return suite.path("id").asString();
+  }
+
+  private static boolean allPassed(TestResult result) {
+    return result.summary().total() > 0 && result.summary().pass() == result.summary().total();
+  }
+
+  private static void delete(Path directory) throws IOException {
+    try (Stream<Path> files = Files.walk(directory)) {
+      for (Path path : files.sorted(Comparator.reverseOrder()).toList()) {
+        Files.deleteIfExists(path);
+      }
+    }
+  }
+}

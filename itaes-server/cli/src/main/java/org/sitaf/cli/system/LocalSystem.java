@@ -1,0 +1,95 @@
+package org.sitaf.cli.system;
+
+import java.io.IOException;
+import java.net.URI;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.sitaf.cli.Installation;
+import org.sitaf.cli.ProgressLine;
+
+/**
+ * A server and an agent, which starts a simulation of its own, on this machine and for this command
+ * only.
+ */
+final class LocalSystem implements AutoCloseable {
+  private static final Duration START_LIMIT = Duration.ofSeconds(60);
+  private static final Pattern LISTENING = Pattern.compile("^listening http=(\\d+) grpc=(\\d+)");
+  private static final Pattern REGISTERED = Pattern.compile("^registered ");
+
+  private final StartedProcess server;
+  private final StartedProcess agent;
+  private final URI address;
+
+  private LocalSystem(StartedProcess server, StartedProcess agent, URI address) {
+    this.server = server;
+    this.agent = agent;
+    this.address = address;
+  }
+
+  /**
+   * Starts both, and returns when the agent is registered.
+   *
+   * @param directory what server and agent keep; logs among it
+   * @param httpPort 0 for a free one
+   * @param grpcPort 0 for a free one
+   * @throws IOException when one of them does not start; the message holds the end of its log
+   */
+  static LocalSystem start(
+      Installation installation, Path directory, int httpPort, int grpcPort, ProgressLine progress)
+      throws IOException, InterruptedException {
+    Files.createDirectories(directory);
+    progress.step("Starting the server");
+    List<String> serverCommand = new ArrayList<>(installation.serverCommand());
+    serverCommand.add("--sitaf.data-directory=" + directory.resolve("server"));
+    serverCommand.add("--server.port=" + httpPort);
+    serverCommand.add("--spring.grpc.server.port=" + grpcPort);
+    serverCommand.add("--sitaf.stop-with-stdin=true");
+    StartedProcess server =
+        new StartedProcess("server", serverCommand, directory.resolve("server.log"), LISTENING);
+    try {
+      Matcher ports = server.awaitReady(START_LIMIT);
+      progress.step("Starting an agent");
+      List<String> agentCommand = new ArrayList<>(installation.agentCommand());
+      agentCommand.addAll(
+          List.of(
+              "--server",
+              "127.0.0.1:" + ports.group(2),
+              "--directory",
+              directory.resolve("agent").toString(),
+              "--stop-with-stdin"));
+      StartedProcess agent =
+          new StartedProcess("agent", agentCommand, directory.resolve("agent.log"), REGISTERED);
+      try {
+        agent.awaitReady(START_LIMIT);
+        return new LocalSystem(server, agent, URI.create("http://localhost:" + ports.group(1)));
+      } catch (IOException | InterruptedException e) {
+        agent.close();
+        throw e;
+      }
+    } catch (IOException | InterruptedException e) {
+      server.close();
+      throw e;
+    }
+  }
+
+  /** Where the portal and the REST interface are. */
+  URI address() {
+    return address;
+  }
+
+  /** Waits until the server ends, by itself or because this command is stopped. */
+  int await() throws InterruptedException {
+    return server.await();
+  }
+
+  @Override
+  public void close() {
+    agent.close();
+    server.close();
+  }
+}

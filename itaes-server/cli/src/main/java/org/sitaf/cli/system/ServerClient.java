@@ -1,0 +1,115 @@
+package org.sitaf.cli.system;
+
+import java.io.IOException;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpRequest.BodyPublishers;
+import java.net.http.HttpResponse;
+import java.net.http.HttpResponse.BodyHandlers;
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import org.sitaf.core.diagnostic.Diagnostic;
+import org.sitaf.core.diagnostic.InvalidInputException;
+import org.sitaf.core.diagnostic.Severity;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+/** What a command asks of a server, by its REST interface ({@code /api/v1}). */
+final class ServerClient {
+  private static final Duration LIMIT = Duration.ofSeconds(60);
+  private static final String JSON = "application/json";
+
+  private final HttpClient http =
+      HttpClient.newBuilder().connectTimeout(Duration.ofSeconds(10)).build();
+  private final JsonMapper json = JsonMapper.builder().build();
+  private final URI api;
+
+  ServerClient(URI address) {
+    this.api = address.resolve("/api/v1/");
+  }
+
+  /**
+   * Posts a body and returns the answer.
+   *
+   * @throws InvalidInputException when the server refuses it; holds the server's diagnostics
+   */
+  JsonNode post(String path, String contentType, byte[] body)
+      throws IOException, InterruptedException {
+    return parse(
+        send(
+            request(path)
+                .header("Content-Type", contentType)
+                .POST(BodyPublishers.ofByteArray(body))));
+  }
+
+  /** Posts JSON. */
+  JsonNode post(String path, Object body) throws IOException, InterruptedException {
+    return post(path, JSON, json.writeValueAsBytes(body));
+  }
+
+  /** Gets JSON. */
+  JsonNode get(String path) throws IOException, InterruptedException {
+    return parse(send(request(path).header("Accept", JSON).GET()));
+  }
+
+  /** Gets a document as it is. */
+  byte[] document(String path) throws IOException, InterruptedException {
+    return send(request(path).GET()).body();
+  }
+
+  private HttpRequest.Builder request(String path) {
+    return HttpRequest.newBuilder(api.resolve(path)).timeout(LIMIT);
+  }
+
+  private JsonNode parse(HttpResponse<byte[]> response) {
+    return json.readTree(response.body());
+  }
+
+  private HttpResponse<byte[]> send(HttpRequest.Builder request)
+      throws IOException, InterruptedException {
+    HttpResponse<byte[]> response = http.send(request.build(), BodyHandlers.ofByteArray());
+    if (response.statusCode() / 100 != 2) {
+      throw refusal(response);
+    }
+    return response;
+  }
+
+  private InvalidInputException refusal(HttpResponse<byte[]> response) {
+    String what = response.request().method() + " " + response.uri().getPath();
+    List<Diagnostic> diagnostics = new ArrayList<>();
+    String contentType = response.headers().firstValue("Content-Type").orElse("");
+    if (contentType.startsWith("application/problem+json")) {
+      JsonNode problem = parse(response);
+      for (JsonNode d : problem.path("diagnostics")) {
+        diagnostics.add(
+            new Diagnostic(
+                d.path("severity").asString("ERROR").equalsIgnoreCase("warning")
+                    ? Severity.WARNING
+                    : Severity.ERROR,
+                d.path("file").asString(""),
+                d.path("line").asInt(0),
+                d.path("element").asString(""),
+                d.path("message").asString("")));
+      }
+      if (diagnostics.isEmpty()) {
+        diagnostics.add(
+            Diagnostic.error(
+                what, 0, "", problem.path("detail").asString(problem.path("title").asString(""))));
+      }
+    } else {
+      diagnostics.add(
+          Diagnostic.error(
+              what,
+              0,
+              "",
+              "HTTP "
+                  + response.statusCode()
+                  + ": "
+                  + new String(response.body(), StandardCharsets.UTF_8).strip()));
+    }
+    return new InvalidInputException(diagnostics);
+  }
+}
