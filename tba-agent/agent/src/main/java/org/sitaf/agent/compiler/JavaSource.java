@@ -5,14 +5,17 @@ import java.net.URISyntaxException;
 import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.NavigableMap;
+import java.util.Objects;
 import java.util.TreeMap;
+import java.util.stream.Stream;
 import javax.tools.SimpleJavaFileObject;
+import org.jspecify.annotations.Nullable;
 import org.sitaf.core.activity.ActivityProfile.Component;
 import org.sitaf.core.activity.FileTree;
+import org.sitaf.core.harness.InterfaceTestApplicationGenerator;
 import org.sitaf.core.harness.TestApplication;
 
 /**
@@ -53,7 +56,7 @@ final class JavaSource extends SimpleJavaFileObject {
     for (String path : application.harness().paths()) {
       if (path.endsWith(".java")) {
         byte[] content = application.harness().content(path).orElseThrow();
-        String kept = userFileOf(path, content, files);
+        String kept = userFileOf(path, application);
         String layoutPath = kept == null ? "harness/" + path : kept;
         sources.put(layoutPath, decode(layoutPath, content, kept == null));
       }
@@ -64,26 +67,20 @@ final class JavaSource extends SimpleJavaFileObject {
   /** Folders of the activity that hold the user's sources. */
   static List<String> userFolders(TestApplication application) {
     Component component = application.activity().profile().component();
-    return java.util.stream.Stream.of(component.sources(), component.adapter())
-        .filter(java.util.Objects::nonNull)
-        .toList();
+    return Stream.of(component.sources(), component.adapter()).filter(Objects::nonNull).toList();
   }
 
   /**
-   * A harness source that is the user's own (a concrete test driver kept in the activity's {@code
-   * harness/}) goes by the user's path, so that an error in it is told where the user can mend it;
-   * null where the source is generated.
+   * The concrete test driver may be the user's own, kept in the activity: it goes by the user's
+   * path, so that an error in it is told where the user can mend it. Null where the source is
+   * generated.
    */
-  private static @org.jspecify.annotations.Nullable String userFileOf(
-      String harnessPath, byte[] content, FileTree activity) {
-    String name = "/" + harnessPath.substring(harnessPath.lastIndexOf('/') + 1);
-    FileTree kept = activity.below("harness");
-    return kept.paths().stream()
-        .filter(path -> ("/" + path).endsWith(name))
-        .filter(path -> Arrays.equals(kept.content(path).orElseThrow(), content))
-        .map(path -> ACTIVITY + "harness/" + path)
-        .findFirst()
-        .orElse(null);
+  private static @Nullable String userFileOf(String harnessPath, TestApplication application) {
+    String kept = InterfaceTestApplicationGenerator.keptDriver(application.model());
+    boolean isKept =
+        harnessPath.equals(InterfaceTestApplicationGenerator.editableFile(application.model()))
+            && application.activity().files().contains(kept);
+    return isKept ? ACTIVITY + kept : null;
   }
 
   private static JavaSource decode(String path, byte[] content, boolean generated)

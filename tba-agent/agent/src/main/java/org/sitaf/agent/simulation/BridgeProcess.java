@@ -97,7 +97,8 @@ final class BridgeProcess {
   }
 
   boolean isAlive() {
-    return process.isAlive();
+    // The process object learns of an end a moment later than the system does.
+    return process.isAlive() && process.toHandle().isAlive();
   }
 
   String target() {

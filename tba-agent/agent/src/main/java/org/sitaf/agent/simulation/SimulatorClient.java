@@ -1,12 +1,16 @@
 package org.sitaf.agent.simulation;
 
 import com.google.protobuf.ByteString;
+import io.grpc.Grpc;
+import io.grpc.InsecureChannelCredentials;
 import io.grpc.ManagedChannel;
+import io.grpc.ManagedChannelBuilder;
 import io.grpc.Status;
 import io.grpc.StatusRuntimeException;
-import io.grpc.netty.shaded.io.grpc.netty.NettyChannelBuilder;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
+import java.util.logging.Level;
+import java.util.logging.Logger;
 import org.sitaf.sim.v1.DescribeWorldRequest;
 import org.sitaf.sim.v1.GetSimulatorFeaturesRequest;
 import org.sitaf.sim.v1.GetSimulatorFeaturesResponse;
@@ -17,13 +21,23 @@ import org.sitaf.sim.v1.WorldSource;
 public final class SimulatorClient implements AutoCloseable {
   private static final int DEADLINE_S = 60;
 
+  /**
+   * Netty warns of an option that Unix sockets do not have; nobody can do anything about it. Held,
+   * or its level is forgotten.
+   */
+  private static final Logger SOCKET_OPTIONS =
+      Logger.getLogger("io.grpc.netty.shaded.io.netty.bootstrap.Bootstrap");
+
   private final ManagedChannel channel;
   private final String target;
 
   /** Of the simulator at this gRPC target. */
   public SimulatorClient(String target) {
     this.target = target;
-    NettyChannelBuilder builder = NettyChannelBuilder.forTarget(target).usePlaintext();
+    SOCKET_OPTIONS.setLevel(Level.SEVERE);
+    // Through the registry, which finds the transport that a Unix socket needs.
+    ManagedChannelBuilder<?> builder =
+        Grpc.newChannelBuilder(target, InsecureChannelCredentials.create());
     if (target.startsWith("unix:")) {
       // A socket's path is no host name, and servers refuse it as one.
       builder.overrideAuthority("localhost");

@@ -14,6 +14,7 @@ import org.sitaf.agent.simulation.Simulator;
 import org.sitaf.agent.toolchain.Toolchains;
 import org.sitaf.core.activity.Activity;
 import org.sitaf.core.activity.FileTree;
+import org.sitaf.core.harness.InterfaceTestApplicationGenerator;
 import org.sitaf.core.harness.TestApplication;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.suite.GenerationOptions;
@@ -30,7 +31,7 @@ public final class EchoActivity {
   private String limits = "{case_wall_s: 10, case_sim_s: 60, memory_mb: 128}";
   private String extra = "";
   private int cases = 5;
-  private String harness = resource("ScriptedHarness.java");
+  private final String harness = resource("ScriptedHarness.java");
 
   /** The component's class with this body of {@code int echo(int value) throws Exception}. */
   public static EchoActivity doing(String body) {
@@ -79,13 +80,11 @@ public final class EchoActivity {
     return this;
   }
 
-  public EchoActivity harness(String source) {
-    harness = source;
-    return this;
-  }
-
-  public static String scriptedHarness() {
-    return resource("ScriptedHarness.java");
+  /** With the driver that SITAF generates, on the real runtime. */
+  public TestApplication generated() {
+    TestApplication scripted = application();
+    return InterfaceTestApplicationGenerator.generate(
+        scripted.activity(), scripted.model(), scripted.suite());
   }
 
   public TestApplication application() {

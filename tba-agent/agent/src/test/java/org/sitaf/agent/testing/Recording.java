@@ -9,7 +9,7 @@ import org.sitaf.agent.build.BuildStage;
 import org.sitaf.core.verdict.CaseResult;
 
 /** Remembers what a build told. */
-public final class Recording implements BuildListener {
+public class Recording implements BuildListener {
   private final List<BuildStage> stages = new ArrayList<>();
   private final List<CaseResult> cases = new ArrayList<>();
   private final ByteArrayOutputStream log = new ByteArrayOutputStream();

@@ -1,0 +1,156 @@
+package org.sitaf.agent.build;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.sitaf.agent.build.BuildOutcome.CompilationFailed;
+import org.sitaf.agent.build.BuildOutcome.Completed;
+import org.sitaf.agent.build.BuildOutcome.InfrastructureFailed;
+import org.sitaf.agent.simulation.RealBridge;
+import org.sitaf.agent.simulation.Simulator;
+import org.sitaf.agent.testing.EchoActivity;
+import org.sitaf.agent.testing.Recording;
+import org.sitaf.agent.toolchain.Toolchains;
+import org.sitaf.core.activity.Activity;
+import org.sitaf.core.activity.FileTree;
+import org.sitaf.core.harness.InterfaceTestApplicationGenerator;
+import org.sitaf.core.harness.TestApplication;
+import org.sitaf.core.model.TestModel;
+import org.sitaf.core.suite.GenerationOptions;
+import org.sitaf.core.suite.TestCaseGenerator;
+import org.sitaf.core.verdict.CaseResult;
+import org.sitaf.core.verdict.TestResult;
+import org.sitaf.core.verdict.Verdict;
+
+/**
+ * Test applications as SITAF generates them, on the real runtime and, where it is set up, the real
+ * simulation.
+ */
+@Timeout(180)
+class GeneratedApplicationTest {
+  @TempDir private Path directory;
+  private final Recording recording = new Recording();
+
+  private BuildOutcome build(TestApplication application, Simulator simulator) {
+    BuildSettings settings =
+        new BuildSettings(EchoActivity.runtimeJars(), simulator, Toolchains.find(), "");
+    return new BuildRun(application, directory.resolve("build"), settings, recording).run();
+  }
+
+  private static TestApplication infrared(Map<String, String> changed) throws IOException {
+    Path example = Path.of(System.getProperty("sitaf.examples", ""), "ir-sensor");
+    assumeTrue(Files.isDirectory(example), "skipped for want of " + example);
+    Map<String, byte[]> files = new HashMap<>();
+    try (Stream<Path> paths = Files.walk(example)) {
+      for (Path path : paths.filter(Files::isRegularFile).toList()) {
+        files.put(example.relativize(path).toString(), Files.readAllBytes(path));
+      }
+    }
+    changed.forEach((path, text) -> files.put(path, text.getBytes()));
+    Activity activity = Activity.read(FileTree.of(files));
+    TestModel model = activity.model("GetInfraredData").orElseThrow();
+    return InterfaceTestApplicationGenerator.generate(
+        activity, model, TestCaseGenerator.generate(model, GenerationOptions.DEFAULT).suite());
+  }
+
+  @Test
+  void aComponentWithoutAWorldRunsOnTheRuntimeAlone() {
+    BuildOutcome outcome =
+        build(
+            EchoActivity.doing(
+                    "if (value == 2) throw new IllegalArgumentException(\"two\");"
+                        + " if (value == 3) System.exit(7); return value == 4 ? 5 : value;")
+                .generated(),
+            Simulator.none());
+
+    TestResult result = ((Completed) outcome).result();
+    assertThat(result.cases())
+        .extracting(CaseResult::verdict)
+        .containsExactly(Verdict.PASS, Verdict.ERROR, Verdict.ERROR, Verdict.FAIL, Verdict.PASS);
+    assertThat(result.cases().get(1).message()).contains("IllegalArgumentException", "two");
+    assertThat(result.cases().get(2).message()).contains("exit code 7");
+    assertThat(result.summary().times()).isNotNull();
+  }
+
+  @Test
+  void theEvaluationOfThePaperPassesInAllOfIts55Cases() throws Exception {
+    try (Simulator simulator = Simulator.started(RealBridge.command(), directory)) {
+      BuildOutcome outcome = build(infrared(Map.of()), simulator);
+
+      TestResult result = ((Completed) outcome).result();
+      assertThat(result.summary().total()).isEqualTo(55);
+      assertThat(result.cases())
+          .allSatisfy(c -> assertThat(c.verdict()).as(c.toString()).isEqualTo(Verdict.PASS));
+      assertThat(result.provenance().bridge()).matches("sitaf-bridge \\S+ \\(MuJoCo \\S+\\)");
+      assertThat(recording.logText()).contains("world world/ir.world.yaml on sitaf-bridge");
+    }
+  }
+
+  @Test
+  void aSimulatorThatDiesDuringTheSuiteCostsNoCase() throws Exception {
+    AtomicInteger seen = new AtomicInteger();
+    Recording killing =
+        new Recording() {
+          @Override
+          public synchronized void caseFinished(CaseResult result) {
+            super.caseFinished(result);
+            if (seen.incrementAndGet() == 10) {
+              bridges().forEach(ProcessHandle::destroyForcibly);
+            }
+          }
+        };
+    try (Simulator simulator = Simulator.started(RealBridge.command(), directory)) {
+      BuildSettings settings =
+          new BuildSettings(EchoActivity.runtimeJars(), simulator, Toolchains.find(), "");
+      TestApplication slow =
+          infrared(
+              Map.of(
+                  "component/org/sitaf/examples/ir/Pause.java",
+                  "package org.sitaf.examples.ir; class Pause {}"));
+      BuildOutcome outcome =
+          new BuildRun(slow, directory.resolve("build"), settings, killing).run();
+
+      TestResult result = ((Completed) outcome).result();
+      assertThat(result.summary().pass()).as(killing.logText()).isEqualTo(55);
+    }
+  }
+
+  @Test
+  void aWorldThatTheSimulatorRefusesIsToldBeforeAnythingIsBuilt() throws Exception {
+    try (Simulator simulator = Simulator.started(RealBridge.command(), directory)) {
+      BuildOutcome outcome =
+          build(infrared(Map.of("world/ir.xml", "<mujoco><oops/></mujoco>")), simulator);
+
+      CompilationFailed failed = (CompilationFailed) outcome;
+      assertThat(failed.message()).contains("the simulator refuses the world", "oops");
+      assertThat(failed.diagnostics().get(0).file()).isEqualTo("activity/world/ir.world.yaml");
+      assertThat(recording.stages()).containsExactly(BuildStage.PREPARING);
+    }
+  }
+
+  @Test
+  void anActivityWithAWorldNeedsASimulator() throws Exception {
+    BuildOutcome outcome = build(infrared(Map.of()), Simulator.none());
+
+    assertThat(((InfrastructureFailed) outcome).message()).contains("--bridge-command");
+  }
+
+  private static List<ProcessHandle> bridges() {
+    return ProcessHandle.current()
+        .descendants()
+        .filter(ProcessHandle::isAlive)
+        .filter(handle -> handle.info().commandLine().orElse("").contains("--stop-with-stdin"))
+        .toList();
+  }
+}

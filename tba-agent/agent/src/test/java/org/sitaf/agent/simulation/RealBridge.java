@@ -1,0 +1,28 @@
+package org.sitaf.agent.simulation;
+
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The project's own simulation bridge, where it is set up; tests that need it say that they are
+ * skipped for want of it.
+ */
+public final class RealBridge {
+  private RealBridge() {}
+
+  /** What starts it. */
+  public static List<String> command() {
+    @Nullable String python = System.getProperty("sitaf.bridge.python");
+    assumeTrue(
+        python != null && !python.isBlank(),
+        "skipped for want of the simulation bridge: -Dsitaf.bridge.python is not given");
+    assumeTrue(
+        Files.isExecutable(Path.of(python)),
+        "skipped for want of the simulation bridge: there is no " + python);
+    return List.of(python, "-m", "sitaf_bridge");
+  }
+}
