@@ -67,9 +67,16 @@ describe('the activities', () => {
         severity: 'ERROR',
         file: 'GetInfraredData.xml',
         line: 12,
+        element: 'equiv_class',
         message: 'min 7 is greater than max 1',
       },
-      { severity: 'WARNING', element: 'Distance', message: 'the world has no such parameter' },
+      {
+        severity: 'WARNING',
+        file: 'activity.yaml',
+        line: 0,
+        element: '',
+        message: 'the world has no parameters',
+      },
     ];
     const { user } = openPortal(server);
     await user.upload(await screen.findByLabelText('Zip of an activity'), zip());
@@ -79,8 +86,8 @@ describe('the activities', () => {
         .getAllByRole('listitem')
         .map((item) => item.textContent),
     ).toEqual([
-      'GetInfraredData.xml:12: min 7 is greater than max 1',
-      'Distance: warning: the world has no such parameter',
+      'GetInfraredData.xml:12: equiv_class: min 7 is greater than max 1',
+      'activity.yaml: warning: the world has no parameters',
     ]);
     expect(screen.getByRole('alert', { name: 'ir-sensor.zip was not taken' })).toHaveTextContent(
       'Nothing was stored',
@@ -128,9 +135,10 @@ describe('a build', () => {
           message: 'The component does not compile.',
           diagnostics: [
             {
-              severity: 'ERROR',
               file: 'component/InfraredSensor.java',
               line: 31,
+              column: 4,
+              generated: false,
               message: "';' expected",
             },
           ],
@@ -264,6 +272,12 @@ describe('a lost connection', () => {
     await server.start();
     expect(await screen.findByText('Running')).toBeVisible();
   });
+});
+
+test('a build that waits says why', async () => {
+  server.builds.push(build('b1', { waitingFor: 'no agent offers java' }));
+  openPortal(server, '/builds/b1');
+  expect(await screen.findByText('no agent offers java')).toBeVisible();
 });
 
 test('without an agent the portal says that builds wait', async () => {

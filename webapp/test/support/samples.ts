@@ -2,16 +2,16 @@ import type {
   Activity,
   Agent,
   Build,
-  Parameter,
   Result,
   ResultCase,
+  ResultParameter,
   Suite,
   Verdict,
 } from '@/shared/api';
 
 const THEN = '2026-03-01T10:00:00Z';
 
-export const PARAMETERS: Parameter[] = [
+export const PARAMETERS: ResultParameter[] = [
   { name: 'IndexOfSensor', type: 'TDI', realType: 'int' },
   { name: 'NumOfSensor', type: 'TDI', realType: 'int' },
   { name: 'Distance', type: 'TDSD', realType: 'double' },
@@ -59,6 +59,7 @@ export function suite(id: string, activityId: string, model: string): Suite {
     created: THEN,
     version: 1,
     parameters: PARAMETERS,
+    notes: [],
   };
 }
 
@@ -138,7 +139,16 @@ export function result(cases: readonly ResultCase[]): Result {
       },
     },
     parameters: PARAMETERS,
-    provenance: { seed: '1' },
+    provenance: {
+      suite: 'a'.repeat(64),
+      seed: 1,
+      harness: 'b'.repeat(64),
+      component: 'c'.repeat(64),
+      agent: 'bench-1',
+      bridge: 'sitaf_bridge',
+      started: THEN,
+      finished: THEN,
+    },
   };
 }
 

@@ -17,6 +17,11 @@ export function BuildOverview({ build }: { build: Build }) {
         </span>
         <Facts build={build} />
       </Group>
+      {build.waitingFor && (
+        <Text>
+          It waits: <UserText>{build.waitingFor}</UserText>
+        </Text>
+      )}
       {!isFinished(build) && <Running build={build} />}
       {build.failure && (
         <Alert

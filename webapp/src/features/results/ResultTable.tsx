@@ -1,5 +1,5 @@
 import { Stack, Table, Text } from '@mantine/core';
-import type { Parameter, ResultCase, Verdict } from '@/shared/api';
+import type { ResultParameter, ResultCase, Verdict } from '@/shared/api';
 import { formatTime } from '@/shared/lib/format';
 import { Loading, Pager, ProblemAlert, ScrollTable, UserText } from '@/shared/ui';
 import { groupColumns, type ColumnGroup } from './columns';
@@ -9,7 +9,7 @@ import { VERDICT_WORDS } from './verdicts';
 
 interface ResultTableProps {
   buildId: string;
-  parameters: readonly Parameter[];
+  parameters: readonly ResultParameter[];
   page: number;
   onPage: (page: number) => void;
   verdict?: Verdict;

@@ -1,26 +1,26 @@
-import type { Parameter } from '@/shared/api';
+import type { ResultParameter } from '@/shared/api';
 
 /** An input column: the parameter, and where its value stands in the values of a case. */
 export interface Column {
-  parameter: Parameter;
+  parameter: ResultParameter;
   index: number;
 }
 
 export interface ColumnGroup {
-  type: Parameter['type'];
+  type: ResultParameter['type'];
   label: string;
   columns: Column[];
 }
 
 /** The paper's three kinds of test data (section 3.2), in the order of its tables. */
-const KINDS: readonly { type: Parameter['type']; label: string }[] = [
+const KINDS: readonly { type: ResultParameter['type']; label: string }[] = [
   { type: 'TDI', label: 'Input (TDI)' },
   { type: 'TDSD', label: 'Simulation (TDSD)' },
   { type: 'TDTS', label: 'Stub (TDTS)' },
 ];
 
 /** The parameters by kind, each kind in the suite's order; kinds without parameters are left out. */
-export function groupColumns(parameters: readonly Parameter[]): ColumnGroup[] {
+export function groupColumns(parameters: readonly ResultParameter[]): ColumnGroup[] {
   const columns = parameters.map((parameter, index) => ({ parameter, index }));
   return KINDS.map(({ type, label }) => ({
     type,

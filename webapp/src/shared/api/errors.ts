@@ -8,7 +8,7 @@ export class ApiError extends Error {
 
   constructor(
     readonly status: number,
-    problem: Problem,
+    problem: Partial<Problem>,
   ) {
     const title = problem.title ?? `The server answered ${status}`;
     super(problem.detail ?? title);
@@ -40,6 +40,6 @@ export async function dataOf<T>(call: Promise<Answer<T>>): Promise<T> {
 }
 
 /** A proxy in between answers with HTML or text; only an object can be a problem. */
-function asProblem(body: unknown): Problem {
+function asProblem(body: unknown): Partial<Problem> {
   return typeof body === 'object' && body !== null ? body : {};
 }
