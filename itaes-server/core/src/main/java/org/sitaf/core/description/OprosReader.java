@@ -10,6 +10,7 @@ import java.util.regex.Pattern;
 import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.document.XmlDocuments;
+import org.sitaf.schemas.LocatedText;
 import org.sitaf.schemas.MethodType;
 import org.sitaf.schemas.ParamType;
 import org.sitaf.schemas.ServicePortType;
@@ -69,7 +70,7 @@ public final class OprosReader {
 
   private InterfaceDescription describe(ServicePortType portType) {
     int line = XmlDocuments.line(portType);
-    String name = identifier(portType.getTypeName(), line, "type_name");
+    String name = identifier(text(portType.getTypeName()), line, "type_name");
     if (portType.getMethods().isEmpty()) {
       diagnostics.error(file, line, "service_port_type " + name, "has no <method>");
     }
@@ -119,13 +120,13 @@ public final class OprosReader {
 
   private Parameter describe(ParamType param, String where) {
     int line = XmlDocuments.line(param);
-    String name = identifier(param.getName(), line, where + "/param");
+    String name = identifier(text(param.getName()), line, where + "/param");
     String element = where + "/param " + name;
     if (param.getType() == null) {
       diagnostics.error(file, line, element, "has no <type>");
       return new Parameter(name, new DataType.Unknown(""), Direction.IN);
     }
-    TypeGrammar.Spelled spelled = resolve(param.getType(), line, element);
+    TypeGrammar.Spelled spelled = resolve(param.getType().getValue(), line, element);
     return new Parameter(
         name, spelled.type(), spelled.byReference() ? Direction.INOUT : Direction.IN);
   }
@@ -153,7 +154,7 @@ public final class OprosReader {
       diagnostics.error(
           file,
           XmlDocuments.line(param),
-          where + "/param " + param.getName(),
+          where + "/param " + text(param.getName()),
           "index must be a whole number, not '" + param.getIndex() + "'");
       return Integer.MAX_VALUE;
     }
@@ -177,6 +178,11 @@ public final class OprosReader {
       return unknownIn(sequence.element());
     }
     return type instanceof DataType.FixedArray array ? unknownIn(array.element()) : List.of();
+  }
+
+  private static @org.jspecify.annotations.Nullable String text(
+      @org.jspecify.annotations.Nullable LocatedText text) {
+    return text == null ? null : text.getValue();
   }
 
   private String identifier(
