@@ -90,7 +90,7 @@ describe('the activities', () => {
       'activity.yaml: warning: the world has no parameters',
     ]);
     expect(screen.getByRole('alert', { name: 'ir-sensor.zip was not taken' })).toHaveTextContent(
-      'Nothing was stored',
+      'The input cannot be used',
     );
   });
 });

@@ -145,8 +145,8 @@ export class FakeServer {
         status: 422,
         problem: true,
         json: {
-          title: 'The activity has problems',
-          detail: 'Nothing was stored. Correct the files and upload the zip again.',
+          title: 'The input cannot be used',
+          detail: this.refusal.map(({ file, message }) => `${file}: ${message}`).join('\n'),
           status: 422,
           diagnostics: this.refusal,
         },

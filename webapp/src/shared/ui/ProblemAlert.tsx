@@ -13,6 +13,8 @@ interface ProblemAlertProps {
 /** A failed request: what was tried, what the server says, and where the input is wrong. */
 export function ProblemAlert({ title, error, onClose }: ProblemAlertProps) {
   const diagnostics = error instanceof ApiError ? error.diagnostics : [];
+  // The detail repeats the diagnostics in one text; in a list they are easier to read.
+  const text = error instanceof ApiError && diagnostics.length > 0 ? error.title : error.message;
   return (
     <Alert
       role="alert"
@@ -23,7 +25,7 @@ export function ProblemAlert({ title, error, onClose }: ProblemAlertProps) {
     >
       <Stack gap="xs">
         <Text size="sm">
-          <UserText>{error.message}</UserText>
+          <UserText>{text}</UserText>
         </Text>
         {diagnostics.length > 0 && <Diagnostics items={diagnostics} />}
       </Stack>
