@@ -1,0 +1,218 @@
+package org.sitaf.core.activity;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.catchThrowableOfType;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.zip.ZipEntry;
+import java.util.zip.ZipOutputStream;
+import org.junit.jupiter.api.Test;
+import org.sitaf.core.diagnostic.Diagnostic;
+import org.sitaf.core.diagnostic.InvalidInputException;
+
+class ActivityTest {
+  private final Map<String, String> files = new HashMap<>();
+
+  ActivityTest() throws IOException {
+    try (InputStream model = getClass().getResourceAsStream("/models/GetInfraredData.xml")) {
+      files.put(
+          "GetInfraredData.xml",
+          new String(Objects.requireNonNull(model).readAllBytes(), StandardCharsets.UTF_8));
+    }
+    files.put(
+        "activity.yaml",
+        """
+        name: ir
+        component:
+          language: java
+          sources: component/
+          class: robot.Sensor
+        provided: [service.xml]
+        world: world/ir.world.yaml
+        models: [GetInfraredData.xml]
+        """);
+    files.put(
+        "service.xml",
+        """
+        <service_port_type>
+          <type_name>InfraredSensorService</type_name>
+          <method name="GetInfraredData" return_type="double">
+            <param index="1"><name>IndexOfSensor</name><type>int</type></param>
+            <param index="2"><name>NumOfSensor</name><type>int</type></param>
+          </method>
+        </service_port_type>
+        """);
+    files.put("component/robot/Sensor.java", "package robot; public class Sensor {}");
+    files.put(
+        "world/ir.world.yaml",
+        """
+        mjcf: ir.xml
+        parameters:
+          Distance: {unit: m, range: [-1, 20], default: 5}
+        """);
+  }
+
+  private Activity read() {
+    Map<String, byte[]> bytes = new HashMap<>();
+    files.forEach((path, text) -> bytes.put(path, text.getBytes(StandardCharsets.UTF_8)));
+    return Activity.read(FileTree.of(bytes));
+  }
+
+  private void replace(String path, String from, String to) {
+    assertThat(files.get(path)).contains(from);
+    files.put(path, files.get(path).replace(from, to));
+  }
+
+  private List<String> problems() {
+    return catchThrowableOfType(InvalidInputException.class, this::read).diagnostics().stream()
+        .map(Diagnostic::toString)
+        .toList();
+  }
+
+  @Test
+  void anActivityThatFitsTogetherIsRead() {
+    Activity activity = read();
+    assertThat(activity.profile().name()).isEqualTo("ir");
+    assertThat(activity.models()).hasSize(1);
+    assertThat(activity.warnings()).isEmpty();
+  }
+
+  @Test
+  void aMethodThatNoInterfaceHasIsToldWithThoseThereAre() {
+    replace("service.xml", "GetInfraredData", "GetData");
+    assertThat(problems())
+        .containsExactly(
+            "GetInfraredData.xml: error: target: no method GetInfraredData; there are"
+                + " InfraredSensorService.GetData");
+  }
+
+  @Test
+  void aWorldParameterThatDoesNotExistIsTold() {
+    replace("world/ir.world.yaml", "Distance", "Gap");
+    assertThat(problems())
+        .singleElement()
+        .asString()
+        .contains("test_element Distance: world/ir.world.yaml has no such parameter; it has Gap");
+  }
+
+  @Test
+  void aValueOutsideTheWorldsRangeIsTold() {
+    replace("world/ir.world.yaml", "[-1, 20]", "[0, 10]");
+    assertThat(problems())
+        .hasSize(2)
+        .allMatch(p -> p.contains("lies outside the range [0.0, 10.0]"));
+  }
+
+  @Test
+  void aTypeThatDoesNotFitTheInterfaceIsTold() {
+    replace(
+        "service.xml",
+        "<type>int</type></param>\n    <param index=\"2\"",
+        "<type>string</type></param>\n    <param index=\"2\"");
+    assertThat(problems())
+        .singleElement()
+        .asString()
+        .contains(
+            "test_element IndexOfSensor: real_type int does not fit the interface, which has string");
+  }
+
+  @Test
+  void aParameterWithoutTestElementIsTold() {
+    replace("service.xml", "NumOfSensor", "Count");
+    assertThat(problems())
+        .anyMatch(
+            p -> p.contains("test_element NumOfSensor: GetInfraredData has no such parameter"))
+        .anyMatch(p -> p.contains("parameter Count of GetInfraredData has no test_element"));
+  }
+
+  @Test
+  void aMissingClassIsToldWithItsExpectedPlace() {
+    replace("activity.yaml", "robot.Sensor", "robot.Sonar");
+    assertThat(problems())
+        .singleElement()
+        .asString()
+        .contains("component.class: no source below 'component/' declares robot.Sonar")
+        .contains("expected robot/Sonar.java");
+  }
+
+  @Test
+  void everyProblemOfTheProfileIsToldWithItsLine() {
+    files.put(
+        "activity.yaml",
+        """
+        name: a b
+        component:
+          language: cobol
+          sources: component/
+          libary: x.so
+          class: robot.Sensor
+          execution: periodic
+        provided: [missing.xml]
+        models: []
+        """);
+    assertThat(problems())
+        .anyMatch(p -> p.startsWith("activity.yaml:1: error: name: 'a b' is not a name"))
+        .anyMatch(p -> p.startsWith("activity.yaml:3: error: component.language: must be java"))
+        .anyMatch(p -> p.startsWith("activity.yaml:5: error: component.libary: unknown entry"))
+        .anyMatch(p -> p.contains("component.period_ms: execution: periodic needs a period"))
+        .anyMatch(p -> p.contains("provided: 'missing.xml' is not among the files"))
+        .anyMatch(p -> p.contains("models: must name at least one file"));
+  }
+
+  @Test
+  void aYamlBombIsRefused() {
+    StringBuilder bomb = new StringBuilder("a0: &a0 [x, x, x, x, x, x, x, x, x]\n");
+    for (int i = 1; i < 30; i++) {
+      String of = "*a" + (i - 1);
+      bomb.append("a%d: &a%d [%s, %s, %s, %s, %s]\n".formatted(i, i, of, of, of, of, of));
+    }
+    files.put("activity.yaml", bomb.toString());
+    assertThatThrownBy(this::read).isInstanceOf(InvalidInputException.class);
+  }
+
+  @Test
+  void aZipReadsBackAsItWasWritten() throws IOException {
+    FileTree tree = read().files();
+    ByteArrayOutputStream zip = new ByteArrayOutputStream();
+    ActivityArchive.write(tree, zip);
+    assertThat(ActivityArchive.read(new ByteArrayInputStream(zip.toByteArray()), "a.zip"))
+        .isEqualTo(tree);
+    ByteArrayOutputStream again = new ByteArrayOutputStream();
+    ActivityArchive.write(tree, again);
+    assertThat(again.toByteArray()).isEqualTo(zip.toByteArray());
+  }
+
+  @Test
+  void aZipThatLeavesItsFolderIsRefused() throws IOException {
+    for (String path : List.of("../evil", "/etc/passwd", "a/../../b", "a\\..\\b")) {
+      ByteArrayOutputStream zip = new ByteArrayOutputStream();
+      try (ZipOutputStream out = new ZipOutputStream(zip)) {
+        out.putNextEntry(new ZipEntry(path));
+        out.write(1);
+      }
+      assertThatThrownBy(
+              () -> ActivityArchive.read(new ByteArrayInputStream(zip.toByteArray()), "a.zip"))
+          .isInstanceOf(InvalidInputException.class)
+          .hasMessageContaining("is refused");
+    }
+  }
+
+  @Test
+  void whatIsNoZipIsToldSo() {
+    assertThatThrownBy(
+            () ->
+                ActivityArchive.read(
+                    new ByteArrayInputStream("hello".getBytes(StandardCharsets.UTF_8)), "a.zip"))
+        .isInstanceOf(InvalidInputException.class)
+        .hasMessage("a.zip: error: is not a zip archive, or holds no file");
+  }
+}

@@ -1,0 +1,45 @@
+"""The launcher, run as a person would."""
+
+import os
+import shutil
+import subprocess
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+LIMIT_S = 600
+
+
+@dataclass(frozen=True)
+class Sitaf:
+    """The launcher of this checkout."""
+
+    root: Path
+
+    def __call__(self, *arguments, env=None, stdin=None):
+        """Runs a command to its end; output as text."""
+        return subprocess.run(
+            [str(self.root / "sitaf"), *map(str, arguments)],
+            cwd=self.root,
+            capture_output=True,
+            text=True,
+            timeout=LIMIT_S,
+            check=False,
+            env={**os.environ, **(env or {})},
+            input=stdin,
+        )
+
+
+@pytest.fixture(scope="session")
+def sitaf():
+    return Sitaf(ROOT)
+
+
+@pytest.fixture
+def activity(tmp_path):
+    """A copy of the infrared example, to be spoilt."""
+    folder = tmp_path / "ir-sensor"
+    shutil.copytree(ROOT / "examples" / "ir-sensor", folder)
+    return folder

@@ -1,0 +1,80 @@
+"""The commands that need no component."""
+
+import csv
+import io
+import json
+import os
+from pathlib import Path
+
+MODEL = "examples/ir-sensor/GetInfraredData.xml"
+GOLDEN = Path(__file__).parents[1] / "golden"
+
+
+def test_the_suite_of_the_paper_is_the_golden_one(sitaf):
+    generated = sitaf("generate", MODEL)
+    assert generated.returncode == 0, generated.stderr
+    assert generated.stdout == (GOLDEN / "GetInfraredData-2way.xml").read_text()
+
+
+def test_every_format_holds_every_case(sitaf):
+    rows = list(csv.DictReader(io.StringIO(sitaf("generate", MODEL, "--format", "csv").stdout)))
+    assert len(rows) == 55
+    assert rows[0].keys() == {"no", "class", "IndexOfSensor", "NumOfSensor", "Distance", "expected"}
+    suite = json.loads(sitaf("generate", MODEL, "--format", "json", "--invalid", "combine").stdout)
+    assert len(suite["cases"]) == 49
+
+
+def test_strength_all_is_the_whole_product(sitaf):
+    suite = json.loads(sitaf("generate", MODEL, "--format", "json", "--strength", "all", "--invalid", "combine").stdout)
+    assert len(suite["cases"]) == 7 * 7 * 7
+
+
+def test_a_bad_model_ends_with_2_and_every_problem(sitaf, tmp_path):
+    model = tmp_path / "bad.xml"
+    model.write_text(
+        "<test_model><name>Bad</name><input_spec_list>\n"
+        "<test_element abstract_type='NUMERIC' real_type='int'><name>A</name><type>TDI</type>\n"
+        "<test_spec type='BVA' offset='-1'><equiv_class type='NEC_NUMERIC_TWO_BOUNDARY' min='7' max='1'/></test_spec>\n"
+        "</test_element></input_spec_list><order_of_combinations>2</order_of_combinations></test_model>"
+    )
+    generated = sitaf("generate", model)
+    assert generated.returncode == 2
+    assert generated.stdout == ""
+    assert f"{model}:3: error: test_element A/test_spec/equiv_class: min 7 is above max 1" in generated.stderr
+    assert f"{model}:3: error: test_element A/test_spec/offset: must be above 0, not -1" in generated.stderr
+
+
+def test_a_document_type_is_refused(sitaf, tmp_path):
+    model = tmp_path / "hostile.xml"
+    model.write_text("<!DOCTYPE test_model SYSTEM 'file:///etc/passwd'><test_model/>")
+    generated = sitaf("generate", model)
+    assert generated.returncode == 2
+    assert "document type declarations and entities are refused" in generated.stderr
+
+
+def test_describe_shows_the_interface_as_understood(sitaf):
+    described = sitaf("describe", "examples/ir-sensor/InfraredSensorService.xml")
+    assert described.returncode == 0, described.stderr
+    assert "GetInfraredData" in described.stdout
+
+
+def test_doctor_finds_this_machine_complete(sitaf):
+    doctor = sitaf("doctor")
+    assert doctor.returncode == 0, doctor.stdout
+    assert "Nothing is missing" in doctor.stdout
+
+
+def test_doctor_says_what_installs_what_is_missing(sitaf, tmp_path):
+    for tool in ("bash", "dirname", "readlink", "grep", "head", "sort", "python3", "flock", "date"):
+        found = next(Path(p) / tool for p in os.environ["PATH"].split(":") if (Path(p) / tool).exists())
+        (tmp_path / tool).symlink_to(found)
+    doctor = sitaf("doctor", env={"PATH": str(tmp_path)})
+    assert doctor.returncode == 1
+    assert "sudo apt-get install -y openjdk-17-jdk-headless maven" in doctor.stdout
+
+
+def test_an_unknown_command_ends_with_2_and_the_list(sitaf):
+    unknown = sitaf("tset")
+    assert unknown.returncode == 2
+    assert "there is no command 'tset'" in unknown.stderr
+    assert "demo" in unknown.stderr

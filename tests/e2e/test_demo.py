@@ -1,0 +1,50 @@
+"""The paper's evaluation, end to end on the whole system."""
+
+import re
+import subprocess
+import xml.etree.ElementTree as ElementTree
+
+import pytest
+
+
+@pytest.fixture(scope="module")
+def demo(sitaf):
+    return sitaf("demo")
+
+
+def test_every_case_of_the_paper_passes(demo):
+    assert demo.returncode == 0, demo.stderr
+    assert "Generated 55 test cases: 25 valid, 30 with an invalid value" in demo.stdout
+    assert "GetInfraredData: 55 cases, 55 PASS, 0 FAIL, 0 ERROR, 0 not executed" in demo.stdout
+    assert "Generated 49 test cases" in demo.stdout
+    assert "GetInfraredData: 49 cases, 49 PASS, 0 FAIL, 0 ERROR, 0 not executed" in demo.stdout
+
+
+def test_the_table_is_that_of_the_paper(demo):
+    header = r"No +IndexOfSensor +NumOfSensor +Distance +ER +MR +PF +Time\(us\)"
+    assert re.search(header, demo.stdout)
+    row = r"^ *(\d+) +(-?\d+) +(-?\d+) +(-?[\d.]+) +(-?[\d.]+) +(-?[\d.]+) +PASS +[\d.]+$"
+    rows = re.findall(row, demo.stdout, re.MULTILINE)
+    assert [int(r[0]) for r in rows] == list(range(1, 56))
+    for _, index, count, distance, expected, measured in rows:
+        valid = 1 <= int(index) <= 7 and 1 <= int(count) <= 7 and 0 <= float(distance) <= 10
+        answer = float(distance) if valid and int(index) <= int(count) else -1.0
+        assert float(expected) == answer
+        assert float(measured) == pytest.approx(answer, abs=1e-9)
+    assert re.search(r"min [\d.]+, max [\d.]+, average [\d.]+, standard deviation [\d.]+", demo.stdout)
+
+
+def test_the_result_document_lies_where_the_demo_says(demo, sitaf):
+    path = re.search(r"The results as XML: (\S+)", demo.stdout).group(1)
+    root = ElementTree.parse(path).getroot()
+    assert root.tag == "test_result_descriptor"
+    assert root.find("summary").attrib["pass"] == "55"
+    assert len(root.findall("test_result_list/test_result")) == 55
+    provenance = root.find("provenance").attrib
+    assert re.fullmatch(r"[0-9a-f]{64}", provenance["component"])
+    assert "MuJoCo" in provenance["bridge"]
+
+
+def test_nothing_that_the_demo_started_is_left(demo):
+    processes = subprocess.run(["ps", "-eo", "args"], capture_output=True, text=True, check=True)
+    assert "sitaf-demo-" not in processes.stdout

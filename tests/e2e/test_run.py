@@ -1,0 +1,92 @@
+"""`./sitaf run`: one activity from files to verdict, without a server."""
+
+import re
+import xml.etree.ElementTree as ElementTree
+
+
+def replace(path, old, new):
+    text = path.read_text()
+    assert old in text
+    path.write_text(text.replace(old, new))
+
+
+def test_the_infrared_sensor_passes(sitaf, tmp_path):
+    run = sitaf("run", "examples/ir-sensor", "--result", tmp_path / "results")
+    assert run.returncode == 0, run.stdout + run.stderr
+    assert "GetInfraredData: 55 cases, 55 PASS" in run.stdout
+    root = ElementTree.parse(tmp_path / "results" / "GetInfraredData.xml").getroot()
+    assert root.find("summary").attrib["total"] == "55"
+
+
+def test_the_faulty_sensor_fails_exactly_the_cases_that_the_fault_touches(sitaf, tmp_path):
+    report = tmp_path / "report.xml"
+    run = sitaf("run", "examples/ir-sensor-faulty", "--junit", report)
+    assert run.returncode == 1, run.stdout + run.stderr
+    rows = re.findall(r"^ *\d+ +(-?\d+) +(-?\d+) +(-?[\d.]+) .*FAIL", run.stdout, re.MULTILINE)
+    # The fault: the last of the sensors in use is never read (see the example's README).
+    assert sorted((int(i), int(n)) for i, n, _ in rows) == [(1, 1), (2, 2), (4, 4), (6, 6), (7, 7)]
+    assert "GetInfraredData: 55 cases, 50 PASS, 5 FAIL, 0 ERROR, 0 not executed" in run.stdout
+    suite = ElementTree.parse(report).getroot().find("testsuite")
+    assert suite.attrib["tests"] == "55"
+    assert suite.attrib["failures"] == "5"
+    assert len(suite.findall("testcase/failure")) == 5
+
+
+def test_a_component_that_does_not_compile_is_told_with_file_and_line(sitaf, activity):
+    source = next(activity.glob("component/**/InfraredSensor.java"))
+    lines = source.read_text().splitlines()
+    at = next(i for i, line in enumerate(lines) if "return" in line)
+    lines[at] = "    return nonsense;"
+    source.write_text("\n".join(lines))
+    run = sitaf("run", activity)
+    assert run.returncode == 2
+    assert re.search(rf"InfraredSensor\.java:{at + 1}:\d+: error: .*cannot find symbol", run.stderr), run.stderr
+
+
+def test_a_component_that_throws_is_an_error_and_no_failure(sitaf, activity):
+    source = next(activity.glob("component/**/InfraredSensor.java"))
+    text = source.read_text()
+    body = re.search(r"double GetInfraredData\([^)]*\) \{", text)
+    source.write_text(text[: body.end()] + " if (indexOfSensor == 2) throw new IllegalStateException(\"gone\");" + text[body.end():])
+    run = sitaf("run", activity)
+    assert run.returncode == 1, run.stderr
+    assert re.search(r"0 FAIL, [1-9]\d* ERROR", run.stdout)
+    assert "IllegalStateException" in run.stdout
+
+
+def test_a_component_that_ends_the_process_loses_no_other_case(sitaf, activity):
+    source = next(activity.glob("component/**/InfraredSensor.java"))
+    text = source.read_text()
+    body = re.search(r"double GetInfraredData\([^)]*\) \{", text)
+    source.write_text(text[: body.end()] + " if (indexOfSensor == 8 && numOfSensor == 1) System.exit(7);" + text[body.end():])
+    run = sitaf("run", activity)
+    assert run.returncode == 1, run.stderr
+    assert "55 cases, 54 PASS, 0 FAIL, 1 ERROR, 0 not executed" in run.stdout
+
+
+def test_a_missing_class_is_told_before_anything_is_built(sitaf, activity):
+    replace(activity / "activity.yaml", "InfraredSensor\n", "Sonar\n")
+    run = sitaf("run", activity)
+    assert run.returncode == 2
+    assert "component.class" in run.stderr and "Sonar" in run.stderr
+
+
+def test_a_world_parameter_that_does_not_exist_is_told(sitaf, activity):
+    replace(activity / "GetInfraredData.xml", "<name>Distance</name>", "<name>Gap</name>")
+    run = sitaf("run", activity)
+    assert run.returncode == 2
+    assert "test_element Gap: world/ir.world.yaml has no such parameter; it has Distance" in run.stderr
+
+
+def test_a_world_that_the_simulator_refuses_is_told(sitaf, activity):
+    replace(activity / "world" / "ir.xml", "<mujoco", "<mujoko")
+    run = sitaf("run", activity)
+    assert run.returncode == 2
+    assert "the simulator refuses the world" in run.stderr
+
+
+def test_an_unknown_method_is_told(sitaf, activity):
+    replace(activity / "GetInfraredData.xml", 'method="GetInfraredData"', 'method="GetSonarData"')
+    run = sitaf("run", activity)
+    assert run.returncode == 2
+    assert "no method GetSonarData" in run.stderr
