@@ -113,16 +113,23 @@ class GeneratedApplicationTest {
     try (Simulator simulator = Simulator.started(RealBridge.command(), directory)) {
       BuildSettings settings =
           new BuildSettings(EchoActivity.runtimeJars(), simulator, Toolchains.find(), "");
+      String component = "component/org/sitaf/examples/ir/InfraredSensor.java";
+      String source = infrared(Map.of()).activity().files().text(component).orElseThrow();
       TestApplication slow =
           infrared(
               Map.of(
-                  "component/org/sitaf/examples/ir/Pause.java",
-                  "package org.sitaf.examples.ir; class Pause {}"));
+                  component,
+                  source.replace(
+                      "double range =",
+                      "java.util.concurrent.locks.LockSupport.parkNanos(50_000_000); double range"
+                          + " =")));
+      assertThat(slow.activity().files().text(component)).get().asString().contains("parkNanos");
       BuildOutcome outcome =
           new BuildRun(slow, directory.resolve("build"), settings, killing).run();
 
       TestResult result = ((Completed) outcome).result();
       assertThat(result.summary().pass()).as(killing.logText()).isEqualTo(55);
+      assertThat(killing.logText()).contains("the simulator was started anew");
     }
   }
 
