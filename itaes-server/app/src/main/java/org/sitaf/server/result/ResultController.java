@@ -3,6 +3,7 @@ package org.sitaf.server.result;
 import io.swagger.v3.oas.annotations.Operation;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.io.ByteArrayOutputStream;
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.verdict.JunitXml;
 import org.sitaf.core.verdict.Verdict;
@@ -55,7 +56,7 @@ class ResultController {
   @Operation(operationId = "getResultAsJunit", summary = "A result as JUnit XML")
   byte[] junit(@PathVariable String id) {
     ByteArrayOutputStream xml = new ByteArrayOutputStream();
-    JunitXml.write(results.activityName(id), Results.read(results.document(id)), xml);
+    JunitXml.write(results.activityName(id), List.of(Results.read(results.document(id))), xml);
     return xml.toByteArray();
   }
 }

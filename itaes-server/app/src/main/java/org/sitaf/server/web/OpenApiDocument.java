@@ -72,6 +72,7 @@ class OpenApiDocument {
             response -> {
               if (response.getContent() != null) {
                 response.getContent().values().forEach(OpenApiDocument::renameReference);
+                response.getContent().forEach(OpenApiDocument::correctFormat);
               }
             });
     responses.addApiResponse(
@@ -89,6 +90,14 @@ class OpenApiDocument {
     Schema<?> schema = content.getSchema();
     if (schema != null && schema.get$ref() != null && schema.get$ref().startsWith(REFERENCE)) {
       schema.set$ref(REFERENCE + pageName(schema.get$ref().substring(REFERENCE.length())));
+    }
+  }
+
+  /** Bytes in Java are text or binary on the wire, and only within JSON base64. */
+  private static void correctFormat(String type, MediaType content) {
+    Schema<?> schema = content.getSchema();
+    if (schema != null && "byte".equals(schema.getFormat()) && !type.contains("json")) {
+      schema.setFormat(type.contains("xml") ? null : "binary");
     }
   }
 

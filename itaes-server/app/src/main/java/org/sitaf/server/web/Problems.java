@@ -81,8 +81,10 @@ class Problems extends ResponseEntityExceptionHandler {
   @Override
   protected @Nullable ResponseEntity<Object> createResponseEntity(
       @Nullable Object body, HttpHeaders headers, HttpStatusCode status, WebRequest request) {
-    headers.setContentType(MediaType.APPLICATION_PROBLEM_JSON);
-    return super.createResponseEntity(body, headers, status, request);
+    HttpHeaders own = new HttpHeaders();
+    own.putAll(headers);
+    own.setContentType(MediaType.APPLICATION_PROBLEM_JSON);
+    return super.createResponseEntity(body, own, status, request);
   }
 
   private static ProblemDetail problem(HttpStatus status, String title, RuntimeException e) {

@@ -1,0 +1,343 @@
+package org.sitaf.server.story;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import io.grpc.Status;
+import io.grpc.StatusRuntimeException;
+import java.util.List;
+import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.sitaf.agent.v1.Assignment;
+import org.sitaf.agent.v1.AttemptRef;
+import org.sitaf.agent.v1.AttemptState;
+import org.sitaf.agent.v1.BuildFailure;
+import org.sitaf.agent.v1.Diagnostic;
+import org.sitaf.core.harness.TestApplication;
+import org.sitaf.server.support.Activities;
+import org.sitaf.server.support.RimAgent;
+import org.sitaf.server.support.ServerTest;
+import tools.jackson.databind.JsonNode;
+
+/** Builds from request to result, with an agent at the rim. Each database runs all of it. */
+abstract class BuildStory extends ServerTest {
+  private String activityId = "";
+  private String suiteId = "";
+
+  @BeforeEach
+  void makeSuite() {
+    activityId = api.upload(Activities.zip());
+    suiteId = api.suite(activityId);
+  }
+
+  @AfterEach
+  void cancelWhatIsLeft() {
+    for (JsonNode build : api.get("/api/v1/builds?activityId=" + activityId).json().get("items")) {
+      api.post("/api/v1/builds/" + build.get("id").asString() + "/cancel", "");
+    }
+  }
+
+  @Test
+  void aBuildGoesFromRequestToResult() {
+    String id = api.build(suiteId);
+    assertThat(build(id).get("state").asString()).isEqualTo("QUEUED");
+    assertThat(build(id).get("waitingFor").asString()).startsWith("no agent is connected");
+    try (RimAgent agent = RimAgent.register(grpcPort(), "whole-story", "java")) {
+      Assignment assignment = agent.nextAssignment();
+      AttemptRef attempt = assignment.getAttempt();
+      assertThat(attempt.getBuildId()).isEqualTo(id);
+      assertThat(assignment.getModel()).isEqualTo(Activities.MODEL);
+      agent.report(attempt, AttemptState.ATTEMPT_STATE_PREPARING);
+      TestApplication application = agent.download(assignment);
+      assertThat(application.suite().cases()).hasSize(55);
+      agent.report(attempt, AttemptState.ATTEMPT_STATE_COMPILING);
+      agent.report(attempt, AttemptState.ATTEMPT_STATE_RUNNING);
+      agent.report(attempt, AttemptState.ATTEMPT_STATE_RUNNING);
+      agent.reportCases(attempt, 1, 2, 3);
+      agent.reportCases(attempt, 3, 4);
+      assertThat(build(id).get("casesDone").asInt()).isEqualTo(4);
+      assertThat(build(id).get("agent").asString()).isEqualTo("whole-story");
+      agent.report(attempt, AttemptState.ATTEMPT_STATE_UPLOADING);
+      byte[] document = RimAgent.result(application, List.of(7));
+      assertThat(agent.submit(attempt, document)).isTrue();
+      assertThat(agent.submit(attempt, document)).as("again").isTrue();
+
+      JsonNode done = build(id);
+      assertThat(done.get("state").asString()).isEqualTo("DONE");
+      assertThat(done.get("summary").get("pass").asInt()).isEqualTo(54);
+      assertThat(done.get("summary").get("fail").asInt()).isEqualTo(1);
+      JsonNode result = api.get("/api/v1/builds/" + id + "/result").expect(200).json();
+      assertThat(result.get("summary").get("processingTime").get("max").asDouble()).isEqualTo(55);
+      assertThat(result.get("parameters").size()).isEqualTo(3);
+      JsonNode failed =
+          api.get("/api/v1/builds/" + id + "/result/cases?verdict=FAIL").expect(200).json();
+      assertThat(failed.get("total").asInt()).isEqualTo(1);
+      assertThat(failed.get("items").get(0).get("no").asInt()).isEqualTo(7);
+      assertThat(failed.get("items").get(0).get("actual").get("return").asString())
+          .isEqualTo("42.0");
+      JsonNode page =
+          api.get("/api/v1/builds/" + id + "/result/cases?page=1&size=50").expect(200).json();
+      assertThat(page.get("items").size()).isEqualTo(5);
+      assertThat(api.get("/api/v1/builds/" + id + "/result/document").expect(200).bytes())
+          .isEqualTo(document);
+      assertThat(api.get("/api/v1/builds/" + id + "/result/junit").expect(200).text())
+          .contains("<testsuite", "ir-sensor", "failures=\"1\"");
+      assertThat(api.get("/api/v1/builds/" + id + "/history").expect(200).json())
+          .extracting(t -> t.get("state").asString())
+          .containsExactly(
+              "QUEUED", "LEASED", "PREPARING", "COMPILING", "RUNNING", "UPLOADING", "DONE");
+    }
+  }
+
+  @Test
+  void anAgentGetsOnlyWhatItsToolchainsCanBuild() throws Exception {
+    String id = api.build(suiteId);
+    try (RimAgent agent = RimAgent.register(grpcPort(), "snake", "python")) {
+      assertThat(agent.hearsNothingFor(300)).isTrue();
+      assertThat(build(id).get("waitingFor").asString()).startsWith("no agent offers java");
+    }
+  }
+
+  @Test
+  void anAgentGetsNoMoreThanItHasSlots() throws Exception {
+    String first = api.build(suiteId);
+    try (RimAgent agent = RimAgent.register(grpcPort(), "one-slot", "java")) {
+      AttemptRef attempt = agent.nextAssignment().getAttempt();
+      assertThat(attempt.getBuildId()).isEqualTo(first);
+      String second = api.build(suiteId);
+      agent.heartbeat(attempt);
+      assertThat(agent.hearsNothingFor(300)).isTrue();
+      assertThat(build(second).get("waitingFor").asString()).contains("busy");
+      agent.submit(attempt, failure(BuildFailure.Category.COMPILATION, "does not compile"));
+      assertThat(agent.nextAssignment().getAttempt().getBuildId()).isEqualTo(second);
+    }
+  }
+
+  @Test
+  void aCompilationFailureIsFinalAndShowsWhereItIs() {
+    String id = api.build(suiteId);
+    try (RimAgent agent = RimAgent.register(grpcPort(), "compiler", "java")) {
+      AttemptRef attempt = agent.nextAssignment().getAttempt();
+      BuildFailure failure =
+          failure(BuildFailure.Category.COMPILATION, "1 error").toBuilder()
+              .addDiagnostics(
+                  Diagnostic.newBuilder()
+                      .setFile("component/A.java")
+                      .setLine(3)
+                      .setColumn(9)
+                      .setMessage("';' expected"))
+              .build();
+      assertThat(agent.submit(attempt, failure)).isTrue();
+      assertThat(agent.submit(attempt, failure)).as("again").isTrue();
+    }
+    JsonNode build = build(id);
+    assertThat(build.get("state").asString()).isEqualTo("FAILED");
+    assertThat(build.get("failure").get("category").asString()).isEqualTo("COMPILATION");
+    assertThat(build.get("failure").get("diagnostics").get(0).get("line").asInt()).isEqualTo(3);
+    api.get("/api/v1/builds/" + id + "/result").expect(404);
+  }
+
+  @Test
+  void anInfrastructureFailureIsTriedAgainButNotForEver() {
+    String id = api.build(suiteId);
+    try (RimAgent agent = RimAgent.register(grpcPort(), "unlucky", "java")) {
+      long lastToken = 0;
+      for (int no = 1; no <= 3; no++) {
+        AttemptRef attempt = agent.nextAssignment().getAttempt();
+        assertThat(attempt.getAttempt()).isEqualTo(no);
+        assertThat(attempt.getFencingToken()).isGreaterThan(lastToken);
+        lastToken = attempt.getFencingToken();
+        agent.submit(attempt, failure(BuildFailure.Category.INFRASTRUCTURE, "no simulator"));
+      }
+    }
+    JsonNode failed = api.awaitState(id, "FAILED");
+    assertThat(failed.get("failure").get("category").asString()).isEqualTo("INFRASTRUCTURE");
+  }
+
+  @Test
+  void theBuildOfALostAgentIsGivenToAnotherOneAndTheLateResultChangesNothing() {
+    String id = api.build(suiteId);
+    RimAgent lost = RimAgent.register(grpcPort(), "lost", "java");
+    Assignment first = lost.nextAssignment();
+    lost.report(first.getAttempt(), AttemptState.ATTEMPT_STATE_RUNNING);
+    // It stays connected and is silent for a lease.
+    api.awaitState(id, "QUEUED");
+    try (RimAgent other = RimAgent.register(grpcPort(), "other", "java")) {
+      Assignment second = other.nextAssignment();
+      assertThat(second.getAttempt().getAttempt()).isEqualTo(2);
+      TestApplication application = other.download(second);
+      byte[] late = RimAgent.result(application, List.of(1, 2, 3));
+      refused(
+          Status.Code.FAILED_PRECONDITION,
+          () -> lost.report(first.getAttempt(), AttemptState.ATTEMPT_STATE_UPLOADING));
+      refused(Status.Code.FAILED_PRECONDITION, () -> lost.appendLog(first.getAttempt(), 0, "late"));
+      refused(Status.Code.FAILED_PRECONDITION, () -> lost.submit(first.getAttempt(), late));
+      other.heartbeat(second.getAttempt());
+      assertThat(other.submit(second.getAttempt(), RimAgent.result(application, List.of())))
+          .isTrue();
+      assertThat(lost.submit(first.getAttempt(), late)).as("superseded").isFalse();
+      assertThat(build(id).get("summary").get("fail").asInt()).isZero();
+    } finally {
+      lost.close();
+    }
+  }
+
+  @Test
+  void heartbeatsKeepALease() throws Exception {
+    String id = api.build(suiteId);
+    try (RimAgent agent = RimAgent.register(grpcPort(), "alive", "java")) {
+      AttemptRef attempt = agent.nextAssignment().getAttempt();
+      for (int i = 0; i < 8; i++) {
+        Thread.sleep(400);
+        agent.heartbeat(attempt);
+      }
+      assertThat(build(id).get("state").asString()).isEqualTo("LEASED");
+      assertThat(build(id).get("attempt").asInt()).isEqualTo(1);
+    }
+  }
+
+  @Test
+  void anAgentThatDialsAgainGoesOnWithItsAttempt() {
+    String id = api.build(suiteId);
+    RimAgent before = RimAgent.register(grpcPort(), "again", "java");
+    Assignment assignment = before.nextAssignment();
+    TestApplication application = before.download(assignment);
+    before.close();
+    try (RimAgent after = reconnect("again", assignment.getAttempt())) {
+      after.report(assignment.getAttempt(), AttemptState.ATTEMPT_STATE_UPLOADING);
+      assertThat(after.submit(assignment.getAttempt(), RimAgent.result(application, List.of())))
+          .isTrue();
+    }
+    assertThat(build(id).get("attempt").asInt()).isEqualTo(1);
+  }
+
+  @Test
+  void aCancelledBuildStopsItsAgentAndTakesNoResult() {
+    String id = api.build(suiteId);
+    try (RimAgent agent = RimAgent.register(grpcPort(), "stopped", "java")) {
+      Assignment assignment = agent.nextAssignment();
+      TestApplication application = agent.download(assignment);
+      agent.report(assignment.getAttempt(), AttemptState.ATTEMPT_STATE_RUNNING);
+      api.post("/api/v1/builds/" + id + "/cancel", "").expect(200);
+      assertThat(agent.next().getCancellation().getAttempt()).isEqualTo(assignment.getAttempt());
+      refused(
+          Status.Code.FAILED_PRECONDITION,
+          () -> agent.submit(assignment.getAttempt(), RimAgent.result(application, List.of())));
+      assertThat(build(id).get("state").asString()).isEqualTo("CANCELLED");
+      assertThat(
+              agent.submit(
+                  assignment.getAttempt(), failure(BuildFailure.Category.CANCELLED, "stopped")))
+          .isTrue();
+      String next = api.build(suiteId);
+      assertThat(agent.nextAssignment().getAttempt().getBuildId()).isEqualTo(next);
+    }
+    api.post("/api/v1/builds/" + id + "/cancel", "").expect(409);
+  }
+
+  @Test
+  void theLogIsKeptByOffsetsAndCutWhereItIsTooLarge() {
+    String id = api.build(suiteId);
+    try (RimAgent agent = RimAgent.register(grpcPort(), "logger", "java")) {
+      AttemptRef attempt = agent.nextAssignment().getAttempt();
+      assertThat(agent.appendLog(attempt, 0, "hello ")).isEqualTo(6);
+      assertThat(agent.appendLog(attempt, 0, "hello world")).isEqualTo(11);
+      assertThat(agent.appendLog(attempt, 0, "hello")).as("sent again").isEqualTo(11);
+      refused(Status.Code.OUT_OF_RANGE, () -> agent.appendLog(attempt, 12, "gap"));
+      var answer = api.get("/api/v1/builds/" + id + "/log?offset=6").expect(200);
+      assertThat(answer.text()).isEqualTo("world");
+      assertThat(answer.headers().firstValue("Sitaf-Log-End")).contains("11");
+      String much = "x".repeat(60 << 10);
+      assertThat(agent.appendLog(attempt, 11, much)).isEqualTo(11 + much.length());
+      agent.appendLog(attempt, 11 + much.length(), much);
+      assertThat(api.get("/api/v1/builds/" + id + "/log").expect(200).text())
+          .hasSizeBetween(64 << 10, (64 << 10) + 200)
+          .endsWith("[the log is cut here: it is larger than this server keeps]\n");
+    }
+  }
+
+  @Test
+  void whatContradictsTheProtocolIsRefused() throws Exception {
+    api.build(suiteId);
+    try (RimAgent agent = RimAgent.register(grpcPort(), "strict", "java")) {
+      Assignment assignment = agent.nextAssignment();
+      AttemptRef attempt = assignment.getAttempt();
+      byte[] document = RimAgent.result(agent.download(assignment), List.of());
+      AttemptRef forged =
+          attempt.toBuilder().setFencingToken(attempt.getFencingToken() + 1).build();
+      refused(Status.Code.FAILED_PRECONDITION, () -> agent.submit(forged, document));
+      refused(Status.Code.INVALID_ARGUMENT, () -> agent.submit(attempt, document, "0".repeat(64)));
+      refused(Status.Code.INVALID_ARGUMENT, () -> agent.submit(attempt, new byte[] {'<'}));
+      refused(Status.Code.NOT_FOUND, () -> agent.download(attempt, "0".repeat(64)));
+      refused(
+          Status.Code.INVALID_ARGUMENT,
+          () -> agent.report(attempt, AttemptState.ATTEMPT_STATE_UNSPECIFIED));
+      agent.report(attempt, AttemptState.ATTEMPT_STATE_RUNNING);
+      refused(
+          Status.Code.INVALID_ARGUMENT,
+          () -> agent.report(attempt, AttemptState.ATTEMPT_STATE_COMPILING));
+      try (RimAgent twin = RimAgent.dial(grpcPort())) {
+        twin.sendRegister("strict", "java");
+        assertThat(Status.fromThrowable(twin.end()).getCode())
+            .isEqualTo(Status.Code.ALREADY_EXISTS);
+      }
+      try (RimAgent nameless = RimAgent.dial(grpcPort())) {
+        nameless.sendRegister("no good name", "java");
+        assertThat(Status.fromThrowable(nameless.end()).getCode())
+            .isEqualTo(Status.Code.INVALID_ARGUMENT);
+      }
+    }
+  }
+
+  @Test
+  void anActivityWithABuildUnderWayIsNotDeleted() {
+    String id = api.build(suiteId);
+    assertThat(api.delete("/api/v1/activities/" + activityId).expect(409).text()).contains(id);
+    api.post("/api/v1/builds/" + id + "/cancel", "").expect(200);
+    api.delete("/api/v1/activities/" + activityId).expect(204);
+    api.get("/api/v1/builds/" + id).expect(404);
+    api.get("/api/v1/suites/" + suiteId).expect(404);
+  }
+
+  @Test
+  void agentsAreListedConnectedOrNot() {
+    try (RimAgent agent = RimAgent.register(grpcPort(), "listed", "java")) {
+      agent.heartbeat();
+      assertThat(agentNamed("listed").get("state").asString()).isEqualTo("ONLINE");
+    }
+    org.awaitility.Awaitility.await()
+        .until(() -> agentNamed("listed").get("state").asString().equals("OFFLINE"));
+  }
+
+  private JsonNode agentNamed(String name) {
+    for (JsonNode agent : api.get("/api/v1/agents").expect(200).json()) {
+      if (agent.get("name").asString().equals(name)) {
+        return agent;
+      }
+    }
+    throw new AssertionError("no agent " + name);
+  }
+
+  /** The server may take a moment to see that the former connection is gone. */
+  private RimAgent reconnect(String name, AttemptRef running) {
+    return org.awaitility.Awaitility.await()
+        .ignoreExceptionsMatching(AssertionError.class::isInstance)
+        .until(() -> RimAgent.register(grpcPort(), name, "java", running), a -> true);
+  }
+
+  private JsonNode build(String id) {
+    return api.get("/api/v1/builds/" + id).expect(200).json();
+  }
+
+  private static BuildFailure failure(BuildFailure.Category category, String message) {
+    return BuildFailure.newBuilder().setCategory(category).setMessage(message).build();
+  }
+
+  private static void refused(Status.Code code, ThrowingCallable call) {
+    assertThatThrownBy(call)
+        .isInstanceOfSatisfying(
+            StatusRuntimeException.class,
+            e -> assertThat(e.getStatus().getCode()).as(e.getMessage()).isEqualTo(code));
+  }
+}

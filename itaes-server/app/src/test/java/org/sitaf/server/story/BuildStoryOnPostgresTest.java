@@ -1,0 +1,32 @@
+package org.sitaf.server.story;
+
+import io.zonky.test.db.postgres.embedded.EmbeddedPostgres;
+import java.io.IOException;
+import org.junit.jupiter.api.AfterAll;
+import org.springframework.test.annotation.DirtiesContext;
+import org.springframework.test.context.DynamicPropertyRegistry;
+import org.springframework.test.context.DynamicPropertySource;
+
+/** The same builds, with the same migrations, on PostgreSQL. */
+@DirtiesContext
+class BuildStoryOnPostgresTest extends BuildStory {
+  private static final EmbeddedPostgres POSTGRES = start();
+
+  @DynamicPropertySource
+  static void database(DynamicPropertyRegistry registry) {
+    registry.add("SITAF_DATABASE_URL", () -> POSTGRES.getJdbcUrl("postgres", "postgres"));
+  }
+
+  @AfterAll
+  static void stop() throws IOException {
+    POSTGRES.close();
+  }
+
+  private static EmbeddedPostgres start() {
+    try {
+      return EmbeddedPostgres.start();
+    } catch (IOException e) {
+      throw new java.io.UncheckedIOException(e);
+    }
+  }
+}

@@ -1,0 +1,4 @@
+package org.sitaf.server.story;
+
+/** Builds, on H2 in a file. */
+class BuildStoryTest extends BuildStory {}

@@ -1,0 +1,116 @@
+package org.sitaf.server.story;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.Test;
+import org.sitaf.agent.v1.Assignment;
+import org.sitaf.agent.v1.AttemptState;
+import org.sitaf.server.SitafServer;
+import org.sitaf.server.support.Activities;
+import org.sitaf.server.support.Api;
+import org.sitaf.server.support.RimAgent;
+import org.sitaf.server.support.ServerTest;
+import tools.jackson.databind.JsonNode;
+
+/** The server as a process of its own, killed and started again. */
+class DurabilityTest {
+  private static final Pattern LISTENING = Pattern.compile("listening http=(\\d+) grpc=(\\d+)");
+
+  private final Path data = ServerTest.temporary();
+
+  @Test
+  void whatWasAcknowledgedSurvivesKillAndWhatWasUnderWayGoesOn() throws Exception {
+    String finished;
+    String underWay;
+    byte[] document;
+    Assignment second;
+    try (Running server = new Running()) {
+      String suiteId = server.api.suite(server.api.upload(Activities.zip()));
+      finished = server.api.build(suiteId);
+      underWay = server.api.build(suiteId);
+      try (RimAgent agent = RimAgent.register(server.grpcPort, "survivor", "java")) {
+        Assignment first = agent.nextAssignment();
+        document = RimAgent.result(agent.download(first), List.of());
+        assertThat(agent.submit(first.getAttempt(), document)).isTrue();
+        server.process.destroyForcibly().waitFor();
+        assertThat(agent.end()).isNotNull();
+      }
+    }
+    try (Running server = new Running()) {
+      JsonNode build = server.api.get("/api/v1/builds/" + finished).expect(200).json();
+      assertThat(build.get("state").asString()).isEqualTo("DONE");
+      assertThat(server.api.get("/api/v1/builds/" + finished + "/result/document").bytes())
+          .isEqualTo(document);
+      try (RimAgent agent = RimAgent.register(server.grpcPort, "survivor", "java")) {
+        second = agent.nextAssignment();
+        assertThat(second.getAttempt().getBuildId()).isEqualTo(underWay);
+        agent.report(second.getAttempt(), AttemptState.ATTEMPT_STATE_RUNNING);
+        server.process.destroyForcibly().waitFor();
+      }
+    }
+    try (Running server = new Running();
+        RimAgent agent =
+            RimAgent.register(server.grpcPort, "survivor", "java", second.getAttempt())) {
+      assertThat(agent.submit(second.getAttempt(), document)).isTrue();
+      JsonNode build = server.api.get("/api/v1/builds/" + underWay).expect(200).json();
+      assertThat(build.get("state").asString()).isEqualTo("DONE");
+      assertThat(build.get("attempt").asInt()).isEqualTo(1);
+    }
+  }
+
+  /** A server process that ends with its standard input, and so with this test. */
+  private final class Running implements AutoCloseable {
+    final Process process;
+    final Api api;
+    final int grpcPort;
+
+    Running() throws IOException {
+      List<String> command = new ArrayList<>();
+      command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+      command.addAll(List.of("-XX:TieredStopAtLevel=1", "-cp", classPath()));
+      command.add(SitafServer.class.getName());
+      command.addAll(
+          List.of(
+              "--server.port=0",
+              "--spring.grpc.server.port=0",
+              "--sitaf.stop-with-stdin=true",
+              "--sitaf.data-directory=" + data));
+      process = new ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.INHERIT).start();
+      BufferedReader output = process.inputReader(StandardCharsets.UTF_8);
+      StringBuilder said = new StringBuilder();
+      for (String line = output.readLine(); line != null; line = output.readLine()) {
+        said.append(line).append('\n');
+        Matcher listening = LISTENING.matcher(line);
+        if (listening.matches()) {
+          api = new Api(Integer.parseInt(listening.group(1)));
+          grpcPort = Integer.parseInt(listening.group(2));
+          return;
+        }
+      }
+      throw new IllegalStateException("the server did not start:\n" + said);
+    }
+
+    private String classPath() {
+      return System.getProperty("surefire.test.class.path", System.getProperty("java.class.path"));
+    }
+
+    /** Ends the server by ending its standard input, unless it is dead. */
+    @Override
+    public void close() throws IOException, InterruptedException {
+      process.getOutputStream().close();
+      if (!process.waitFor(20, TimeUnit.SECONDS)) {
+        process.destroyForcibly();
+        throw new AssertionError("the server did not end with its standard input");
+      }
+    }
+  }
+}

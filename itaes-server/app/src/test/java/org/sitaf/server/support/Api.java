@@ -1,0 +1,136 @@
+package org.sitaf.server.support;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpRequest.BodyPublishers;
+import java.net.http.HttpResponse;
+import java.net.http.HttpResponse.BodyHandlers;
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.function.Predicate;
+import org.jspecify.annotations.Nullable;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+/** The server's HTTP interface, as a program uses it. */
+public final class Api {
+  private static final JsonMapper JSON = JsonMapper.builder().build();
+  private static final Duration PATIENCE = Duration.ofSeconds(60);
+
+  private final HttpClient client =
+      HttpClient.newBuilder().version(HttpClient.Version.HTTP_1_1).build();
+  private final String root;
+
+  public Api(int port) {
+    root = "http://localhost:" + port;
+  }
+
+  /** An answer. */
+  @SuppressWarnings("ArrayRecordComponent") // Nobody compares answers.
+  public record Answer(int status, byte[] bytes, java.net.http.HttpHeaders headers) {
+    public String text() {
+      return new String(bytes, StandardCharsets.UTF_8);
+    }
+
+    public JsonNode json() {
+      return JSON.readTree(bytes);
+    }
+
+    public String id() {
+      return json().get("id").asString();
+    }
+
+    public Answer expect(int expected) {
+      if (status != expected) {
+        throw new AssertionError("expected " + expected + ", got " + status + ": " + text());
+      }
+      return this;
+    }
+  }
+
+  public Answer get(String path) {
+    return send(request(path).GET());
+  }
+
+  public Answer delete(String path) {
+    return send(request(path).DELETE());
+  }
+
+  public Answer post(String path, String json) {
+    return send(
+        request(path)
+            .header("Content-Type", "application/json")
+            .POST(BodyPublishers.ofString(json)));
+  }
+
+  public Answer post(String path, String type, byte[] body) {
+    return send(request(path).header("Content-Type", type).POST(BodyPublishers.ofByteArray(body)));
+  }
+
+  public Answer put(String path, String type, byte[] body, @Nullable String ifMatch) {
+    HttpRequest.Builder request =
+        request(path).header("Content-Type", type).PUT(BodyPublishers.ofByteArray(body));
+    return send(ifMatch == null ? request : request.header("If-Match", ifMatch));
+  }
+
+  public Answer send(HttpRequest.Builder request) {
+    try {
+      HttpResponse<byte[]> answer = client.send(request.build(), BodyHandlers.ofByteArray());
+      return new Answer(answer.statusCode(), answer.body(), answer.headers());
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new IllegalStateException(e);
+    }
+  }
+
+  public HttpRequest.Builder request(String path) {
+    return HttpRequest.newBuilder(URI.create(root + path)).timeout(PATIENCE);
+  }
+
+  /** Uploads an activity; answers its id. */
+  public String upload(byte[] zip) {
+    return post("/api/v1/activities", "application/zip", zip).expect(201).id();
+  }
+
+  /** Generates a suite of the model; answers its id. */
+  public String suite(String activityId) {
+    return post(
+            "/api/v1/activities/" + activityId + "/models/" + Activities.MODEL + "/suites", "{}")
+        .expect(201)
+        .id();
+  }
+
+  /** Requests a build; answers its id. */
+  public String build(String suiteId) {
+    return post("/api/v1/builds", "{\"suiteId\":\"" + suiteId + "\"}").expect(201).id();
+  }
+
+  /** Waits, by long polls, until the build is as wanted. */
+  public JsonNode await(String buildId, Predicate<JsonNode> wanted) {
+    Instant deadline = Instant.now().plus(PATIENCE);
+    JsonNode build = get("/api/v1/builds/" + buildId).expect(200).json();
+    while (!wanted.test(build)) {
+      if (Instant.now().isAfter(deadline)) {
+        throw new AssertionError("still not as wanted: " + build);
+      }
+      build =
+          get("/api/v1/builds/"
+                  + buildId
+                  + "?timeoutS=5&waitForChangeSince="
+                  + build.get("version").asLong())
+              .expect(200)
+              .json();
+    }
+    return build;
+  }
+
+  public JsonNode awaitState(String buildId, String state) {
+    return await(buildId, build -> build.get("state").asString().equals(state));
+  }
+}

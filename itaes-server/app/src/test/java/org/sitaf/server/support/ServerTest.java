@@ -1,0 +1,57 @@
+package org.sitaf.server.support;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.BeforeEach;
+import org.sitaf.server.SitafServer;
+import org.springframework.beans.factory.annotation.Autowired;
+import org.springframework.boot.test.context.SpringBootTest;
+import org.springframework.boot.test.context.SpringBootTest.WebEnvironment;
+import org.springframework.boot.test.web.server.LocalServerPort;
+import org.springframework.grpc.server.lifecycle.GrpcServerLifecycle;
+import org.springframework.test.context.DynamicPropertyRegistry;
+import org.springframework.test.context.DynamicPropertySource;
+
+/**
+ * A server on free ports of the loopback, with its database in a file; the tests of a kind share
+ * it.
+ */
+@SpringBootTest(
+    classes = SitafServer.class,
+    webEnvironment = WebEnvironment.RANDOM_PORT,
+    properties = {"spring.grpc.server.port=0", "sitaf.lease=2s", "sitaf.max-log=64KB"})
+public abstract class ServerTest {
+  private static final Path DATA = temporary();
+
+  @LocalServerPort private int httpPort;
+  @Autowired private GrpcServerLifecycle grpc;
+
+  protected Api api = new Api(0);
+
+  @DynamicPropertySource
+  static void dataDirectory(DynamicPropertyRegistry registry) {
+    registry.add("sitaf.data-directory", DATA::toString);
+  }
+
+  @BeforeEach
+  void connect() {
+    api = new Api(httpPort);
+  }
+
+  protected int httpPort() {
+    return httpPort;
+  }
+
+  protected int grpcPort() {
+    return grpc.getPort();
+  }
+
+  public static Path temporary() {
+    try {
+      return Files.createTempDirectory(Path.of("target").toAbsolutePath(), "server-");
+    } catch (IOException e) {
+      throw new java.io.UncheckedIOException(e);
+    }
+  }
+}

@@ -1,0 +1,28 @@
+package org.sitaf.server.web;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.sitaf.server.support.ServerTest;
+
+/** The portal's client is generated from the committed copy of the document. */
+class OpenApiDocumentTest extends ServerTest {
+  private static final Path COPY = Path.of("../../webapp/openapi.json");
+
+  @Test
+  void theCommittedCopyIsTheServersDocument() throws IOException {
+    byte[] document =
+        (api.get("/v3/api-docs").expect(200).text().strip() + "\n")
+            .getBytes(StandardCharsets.UTF_8);
+    if (Boolean.getBoolean("sitaf.write-openapi")) {
+      Files.write(COPY, document);
+    }
+    assertThat(new String(document, StandardCharsets.UTF_8))
+        .as("webapp/openapi.json is outdated; write it anew with -Dsitaf.write-openapi=true")
+        .isEqualTo(Files.readString(COPY));
+  }
+}
