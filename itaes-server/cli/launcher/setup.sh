@@ -48,11 +48,11 @@ unlocked() {
   exec 9>&-
 }
 
-# Whether something below the given paths is newer than a stamp.
+# Whether something below the given paths is newer than a stamp; what builds leave there does not count.
 newer_than() {
   local stamp=$1
   shift
-  [ ! -e "$stamp" ] || [ -n "$(find "$@" \( -name target -o -name node_modules -o -name dist -o -name build -o -name '*.egg-info' -o -name __pycache__ \) -prune \
+  [ ! -e "$stamp" ] || [ -n "$(find "$@" \( -name target -o -name node_modules -o -name dist -o -name build -o -name '*.egg-info' -o -name __pycache__ -o -name '*_pb2*' \) -prune \
     -o -type f -newer "$stamp" -print -quit)" ]
 }
 

@@ -9,27 +9,61 @@ public sealed interface DataType {
   /** The canonical spelling, such as {@code int32}, {@code sequence<double>} or {@code Pose}. */
   String spelling();
 
-  /** A type without parts. */
-  record Scalar(ScalarType type) implements DataType {
+  /** The types that this one is made of, one level down. */
+  default List<DataType> parts() {
+    return List.of();
+  }
+
+  /**
+   * A type without parts.
+   *
+   * @param bound greatest length of a string; 0 where any length is allowed
+   */
+  record Scalar(ScalarType type, int bound) implements DataType {
     public Scalar {
       Objects.requireNonNull(type);
+      if (bound < 0 || (bound > 0 && type != ScalarType.STRING)) {
+        throw new IllegalArgumentException("a " + type.spelling() + " has no bound " + bound);
+      }
+    }
+
+    /** A type without parts and without a bound. */
+    public Scalar(ScalarType type) {
+      this(type, 0);
     }
 
     @Override
     public String spelling() {
-      return type.spelling();
+      return bound == 0 ? type.spelling() : type.spelling() + "<" + bound + ">";
     }
   }
 
-  /** Any number of elements: vector, valarray, sequence, list. */
-  record Sequence(DataType element) implements DataType {
+  /**
+   * Elements of one type: vector, valarray, sequence, list.
+   *
+   * @param bound greatest number of elements; 0 where any number is allowed
+   */
+  record Sequence(DataType element, int bound) implements DataType {
     public Sequence {
       Objects.requireNonNull(element);
+      if (bound < 0) {
+        throw new IllegalArgumentException("a sequence has no bound " + bound);
+      }
+    }
+
+    /** Any number of elements. */
+    public Sequence(DataType element) {
+      this(element, 0);
+    }
+
+    @Override
+    public List<DataType> parts() {
+      return List.of(element);
     }
 
     @Override
     public String spelling() {
-      return "sequence<" + element.spelling() + ">";
+      return "sequence<" + element.spelling() + (bound == 0 ? ">" : "," + bound + ">");
     }
   }
 
@@ -43,6 +77,11 @@ public sealed interface DataType {
     }
 
     @Override
+    public List<DataType> parts() {
+      return List.of(element);
+    }
+
+    @Override
     public String spelling() {
       return element.spelling() + "[" + length + "]";
     }
@@ -53,6 +92,11 @@ public sealed interface DataType {
     public Struct {
       Objects.requireNonNull(name);
       members = List.copyOf(members);
+    }
+
+    @Override
+    public List<DataType> parts() {
+      return members.stream().map(Member::type).toList();
     }
 
     @Override

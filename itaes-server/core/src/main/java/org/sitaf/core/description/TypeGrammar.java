@@ -3,12 +3,13 @@ package org.sitaf.core.description;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.Set;
 
 /**
  * Reads types as robot developers spell them: C++ text such as {@code const std::vector<
- * valarray<double> >&}, {@code unsigned int}, {@code uint8_t} or {@code double[3]}. What it cannot
- * resolve becomes {@link DataType.Unknown} under its own name.
+ * valarray<double> >&}, {@code unsigned int}, {@code uint8_t} or {@code double[3]}, and the canonical
+ * spellings of {@link DataType}, bounds as in {@code string<10>} included. What it cannot resolve becomes {@link DataType.Unknown} under its own name.
  */
 public final class TypeGrammar {
   private static final Map<String, ScalarType> SCALARS =
@@ -58,6 +59,9 @@ public final class TypeGrammar {
   private static final Set<String> SEQUENCES =
       Set.of("vector", "valarray", "list", "deque", "sequence");
 
+  /** A length or bound; larger ones are mistakes rather than interfaces. */
+  private static final String LENGTH = "[1-9][0-9]{0,5}";
+
   private static final int MAX_LENGTH = 500;
 
   private final String text;
@@ -104,12 +108,18 @@ public final class TypeGrammar {
       if (!take(']')) {
         return Optional.empty();
       }
-      type = digits.isEmpty() ? type.map(DataType.Sequence::new) : array(type.get(), digits);
+      type = digits.isEmpty() ? type.map(e -> new DataType.Sequence(e)) : array(type.get(), digits);
     }
     return type;
   }
 
   private Optional<DataType> template(String name) {
+    if (named(name) instanceof DataType.Scalar scalar && scalar.type() == ScalarType.STRING) {
+      OptionalInt bound = bound();
+      return bound.isPresent() && take('>')
+          ? Optional.of(new DataType.Scalar(ScalarType.STRING, bound.getAsInt()))
+          : Optional.empty();
+    }
     Optional<DataType> element = type();
     if (element.isEmpty()) {
       return Optional.empty();
@@ -121,13 +131,24 @@ public final class TypeGrammar {
       String digits = digits();
       return take('>') ? array(element.get(), digits) : Optional.empty();
     }
-    return SEQUENCES.contains(name) && take('>')
-        ? element.map(DataType.Sequence::new)
+    if (!SEQUENCES.contains(name)) {
+      return Optional.empty();
+    }
+    OptionalInt bound = take(',') ? bound() : OptionalInt.of(0);
+    return bound.isPresent() && take('>')
+        ? element.map(e -> new DataType.Sequence(e, bound.getAsInt()))
         : Optional.empty();
   }
 
+  private OptionalInt bound() {
+    String digits = digits();
+    return digits.matches(LENGTH)
+        ? OptionalInt.of(Integer.parseInt(digits))
+        : OptionalInt.empty();
+  }
+
   private static Optional<DataType> array(DataType element, String digits) {
-    return digits.matches("[1-9][0-9]{0,5}")
+    return digits.matches(LENGTH)
         ? Optional.of(new DataType.FixedArray(element, Integer.parseInt(digits)))
         : Optional.empty();
   }

@@ -74,6 +74,34 @@ final class GaloisField {
     return product[a][b];
   }
 
+  int subtract(int a, int b) {
+    for (int x = 0; x < order; x++) {
+      if (sum[x][b] == a) {
+        return x;
+      }
+    }
+    throw new IllegalStateException("a field without differences");
+  }
+
+  /** The inverse of what is not zero. */
+  int inverse(int a) {
+    for (int x = 1; x < order; x++) {
+      if (product[x][a] == 1) {
+        return x;
+      }
+    }
+    throw new ArithmeticException("zero has no inverse");
+  }
+
+  boolean isSquare(int a) {
+    for (int x = 0; x < order; x++) {
+      if (product[x][x] == a) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   /** Elements are polynomials, written in base {@code p} by their coefficients. */
   private static int add(int a, int b, int p) {
     int result = 0;

@@ -20,6 +20,9 @@ public final class TupleForcing {
   private static final int TENURE = 3;
   private static final int MAX_LOOSE_ROWS = 24;
 
+  /** Of many rows, so many compete for being taken away. */
+  private static final int MAX_COMPARED = 64;
+
   private final Symbols symbols;
   private final Coverage coverage;
   private final Feasibility feasibility;
@@ -28,7 +31,8 @@ public final class TupleForcing {
   private final Budget budget;
   private final List<Row> rows;
   private final boolean constrained;
-  private long step;
+  private final int looseEvery;
+  private long step, loose;
 
   /**
    * A search over complete rows that the coverage counts.
@@ -51,6 +55,7 @@ public final class TupleForcing {
     this.budget = budget;
     this.rows = rows;
     this.constrained = !feasibility.rules().isEmpty();
+    this.looseEvery = Integer.getInteger("loose", constrained ? 50 : 1000);
     this.step = TENURE + 1;
   }
 
@@ -71,6 +76,14 @@ public final class TupleForcing {
       long next = step + 256;
       while (coverage.uncovered() > 0 && !budget.spent()) {
         force(coverage.pick(dice));
+        if (step % 1000 == 0 && System.getProperty("dbg") != null)
+          System.err.println(
+              rows.size()
+                  + " open "
+                  + coverage.uncovered()
+                  + " e.g. "
+                  + java.util.Arrays.toString(coverage.pick(dice).columns())
+                  + loose);
         if (step >= next) {
           next = step + 256;
           listener.heard(best.size());
@@ -95,21 +108,28 @@ public final class TupleForcing {
   private boolean removeOne() {
     int least = Integer.MAX_VALUE;
     int at = -1;
-    for (int r = 0; r < rows.size(); r++) {
+    int count = rows.size();
+    int start = dice.below(count);
+    int step = count / MAX_COMPARED + 1;
+    for (int i = 0; i < count; i += step) {
+      int r = (start + i) % count;
       if (!rows.get(r).kept()) {
         int missed = missed(rows.get(r));
-        if (missed < least || (missed == least && dice.below(2) == 0)) {
+        if (missed < least) {
           least = missed;
           at = r;
         }
       }
     }
+    for (int r = 0; at < 0 && r < count; r++) {
+      at = rows.get(r).kept() ? -1 : r;
+    }
     if (at < 0) {
       return false;
     }
     coverage.remove(rows.get(at));
-    rows.set(at, rows.get(rows.size() - 1));
-    rows.remove(rows.size() - 1);
+    rows.set(at, rows.get(count - 1));
+    rows.remove(count - 1);
     return true;
   }
 
@@ -127,6 +147,10 @@ public final class TupleForcing {
     step++;
     int[] columns = tuple.columns();
     int[] values = tuple.values();
+    if (dice.below(looseEvery) == 0) {
+      forceAnywhere(columns, values);
+      return;
+    }
     Row best = null;
     int bestAt = -1;
     int most = Integer.MIN_VALUE;
@@ -153,6 +177,7 @@ public final class TupleForcing {
     }
     budget.spend(2L * evaluated * coverage.cost() + rows.size());
     if (best == null) {
+      loose++;
       forceAnywhere(columns, values);
     } else {
       change(best, columns[bestAt], values[bestAt]);
