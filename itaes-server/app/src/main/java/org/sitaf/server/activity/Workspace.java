@@ -32,7 +32,9 @@ class Workspace {
   private String componentClass;
   private Instant created;
   private Instant updated;
-  @Version private long version;
+
+  /** Null until it is stored, which is how the persistence provider knows that it is new. */
+  @Version private @Nullable Long version;
 
   @ElementCollection
   @CollectionTable(name = "workspace_file", joinColumns = @JoinColumn(name = "workspace_id"))
@@ -110,8 +112,8 @@ class Workspace {
    * @param expected null where the author does not care
    */
   void requireVersion(@Nullable Long expected) {
-    if (expected != null && expected != version) {
-      throw Refusal.outdated("activity", version);
+    if (expected != null && expected != version()) {
+      throw Refusal.outdated("activity", version());
     }
   }
 
@@ -144,7 +146,7 @@ class Workspace {
   }
 
   long version() {
-    return version;
+    return version == null ? 0 : version;
   }
 
   List<StoredFile> files() {

@@ -50,7 +50,10 @@ public class Build {
   private Instant created;
   private @Nullable Instant started;
   private @Nullable Instant finished;
-  @Version private long version;
+
+  /** Null until it is stored, which is how the persistence provider knows that it is new. */
+  @Version private @Nullable Long version;
+
   private int casesTotal;
   private byte[] casesSeen;
   private int casesDone;
@@ -248,7 +251,7 @@ public class Build {
   }
 
   public long version() {
-    return version;
+    return version == null ? 0 : version;
   }
 
   public int casesTotal() {

@@ -39,7 +39,10 @@ class StoredSuite {
   private int total;
   private int valid;
   private Instant created;
-  @Version private long version;
+
+  /** Null until it is stored, which is how the persistence provider knows that it is new. */
+  @Version private @Nullable Long version;
+
   @Basic private byte[] document;
 
   @ElementCollection
@@ -118,8 +121,8 @@ class StoredSuite {
    * @param expected null where the author does not care
    */
   void requireVersion(@Nullable Long expected) {
-    if (expected != null && expected != version) {
-      throw Refusal.outdated("suite", version);
+    if (expected != null && expected != version()) {
+      throw Refusal.outdated("suite", version());
     }
   }
 
@@ -156,7 +159,7 @@ class StoredSuite {
   }
 
   long version() {
-    return version;
+    return version == null ? 0 : version;
   }
 
   List<Diagnostic> notes() {

@@ -1,8 +1,14 @@
 package org.sitaf.server.story;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
 import io.zonky.test.db.postgres.embedded.EmbeddedPostgres;
 import java.io.IOException;
+import java.sql.Connection;
+import javax.sql.DataSource;
 import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.Test;
+import org.springframework.beans.factory.annotation.Autowired;
 import org.springframework.test.annotation.DirtiesContext;
 import org.springframework.test.context.DynamicPropertyRegistry;
 import org.springframework.test.context.DynamicPropertySource;
@@ -12,9 +18,18 @@ import org.springframework.test.context.DynamicPropertySource;
 class BuildStoryOnPostgresTest extends BuildStory {
   private static final EmbeddedPostgres POSTGRES = start();
 
+  @Autowired private DataSource database;
+
   @DynamicPropertySource
   static void database(DynamicPropertyRegistry registry) {
     registry.add("SITAF_DATABASE_URL", () -> POSTGRES.getJdbcUrl("postgres", "postgres"));
+  }
+
+  @Test
+  void theDatabaseIsPostgresql() throws Exception {
+    try (Connection connection = database.getConnection()) {
+      assertThat(connection.getMetaData().getDatabaseProductName()).isEqualTo("PostgreSQL");
+    }
   }
 
   @AfterAll

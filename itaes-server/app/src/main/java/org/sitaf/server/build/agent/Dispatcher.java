@@ -77,7 +77,9 @@ public class Dispatcher implements SmartLifecycle {
       }
     } catch (RuntimeException e) {
       // A build that could not be given now is looked at again with the next change.
-      log.error("Dispatching failed", e);
+      if (running) {
+        log.error("Dispatching failed", e);
+      }
     }
   }
 

@@ -51,7 +51,9 @@ class LeaseWatch implements SmartLifecycle {
         next = silentAt.isBefore(next) ? silentAt : next;
       }
     } catch (RuntimeException e) {
-      log.error("Looking for lost agents failed", e);
+      if (running) {
+        log.error("Looking for lost agents failed", e);
+      }
     } finally {
       lookAgainAt(next);
     }
