@@ -1,10 +1,10 @@
 package org.sitaf.agent.build;
 
+import java.io.FileOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import org.sitaf.agent.executor.OutputSink;
 
@@ -23,7 +23,8 @@ final class BuildLog implements OutputSink, AutoCloseable {
   private boolean cut;
 
   BuildLog(Path path, BuildListener listener) throws IOException {
-    this.file = Files.newOutputStream(path);
+    // Not a channel: the interrupt of a cancelled build would close it.
+    this.file = new FileOutputStream(path.toFile());
     this.listener = listener;
   }
 

@@ -43,12 +43,15 @@ public final class ProcessGroup {
 
   /** Ends all processes of the group at once, and those that they start meanwhile. */
   public void kill() {
-    for (int round = 0; round < MAX_ROUNDS; round++) {
-      List<ProcessHandle> members = members();
-      if (members.isEmpty()) {
-        return;
-      }
+    // A cancelled build's thread may be interrupted, and then reads no file.
+    boolean interrupted = Thread.interrupted();
+    List<ProcessHandle> members = members();
+    for (int round = 0; round < MAX_ROUNDS && !members.isEmpty(); round++) {
       members.forEach(ProcessHandle::destroyForcibly);
+      members = members();
+    }
+    if (interrupted) {
+      Thread.currentThread().interrupt();
     }
   }
 

@@ -54,14 +54,23 @@ final class Attempts {
    * Begins an attempt; one that it works on already, or whose result is on its way, is not begun
    * twice.
    */
-  synchronized void begin(Assignment assignment) {
+  void begin(Assignment assignment) {
     Attempt attempt = Attempt.of(assignment.getAttempt());
-    if (stopping || running.containsKey(attempt.key()) || upload.owes(attempt)) {
-      return;
+    if (!upload.owes(attempt) && !takeSlot(attempt, assignment)) {
+      owe(attempt, SubmitMessages.infrastructure(attempt, "the agent has no free slot"), null);
+    }
+  }
+
+  /**
+   * False when there is no slot; nothing that waits for the disk happens in here, as heartbeats
+   * wait for it.
+   */
+  private synchronized boolean takeSlot(Attempt attempt, Assignment assignment) {
+    if (stopping || running.containsKey(attempt.key())) {
+      return true;
     }
     if (running.size() >= slots) {
-      owe(attempt, SubmitMessages.infrastructure(attempt, "the agent has no free slot"), null);
-      return;
+      return false;
     }
     AttemptRun run =
         new AttemptRun(attempt, assignment, builds.resolve(attempt.key()), settings, calls, cache);
@@ -70,6 +79,7 @@ final class Attempts {
     Thread thread = new Thread(() -> work(run), "sitaf-build");
     threads.add(thread);
     thread.start();
+    return true;
   }
 
   /**

@@ -1,6 +1,7 @@
 package org.sitaf.agent.manager;
 
 import com.google.protobuf.ByteString;
+import io.grpc.Status;
 import io.grpc.StatusRuntimeException;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -95,10 +96,7 @@ final class ProgressReport implements BuildListener, AutoCloseable {
               return;
             }
             case LATER -> pause = backoff.next();
-            case REFUSED ->
-                LOGGER.log(
-                    System.Logger.Level.WARNING,
-                    attempt + ": progress refused: " + ServerCalls.describe(e.getStatus()));
+            case REFUSED -> refused(e);
           }
         } catch (IOException e) {
           LOGGER.log(System.Logger.Level.WARNING, attempt + ": the log cannot be read: " + e);
@@ -107,6 +105,24 @@ final class ProgressReport implements BuildListener, AutoCloseable {
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
+    }
+  }
+
+  /**
+   * What the server will never take is not told again; the log goes on where the server has its
+   * end.
+   */
+  private void refused(StatusRuntimeException e) {
+    LOGGER.log(
+        System.Logger.Level.WARNING,
+        attempt + ": progress refused: " + ServerCalls.describe(e.getStatus()));
+    synchronized (this) {
+      state = null;
+      cases.clear();
+      logGrew = false;
+    }
+    if (e.getStatus().getCode() == Status.Code.OUT_OF_RANGE) {
+      logOffset = 0;
     }
   }
 

@@ -2,6 +2,8 @@ package org.sitaf.agent.manager;
 
 import io.grpc.ManagedChannel;
 import io.grpc.netty.shaded.io.grpc.netty.NettyChannelBuilder;
+import io.grpc.netty.shaded.io.netty.channel.epoll.Epoll;
+import io.grpc.netty.shaded.io.netty.channel.epoll.EpollChannelOption;
 import java.io.IOException;
 import java.time.Duration;
 import java.util.function.Consumer;
@@ -18,6 +20,7 @@ import org.sitaf.agent.v1.Toolchain;
 /** A test build agent at work, from its start to {@link #close()}. */
 public final class TestBuildAgent implements AutoCloseable {
   private static final int MAX_MESSAGE_BYTES = 16 << 20;
+  private static final Duration UNACKNOWLEDGED = Duration.ofSeconds(20);
   private static final Duration STOP = Duration.ofSeconds(5);
 
   private final AgentSettings settings;
@@ -47,11 +50,7 @@ public final class TestBuildAgent implements AutoCloseable {
     // What an agent that was killed left running would disturb the builds to come.
     new ProcessGroup(ProcessGroup.markOf(directory.path())).kill();
     this.simulator = simulatorOf(settings, directory);
-    this.channel =
-        NettyChannelBuilder.forTarget(settings.server())
-            .usePlaintext()
-            .maxInboundMessageSize(MAX_MESSAGE_BYTES)
-            .build();
+    this.channel = channelTo(settings.server());
     ServerCalls calls = new ServerCalls(channel);
     this.upload = new ResultUpload(directory.spool(), calls);
     BuildSettings builds =
@@ -71,6 +70,18 @@ public final class TestBuildAgent implements AutoCloseable {
     this.connection =
         new ServerConnection(channel, this::registration, attempts::refs, new FromServer());
     connection.start();
+  }
+
+  private static ManagedChannel channelTo(String server) {
+    NettyChannelBuilder builder =
+        NettyChannelBuilder.forTarget(server)
+            .usePlaintext()
+            .maxInboundMessageSize(MAX_MESSAGE_BYTES);
+    if (Epoll.isAvailable()) {
+      // Heartbeats that nobody acknowledges tell of a server that vanished without a word.
+      builder.withOption(EpollChannelOption.TCP_USER_TIMEOUT, (int) UNACKNOWLEDGED.toMillis());
+    }
+    return builder.build();
   }
 
   private static Simulator simulatorOf(AgentSettings settings, AgentDirectory directory) {

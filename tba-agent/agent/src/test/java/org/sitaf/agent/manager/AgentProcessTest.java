@@ -1,0 +1,125 @@
+package org.sitaf.agent.manager;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.sitaf.agent.testing.EchoActivity;
+import org.sitaf.agent.v1.AttemptRef;
+
+/** The agent as a process of its own, as its launcher sees it. */
+@Timeout(120)
+class AgentProcessTest {
+  private static final AttemptRef ATTEMPT = FakeServer.attempt("b-1", 1, 17);
+
+  @TempDir private Path directory;
+  private FakeServer server;
+  private Process agent;
+
+  private BufferedReader start(String... more) throws IOException {
+    server = FakeServer.start();
+    return startAgent(more);
+  }
+
+  private BufferedReader startAgent(String... more) throws IOException {
+    List<String> command =
+        new ArrayList<>(
+            List.of(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-cp",
+                System.getProperty("java.class.path"),
+                "org.sitaf.agent.AgentMain",
+                "--server",
+                server.address(),
+                "--name",
+                "tester",
+                "--directory",
+                directory.resolve("agent").toString(),
+                "--runtime-java",
+                System.getProperty("sitaf.runtime-java")));
+    command.addAll(List.of(more));
+    agent = new ProcessBuilder(command).redirectError(errors().toFile()).start();
+    return agent.inputReader();
+  }
+
+  private Path errors() {
+    return directory.resolve("errors");
+  }
+
+  @AfterEach
+  void stop() throws InterruptedException {
+    agent.destroyForcibly().waitFor();
+    server.close();
+  }
+
+  @Test
+  void saysOneLineWhenItIsRegisteredAndEndsWhenItIsTold() throws Exception {
+    BufferedReader output = start();
+
+    assertThat(output.readLine())
+        .isEqualTo("registered tester at " + server.address() + " (server test)");
+    // Process.destroy would close our end of its output too.
+    agent.toHandle().destroy();
+    assertThat(agent.waitFor(10, TimeUnit.SECONDS)).isTrue();
+    assertThat(output.readLine()).isNull();
+  }
+
+  @Test
+  void endsWithItsLauncher() throws Exception {
+    start("--stop-with-stdin").readLine();
+    agent.getOutputStream().close();
+
+    assertThat(agent.waitFor(10, TimeUnit.SECONDS)).isTrue();
+    assertThat(agent.exitValue()).isZero();
+  }
+
+  @Test
+  void aSettingThatIsWrongIsToldAndNothingIsStarted() throws Exception {
+    BufferedReader output = start("--slots", "0");
+
+    assertThat(output.readLine()).isNull();
+    assertThat(agent.waitFor(10, TimeUnit.SECONDS)).isTrue();
+    assertThat(agent.exitValue()).isEqualTo(2);
+    assertThat(errors()).content().isEqualTo("sitaf agent: --slots 0: expected 1 to 256\n");
+  }
+
+  @Test
+  void afterItWasKilledTheNextOneFindsNothingLeftRunning() throws Exception {
+    start().readLine();
+    Path pidFile = directory.resolve("pid");
+    server.assign(
+        ATTEMPT,
+        EchoActivity.doing(
+                "java.nio.file.Files.writeString(java.nio.file.Path.of(\""
+                    + pidFile
+                    + "\"), \"\" + ProcessHandle.current().pid());"
+                    + " if (value == 2) Thread.sleep(60000); return value;")
+            .caseWallSeconds(90)
+            .application()
+            .files());
+    server.await(s -> !s.cases().isEmpty());
+    long harness = Long.parseLong(Files.readString(pidFile));
+    agent.destroyForcibly().waitFor();
+    assertThat(isRunning(harness)).isTrue();
+
+    startAgent().readLine();
+    for (int i = 0; i < 500 && isRunning(harness); i++) {
+      Thread.sleep(10);
+    }
+    assertThat(isRunning(harness)).isFalse();
+    assertThat(server.registrations().get(1).getRunningList()).isEmpty();
+  }
+
+  private static boolean isRunning(long pid) {
+    return ProcessHandle.of(pid).map(ProcessHandle::isAlive).orElse(false);
+  }
+}
