@@ -41,7 +41,7 @@ def serving(settings: Settings) -> Iterator[str]:
     ]
     server = grpc.server(pool, options=options)
     pb_grpc.add_SimulationControlServicer_to_server(SimulationControl(Catalog(), registry), server)
-    pb_grpc.add_VirtualHardwareServicer_to_server(VirtualHardware(registry), server)
+    pb_grpc.add_VirtualHardwareServicer_to_server(VirtualHardware(registry, max(1, settings.threads // 2)), server)
     try:
         try:
             port = server.add_insecure_port(settings.address.target)

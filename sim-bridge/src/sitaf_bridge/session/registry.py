@@ -70,9 +70,10 @@ class Registry:
 
     def delete(self, session_id: str) -> None:
         """Free a session; a call at work in it ends first, but finds it gone the next time."""
-        self._enter(session_id)
+        entry = self._enter(session_id)
         with self._changed:
             self._entries.pop(session_id, None)
+        entry.session.close()
 
     def __len__(self) -> int:
         """How many sessions are open."""

@@ -1,5 +1,6 @@
 """Solves what a setting must be so that a sensor's clearance to a surface equals a value, to the bit if it can."""
 
+import itertools
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -111,7 +112,7 @@ class _Search:
     def polish(self, value: float) -> float:
         """The number next to `value` with the smallest error; the search's last bits are rounding."""
         best, least = value, math.inf
-        for candidate in (value, *_neighbours(value)):
+        for candidate in itertools.chain((value,), _neighbours(value)):
             error = self.error(candidate)
             if error is not None and abs(error) < least:
                 best, least = candidate, abs(error)
