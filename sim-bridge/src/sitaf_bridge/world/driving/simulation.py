@@ -3,17 +3,16 @@
 import copy
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import cast
 
 import mujoco
 import numpy as np
 
 from sitaf_bridge.errors import Cancelled, Diverged, InvalidRequest, LimitReached, UnreachableValue
 from sitaf_bridge.world.additions import SpawnedEntity
-from sitaf_bridge.world.devices import KINDS, KNOBS, Command, Reading
+from sitaf_bridge.world.devices import KNOBS, Command, Reading
 from sitaf_bridge.world.devices.camera import CameraBank, Image
-from sitaf_bridge.world.devices.kind import ActuatorBank
 from sitaf_bridge.world.driving import entities
+from sitaf_bridge.world.driving.commanding import give
 from sitaf_bridge.world.driving.conditions import Condition, bind_condition
 from sitaf_bridge.world.driving.entities import Motion
 from sitaf_bridge.world.driving.keeping import Kept, digest_of
@@ -82,7 +81,7 @@ class Simulation:
     def write(self, commands: Sequence[Command]) -> WorldState:
         """Command actuators; they act when time moves. Raises InvalidRequest, UnreachableValue."""
         self._refuse_if_frozen()
-        return self._all_or_nothing(lambda: self._command(commands))
+        return self._all_or_nothing(lambda: give(commands, self.world, self._model, self._data))
 
     def reset(self, scope: ResetScope) -> WorldState:
         """Put back what the scope says; ALL also thaws a simulation that diverged."""
@@ -112,7 +111,7 @@ class Simulation:
 
         def stepped() -> None:
             self._apply(values or {})
-            self._command(commands)
+            give(commands, self.world, self._model, self._data)
             self._run(steps, wanted)
 
         return self._all_or_nothing(stepped)
@@ -322,20 +321,6 @@ class Simulation:
                 value = getattr(device, knob)
                 if value:
                     self._data.userdata[device.address(self._model, knob)] = value
-
-    def _command(self, commands: Sequence[Command]) -> None:
-        for command in commands:
-            device = self.world.description.devices.get(command.device)
-            if device is None:
-                known = ", ".join(self.world.description.devices) or "none"
-                raise InvalidRequest(f"commands: no device {command.device!r}; devices of this world: {known}")
-            if KINDS[device.kind].takes is None:
-                raise InvalidRequest(f"commands: {command.device} is a {device.kind}, which takes no commands")
-            for name, value in command.numbers.items():
-                if not math.isfinite(value):
-                    raise InvalidRequest(f"commands: {command.device}.{name}: {value} is not a finite number")
-            bank = cast(ActuatorBank, self.world.banks[device.kind])
-            bank.write(self._model, self._data, command)
 
     def _apply(self, values: Mapping[str, float]) -> None:
         """Direct settings first, then the solved ones, which depend on them; each in the order of declaration."""
