@@ -1,11 +1,7 @@
 """Kind `camera`: colour or depth, rendered without a display."""
 
-import os
-from collections import OrderedDict
 from collections.abc import Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from typing import Any
 
 import mujoco
 import numpy as np
@@ -14,10 +10,10 @@ from sitaf_bridge.errors import Unavailable
 from sitaf_bridge.world.description.yaml_block import Block, Problems
 from sitaf_bridge.world.devices.binding import find, find_all
 from sitaf_bridge.world.devices.kind import DeviceDeclaration, DeviceKind, Reading
+from sitaf_bridge.world.rendering import CannotRender, picture
 
 ENCODINGS = {"rgb": "rgb8", "depth": "32FC1"}
 MAX_SIDE = 4096
-MAX_RENDERERS = 4
 
 
 @dataclass(frozen=True)
@@ -89,46 +85,11 @@ class CameraBank:
         """The image at the current step. Raises Unavailable where this machine cannot render."""
         declaration, camera = self._by_name[device]
         assert isinstance(declaration, CameraDeclaration)  # noqa: S101
-        return _thread.submit(_render, model, data, declaration, camera).result()
-
-
-# A GL context belongs to one thread; all images of the process are made in this one.
-_thread = ThreadPoolExecutor(1, thread_name_prefix="camera")
-# Used by that thread only. The model is kept so that its id is not given to another.
-_renderers: OrderedDict[tuple[int, int, int], tuple[Any, mujoco.MjModel]] = OrderedDict()
-
-
-def _render(model: mujoco.MjModel, data: mujoco.MjData, declaration: CameraDeclaration, camera: int) -> Image:
-    renderer = _renderer(model, declaration)
-    renderer.update_scene(data, camera=camera)
-    renderer.scene.flags[mujoco.mjtRndFlag.mjRND_SHADOW] = 0
-    renderer.scene.flags[mujoco.mjtRndFlag.mjRND_REFLECTION] = 0
-    if declaration.image == "depth":
-        renderer.enable_depth_rendering()
-    else:
-        renderer.disable_depth_rendering()
-    pixels = renderer.render()
-    kind = np.dtype("<f4") if declaration.image == "depth" else np.dtype(np.uint8)
-    return Image(declaration, ENCODINGS[declaration.image], np.ascontiguousarray(pixels, kind).tobytes())
-
-
-def _renderer(model: mujoco.MjModel, declaration: CameraDeclaration) -> Any:
-    key = (id(model), declaration.height, declaration.width)
-    if key in _renderers:
-        _renderers.move_to_end(key)
-        return _renderers[key][0]
-    # MuJoCo reads it when its renderer is first loaded, which is here.
-    os.environ.setdefault("MUJOCO_GL", "egl")
-    try:
-        from mujoco.renderer import Renderer  # noqa: PLC0415  # loads GL, which a machine may not have
-
-        renderer = Renderer(model, declaration.height, declaration.width)
-    except Exception as error:  # every GL platform raises its own
-        raise Unavailable(
-            f"the camera {declaration.name} cannot be rendered on this machine: {error}; install EGL "
-            "(Debian: libegl1 libgl1-mesa-dri libgles2)"
-        ) from error
-    _renderers[key] = (renderer, model)
-    while len(_renderers) > MAX_RENDERERS:
-        _renderers.popitem(last=False)[1][0].close()
-    return renderer
+        size, depth = (declaration.width, declaration.height), declaration.image == "depth"
+        try:
+            pixels = picture(model, data, camera, size, depth=depth)
+        except CannotRender as error:
+            raise Unavailable(f"the camera {device} cannot be rendered on this machine: {error}") from error
+        kind = np.dtype("<f4") if depth else np.dtype(np.uint8)
+        data_bytes = np.ascontiguousarray(pixels, kind).tobytes()
+        return Image(declaration, ENCODINGS[declaration.image], data_bytes)
