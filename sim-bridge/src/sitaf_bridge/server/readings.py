@@ -112,7 +112,7 @@ def _quaternion(numbers: Sequence[float]) -> pb.Quaternion:
 def _range(reading: Reading) -> pb.Reading:
     device = reading.device
     assert isinstance(device, RangeDeclaration)  # noqa: S101  # of this kind
-    value = {"range_m": reading.values[0], "min_range_m": device.low, "max_range_m": device.high}
+    value = pb.Range(range_m=reading.values[0], min_range_m=device.low, max_range_m=device.high)
     return pb.Reading(device=device.name, range=value)
 
 

@@ -124,7 +124,7 @@ def _bind(
 
 def _bound(model: mujoco.MjModel, description: Description, bind: Bind) -> BoundBind:
     setting = find_setting(model, bind.path, description.devices)
-    return BoundBind(setting, None if bind.gap is None else find_gap(model, bind.gap))
+    return BoundBind(setting, None if bind.gap is None else find_gap(model, bind.gap, setting))
 
 
 def _banks(model: mujoco.MjModel, description: Description, problems: Problems) -> dict[str, Bank]:

@@ -344,7 +344,7 @@ class Simulation:
         if every:
             mujoco.mj_forward(self._model, self._data)
             self._read()
-        while left > 0 and not self._diverged():
+        while left > 0:
             if not wanted():
                 raise Cancelled("the caller went away; the step was undone")
             for _ in range(min(left, CHUNK)) if every else ():
@@ -357,6 +357,8 @@ class Simulation:
                 mujoco.mj_step(self._model, self._data, chunk)
                 self._step += chunk
             left -= chunk
+            if left > 0 and self._diverged():
+                return
 
     def _diverged(self) -> bool:
         return bool(self._data.warning.number[FATAL].any())

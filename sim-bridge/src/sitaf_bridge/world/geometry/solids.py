@@ -123,6 +123,7 @@ class Surroundings:
         empty = [np.zeros(0, np.intp)]
         self._sites = np.concatenate([group.sites for group in self._groups] or empty)
         self._geoms = np.concatenate([group.geoms for group in self._groups] or empty)
+        self._planes = next((group.pairs for group in self._groups if group.kind == PLANE), None)
 
     def __call__(
         self, model: mujoco.MjModel, data: mujoco.MjData
@@ -135,7 +136,12 @@ class Surroundings:
         # A point outside of the sphere around a geom is not inside of the geom: that rules out most at little cost.
         relative = data.site_xpos[self._sites] - data.geom_xpos[self._geoms]
         reach = model.geom_rbound[self._geoms] + TOUCH
-        near = (reach <= TOUCH) | ((relative * relative).sum(axis=1) <= reach * reach)
+        near = np.einsum("ij,ij->i", relative, relative) <= reach * reach
+        if self._planes is not None:
+            normals = data.geom_xmat[self._geoms[self._planes], 2::3]
+            near[self._planes] = np.einsum("ij,ij->i", relative[self._planes], normals) <= 2 * TOUCH
+        if not near.any():
+            return inside, touching
         for group in self._groups:
             chosen = np.flatnonzero(near[group.pairs])
             if not chosen.size:
