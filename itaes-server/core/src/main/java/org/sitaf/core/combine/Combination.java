@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
 import java.util.TreeSet;
 import org.sitaf.core.combine.CoveringArray.TupleReport;
 import org.sitaf.core.combine.construction.Constructions;
@@ -19,7 +21,7 @@ import org.sitaf.core.combine.search.Greedy;
 import org.sitaf.core.combine.search.TupleForcing;
 
 /** One combination, from what is possible over a first array to a small one. */
-final class Construction {
+final class Combination {
   private final CombinationProblem problem;
   private final Symbols symbols;
   private final List<int[]> sets;
@@ -27,7 +29,7 @@ final class Construction {
   private final Effort effort;
   private final Progress progress;
 
-  Construction(
+  Combination(
       CombinationProblem problem,
       Symbols symbols,
       List<int[]> sets,
@@ -52,12 +54,14 @@ final class Construction {
 
     List<Row> rows = new ArrayList<>();
     for (Row row : kept) {
-      Row filled = greedy.fill(row);
+      Row filled = Objects.requireNonNull(greedy.fill(row), "a kept row that was found allowed");
       filled.keep(problem.seeds().get(rows.size()));
       coverage.add(filled);
       rows.add(filled);
     }
-    addConstructed(rows, coverage);
+    boolean plain = kept.isEmpty() && feasibility.rules().isEmpty();
+    Optional<Plain> columns = plain ? Plain.of(problem, symbols) : Optional.empty();
+    columns.flatMap(Plain::atOnce).ifPresent(array -> replace(rows, array, coverage));
     greedy.grow(rows, effort == Effort.FAST ? 1 : 4, Integer.MAX_VALUE);
     if (rows.isEmpty()) {
       Row only = greedy.fill(new Row(symbols));
@@ -68,38 +72,74 @@ final class Construction {
     }
     progress.report(rows.size(), 0);
 
-    List<int[]> best = rows.stream().map(Row::values).toList();
     int enough = Math.max(bound, kept.size());
-    if (effort != Effort.FAST && rows.size() > enough) {
-      TupleForcing search =
-          new TupleForcing(symbols, coverage, feasibility, greedy, dice, budget, rows);
-      best = search.shrink(enough, n -> progress.report(n, budget.share()));
+    List<int[]> best = rows.stream().map(Row::values).toList();
+    if (effort != Effort.FAST) {
+      TupleForcing search = new TupleForcing(symbols, coverage, feasibility, greedy, dice, rows);
+      best = search.shrink(enough, budget.part(0.1), listener(budget));
+      int size = best.size();
+      Optional<List<int[]>> developed =
+          size <= enough
+              ? Optional.empty()
+              : columns.flatMap(c -> c.developed(size, dice, budget.part(0.3)));
+      if (developed.isPresent()) {
+        replace(rows, developed.get(), coverage);
+        greedy.grow(rows, 1, Integer.MAX_VALUE);
+        best = rows.stream().map(Row::values).toList();
+        progress.report(best.size(), budget.share());
+      }
+      List<int[]> last = search.shrink(enough, budget, listener(budget));
+      best = last.size() < best.size() ? last : best;
     }
     return new CoveringArray(ordered(best, kept.size()), report, best.size() <= enough);
   }
 
-  /** Adds the rows of a construction where one exists that is near the bound. */
-  private void addConstructed(List<Row> rows, Coverage coverage) {
-    if (!rows.isEmpty() || !feasibility.rules().isEmpty()) {
-      return;
-    }
-    if (problem.interactions().size() != 1) {
-      return;
-    }
-    int[] columns =
-        Arrays.stream(problem.interactions().get(0).parameters())
-            .filter(c -> symbols.levels(c) > 1)
-            .toArray();
-    int[] levels = Arrays.stream(columns).map(symbols::levels).toArray();
-    for (int[] values :
-        Constructions.find(problem.interactions().get(0).strength(), levels).orElse(List.of())) {
-      int[] whole = new int[symbols.columns()];
-      for (int i = 0; i < columns.length; i++) {
-        whole[columns[i]] = values[i];
-      }
-      Row row = new Row(symbols, whole);
+  private TupleForcing.Listener listener(Budget budget) {
+    return n -> progress.report(n, budget.share());
+  }
+
+  private void replace(List<Row> rows, List<int[]> by, Coverage coverage) {
+    rows.forEach(coverage::remove);
+    rows.clear();
+    for (int[] values : by) {
+      Row row = new Row(symbols, values);
       coverage.add(row);
       rows.add(row);
+    }
+  }
+
+  /** The varied columns of a problem with a single interaction, for which algebra may know. */
+  private record Plain(Symbols symbols, int strength, int[] columns, int[] levels) {
+    static Optional<Plain> of(CombinationProblem problem, Symbols symbols) {
+      if (problem.interactions().size() != 1) {
+        return Optional.empty();
+      }
+      Interaction interaction = problem.interactions().get(0);
+      int[] columns =
+          Arrays.stream(interaction.parameters()).filter(c -> symbols.levels(c) > 1).toArray();
+      int[] levels = Arrays.stream(columns).map(symbols::levels).toArray();
+      int strength = Math.min(interaction.strength(), columns.length);
+      return Optional.of(new Plain(symbols, strength, columns, levels));
+    }
+
+    Optional<List<int[]>> atOnce() {
+      return Constructions.atOnce(strength, levels).map(this::whole);
+    }
+
+    Optional<List<int[]>> developed(int size, Dice dice, Budget budget) {
+      return Constructions.developed(strength, levels, size, dice, budget).map(this::whole);
+    }
+
+    private List<int[]> whole(List<int[]> rows) {
+      List<int[]> whole = new ArrayList<>();
+      for (int[] row : rows) {
+        int[] values = new int[symbols.columns()];
+        for (int i = 0; i < columns.length; i++) {
+          values[columns[i]] = row[i];
+        }
+        whole.add(values);
+      }
+      return whole;
     }
   }
 
@@ -126,8 +166,8 @@ final class Construction {
     boolean pairs = sets.stream().allMatch(set -> set.length <= 2);
     return switch (effort) {
       case FAST -> 0;
-      case DEFAULT -> pairs ? 500_000_000L : 5_000_000_000L;
-      case BEST -> 60_000_000_000L;
+      case DEFAULT -> pairs ? 1_000_000_000L : 12_000_000_000L;
+      case BEST -> 100_000_000_000L;
     };
   }
 

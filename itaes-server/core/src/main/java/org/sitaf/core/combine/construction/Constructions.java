@@ -3,6 +3,8 @@ package org.sitaf.core.combine.construction;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import org.sitaf.core.combine.coverage.Dice;
+import org.sitaf.core.combine.search.Budget;
 
 /** Chooses a construction for columns with these levels. */
 public final class Constructions {
@@ -12,15 +14,21 @@ public final class Constructions {
   /** A construction with more rows than this many times the bound is no better than growth. */
   private static final double NEAR = 1.3;
 
+  private static final int MAX_VALUES = 16;
+  private static final double MAX_TUPLES = 20_000;
+
+  /** With a smaller share of columns that have all values, folding wastes too much. */
+  private static final double ALIKE = 0.75;
+
   private Constructions() {}
 
   /**
-   * An array of the strength, when one is known that comes near the product of the largest levels;
-   * rows may repeat, and a caller checks what they cover.
+   * An array of the strength that algebra gives at once, when one is known that comes near the
+   * product of the largest levels; rows may repeat, and a caller checks what they cover.
    *
    * @param levels of each column, at least 2
    */
-  public static Optional<List<int[]>> find(int strength, int[] levels) {
+  public static Optional<List<int[]>> atOnce(int strength, int[] levels) {
     int most = Arrays.stream(levels).max().orElse(0);
     if (strength < 2 || most > MAX_ORDER) {
       return Optional.empty();
@@ -34,6 +42,23 @@ public final class Constructions {
       return Optional.empty();
     }
     return OrthogonalArray.of(strength, order, levels.length).map(array -> fold(array, levels));
+  }
+
+  /**
+   * An array of the strength with fewer rows than {@code size}, developed from a group.
+   *
+   * @param levels of each column, at least 2; mostly alike, else there is no hope
+   */
+  public static Optional<List<int[]>> developed(
+      int strength, int[] levels, int size, Dice dice, Budget budget) {
+    int most = Arrays.stream(levels).max().orElse(0);
+    long alike = Arrays.stream(levels).filter(n -> n == most).count();
+    boolean fits = strength >= 2 && most <= MAX_VALUES && Math.pow(most, strength) <= MAX_TUPLES;
+    if (!fits || levels.length <= strength || alike < ALIKE * levels.length) {
+      return Optional.empty();
+    }
+    int[][] rows = new Developed(strength, most, levels.length, dice).below(size, budget);
+    return Optional.ofNullable(rows).map(array -> fold(array, levels));
   }
 
   /** The product of the largest levels, which no array can go below. */

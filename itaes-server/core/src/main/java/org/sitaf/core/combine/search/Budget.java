@@ -1,24 +1,45 @@
 package org.sitaf.core.combine.search;
 
+import org.jspecify.annotations.Nullable;
+
 /** What a search may still spend, in word operations: a count, never the clock. */
 public final class Budget {
   private final long whole;
+  private final @Nullable Budget source;
   private long left;
 
   /** So many word operations. */
   public Budget(long operations) {
+    this(operations, null);
+  }
+
+  private Budget(long operations, @Nullable Budget source) {
     this.whole = operations;
     this.left = operations;
+    this.source = source;
   }
 
   /** Spends some; more than is left is possible once. */
   public void spend(long operations) {
     left -= operations;
+    if (source != null) {
+      source.spend(operations);
+    }
   }
 
   /** Whether nothing is left. */
   public boolean spent() {
     return left <= 0;
+  }
+
+  /** A share of the whole, as far as it is left; spent here when it is spent there. */
+  public Budget part(double share) {
+    return new Budget(Math.min(left(), (long) (whole * share)), this);
+  }
+
+  /** What there was to spend. */
+  public long whole() {
+    return whole;
   }
 
   /** What is left. */
