@@ -8,8 +8,9 @@ import java.util.Set;
 
 /**
  * Reads types as robot developers spell them: C++ text such as {@code const std::vector<
- * valarray<double> >&}, {@code unsigned int}, {@code uint8_t} or {@code double[3]}, and the canonical
- * spellings of {@link DataType}, bounds as in {@code string<10>} included. What it cannot resolve becomes {@link DataType.Unknown} under its own name.
+ * valarray<double> >&}, {@code unsigned int}, {@code uint8_t} or {@code double[3]}, and the
+ * canonical spellings of {@link DataType}, bounds as in {@code string<10>} included. What it cannot
+ * resolve becomes {@link DataType.Unknown} under its own name.
  */
 public final class TypeGrammar {
   private static final Map<String, ScalarType> SCALARS =
@@ -142,9 +143,7 @@ public final class TypeGrammar {
 
   private OptionalInt bound() {
     String digits = digits();
-    return digits.matches(LENGTH)
-        ? OptionalInt.of(Integer.parseInt(digits))
-        : OptionalInt.empty();
+    return digits.matches(LENGTH) ? OptionalInt.of(Integer.parseInt(digits)) : OptionalInt.empty();
   }
 
   private static Optional<DataType> array(DataType element, String digits) {
