@@ -9,6 +9,7 @@ import javax.sql.DataSource;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.Test;
 import org.springframework.beans.factory.annotation.Autowired;
+import org.springframework.context.ConfigurableApplicationContext;
 import org.springframework.test.annotation.DirtiesContext;
 import org.springframework.test.context.DynamicPropertyRegistry;
 import org.springframework.test.context.DynamicPropertySource;
@@ -33,7 +34,8 @@ class BuildStoryOnPostgresTest extends BuildStory {
   }
 
   @AfterAll
-  static void stop() throws IOException {
+  static void stop(@Autowired ConfigurableApplicationContext server) throws IOException {
+    server.close();
     POSTGRES.close();
   }
 
