@@ -1,5 +1,7 @@
 package org.sitaf.core.description;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
@@ -104,11 +106,16 @@ public final class TypeGrammar {
       return Optional.empty();
     }
     Optional<DataType> type = take('<') ? template(name) : Optional.of(named(name));
+    List<String> dimensions = new ArrayList<>();
     while (type.isPresent() && take('[')) {
-      String digits = digits();
+      dimensions.add(digits());
       if (!take(']')) {
         return Optional.empty();
       }
+    }
+    // The last dimension counts innermost.
+    for (int i = dimensions.size() - 1; i >= 0 && type.isPresent(); i--) {
+      String digits = dimensions.get(i);
       type = digits.isEmpty() ? type.map(e -> new DataType.Sequence(e)) : array(type.get(), digits);
     }
     return type;

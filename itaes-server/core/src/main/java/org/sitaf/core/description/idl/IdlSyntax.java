@@ -16,6 +16,12 @@ final class IdlSyntax {
   /** Deepest nesting of brackets; the parser calls itself once for each. */
   private static final int MAX_DEPTH = 40;
 
+  /**
+   * Greatest number of scopes of a name. The parser looks ahead to its end at each of them, so that
+   * its time would grow with the square.
+   */
+  private static final int MAX_SCOPES = 40;
+
   /** After so many errors, the rest is not worth reading. */
   private static final int MAX_ERRORS = 20;
 
@@ -44,7 +50,13 @@ final class IdlSyntax {
   private static boolean isShallow(CommonTokenStream tokens, String file, Diagnostics diagnostics) {
     int depth = 0;
     int angles = 0;
+    int scopes = 0;
     for (Token token : tokens.getTokens()) {
+      if (token.getText().equals("::")) {
+        scopes++;
+      } else if (token.getType() != InterfaceDefinitionLexer.IDENTIFIER) {
+        scopes = 0;
+      }
       switch (token.getText()) {
         case "{" -> {
           depth++;
@@ -67,6 +79,11 @@ final class IdlSyntax {
       if (depth + angles > MAX_DEPTH) {
         diagnostics.error(
             file, token.getLine(), "", "brackets nest deeper than " + MAX_DEPTH + " levels");
+        return false;
+      }
+      if (scopes > MAX_SCOPES) {
+        diagnostics.error(
+            file, token.getLine(), "", "a name has more than " + MAX_SCOPES + " scopes");
         return false;
       }
     }

@@ -13,9 +13,10 @@ final class ProtoSyntax {
   /** Deepest nesting of brackets; the parser calls itself once for each. */
   private static final int MAX_DEPTH = 40;
 
-  /** How the parser says where it stopped. */
-  private static final Pattern WHERE =
-      Pattern.compile("(?s)Syntax error in .*?:(\\d+):(\\d+): (.*)");
+  /** The place is given without the file's name, which may hold anything. */
+  private static final String PLACE = "file.proto";
+
+  private static final Pattern WHERE = Pattern.compile(PLACE + ":(\\d{1,8}):\\d+");
 
   private ProtoSyntax() {}
 
@@ -27,20 +28,23 @@ final class ProtoSyntax {
       return Optional.empty();
     }
     try {
-      // The place is given without the file's name, which may hold anything.
-      return Optional.of(ProtoParser.Companion.parse(Location.get("", "file.proto"), text));
+      return Optional.of(ProtoParser.Companion.parse(Location.get("", PLACE), text));
     } catch (RuntimeException e) {
       // Wire reports syntax errors as IllegalStateException, and hostile text by whatever a number
       // or an index that is out of range throws.
       String message = String.valueOf(e.getMessage());
       Matcher where = WHERE.matcher(message);
-      boolean located = where.matches();
-      String reason = located ? where.group(3) : "cannot be read: " + message;
+      int line = where.find() ? Integer.parseInt(where.group(1)) : 0;
+      String reason =
+          where
+              .reset(message.replaceFirst("^Syntax error in " + WHERE + ": ", ""))
+              .replaceAll("line $1");
       diagnostics.error(
           file,
-          located && where.group(1).length() < 9 ? Integer.parseInt(where.group(1)) : 0,
+          line,
           "",
-          reason.length() <= 300 ? reason : reason.substring(0, 300) + "...");
+          "cannot be read: "
+              + (reason.length() <= 300 ? reason : reason.substring(0, 300) + "..."));
       return Optional.empty();
     }
   }

@@ -91,6 +91,7 @@ record RosFile(RosName name, String path, List<List<Field>> sections) {
     Place at = new Place(place.file(), place.line(), (isConstant ? "constant " : "field ") + name);
     if (!names.add(name)) {
       findings.error(at, "stands here twice");
+      return null;
     }
     if (!isConstant) {
       return new Field(parts[0], name, place.line());
