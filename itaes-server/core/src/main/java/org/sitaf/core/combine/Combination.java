@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.TreeSet;
 import org.sitaf.core.combine.CoveringArray.TupleReport;
 import org.sitaf.core.combine.construction.Constructions;
+import org.sitaf.core.combine.construction.Constructions.Development;
 import org.sitaf.core.combine.coverage.ColumnSets;
 import org.sitaf.core.combine.coverage.Coverage;
 import org.sitaf.core.combine.coverage.Dice;
@@ -75,23 +76,38 @@ final class Combination {
     int enough = Math.max(bound, kept.size());
     List<int[]> best = rows.stream().map(Row::values).toList();
     if (effort != Effort.FAST) {
-      TupleForcing search = new TupleForcing(symbols, coverage, feasibility, greedy, dice, rows);
-      best = search.shrink(enough, budget.part(0.1), listener(budget));
-      int size = best.size();
-      Optional<List<int[]>> developed =
-          size <= enough
-              ? Optional.empty()
-              : columns.flatMap(c -> c.developed(size, dice, budget.part(0.3)));
-      if (developed.isPresent()) {
-        replace(rows, developed.get(), coverage);
+      best = smaller(rows, best, enough, columns, coverage, greedy, dice, budget);
+    }
+    return new CoveringArray(ordered(best, kept.size()), report, best.size() <= enough);
+  }
+
+  private List<int[]> smaller(
+      List<Row> rows,
+      List<int[]> complete,
+      int enough,
+      Optional<Plain> columns,
+      Coverage coverage,
+      Greedy greedy,
+      Dice dice,
+      Budget budget) {
+    TupleForcing search = new TupleForcing(symbols, coverage, feasibility, greedy, dice, rows);
+    List<int[]> best = search.shrink(complete, enough, budget.part(0.1), listener(budget));
+    if (best.size() > enough && columns.isPresent()) {
+      Development found = columns.get().developed(best.size(), dice, budget.part(0.3));
+      if (found.array().isPresent()) {
+        replace(rows, found.array().get(), coverage);
         greedy.grow(rows, 1, Integer.MAX_VALUE);
         best = rows.stream().map(Row::values).toList();
         progress.report(best.size(), budget.share());
       }
-      List<int[]> last = search.shrink(enough, budget, listener(budget));
-      best = last.size() < best.size() ? last : best;
+      if (found.nearMiss().isPresent()) {
+        replace(rows, found.nearMiss().get(), coverage);
+        greedy.grow(rows, 4, best.size() - 1);
+        best = search.shrink(best, enough, budget.part(0.3), listener(budget));
+      }
+      replace(rows, best, coverage);
     }
-    return new CoveringArray(ordered(best, kept.size()), report, best.size() <= enough);
+    return search.shrink(best, enough, budget, listener(budget));
   }
 
   private TupleForcing.Listener listener(Budget budget) {
@@ -126,8 +142,9 @@ final class Combination {
       return Constructions.atOnce(strength, levels).map(this::whole);
     }
 
-    Optional<List<int[]>> developed(int size, Dice dice, Budget budget) {
-      return Constructions.developed(strength, levels, size, dice, budget).map(this::whole);
+    Development developed(int size, Dice dice, Budget budget) {
+      Development found = Constructions.developed(strength, levels, size, dice, budget);
+      return new Development(found.array().map(this::whole), found.nearMiss().map(this::whole));
     }
 
     private List<int[]> whole(List<int[]> rows) {
@@ -166,8 +183,8 @@ final class Combination {
     boolean pairs = sets.stream().allMatch(set -> set.length <= 2);
     return switch (effort) {
       case FAST -> 0;
-      case DEFAULT -> pairs ? 1_000_000_000L : 12_000_000_000L;
-      case BEST -> 100_000_000_000L;
+      case DEFAULT -> pairs ? 900_000_000L : 10_000_000_000L;
+      case BEST -> 85_000_000_000L;
     };
   }
 

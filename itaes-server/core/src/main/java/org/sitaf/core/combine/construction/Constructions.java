@@ -45,20 +45,31 @@ public final class Constructions {
   }
 
   /**
-   * An array of the strength with fewer rows than {@code size}, developed from a group.
+   * What groups develop.
+   *
+   * @param array a complete array with fewer rows than asked for, if one was found
+   * @param nearMiss an array with fewer rows still which misses some tuples
+   */
+  public record Development(Optional<List<int[]>> array, Optional<List<int[]>> nearMiss) {}
+
+  /**
+   * Searches an array of the strength with fewer rows than {@code size}, developed from a group.
    *
    * @param levels of each column, at least 2; mostly alike, else there is no hope
    */
-  public static Optional<List<int[]>> developed(
+  public static Development developed(
       int strength, int[] levels, int size, Dice dice, Budget budget) {
     int most = Arrays.stream(levels).max().orElse(0);
     long alike = Arrays.stream(levels).filter(n -> n == most).count();
     boolean fits = strength >= 2 && most <= MAX_VALUES && Math.pow(most, strength) <= MAX_TUPLES;
     if (!fits || levels.length <= strength || alike < ALIKE * levels.length) {
-      return Optional.empty();
+      return new Development(Optional.empty(), Optional.empty());
     }
-    int[][] rows = new Developed(strength, most, levels.length, dice).below(size, budget);
-    return Optional.ofNullable(rows).map(array -> fold(array, levels));
+    Developed search = new Developed(strength, most, levels.length, dice);
+    int[][] rows = search.below(size, budget);
+    return new Development(
+        Optional.ofNullable(rows).map(array -> fold(array, levels)),
+        Optional.ofNullable(search.nearest()).map(array -> fold(array, levels)));
   }
 
   /** The product of the largest levels, which no array can go below. */

@@ -21,6 +21,8 @@ final class Developed {
   private final int values;
   private final int columns;
   private final Dice dice;
+  private int @Nullable [][] nearest;
+  private int nearestMissed = Integer.MAX_VALUE;
   private final List<Plan> plans = new ArrayList<>();
 
   Developed(int strength, int values, int columns, Dice dice) {
@@ -54,6 +56,8 @@ final class Developed {
           }
           found = rows;
           best = rows.length;
+          nearest = null;
+          nearestMissed = Integer.MAX_VALUE;
         }
       }
       if (!anyPlan) {
@@ -62,6 +66,13 @@ final class Developed {
       slice *= 2;
     }
     return found;
+  }
+
+  /**
+   * After {@link #below}: fewer rows than were found, which miss few tuples; null: there are none.
+   */
+  int @Nullable [][] nearest() {
+    return nearest;
   }
 
   /** A group, and the constant rows that are taken for granted beside the starters. */
@@ -102,7 +113,15 @@ final class Developed {
     int @Nullable [][] attempt(int starters, Budget budget) {
       StarterSearch search =
           new StarterSearch(strength, columns, values, orbits, covered, starters, dice);
-      return search.run(budget) ? develop(search.rows()) : null;
+      if (search.run(budget)) {
+        return develop(search.rows());
+      }
+      int missed = search.nearestOpen() * group.order();
+      if (missed < nearestMissed) {
+        nearestMissed = missed;
+        nearest = develop(search.nearest());
+      }
+      return null;
     }
 
     private int[][] develop(int[][] starters) {

@@ -32,6 +32,8 @@ final class StarterSearch {
   private final int[] open;
   private final int[] placeOf;
   private int openSize;
+  private final int[][] nearest;
+  private int nearestOpen = Integer.MAX_VALUE;
   private long step = TENURE + 1;
   private final Dice dice;
 
@@ -71,6 +73,7 @@ final class StarterSearch {
       }
     }
     this.rows = new int[size][columns];
+    this.nearest = new int[size][];
     this.touched = new long[size][columns];
     for (int[] row : rows) {
       for (int c = 0; c < columns; c++) {
@@ -154,7 +157,14 @@ final class StarterSearch {
 
   /** Searches; whether the rows cover all. */
   boolean run(Budget budget) {
+    nearestOpen = Integer.MAX_VALUE;
     while (openSize > 0 && !budget.spent()) {
+      if (openSize < nearestOpen) {
+        nearestOpen = openSize;
+        for (int r = 0; r < rows.length; r++) {
+          nearest[r] = rows[r].clone();
+        }
+      }
       force(open[dice.below(openSize)], budget);
     }
     return openSize == 0;
@@ -162,6 +172,16 @@ final class StarterSearch {
 
   int[][] rows() {
     return rows;
+  }
+
+  /** The rows that missed least in {@link #run}. */
+  int[][] nearest() {
+    return nearest;
+  }
+
+  /** How many orbits the nearest rows missed. */
+  int nearestOpen() {
+    return nearestOpen;
   }
 
   private void force(int target, Budget budget) {
@@ -198,7 +218,8 @@ final class StarterSearch {
         }
       }
     }
-    budget.spend((long) (evaluated + 3) * through[0].length + rows.length * strength * values);
+    budget.spend(
+        (long) (evaluated + 3) * through[0].length + (long) rows.length * strength * values);
     if (bestRow < 0) {
       forceAnywhere(set, orbit);
     } else {

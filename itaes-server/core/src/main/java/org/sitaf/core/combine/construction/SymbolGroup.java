@@ -20,9 +20,14 @@ record SymbolGroup(String name, int[][] elements) {
     GaloisField.of(v).ifPresent(field -> groups.addAll(affine(field, v)));
     if (v > 2) {
       GaloisField.of(v - 1).ifPresent(field -> groups.addAll(affine(field, v)));
-      groups.add(cyclic(v - 1, v));
     }
-    groups.add(cyclic(v, v));
+    for (int n = 2; n <= v; n++) {
+      for (int blocks = 1; n * blocks <= v; blocks++) {
+        if (2 * n * blocks >= v) {
+          groups.add(cyclic(n, blocks, v));
+        }
+      }
+    }
     groups.sort((a, b) -> b.elements.length - a.elements.length);
     return groups;
   }
@@ -45,15 +50,15 @@ record SymbolGroup(String name, int[][] elements) {
     return List.of(List.<Integer>of(), fixed, all).stream().distinct().toList();
   }
 
-  /** Rotations of the first {@code n} of {@code v} values; the others stay. */
-  private static SymbolGroup cyclic(int n, int v) {
+  /** Rotates blocks of {@code n} values side by side; the values left over stay. */
+  private static SymbolGroup cyclic(int n, int blocks, int v) {
     int[][] elements = new int[n][v];
     for (int shift = 0; shift < n; shift++) {
       for (int x = 0; x < v; x++) {
-        elements[shift][x] = x < n ? (x + shift) % n : x;
+        elements[shift][x] = x < n * blocks ? x / n * n + (x % n + shift) % n : x;
       }
     }
-    return new SymbolGroup("Z" + n, elements);
+    return new SymbolGroup("Z" + n + "x" + blocks, elements);
   }
 
   /** The maps {@code x -> ax + b} with {@code a} in a subgroup, for every subgroup. */

@@ -299,4 +299,9 @@ final class GeneralCoverage implements Coverage {
   public int changeCost() {
     return 4 * cost;
   }
+
+  @Override
+  public int gainsCost(int levels) {
+    return cost + cost * levels / 8;
+  }
 }

@@ -33,7 +33,6 @@ public final class TupleForcing {
   private final List<Row> rows;
   private final boolean constrained;
   private final int looseEvery;
-  private List<int[]> best = List.of();
   private long step;
 
   /**
@@ -66,16 +65,16 @@ public final class TupleForcing {
   }
 
   /**
-   * Removes rows until there are no more than {@code enough}, or the budget is spent; called again,
+   * Removes rows until there are no more than {@code enough}, or the budget is spent. The present
+   * rows may still miss tuples when they are fewer than those of the complete array; called again,
    * it goes on where it was.
    *
+   * @param complete the smallest complete array so far
    * @return the smallest complete array found
    */
-  public List<int[]> shrink(int enough, Budget spent, Listener listener) {
+  public List<int[]> shrink(List<int[]> complete, int enough, Budget spent, Listener listener) {
     budget = spent;
-    if (coverage.uncovered() == 0) {
-      best = snapshot();
-    }
+    List<int[]> best = coverage.uncovered() == 0 ? snapshot() : complete;
     while (best.size() > enough && !budget.spent() && (coverage.uncovered() > 0 || removeOne())) {
       long next = step + 256;
       while (coverage.uncovered() > 0 && !budget.spent()) {
