@@ -78,14 +78,20 @@ final class ServiceReader {
 
   private Parameter describe(ParamType param, Place method) {
     Place place = new Place(method.file(), XmlDocuments.line(param), method.element() + "/param");
-    String name =
-        findings.identifier(
-            OprosTypes.text(param.getName()),
-            param.getName() == null ? place : OprosTypes.at(place, param.getName()));
+    Place namePlace = param.getName() == null ? place : OprosTypes.at(place, param.getName());
+    String written = OprosTypes.text(param.getName());
+    // Some profiles put the C++ sign of a pointer or reference before the name.
+    boolean signed = written.startsWith("*") || written.startsWith("&");
+    String name = findings.identifier(signed ? written.substring(1).strip() : written, namePlace);
     Place named = new Place(place.file(), place.line(), place.element() + " " + name);
+    if (signed) {
+      findings.warning(
+          new Place(named.file(), namePlace.line(), named.element()),
+          "'" + written.charAt(0) + "' belongs to the type, and is read as part of it");
+    }
     TypeGrammar.Spelled spelled = types.resolve(param.getType(), named);
     return new Parameter(
-        name, spelled.type(), spelled.byReference() ? Direction.INOUT : Direction.IN);
+        name, spelled.type(), signed || spelled.byReference() ? Direction.INOUT : Direction.IN);
   }
 
   private CallType callType(MethodType methodType, Place place) {

@@ -176,7 +176,7 @@ final class ProtoTypes {
   /** As protoc calls the message of a map's entries: {@code joint_limits}, JointLimitsEntry. */
   private static String entryName(String field) {
     StringBuilder name = new StringBuilder();
-    for (String word : field.split("_")) {
+    for (String word : field.split("_", -1)) {
       if (!word.isEmpty()) {
         name.append(Character.toUpperCase(word.charAt(0))).append(word.substring(1));
       }

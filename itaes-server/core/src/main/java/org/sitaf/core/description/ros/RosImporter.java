@@ -143,7 +143,7 @@ public final class RosImporter implements Importer {
 
     private RosName name(String path) {
       Kind kind = Kind.of(path).orElseThrow();
-      String[] folders = path.split("/");
+      String[] folders = path.split("/", -1);
       String file = folders[folders.length - 1];
       String name = file.substring(0, file.length() - kind.folder().length() - 1);
       boolean inFolder =

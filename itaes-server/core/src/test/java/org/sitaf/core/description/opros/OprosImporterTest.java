@@ -143,6 +143,19 @@ class OprosImporterTest {
   }
 
   @Test
+  void theSignOfAPointerBeforeANameBelongsToTheType() {
+    Described described =
+        InterfaceText.read(
+            "Drive.xml", SERVICE.replace("<name>to", "<name>*to").replace("Pose", "double"));
+    assertThat(InterfaceText.prototypes(described.provided().get(0)))
+        .containsExactly("boolean Go(INOUT double to)");
+    assertThat(InterfaceText.lines(described))
+        .containsExactly(
+            "Drive.xml:4: warning: method Go/param to: '*' belongs to the type, and is read as part"
+                + " of it");
+  }
+
+  @Test
   void aStructWithinItselfIsKeptByItsNameThere() {
     Described described =
         InterfaceText.readAll(
