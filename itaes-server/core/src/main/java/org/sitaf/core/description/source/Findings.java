@@ -3,7 +3,6 @@ package org.sitaf.core.description.source;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Locale;
 import java.util.Set;
 import java.util.regex.Pattern;
 import org.sitaf.core.description.DataType;
@@ -116,9 +115,7 @@ public final class Findings {
   public void unknownType(Place place, String name, String reason) {
     warning(
         place,
-        (reason.isEmpty()
-                ? "unknown type '" + name + "'"
-                : "type '" + name + "' is " + reason.toLowerCase(Locale.ROOT))
+        (reason.isEmpty() ? "unknown type '" + name + "'" : "type '" + name + "' is " + reason)
             + ", kept by its name");
   }
 

@@ -64,6 +64,15 @@ class ActivityInterfacesTest {
   }
 
   @Test
+  void aComponentProfileLeadsToTheInterfacesThatItProvides() throws IOException {
+    String profile = Files.readString(EXAMPLE.resolve("InfraredSensorComp.xml"));
+    Activity activity = Activity.read(example("InfraredSensorComp.xml", profile));
+    assertThat(activity.provided())
+        .extracting(i -> i.name() + " of " + i.source())
+        .containsExactly("InfraredSensorService of InfraredSensorService.xml");
+  }
+
+  @Test
   void whatIsWrongWithAnInterfaceIsToldWithItsLine() throws IOException {
     FileTree files = example("Infrared.idl", "interface A {\n double GetInfraredData(in long); };");
     assertThatThrownBy(() -> Activity.read(files))
