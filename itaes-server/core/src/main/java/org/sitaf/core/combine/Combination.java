@@ -17,6 +17,7 @@ import org.sitaf.core.combine.coverage.Row;
 import org.sitaf.core.combine.coverage.Symbols;
 import org.sitaf.core.combine.feasible.Feasibility;
 import org.sitaf.core.combine.feasible.ImpossibleTuples;
+import org.sitaf.core.combine.feasible.ImpossibleTuples.Judgement;
 import org.sitaf.core.combine.search.Budget;
 import org.sitaf.core.combine.search.Greedy;
 import org.sitaf.core.combine.search.TupleForcing;
@@ -47,8 +48,8 @@ final class Combination {
 
   CoveringArray run(List<Row> kept, long seed) {
     Coverage coverage = ColumnSets.coverage(symbols, sets);
-    TupleReport report = ImpossibleTuples.exclude(symbols, sets, feasibility, coverage);
-    int bound = bound(report);
+    Judgement judgement = ImpossibleTuples.exclude(symbols, sets, feasibility, coverage);
+    TupleReport report = judgement.report();
     Dice dice = new Dice(seed);
     Budget budget = new Budget(operations());
     Greedy greedy = new Greedy(symbols, coverage, feasibility, dice, budget);
@@ -73,7 +74,7 @@ final class Combination {
     }
     progress.report(rows.size(), 0);
 
-    int enough = Math.max(bound, kept.size());
+    int enough = Math.max(judgement.bound(), kept.size());
     List<int[]> best = rows.stream().map(Row::values).toList();
     if (effort != Effort.FAST) {
       best = smaller(rows, best, enough, columns, coverage, greedy, dice, budget);
@@ -107,7 +108,7 @@ final class Combination {
       }
       replace(rows, best, coverage);
     }
-    return search.shrink(best, enough, budget, listener(budget));
+    return search.shrink(best, enough, budget.patient(patience()), listener(budget));
   }
 
   private TupleForcing.Listener listener(Budget budget) {
@@ -160,30 +161,19 @@ final class Combination {
     }
   }
 
-  /** No array has fewer rows than one set of columns has possible tuples. */
-  private int bound(TupleReport report) {
-    long most = 1;
-    for (int[] set : sets) {
-      long tuples = 1;
-      for (int c : set) {
-        tuples *= symbols.levels(c);
-      }
-      long impossible =
-          report.impossible() == 0
-              ? 0
-              : report.examples().stream()
-                  .filter(tuple -> Arrays.equals(tuple.parameters(), set))
-                  .count();
-      most = Math.max(most, tuples - impossible);
-    }
-    return (int) most;
+  /** By default a search that finds nothing for a while gives up: a person waits. */
+  private double patience() {
+    return effort == Effort.DEFAULT && !onlyPairs() ? 0.3 : 1;
+  }
+
+  private boolean onlyPairs() {
+    return sets.stream().allMatch(set -> set.length <= 2);
   }
 
   private long operations() {
-    boolean pairs = sets.stream().allMatch(set -> set.length <= 2);
     return switch (effort) {
       case FAST -> 0;
-      case DEFAULT -> pairs ? 900_000_000L : 10_000_000_000L;
+      case DEFAULT -> onlyPairs() ? 900_000_000L : 10_000_000_000L;
       case BEST -> 85_000_000_000L;
     };
   }

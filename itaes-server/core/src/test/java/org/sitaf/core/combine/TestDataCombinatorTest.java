@@ -142,6 +142,20 @@ class TestDataCombinatorTest {
   }
 
   @Test
+  void the_bound_counts_impossible_tuples_beyond_those_listed() {
+    CombinationProblem problem =
+        CombinationProblem.tWay(2, 40, 40, 2)
+            .withConstraints(
+                List.of(new Constraint(new int[] {0, 1}, v -> Math.abs(v[0] - v[1]) <= 3)));
+    CoveringArray array = combine(problem, Effort.DEFAULT);
+    assertThat(array.tuples().examples()).hasSize(1000);
+    assertThat(array.tuples().impossible()).isEqualTo(1600 - 268);
+    assertThat(array.size()).isEqualTo(268);
+    assertThat(array.optimal()).isTrue();
+    assertThat(CoveringCheck.findings(problem, array)).isEmpty();
+  }
+
+  @Test
   void a_stronger_interaction_among_some_parameters_is_covered_beside_the_pairs() {
     CombinationProblem problem =
         new CombinationProblem(

@@ -7,6 +7,8 @@ public final class Budget {
   private final long whole;
   private final @Nullable Budget source;
   private long left;
+  private long patience = Long.MAX_VALUE / 2;
+  private long goodUntil = Long.MIN_VALUE;
 
   /** So many word operations. */
   public Budget(long operations) {
@@ -29,12 +31,25 @@ public final class Budget {
 
   /** Whether nothing is left. */
   public boolean spent() {
-    return left <= 0;
+    return left <= 0 || left < goodUntil;
   }
 
   /** A share of the whole, as far as it is left; spent here when it is spent there. */
   public Budget part(double share) {
     return new Budget(Math.min(left(), (long) (whole * share)), this);
+  }
+
+  /** All that is left, but spent as soon as this share of the whole brings no {@link #renew}. */
+  public Budget patient(double share) {
+    Budget patient = new Budget(left(), this);
+    patient.patience = (long) (whole * share);
+    patient.renew();
+    return patient;
+  }
+
+  /** Something was found: patience begins anew. */
+  public void renew() {
+    goodUntil = left - patience;
   }
 
   /** What there was to spend. */

@@ -86,6 +86,7 @@ public final class TupleForcing {
       }
       if (coverage.uncovered() == 0) {
         best = snapshot();
+        budget.renew();
         listener.heard(best.size());
       }
     }
