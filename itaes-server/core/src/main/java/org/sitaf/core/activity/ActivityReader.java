@@ -50,7 +50,8 @@ final class ActivityReader {
     List<InterfaceDescription> required =
         interfaces(profile.required(), "required", profile.name());
     WorldDescription world = world(profile.world());
-    List<TestModel> models = models(profile.models());
+    List<TestModel> models =
+        models(profile.models()).stream().map(m -> InterfaceTypes.resolve(m, provided)).toList();
     ComponentFiles.verify(profile, files, PROFILE, diagnostics);
     if (!diagnostics.hasErrors()) {
       for (TestModel model : models) {

@@ -120,7 +120,8 @@ final class TestModelReader {
     }
     boolean noUserValues =
         element.getUserValueList() == null || element.getUserValueList().getValue().isEmpty();
-    if (element.getTestSpec() == null && noUserValues && !isBoolean(type)) {
+    boolean listsItself = isBoolean(type) || "ENUM".equals(abstractType(element));
+    if (element.getTestSpec() == null && noUserValues && !listsItself) {
       diagnostics.error(
           file, line, where, "gives no values; it needs a test_spec or a user_value_list");
     }
@@ -199,7 +200,7 @@ final class TestModelReader {
       return new DataType.Unknown("");
     }
     DataType type = TypeGrammar.parse(element.getRealType()).type();
-    String abstractType = String.valueOf(element.getAbstractType()).toUpperCase(Locale.ROOT);
+    String abstractType = abstractType(element);
     boolean fits =
         switch (abstractType) {
           case "NUMERIC" -> !(type instanceof DataType.Scalar s) || isNumber(s.type());
@@ -354,6 +355,10 @@ final class TestModelReader {
 
   private static boolean isBoolean(DataType type) {
     return type instanceof DataType.Scalar scalar && scalar.type() == ScalarType.BOOLEAN;
+  }
+
+  private static String abstractType(TestElementType element) {
+    return text(element.getAbstractType()).toUpperCase(Locale.ROOT);
   }
 
   private static String name(TestElementType element) {

@@ -105,7 +105,12 @@ public final class TestCaseGenerator {
             "the value " + leftOut + " is left out: " + input.realType() + " cannot hold it");
       }
       if (data.values().isEmpty()) {
-        diagnostics.error(model.source(), input.line(), where, "gives no value");
+        diagnostics.error(
+            model.source(),
+            input.line(),
+            where,
+            "gives no value; the literals of an enumeration come from the interface of an activity, or"
+                + " from a user_value_list");
       }
       all.add(data);
     }
