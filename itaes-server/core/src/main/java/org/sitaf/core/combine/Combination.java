@@ -24,6 +24,9 @@ import org.sitaf.core.combine.search.TupleForcing;
 
 /** One combination, from what is possible over a first array to a small one. */
 final class Combination {
+  /** Within this factor of the bound, growth need not compete. */
+  private static final double NEAR = 1.1;
+
   private final CombinationProblem problem;
   private final Symbols symbols;
   private final List<int[]> sets;
@@ -63,8 +66,7 @@ final class Combination {
     }
     boolean plain = kept.isEmpty() && feasibility.rules().isEmpty();
     Optional<Plain> columns = plain ? Plain.of(problem, symbols) : Optional.empty();
-    columns.flatMap(Plain::atOnce).ifPresent(array -> replace(rows, array, coverage));
-    greedy.grow(rows, effort == Effort.FAST ? 1 : 4, Integer.MAX_VALUE);
+    first(rows, columns.flatMap(Plain::atOnce), judgement.bound(), coverage, greedy);
     if (rows.isEmpty()) {
       Row only = greedy.fill(new Row(symbols));
       if (only != null) {
@@ -80,6 +82,20 @@ final class Combination {
       best = smaller(rows, best, enough, columns, coverage, greedy, dice, budget);
     }
     return new CoveringArray(ordered(best, kept.size()), report, best.size() <= enough);
+  }
+
+  /** A first complete array: what algebra gives where that is near the bound, or else smaller. */
+  private void first(
+      List<Row> rows, Optional<List<int[]>> algebra, int bound, Coverage coverage, Greedy greedy) {
+    int tries = effort == Effort.FAST ? 1 : 4;
+    if (algebra.isPresent() && algebra.get().size() <= NEAR * bound) {
+      replace(rows, algebra.get(), coverage);
+    }
+    greedy.grow(rows, tries, Integer.MAX_VALUE);
+    if (algebra.isPresent() && algebra.get().size() < rows.size()) {
+      replace(rows, algebra.get(), coverage);
+      greedy.grow(rows, tries, Integer.MAX_VALUE);
+    }
   }
 
   private List<int[]> smaller(
@@ -173,7 +189,7 @@ final class Combination {
   private long operations() {
     return switch (effort) {
       case FAST -> 0;
-      case DEFAULT -> onlyPairs() ? 900_000_000L : 10_000_000_000L;
+      case DEFAULT -> onlyPairs() ? 900_000_000L : 9_000_000_000L;
       case BEST -> 85_000_000_000L;
     };
   }

@@ -1,5 +1,6 @@
 package org.sitaf.core.combine.construction;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
@@ -12,7 +13,7 @@ public final class Constructions {
   private static final long MAX_ROWS = 200_000;
 
   /** A construction with more rows than this many times the bound is no better than growth. */
-  private static final double NEAR = 1.3;
+  private static final double NEAR = 3;
 
   private static final int MAX_VALUES = 16;
   private static final double MAX_TUPLES = 20_000;
@@ -33,15 +34,56 @@ public final class Constructions {
     if (strength < 2 || most > MAX_ORDER) {
       return Optional.empty();
     }
-    int order = GaloisField.orderFrom(most);
-    while (OrthogonalArray.columns(strength, order) < levels.length && order <= MAX_ORDER) {
+    double limit = Math.min(MAX_ROWS, NEAR * product(levels, strength));
+    Optional<int[][]> array = orthogonal(strength, most, levels.length, limit);
+    if (array.isEmpty() && strength == 3) {
+      array = doubled(most, levels.length, limit);
+    }
+    return array.map(rows -> fold(rows, levels));
+  }
+
+  private static Optional<int[][]> orthogonal(int strength, int values, int columns, double limit) {
+    int order = GaloisField.orderFrom(values);
+    while (OrthogonalArray.columns(strength, order) < columns && order <= MAX_ORDER) {
       order = GaloisField.orderFrom(order + 1);
     }
-    double rows = Math.pow(order, strength);
-    if (rows > MAX_ROWS || rows > NEAR * product(levels, strength)) {
+    return Math.pow(order, strength) > limit
+        ? Optional.empty()
+        : OrthogonalArray.of(strength, order, columns);
+  }
+
+  /**
+   * Twice the columns at strength three (M. Chateauneuf, D. Kreher, On the state of strength-three
+   * covering arrays, 2002): each row of an array of strength three beside itself, and each row of
+   * one of strength two beside itself shifted by every value but zero.
+   */
+  private static Optional<int[][]> doubled(int values, int columns, double limit) {
+    int half = (columns + 1) / 2;
+    Optional<int[][]> triples = orthogonal(3, values, half, limit);
+    Optional<int[][]> pairs = orthogonal(2, values, half, limit);
+    if (triples.isEmpty() || pairs.isEmpty()) {
       return Optional.empty();
     }
-    return OrthogonalArray.of(strength, order, levels.length).map(array -> fold(array, levels));
+    int[] halves = new int[half];
+    Arrays.fill(halves, values);
+    List<int[]> rows = new ArrayList<>();
+    for (int[] row : fold(triples.get(), halves)) {
+      rows.add(beside(row, 0, values, columns));
+    }
+    for (int[] row : fold(pairs.get(), halves)) {
+      for (int shift = 1; shift < values; shift++) {
+        rows.add(beside(row, shift, values, columns));
+      }
+    }
+    return rows.size() > limit ? Optional.empty() : Optional.of(rows.toArray(int[][]::new));
+  }
+
+  private static int[] beside(int[] row, int shift, int values, int columns) {
+    int[] whole = Arrays.copyOf(row, columns);
+    for (int c = row.length; c < columns; c++) {
+      whole[c] = (row[c - row.length] + shift) % values;
+    }
+    return whole;
   }
 
   /**
