@@ -136,8 +136,7 @@ final class CaseCombination {
       @org.jspecify.annotations.Nullable Boolean valid) {
     int[] levels = candidates.stream().mapToInt(List::size).toArray();
     List<int[]> seeds = seeds(candidates);
-    if ((seeds.isEmpty() && IntStream.of(levels).allMatch(l -> l == 1))
-        || interactions.isEmpty()) {
+    if ((seeds.isEmpty() && IntStream.of(levels).allMatch(l -> l == 1)) || interactions.isEmpty()) {
       // Nothing varies, or no tuple is asked for: one case, whichever the conditions allow.
       seeds.add(IntStream.of(levels).map(l -> CombinationProblem.FREE).toArray());
     }
