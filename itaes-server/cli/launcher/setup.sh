@@ -134,5 +134,5 @@ run_server() {
 run_agent() {
   mapfile -t flags < <(java_flags agent)
   exec java "${flags[@]}" -jar "$state/dist/agent/agent.jar" --directory "$state/agent" \
-    --bridge-command "$state/venv/bin/python -m sitaf_bridge" "$@"
+    --bridge-command "'$state/venv/bin/python' -m sitaf_bridge" "$@"
 }

@@ -1,78 +1,51 @@
 package org.sitaf.cli;
 
-import java.io.ByteArrayInputStream;
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Objects;
 import java.util.concurrent.Callable;
-import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
-import org.sitaf.core.description.CallType;
-import org.sitaf.core.description.Direction;
-import org.sitaf.core.description.InterfaceDescription;
-import org.sitaf.core.description.Method;
-import org.sitaf.core.description.OprosReader;
-import org.sitaf.core.description.Parameter;
-import org.sitaf.core.diagnostic.Diagnostics;
-import org.sitaf.core.diagnostic.InvalidInputException;
+import org.sitaf.cli.describe.DescriptionText;
+import org.sitaf.cli.describe.InterfaceSources;
+import org.sitaf.core.diagnostic.Diagnostic;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** An interface as it is understood. */
+/** Interfaces as they are understood. */
 @Command(
     name = "describe",
     description =
-        "Shows interfaces as they are understood: methods, parameters, resolved types."
-            + " Exit code 2: a file cannot be used.",
+        "Shows interfaces as they are understood: what a component provides and requires, methods,"
+            + " parameters, resolved types, and everything that is wrong with them. Reads OPRoS"
+            + " profiles (.xml), OMG IDL, ROS 2 (.msg, .srv, .action) and protobuf. Exit code 2: a"
+            + " file cannot be used.",
     mixinStandardHelpOptions = true)
 final class DescribeCommand implements Callable<Integer> {
   @Spec private @Nullable CommandSpec spec;
 
-  @Parameters(paramLabel = "FILE", arity = "1..*", description = "Interface files.")
+  @Parameters(
+      paramLabel = "FILE",
+      arity = "1..*",
+      description = "Interface files, folders of them, or zip archives.")
   private List<Path> files = List.of();
 
   @Override
   public Integer call() {
     PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
-    Diagnostics diagnostics = new Diagnostics();
-    for (Path file : files) {
-      try {
-        OprosReader.read(
-                new ByteArrayInputStream(UserFiles.file(file)), file.toString(), diagnostics)
-            .forEach(i -> print(i, out));
-      } catch (InvalidInputException e) {
-        diagnostics.addAll(e.diagnostics());
-      }
+    boolean usable = true;
+    List<Diagnostic> diagnostics = new ArrayList<>();
+    for (InterfaceSources.Source source : InterfaceSources.read(files)) {
+      DescriptionText.of(source.described(), source::show)
+          .forEach(line -> out.println(Printable.line(line)));
+      diagnostics.addAll(source.diagnostics());
+      usable &= !source.described().hasErrors();
     }
     out.flush();
-    Sitaf.print(diagnostics.all(), spec.commandLine().getErr());
-    return diagnostics.hasErrors() ? Sitaf.UNUSABLE : 0;
-  }
-
-  private static void print(InterfaceDescription description, PrintWriter out) {
-    out.println("interface " + description.name());
-    for (Method method : description.methods()) {
-      out.println(
-          "  "
-              + method.returnType().spelling()
-              + " "
-              + method.name()
-              + method.parameters().stream()
-                  .map(DescribeCommand::spelling)
-                  .collect(Collectors.joining(", ", "(", ")"))
-              + (method.callType() == CallType.NONBLOCKING ? " nonblocking" : ""));
-    }
-  }
-
-  private static String spelling(Parameter parameter) {
-    String direction =
-        parameter.direction() == Direction.IN
-            ? ""
-            : parameter.direction().name().toLowerCase(Locale.ROOT) + " ";
-    return direction + parameter.type().spelling() + " " + parameter.name();
+    Sitaf.print(diagnostics, spec.commandLine().getErr());
+    return usable ? 0 : Sitaf.UNUSABLE;
   }
 }

@@ -17,6 +17,8 @@ import org.sitaf.core.model.TestModelXml;
 import org.sitaf.core.suite.GeneratedSuite;
 import org.sitaf.core.suite.GenerationOptions;
 import org.sitaf.core.suite.TestCaseGenerator;
+import org.sitaf.core.suite.TestSuite;
+import org.sitaf.core.suite.TestSuiteXml;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -72,6 +74,13 @@ final class GenerateCommand implements Callable<Integer> {
   private Effort effort = Effort.DEFAULT;
 
   @Option(
+      names = "--seed-cases",
+      paramLabel = "FILE",
+      description =
+          "An earlier suite: its cases stay under their numbers, and only what is missing is added.")
+  private @Nullable Path earlier;
+
+  @Option(
       names = "--format",
       paramLabel = "xml|csv|json",
       converter = SuiteFormatConverter.class,
@@ -83,9 +92,17 @@ final class GenerateCommand implements Callable<Integer> {
   public Integer call() throws IOException {
     TestModel parsed =
         TestModelXml.read(new ByteArrayInputStream(UserFiles.file(model)), model.toString());
-    GeneratedSuite generated =
-        TestCaseGenerator.generate(
-            parsed, new GenerationOptions(strength, invalidValues, seed, effort));
+    GeneratedSuite generated;
+    try (ProgressLine progress = new ProgressLine(System.err)) {
+      generated =
+          TestCaseGenerator.generate(
+              parsed,
+              new GenerationOptions(strength, invalidValues, seed, effort, earlierSuite()),
+              (rows, share) ->
+                  progress.detail(
+                      "%s: %d cases, looking for fewer, %.0f %%"
+                          .formatted(parsed.name(), rows, share * 100)));
+    }
     CommandLine command = java.util.Objects.requireNonNull(spec).commandLine();
     Sitaf.print(generated.notes(), command.getErr());
     if (output == null) {
@@ -107,6 +124,12 @@ final class GenerateCommand implements Callable<Integer> {
               total + " cases (" + valid + " valid, " + (total - valid) + " invalid) in " + output);
     }
     return 0;
+  }
+
+  private @Nullable TestSuite earlierSuite() {
+    return earlier == null
+        ? null
+        : TestSuiteXml.read(new ByteArrayInputStream(UserFiles.file(earlier)), earlier.toString());
   }
 
   static final class StrengthConverter implements CommandLine.ITypeConverter<Strength> {

@@ -10,6 +10,7 @@ public final class ProgressLine implements AutoCloseable {
   private final PrintStream out;
   private final boolean moving;
   private String shown = "";
+  private boolean dirty;
 
   /** Writes to a stream that people read, standard error as a rule. */
   public ProgressLine(PrintStream out) {
@@ -31,7 +32,8 @@ public final class ProgressLine implements AutoCloseable {
   /** How far the step is; seen on a terminal only. */
   public synchronized void detail(String text) {
     if (moving) {
-      show(shown + ": " + text);
+      show(shown.isEmpty() ? text : shown + ": " + text);
+      dirty = true;
     }
   }
 
@@ -42,7 +44,7 @@ public final class ProgressLine implements AutoCloseable {
 
   @Override
   public synchronized void close() {
-    if (moving && !shown.isEmpty()) {
+    if (moving && (dirty || !shown.isEmpty())) {
       out.print("\r\033[K");
       out.flush();
     }

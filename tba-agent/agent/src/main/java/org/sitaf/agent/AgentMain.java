@@ -65,7 +65,8 @@ public final class AgentMain implements Callable<Integer> {
   @Option(
       names = "--bridge",
       paramLabel = "ADDRESS",
-      description = "Uses a running simulation bridge instead: 127.0.0.1:PORT or unix:PATH.")
+      description =
+          "Uses a running simulation bridge instead of one of its own: 127.0.0.1:PORT or unix:PATH.")
   private @Nullable String bridge;
 
   @Option(
@@ -84,7 +85,10 @@ public final class AgentMain implements Callable<Integer> {
     if (System.getProperty("java.util.logging.SimpleFormatter.format") == null) {
       System.setProperty("java.util.logging.SimpleFormatter.format", "%1$tFT%1$tT %4$s %5$s%6$s%n");
     }
-    System.exit(new CommandLine(new AgentMain()).execute(arguments));
+    // A launcher gives defaults first; what a person adds wins, without a word about it.
+    System.setProperty("picocli.trace", "OFF");
+    CommandLine command = new CommandLine(new AgentMain()).setOverwrittenOptionsAllowed(true);
+    System.exit(command.execute(arguments));
   }
 
   @Override
@@ -148,7 +152,7 @@ public final class AgentMain implements Callable<Integer> {
         Version.text(),
         directory,
         slots,
-        words(bridgeCommand),
+        bridge == null ? words(bridgeCommand) : List.of(),
         bridge,
         BuildSettings.runtimeJarsIn(runtime));
   }
@@ -162,7 +166,8 @@ public final class AgentMain implements Callable<Integer> {
     StringBuilder word = new StringBuilder();
     boolean inWord = false;
     char quote = 0;
-    for (char c : command.toCharArray()) {
+    for (int i = 0; i < command.length(); i++) {
+      char c = command.charAt(i);
       if (quote != 0 && c == quote) {
         quote = 0;
       } else if (quote == 0 && (c == '\'' || c == '"')) {

@@ -34,7 +34,10 @@ class Attempt {
   @Enumerated(EnumType.STRING)
   private BuildState state;
 
+  /** For people who look into the database. */
+  @SuppressWarnings("UnusedVariable")
   private Instant leased;
+
   private Instant leaseUntil;
   private @Nullable Instant finished;
   private long logStart;

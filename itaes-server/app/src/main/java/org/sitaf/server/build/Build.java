@@ -262,8 +262,11 @@ public class Build {
     return casesDone;
   }
 
-  public Optional<String> scheduleId() {
-    return Optional.ofNullable(scheduleId);
+  /** What reserved it; empty for a build at once. */
+  public Optional<Reservation> reservation() {
+    return scheduleId == null || fireTime == null
+        ? Optional.empty()
+        : Optional.of(new Reservation(scheduleId, fireTime));
   }
 
   public Optional<CaseCounts> counts() {

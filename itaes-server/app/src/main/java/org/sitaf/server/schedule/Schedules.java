@@ -12,10 +12,13 @@ import org.quartz.Scheduler;
 import org.quartz.SchedulerException;
 import org.quartz.SimpleScheduleBuilder;
 import org.quartz.TriggerBuilder;
+import org.quartz.TriggerKey;
 import org.sitaf.server.build.Build.Reservation;
 import org.sitaf.server.build.Builds;
 import org.sitaf.server.refusal.Refusal;
 import org.sitaf.server.suite.Suites;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 import org.springframework.data.domain.Page;
 import org.springframework.data.domain.Pageable;
 import org.springframework.stereotype.Service;
@@ -25,6 +28,7 @@ import org.springframework.transaction.support.TransactionTemplate;
 /** Reserved builds. Quartz keeps the time; its tables and ours change in one transaction. */
 @Service
 class Schedules {
+  private static final Logger log = LoggerFactory.getLogger(Schedules.class);
   private static final String GROUP = "reserved-builds";
 
   private final ScheduleRepository schedules;
@@ -50,16 +54,23 @@ class Schedules {
   }
 
   /** Reserves a build. A time that passes while the server is down counts when it is up again. */
-  @Transactional
-  public String reserve(String suiteId, OffsetDateTime at) {
+  String reserve(String suiteId, OffsetDateTime at) {
     suites.origin(suiteId);
-    Instant now = clock.instant().truncatedTo(ChronoUnit.MICROS);
-    if (!at.toInstant().isAfter(now)) {
+    if (!at.toInstant().isAfter(now())) {
       throw Refusal.malformed(
           "at: " + at + " is past; give a time to come, or request a build at once.");
     }
     String id = UUID.randomUUID().toString();
-    schedules.save(new Schedule(id, suiteId, at, now));
+    transaction.executeWithoutResult(
+        status -> {
+          schedules.save(new Schedule(id, suiteId, at, now()));
+          arm(id, at.toInstant());
+        });
+    wakeQuartz(id);
+    return id;
+  }
+
+  private void arm(String id, Instant at) {
     try {
       quartz.scheduleJob(
           JobBuilder.newJob(ReservedBuildJob.class)
@@ -68,14 +79,26 @@ class Schedules {
               .build(),
           TriggerBuilder.newTrigger()
               .withIdentity(id, GROUP)
-              .startAt(Date.from(at.toInstant()))
+              .startAt(Date.from(at))
               .withSchedule(
                   SimpleScheduleBuilder.simpleSchedule().withMisfireHandlingInstructionFireNow())
               .build());
     } catch (SchedulerException e) {
       throw new IllegalStateException("Quartz refused the reservation", e);
     }
-    return id;
+  }
+
+  /**
+   * Quartz looked for new triggers before our transaction ended, saw none, and would look again
+   * half a minute later. To resume a trigger that is not paused changes nothing, but has it look
+   * now.
+   */
+  private void wakeQuartz(String id) {
+    try {
+      quartz.resumeTrigger(new TriggerKey(id, GROUP));
+    } catch (SchedulerException e) {
+      log.warn("Reservation {} may be up to 30 s late", id, e);
+    }
   }
 
   /**
@@ -89,10 +112,7 @@ class Schedules {
     builds.requestReserved(
         schedule.suiteId(), new Reservation(id, fireTime.truncatedTo(ChronoUnit.MICROS)));
     transaction.executeWithoutResult(
-        status ->
-            schedules
-                .findById(id)
-                .ifPresent(s -> s.markFired(clock.instant().truncatedTo(ChronoUnit.MICROS))));
+        status -> schedules.findById(id).ifPresent(s -> s.markFired(now())));
   }
 
   Page<Schedule> list(Pageable page) {
@@ -111,5 +131,9 @@ class Schedules {
     } catch (SchedulerException e) {
       throw new IllegalStateException("Quartz did not let go of the reservation", e);
     }
+  }
+
+  private Instant now() {
+    return clock.instant().truncatedTo(ChronoUnit.MICROS);
   }
 }

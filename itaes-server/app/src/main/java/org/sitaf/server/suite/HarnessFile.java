@@ -17,12 +17,6 @@ record HarnessFile(
                 "whether it is meant to be edited and kept in the activity, below harness/MODEL/")
         boolean editable) {
 
-  /**
-   * The concrete test driver is the one that users edit (paper, Fig. 13(e)); the others are
-   * generated anew each time.
-   */
-  private static final String EDITABLE_PREFIX = "ConcreteTestDriver.";
-
   static List<HarnessFile> of(TestApplication application) {
     FileTree sources = application.harness();
     String editable = InterfaceTestApplicationGenerator.editableFile(application.model());

@@ -6,7 +6,6 @@ import io.zonky.test.db.postgres.embedded.EmbeddedPostgres;
 import java.io.IOException;
 import java.sql.Connection;
 import javax.sql.DataSource;
-import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.Test;
 import org.springframework.beans.factory.annotation.Autowired;
 import org.springframework.test.annotation.DirtiesContext;
@@ -16,6 +15,10 @@ import org.springframework.test.context.DynamicPropertySource;
 /** The same builds, with the same migrations, on PostgreSQL. */
 @DirtiesContext
 class BuildStoryOnPostgresTest extends BuildStory {
+  /**
+   * Outlives the server, which is closed after the class; stops by a hook of its own with this
+   * process.
+   */
   private static final EmbeddedPostgres POSTGRES = start();
 
   @Autowired private DataSource database;
@@ -30,11 +33,6 @@ class BuildStoryOnPostgresTest extends BuildStory {
     try (Connection connection = database.getConnection()) {
       assertThat(connection.getMetaData().getDatabaseProductName()).isEqualTo("PostgreSQL");
     }
-  }
-
-  @AfterAll
-  static void stop() throws IOException {
-    POSTGRES.close();
   }
 
   private static EmbeddedPostgres start() {

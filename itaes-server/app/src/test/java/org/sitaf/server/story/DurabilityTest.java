@@ -31,12 +31,12 @@ class DurabilityTest {
   void whatWasAcknowledgedSurvivesKillAndWhatWasUnderWayGoesOn() throws Exception {
     String finished;
     String underWay;
+    String suiteId;
     byte[] document;
     Assignment second;
     try (Running server = new Running()) {
-      String suiteId = server.api.suite(server.api.upload(Activities.zip()));
+      suiteId = server.api.suite(server.api.upload(Activities.zip()));
       finished = server.api.build(suiteId);
-      underWay = server.api.build(suiteId);
       try (RimAgent agent = RimAgent.register(server.grpcPort, "survivor", "java")) {
         Assignment first = agent.nextAssignment();
         document = RimAgent.result(agent.download(first), List.of());
@@ -50,6 +50,7 @@ class DurabilityTest {
       assertThat(build.get("state").asString()).isEqualTo("DONE");
       assertThat(server.api.get("/api/v1/builds/" + finished + "/result/document").bytes())
           .isEqualTo(document);
+      underWay = server.api.build(suiteId);
       try (RimAgent agent = RimAgent.register(server.grpcPort, "survivor", "java")) {
         second = agent.nextAssignment();
         assertThat(second.getAttempt().getBuildId()).isEqualTo(underWay);

@@ -1,16 +1,20 @@
 package org.sitaf.core.activity;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.description.InterfaceDescription;
-import org.sitaf.core.description.OprosReader;
 import org.sitaf.core.description.WorldDescription;
 import org.sitaf.core.description.WorldReader;
+import org.sitaf.core.description.importer.InterfaceFiles;
+import org.sitaf.core.description.source.Described;
+import org.sitaf.core.description.source.SourceFiles;
 import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.model.TestModel;
@@ -41,10 +45,13 @@ final class ActivityReader {
                     InvalidInputException.of(
                         PROFILE, "is missing; an activity has this file at its top"));
     ActivityProfile profile = ProfileReader.read(text, PROFILE, diagnostics);
-    List<InterfaceDescription> provided = interfaces(profile.provided(), "provided");
-    List<InterfaceDescription> required = interfaces(profile.required(), "required");
+    List<InterfaceDescription> provided =
+        interfaces(profile.provided(), "provided", profile.name());
+    List<InterfaceDescription> required =
+        interfaces(profile.required(), "required", profile.name());
     WorldDescription world = world(profile.world());
-    List<TestModel> models = models(profile.models());
+    List<TestModel> models =
+        models(profile.models()).stream().map(m -> InterfaceTypes.resolve(m, provided)).toList();
     ComponentFiles.verify(profile, files, PROFILE, diagnostics);
     if (!diagnostics.hasErrors()) {
       for (TestModel model : models) {
@@ -56,22 +63,38 @@ final class ActivityReader {
     return new Activity(profile, files, provided, required, world, models, diagnostics.all());
   }
 
-  private List<InterfaceDescription> interfaces(List<String> paths, String entry) {
-    List<InterfaceDescription> all = new ArrayList<>();
-    Set<String> names = new HashSet<>();
+  private List<InterfaceDescription> interfaces(List<String> paths, String entry, String name) {
+    List<String> present = new ArrayList<>();
     for (String path : paths) {
-      List<InterfaceDescription> found =
-          document(path, entry, p -> OprosReader.read(files.open(p).orElseThrow(), p, diagnostics))
-              .orElse(List.of());
-      for (InterfaceDescription description : found) {
-        if (!names.add(description.name())) {
-          diagnostics.error(
-              path, 0, description.name(), "an interface of this name is " + entry + " already");
-        }
-        all.add(description);
+      if (files.contains(path)) {
+        present.add(path);
+      } else {
+        missing(path, entry);
       }
     }
-    return all;
+    Map<String, byte[]> sources = new HashMap<>();
+    files.paths().stream()
+        .filter(InterfaceFiles::mayBe)
+        .forEach(path -> sources.put(path, files.content(path).orElseThrow()));
+    present.forEach(path -> sources.put(path, files.content(path).orElseThrow()));
+    Described described = InterfaceFiles.read(SourceFiles.of(name, sources, present));
+    diagnostics.addAll(described.diagnostics());
+    // A component profile tells what its component offers from what it calls.
+    List<InterfaceDescription> interfaces =
+        entry.equals("required") && !described.components().isEmpty()
+            ? described.required()
+            : described.provided();
+    Set<String> names = new HashSet<>();
+    for (InterfaceDescription description : interfaces) {
+      if (!names.add(description.name())) {
+        diagnostics.error(
+            description.source(),
+            0,
+            description.name(),
+            "an interface of this name is " + entry + " already");
+      }
+    }
+    return interfaces;
   }
 
   private @Nullable WorldDescription world(@Nullable String path) {
@@ -99,7 +122,7 @@ final class ActivityReader {
 
   private <T> Optional<T> document(String path, String entry, Function<String, T> reader) {
     if (!files.contains(path)) {
-      diagnostics.error(PROFILE, 0, entry, "'" + path + "' is not among the files of the activity");
+      missing(path, entry);
       return Optional.empty();
     }
     try {
@@ -108,5 +131,9 @@ final class ActivityReader {
       diagnostics.addAll(e.diagnostics());
       return Optional.empty();
     }
+  }
+
+  private void missing(String path, String entry) {
+    diagnostics.error(PROFILE, 0, entry, "'" + path + "' is not among the files of the activity");
   }
 }

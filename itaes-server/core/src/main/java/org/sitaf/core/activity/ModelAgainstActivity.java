@@ -11,6 +11,7 @@ import org.jspecify.annotations.Nullable;
 import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.Direction;
 import org.sitaf.core.description.InterfaceDescription;
+import org.sitaf.core.description.MemberPath;
 import org.sitaf.core.description.Method;
 import org.sitaf.core.description.Parameter;
 import org.sitaf.core.description.ScalarType;
@@ -68,7 +69,7 @@ final class ModelAgainstActivity {
     for (InputElement input : model.inputs()) {
       switch (input.kind()) {
         case TDI -> {
-          given.add(root(input.name()));
+          given.add(MemberPath.root(input.name()));
           argument(input, method);
         }
         case TDSD -> worldParameter(input);
@@ -90,7 +91,7 @@ final class ModelAgainstActivity {
   }
 
   private void argument(InputElement input, Method method) {
-    Optional<Parameter> parameter = parameter(method, root(input.name()));
+    Optional<Parameter> parameter = parameter(method, MemberPath.root(input.name()));
     if (parameter.isEmpty() || parameter.get().direction() == Direction.OUT) {
       error(
           input.line(),
@@ -100,8 +101,36 @@ final class ModelAgainstActivity {
               + method.parameters().stream()
                   .map(Parameter::name)
                   .collect(Collectors.joining(", ")));
-    } else if (root(input.name()).equals(input.name())) {
-      sameType(input.line(), input.name(), input.realType(), parameter.get().type());
+      return;
+    }
+    Optional<DataType> type = MemberPath.resolve(parameter.get().type(), input.name());
+    if (type.isEmpty()) {
+      error(
+          input.line(),
+          "test_element " + input.name(),
+          parameter.get().type().spelling() + " has no such member or element");
+    } else {
+      sameType(input.line(), input.name(), input.realType(), type.get());
+      literals(input, type.get());
+    }
+  }
+
+  private void literals(InputElement input, DataType type) {
+    if (type instanceof DataType.Enumeration enumeration) {
+      input.userValues().stream()
+          .map(Value::literal)
+          .filter(literal -> !enumeration.literals().contains(literal))
+          .forEach(
+              literal ->
+                  error(
+                      input.line(),
+                      "test_element " + input.name(),
+                      "'"
+                          + literal
+                          + "' is no literal of "
+                          + enumeration.name()
+                          + "; it has "
+                          + enumeration.literals()));
     }
   }
 
@@ -193,7 +222,7 @@ final class ModelAgainstActivity {
           }
         }
         case OUT -> {
-          Optional<Parameter> parameter = parameter(method, root(output.name()));
+          Optional<Parameter> parameter = parameter(method, MemberPath.root(output.name()));
           if (parameter.isEmpty() || parameter.get().direction() == Direction.IN) {
             error(output.line(), where, method.name() + " has no out-parameter of this name");
           }
@@ -245,11 +274,6 @@ final class ModelAgainstActivity {
       return Optional.of(whole.number().doubleValue());
     }
     return value instanceof Value.Real real ? Optional.of(real.number()) : Optional.empty();
-  }
-
-  /** The parameter that {@code pose.x} or {@code path[0]} is a member of. */
-  private static String root(String name) {
-    return name.split("[.\\[]", 2)[0];
   }
 
   private void error(int line, String element, String message) {

@@ -1,6 +1,7 @@
 package org.sitaf.core.activity;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
 import java.util.stream.Collectors;
@@ -12,6 +13,9 @@ import org.sitaf.core.model.TestModel;
 
 /** The method under test, found among the provided interfaces. */
 public record TargetMethod(InterfaceDescription declaring, Method method) {
+  /** A comma between types, not one inside such as {@code sequence<double,8>}. */
+  private static final String OUTSIDE_BRACKETS = ",(?![^<]*>)";
+
   public TargetMethod {
     Objects.requireNonNull(declaring);
     Objects.requireNonNull(method);
@@ -73,7 +77,7 @@ public record TargetMethod(InterfaceDescription declaring, Method method) {
     String wanted =
         signature.isBlank()
             ? ""
-            : List.of(signature.split(",")).stream()
+            : Arrays.stream(signature.split(OUTSIDE_BRACKETS))
                 .map(t -> TypeGrammar.parse(t).type().spelling())
                 .collect(Collectors.joining(","));
     return method.signature().equals(wanted);

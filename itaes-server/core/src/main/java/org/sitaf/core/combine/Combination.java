@@ -4,9 +4,12 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
 import java.util.TreeSet;
 import org.sitaf.core.combine.CoveringArray.TupleReport;
 import org.sitaf.core.combine.construction.Constructions;
+import org.sitaf.core.combine.construction.Constructions.Development;
 import org.sitaf.core.combine.coverage.ColumnSets;
 import org.sitaf.core.combine.coverage.Coverage;
 import org.sitaf.core.combine.coverage.Dice;
@@ -14,12 +17,16 @@ import org.sitaf.core.combine.coverage.Row;
 import org.sitaf.core.combine.coverage.Symbols;
 import org.sitaf.core.combine.feasible.Feasibility;
 import org.sitaf.core.combine.feasible.ImpossibleTuples;
+import org.sitaf.core.combine.feasible.ImpossibleTuples.Judgement;
 import org.sitaf.core.combine.search.Budget;
 import org.sitaf.core.combine.search.Greedy;
 import org.sitaf.core.combine.search.TupleForcing;
 
 /** One combination, from what is possible over a first array to a small one. */
-final class Construction {
+final class Combination {
+  /** Within this factor of the bound, growth need not compete. */
+  private static final double NEAR = 1.1;
+
   private final CombinationProblem problem;
   private final Symbols symbols;
   private final List<int[]> sets;
@@ -27,7 +34,7 @@ final class Construction {
   private final Effort effort;
   private final Progress progress;
 
-  Construction(
+  Combination(
       CombinationProblem problem,
       Symbols symbols,
       List<int[]> sets,
@@ -44,21 +51,22 @@ final class Construction {
 
   CoveringArray run(List<Row> kept, long seed) {
     Coverage coverage = ColumnSets.coverage(symbols, sets);
-    TupleReport report = ImpossibleTuples.exclude(symbols, sets, feasibility, coverage);
-    int bound = bound(report);
+    Judgement judgement = ImpossibleTuples.exclude(symbols, sets, feasibility, coverage);
+    TupleReport report = judgement.report();
     Dice dice = new Dice(seed);
     Budget budget = new Budget(operations());
     Greedy greedy = new Greedy(symbols, coverage, feasibility, dice, budget);
 
     List<Row> rows = new ArrayList<>();
     for (Row row : kept) {
-      Row filled = greedy.fill(row);
+      Row filled = Objects.requireNonNull(greedy.fill(row), "a kept row that was found allowed");
       filled.keep(problem.seeds().get(rows.size()));
       coverage.add(filled);
       rows.add(filled);
     }
-    addConstructed(rows, coverage);
-    greedy.grow(rows, effort == Effort.FAST ? 1 : 4, Integer.MAX_VALUE);
+    boolean plain = kept.isEmpty() && feasibility.rules().isEmpty();
+    Optional<Plain> columns = plain ? Plain.of(problem, symbols) : Optional.empty();
+    first(rows, columns.flatMap(Plain::atOnce), judgement.bound(), coverage, greedy);
     if (rows.isEmpty()) {
       Row only = greedy.fill(new Row(symbols));
       if (only != null) {
@@ -68,66 +76,121 @@ final class Construction {
     }
     progress.report(rows.size(), 0);
 
+    int enough = Math.max(judgement.bound(), kept.size());
     List<int[]> best = rows.stream().map(Row::values).toList();
-    int enough = Math.max(bound, kept.size());
-    if (effort != Effort.FAST && rows.size() > enough) {
-      TupleForcing search =
-          new TupleForcing(symbols, coverage, feasibility, greedy, dice, budget, rows);
-      best = search.shrink(enough, n -> progress.report(n, budget.share()));
+    if (effort != Effort.FAST) {
+      best = smaller(rows, best, enough, columns, coverage, greedy, dice, budget);
     }
     return new CoveringArray(ordered(best, kept.size()), report, best.size() <= enough);
   }
 
-  /** Adds the rows of a construction where one exists that is near the bound. */
-  private void addConstructed(List<Row> rows, Coverage coverage) {
-    if (!rows.isEmpty() || !feasibility.rules().isEmpty()) {
-      return;
+  /** A first complete array: what algebra gives where that is near the bound, or else smaller. */
+  private void first(
+      List<Row> rows, Optional<List<int[]>> algebra, int bound, Coverage coverage, Greedy greedy) {
+    int tries = effort == Effort.FAST ? 1 : 4;
+    if (algebra.isPresent() && algebra.get().size() <= NEAR * bound) {
+      replace(rows, algebra.get(), coverage);
     }
-    if (problem.interactions().size() != 1) {
-      return;
+    greedy.grow(rows, tries, Integer.MAX_VALUE);
+    if (algebra.isPresent() && algebra.get().size() < rows.size()) {
+      replace(rows, algebra.get(), coverage);
+      greedy.grow(rows, tries, Integer.MAX_VALUE);
     }
-    int[] columns =
-        Arrays.stream(problem.interactions().get(0).parameters())
-            .filter(c -> symbols.levels(c) > 1)
-            .toArray();
-    int[] levels = Arrays.stream(columns).map(symbols::levels).toArray();
-    for (int[] values :
-        Constructions.find(problem.interactions().get(0).strength(), levels).orElse(List.of())) {
-      int[] whole = new int[symbols.columns()];
-      for (int i = 0; i < columns.length; i++) {
-        whole[columns[i]] = values[i];
+  }
+
+  private List<int[]> smaller(
+      List<Row> rows,
+      List<int[]> complete,
+      int enough,
+      Optional<Plain> columns,
+      Coverage coverage,
+      Greedy greedy,
+      Dice dice,
+      Budget budget) {
+    TupleForcing search = new TupleForcing(symbols, coverage, feasibility, greedy, dice, rows);
+    List<int[]> best = search.shrink(complete, enough, budget.part(0.1), listener(budget));
+    if (best.size() > enough && columns.isPresent()) {
+      Development found = columns.get().developed(best.size(), dice, budget.part(0.3));
+      if (found.array().isPresent()) {
+        replace(rows, found.array().get(), coverage);
+        greedy.grow(rows, 1, Integer.MAX_VALUE);
+        best = rows.stream().map(Row::values).toList();
+        progress.report(best.size(), budget.share());
       }
-      Row row = new Row(symbols, whole);
+      if (found.nearMiss().isPresent()) {
+        replace(rows, found.nearMiss().get(), coverage);
+        greedy.grow(rows, 4, best.size() - 1);
+        best = search.shrink(best, enough, budget.part(0.3), listener(budget));
+      }
+      replace(rows, best, coverage);
+    }
+    return search.shrink(best, enough, budget.patient(patience()), listener(budget));
+  }
+
+  private TupleForcing.Listener listener(Budget budget) {
+    return n -> progress.report(n, budget.share());
+  }
+
+  private void replace(List<Row> rows, List<int[]> by, Coverage coverage) {
+    rows.forEach(coverage::remove);
+    rows.clear();
+    for (int[] values : by) {
+      Row row = new Row(symbols, values);
       coverage.add(row);
       rows.add(row);
     }
   }
 
-  /** No array has fewer rows than one set of columns has possible tuples. */
-  private int bound(TupleReport report) {
-    long most = 1;
-    for (int[] set : sets) {
-      long tuples = 1;
-      for (int c : set) {
-        tuples *= symbols.levels(c);
+  /** The varied columns of a problem with a single interaction, for which algebra may know. */
+  private record Plain(Symbols symbols, int strength, int[] columns, int[] levels) {
+    static Optional<Plain> of(CombinationProblem problem, Symbols symbols) {
+      if (problem.interactions().size() != 1) {
+        return Optional.empty();
       }
-      long impossible =
-          report.impossible() == 0
-              ? 0
-              : report.examples().stream()
-                  .filter(tuple -> Arrays.equals(tuple.parameters(), set))
-                  .count();
-      most = Math.max(most, tuples - impossible);
+      Interaction interaction = problem.interactions().get(0);
+      int[] columns =
+          Arrays.stream(interaction.parameters()).filter(c -> symbols.levels(c) > 1).toArray();
+      int[] levels = Arrays.stream(columns).map(symbols::levels).toArray();
+      int strength = Math.min(interaction.strength(), columns.length);
+      return Optional.of(new Plain(symbols, strength, columns, levels));
     }
-    return (int) most;
+
+    Optional<List<int[]>> atOnce() {
+      return Constructions.atOnce(strength, levels).map(this::whole);
+    }
+
+    Development developed(int size, Dice dice, Budget budget) {
+      Development found = Constructions.developed(strength, levels, size, dice, budget);
+      return new Development(found.array().map(this::whole), found.nearMiss().map(this::whole));
+    }
+
+    private List<int[]> whole(List<int[]> rows) {
+      List<int[]> whole = new ArrayList<>();
+      for (int[] row : rows) {
+        int[] values = new int[symbols.columns()];
+        for (int i = 0; i < columns.length; i++) {
+          values[columns[i]] = row[i];
+        }
+        whole.add(values);
+      }
+      return whole;
+    }
+  }
+
+  /** By default a search that finds nothing for a while gives up: a person waits. */
+  private double patience() {
+    return effort == Effort.DEFAULT && !onlyPairs() ? 0.3 : 1;
+  }
+
+  private boolean onlyPairs() {
+    return sets.stream().allMatch(set -> set.length <= 2);
   }
 
   private long operations() {
-    boolean pairs = sets.stream().allMatch(set -> set.length <= 2);
     return switch (effort) {
       case FAST -> 0;
-      case DEFAULT -> pairs ? 500_000_000L : 5_000_000_000L;
-      case BEST -> 60_000_000_000L;
+      case DEFAULT -> onlyPairs() ? 900_000_000L : 9_000_000_000L;
+      case BEST -> 85_000_000_000L;
     };
   }
 

@@ -43,7 +43,7 @@ public final class TestDataCombinator {
     if (product) {
       return product(problem, symbols, feasibility, kept);
     }
-    return new Construction(problem, symbols, sets.list(), feasibility, effort, progress)
+    return new Combination(problem, symbols, sets.list(), feasibility, effort, progress)
         .run(kept, seed);
   }
 

@@ -67,7 +67,7 @@ public sealed interface DataType {
     }
   }
 
-  /** A fixed number of elements. */
+  /** A fixed number of elements; {@code double[2][3]} is two times three of them, as in C++. */
   record FixedArray(DataType element, int length) implements DataType {
     public FixedArray {
       Objects.requireNonNull(element);
@@ -83,7 +83,13 @@ public sealed interface DataType {
 
     @Override
     public String spelling() {
-      return element.spelling() + "[" + length + "]";
+      StringBuilder dimensions = new StringBuilder("[" + length + "]");
+      DataType inner = element;
+      while (inner instanceof FixedArray array) {
+        dimensions.append('[').append(array.length).append(']');
+        inner = array.element;
+      }
+      return inner.spelling() + dimensions;
     }
   }
 

@@ -1,5 +1,7 @@
 package org.sitaf.core.description;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
@@ -8,8 +10,9 @@ import java.util.Set;
 
 /**
  * Reads types as robot developers spell them: C++ text such as {@code const std::vector<
- * valarray<double> >&}, {@code unsigned int}, {@code uint8_t} or {@code double[3]}, and the canonical
- * spellings of {@link DataType}, bounds as in {@code string<10>} included. What it cannot resolve becomes {@link DataType.Unknown} under its own name.
+ * valarray<double> >&}, {@code unsigned int}, {@code uint8_t} or {@code double[3]}, and the
+ * canonical spellings of {@link DataType}, bounds as in {@code string<10>} included. What it cannot
+ * resolve becomes {@link DataType.Unknown} under its own name.
  */
 public final class TypeGrammar {
   private static final Map<String, ScalarType> SCALARS =
@@ -103,11 +106,16 @@ public final class TypeGrammar {
       return Optional.empty();
     }
     Optional<DataType> type = take('<') ? template(name) : Optional.of(named(name));
+    List<String> dimensions = new ArrayList<>();
     while (type.isPresent() && take('[')) {
-      String digits = digits();
+      dimensions.add(digits());
       if (!take(']')) {
         return Optional.empty();
       }
+    }
+    // The last dimension counts innermost.
+    for (int i = dimensions.size() - 1; i >= 0 && type.isPresent(); i--) {
+      String digits = dimensions.get(i);
       type = digits.isEmpty() ? type.map(e -> new DataType.Sequence(e)) : array(type.get(), digits);
     }
     return type;
@@ -142,9 +150,7 @@ public final class TypeGrammar {
 
   private OptionalInt bound() {
     String digits = digits();
-    return digits.matches(LENGTH)
-        ? OptionalInt.of(Integer.parseInt(digits))
-        : OptionalInt.empty();
+    return digits.matches(LENGTH) ? OptionalInt.of(Integer.parseInt(digits)) : OptionalInt.empty();
   }
 
   private static Optional<DataType> array(DataType element, String digits) {

@@ -10,6 +10,8 @@ import java.io.InputStream;
 import java.io.OutputStream;
 import java.io.StringReader;
 import java.util.Set;
+import java.util.logging.Level;
+import java.util.logging.Logger;
 import javax.xml.namespace.QName;
 import javax.xml.stream.Location;
 import javax.xml.stream.XMLInputFactory;
@@ -29,6 +31,13 @@ import org.sitaf.schemas.ObjectFactory;
 public final class XmlDocuments {
   /** Immutable and safe to share between threads. */
   private static final JAXBContext CONTEXT = context();
+
+  /**
+   * Below this level the binding framework tells only the first ten unknown elements, by a counter
+   * that all threads share. Held here, since loggers are held weakly.
+   */
+  @SuppressWarnings("unused")
+  private static final Logger BINDING = bindingLogger();
 
   private XmlDocuments() {}
 
@@ -148,6 +157,9 @@ public final class XmlDocuments {
     if (event.getLinkedException() instanceof XMLStreamException) {
       return false;
     }
+    if (event.getSeverity() == ValidationEvent.WARNING) {
+      return true;
+    }
     if (message.startsWith("unexpected element")) {
       String name = message.replaceFirst("(?s)^.*?local:\"([^\"]*)\".*$", "$1");
       diagnostics.warning(file, line, name, "unknown element, not read; check its spelling");
@@ -177,6 +189,14 @@ public final class XmlDocuments {
     factory.setProperty(XMLInputFactory.SUPPORT_DTD, false);
     factory.setProperty(XMLInputFactory.IS_COALESCING, true);
     return factory;
+  }
+
+  private static Logger bindingLogger() {
+    Logger logger =
+        Logger.getLogger("org.glassfish.jaxb.runtime.v2.runtime.unmarshaller.UnmarshallingContext");
+    logger.setLevel(Level.FINEST);
+    logger.setUseParentHandlers(false);
+    return logger;
   }
 
   private static JAXBContext context() {

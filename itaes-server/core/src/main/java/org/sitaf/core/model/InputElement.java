@@ -31,4 +31,9 @@ public record InputElement(
     Objects.requireNonNull(description);
     userValues = List.copyOf(userValues);
   }
+
+  /** The same element with the type that an interface gives it. */
+  public InputElement withType(DataType resolved) {
+    return new InputElement(name, kind, realType, resolved, description, spec, userValues, line);
+  }
 }

@@ -37,6 +37,23 @@ public record TestModel(
     keptCases = List.copyOf(keptCases);
   }
 
+  /** The same model with other input elements. */
+  public TestModel withInputs(List<InputElement> replaced) {
+    return new TestModel(
+        name,
+        description,
+        target,
+        preConditions,
+        replaced,
+        outputs,
+        postConditions,
+        invalidValues,
+        strength,
+        mixedStrengths,
+        keptCases,
+        source);
+  }
+
   /** The output of a name; an empty name means the only one. */
   public Optional<OutputElement> output(String outputName) {
     if (outputName.isEmpty()) {

@@ -6,8 +6,10 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.description.DataType;
@@ -26,6 +28,17 @@ import org.sitaf.schemas.TestModelDocument;
  * From the wire's shape of a test model to the domain's; collects every contradiction on the way.
  */
 final class TestModelReader {
+  /** TDS is how the paper's Table 2 spells it. */
+  private static final Map<String, InputKind> INPUT_KINDS =
+      Map.of(
+          "TDI", InputKind.TDI,
+          "TDSD", InputKind.TDSD,
+          "TDS", InputKind.TDSD,
+          "TDTS", InputKind.TDTS);
+
+  private static final Map<String, OutputKind> OUTPUT_KINDS =
+      Map.of("RETURN", OutputKind.RETURN, "OUT", OutputKind.OUT, "OBSERVED", OutputKind.OBSERVED);
+
   private final String file;
   private final Diagnostics diagnostics;
 
@@ -64,7 +77,7 @@ final class TestModelReader {
         outputs.stream().map(OutputElement::line).toList());
     return new TestModel(
         name,
-        root.getDescription() == null ? "" : root.getDescription().strip(),
+        text(root.getDescription()),
         target(root.getTarget(), name),
         conditions(
             root.getPreConditionSpecList() == null
@@ -86,20 +99,7 @@ final class TestModelReader {
   private Optional<InputElement> input(TestElementType element) {
     String where = where(element);
     int line = XmlDocuments.line(element);
-    Optional<InputKind> kind =
-        switch (String.valueOf(element.getType())) {
-          case "TDI" -> Optional.of(InputKind.TDI);
-          case "TDSD", "TDS" -> Optional.of(InputKind.TDSD);
-          case "TDTS" -> Optional.of(InputKind.TDTS);
-          default -> Optional.empty();
-        };
-    if (kind.isEmpty()) {
-      diagnostics.error(
-          file,
-          line,
-          where + "/type",
-          "must be TDI, TDSD or TDTS, not '" + element.getType() + "'");
-    }
+    Optional<InputKind> kind = kind(element, INPUT_KINDS);
     if (element.getExpected() != null || element.getTolerance() != null) {
       diagnostics.error(
           file, line, where, "expected and tolerance belong to elements of output_spec_list");
@@ -120,7 +120,8 @@ final class TestModelReader {
     }
     boolean noUserValues =
         element.getUserValueList() == null || element.getUserValueList().getValue().isEmpty();
-    if (element.getTestSpec() == null && noUserValues && !isBoolean(type)) {
+    boolean listsItself = isBoolean(type) || "ENUM".equals(abstractType(element));
+    if (element.getTestSpec() == null && noUserValues && !listsItself) {
       diagnostics.error(
           file, line, where, "gives no values; it needs a test_spec or a user_value_list");
     }
@@ -131,9 +132,9 @@ final class TestModelReader {
         new InputElement(
             name(element),
             kind.get(),
-            element.getRealType() == null ? "" : element.getRealType(),
+            text(element.getRealType()),
             type,
-            element.getDescription() == null ? "" : element.getDescription().strip(),
+            text(element.getDescription()),
             spec,
             userValues,
             line));
@@ -142,20 +143,7 @@ final class TestModelReader {
   private Optional<OutputElement> output(TestElementType element) {
     String where = where(element);
     int line = XmlDocuments.line(element);
-    Optional<OutputKind> kind =
-        switch (String.valueOf(element.getType())) {
-          case "RETURN" -> Optional.of(OutputKind.RETURN);
-          case "OUT" -> Optional.of(OutputKind.OUT);
-          case "OBSERVED" -> Optional.of(OutputKind.OBSERVED);
-          default -> Optional.empty();
-        };
-    if (kind.isEmpty()) {
-      diagnostics.error(
-          file,
-          line,
-          where + "/type",
-          "must be RETURN, OUT or OBSERVED, not '" + element.getType() + "'");
-    }
+    Optional<OutputKind> kind = kind(element, OUTPUT_KINDS);
     if (element.getTestSpec() != null || element.getUserValueList() != null) {
       diagnostics.error(
           file, line, where, "test_spec and user_value_list belong to elements of input_spec_list");
@@ -174,17 +162,33 @@ final class TestModelReader {
     if (name(element).isEmpty() || kind.isEmpty()) {
       return Optional.empty();
     }
-    String expected = element.getExpected() == null ? null : element.getExpected().strip();
+    String expected = text(element.getExpected());
     return Optional.of(
         new OutputElement(
             name(element),
             kind.get(),
-            element.getRealType() == null ? "" : element.getRealType(),
+            text(element.getRealType()),
             type,
-            element.getDescription() == null ? "" : element.getDescription().strip(),
-            expected == null || expected.isEmpty() ? null : expected,
+            text(element.getDescription()),
+            expected.isEmpty() ? null : expected,
             tolerance,
             line));
+  }
+
+  private <K> Optional<K> kind(TestElementType element, Map<String, K> kinds) {
+    Optional<K> kind = Optional.ofNullable(kinds.get(text(element.getType())));
+    if (kind.isEmpty()) {
+      diagnostics.error(
+          file,
+          XmlDocuments.line(element),
+          where(element) + "/type",
+          "must be one of "
+              + String.join(", ", new TreeSet<>(kinds.keySet()))
+              + ", not '"
+              + element.getType()
+              + "'");
+    }
+    return kind;
   }
 
   private DataType type(TestElementType element, String where, int line) {
@@ -196,7 +200,7 @@ final class TestModelReader {
       return new DataType.Unknown("");
     }
     DataType type = TypeGrammar.parse(element.getRealType()).type();
-    String abstractType = String.valueOf(element.getAbstractType()).toUpperCase(Locale.ROOT);
+    String abstractType = abstractType(element);
     boolean fits =
         switch (abstractType) {
           case "NUMERIC" -> !(type instanceof DataType.Scalar s) || isNumber(s.type());
@@ -353,8 +357,16 @@ final class TestModelReader {
     return type instanceof DataType.Scalar scalar && scalar.type() == ScalarType.BOOLEAN;
   }
 
+  private static String abstractType(TestElementType element) {
+    return text(element.getAbstractType()).toUpperCase(Locale.ROOT);
+  }
+
   private static String name(TestElementType element) {
-    return element.getName() == null ? "" : element.getName();
+    return text(element.getName());
+  }
+
+  private static String text(@Nullable String text) {
+    return text == null ? "" : text.strip();
   }
 
   private static String where(TestElementType element) {

@@ -3,6 +3,7 @@ package org.sitaf.core.suite;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Objects;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -18,10 +19,10 @@ import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.expression.EvaluationException;
 import org.sitaf.core.expression.Expression;
 import org.sitaf.core.expression.Variables;
-import org.sitaf.core.model.KeptCase;
 import org.sitaf.core.model.MixedStrength;
 import org.sitaf.core.model.Strength;
 import org.sitaf.core.model.TestModel;
+import org.sitaf.core.model.Value;
 import org.sitaf.core.value.TestData;
 import org.sitaf.core.value.TestValue;
 
@@ -36,6 +37,8 @@ final class CaseCombination {
   private final Strength strength;
   private final GenerationOptions options;
   private final Diagnostics diagnostics;
+  private final Progress progress;
+  private final KeptCases keptCases;
   private final List<List<TestValue>> kept;
 
   CaseCombination(
@@ -44,6 +47,8 @@ final class CaseCombination {
       Conditions conditions,
       Strength strength,
       GenerationOptions options,
+      KeptCases keptCases,
+      Progress progress,
       Diagnostics diagnostics) {
     this.model = model;
     this.data = data;
@@ -51,7 +56,10 @@ final class CaseCombination {
     this.strength = strength;
     this.options = options;
     this.diagnostics = diagnostics;
-    this.kept = model.keptCases().stream().map(this::keptRow).toList();
+    this.progress = progress;
+    this.keptCases = keptCases;
+    this.kept =
+        keptCases.all().stream().filter(KeptCases.Kept::isComplete).map(this::keptRow).toList();
   }
 
   /** All values alike. */
@@ -127,15 +135,8 @@ final class CaseCombination {
       List<Interaction> interactions,
       @org.jspecify.annotations.Nullable Boolean valid) {
     int[] levels = candidates.stream().mapToInt(List::size).toArray();
-    List<int[]> seeds = new ArrayList<>();
-    for (List<TestValue> row : kept) {
-      int[] seed =
-          IntStream.range(0, row.size()).map(p -> candidates.get(p).indexOf(row.get(p))).toArray();
-      if (IntStream.of(seed).allMatch(i -> i >= 0)) {
-        seeds.add(seed);
-      }
-    }
-    if (seeds.isEmpty() && IntStream.of(levels).allMatch(l -> l == 1) || interactions.isEmpty()) {
+    List<int[]> seeds = seeds(candidates);
+    if ((seeds.isEmpty() && IntStream.of(levels).allMatch(l -> l == 1)) || interactions.isEmpty()) {
       // Nothing varies, or no tuple is asked for: one case, whichever the conditions allow.
       seeds.add(IntStream.of(levels).map(l -> CombinationProblem.FREE).toArray());
     }
@@ -149,7 +150,7 @@ final class CaseCombination {
                   new CombinationProblem(levels, interactions, constraints, seeds),
                   options.effort(),
                   options.seed(),
-                  Progress.NONE);
+                  progress);
     } catch (IllegalArgumentException e) {
       if (seeds.isEmpty()) {
         throw e;
@@ -167,6 +168,38 @@ final class CaseCombination {
           IntStream.range(0, row.length).mapToObj(p -> candidates.get(p).get(row[p])).toList());
     }
     return rows;
+  }
+
+  /**
+   * The cases to keep that fit these candidates, as rows of indices; free where a case has no
+   * value.
+   */
+  private List<int[]> seeds(List<List<TestValue>> candidates) {
+    List<int[]> seeds = new ArrayList<>();
+    for (KeptCases.Kept keptCase : keptCases.all()) {
+      int[] seed = new int[candidates.size()];
+      boolean fits = true;
+      for (int p = 0; p < seed.length; p++) {
+        Value value = keptCase.values().get(p);
+        // Where one invalid value is held, a case that does not name it belongs elsewhere.
+        boolean mustBeNamed = candidates.get(p).size() == 1 && !candidates.get(p).get(0).valid();
+        seed[p] = value == null ? CombinationProblem.FREE : indexOf(candidates.get(p), value);
+        fits &= value == null ? !mustBeNamed : seed[p] >= 0;
+      }
+      if (fits) {
+        seeds.add(seed);
+      }
+    }
+    return seeds;
+  }
+
+  private static int indexOf(List<TestValue> candidates, Value value) {
+    for (int i = 0; i < candidates.size(); i++) {
+      if (candidates.get(i).value().equals(value)) {
+        return i;
+      }
+    }
+    return -1;
   }
 
   private Constraint constraint(
@@ -245,18 +278,15 @@ final class CaseCombination {
         .collect(Collectors.joining(", "));
   }
 
-  /**
-   * A kept case stays as it is; a value that the model no longer gives counts as valid only where
-   * the model gives it as such.
-   */
-  private List<TestValue> keptRow(KeptCase keptCase) {
+  /** A kept case stays as it is; a value that the model no longer gives does not count as valid. */
+  private List<TestValue> keptRow(KeptCases.Kept keptCase) {
     return IntStream.range(0, data.size())
         .mapToObj(
-            p ->
-                data.get(p).values().stream()
-                    .filter(v -> v.value().equals(keptCase.values().get(p)))
-                    .findFirst()
-                    .orElse(new TestValue(keptCase.values().get(p), false)))
+            p -> {
+              Value value = Objects.requireNonNull(keptCase.values().get(p));
+              int index = indexOf(data.get(p).values(), value);
+              return index >= 0 ? data.get(p).values().get(index) : new TestValue(value, false);
+            })
         .toList();
   }
 }

@@ -12,19 +12,33 @@ import org.sitaf.core.model.Strength;
  * @param strength null to take the model's
  * @param invalidValues null to take the model's
  * @param seed of everything random
+ * @param earlier a suite whose cases stay, so that only what is missing is added; null for none
  */
 public record GenerationOptions(
-    @Nullable Strength strength, @Nullable InvalidValues invalidValues, long seed, Effort effort) {
+    @Nullable Strength strength,
+    @Nullable InvalidValues invalidValues,
+    long seed,
+    Effort effort,
+    @Nullable TestSuite earlier) {
   /** As the model says, with the seed 1. */
   public static final GenerationOptions DEFAULT =
-      new GenerationOptions(null, null, 1, Effort.DEFAULT);
+      new GenerationOptions(null, null, 1, Effort.DEFAULT, null);
 
   public GenerationOptions {
     Objects.requireNonNull(effort);
   }
 
+  /** Choices without an earlier suite. */
+  public GenerationOptions(
+      @Nullable Strength strength,
+      @Nullable InvalidValues invalidValues,
+      long seed,
+      Effort effort) {
+    this(strength, invalidValues, seed, effort, null);
+  }
+
   /** The same choices with another seed. */
   public GenerationOptions withSeed(long other) {
-    return new GenerationOptions(strength, invalidValues, other, effort);
+    return new GenerationOptions(strength, invalidValues, other, effort, earlier);
   }
 }

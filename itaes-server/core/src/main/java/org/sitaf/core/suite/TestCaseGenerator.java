@@ -2,16 +2,15 @@ package org.sitaf.core.suite;
 
 import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.HashSet;
 import java.util.List;
-import java.util.Set;
+import java.util.Optional;
+import org.sitaf.core.combine.Progress;
 import org.sitaf.core.combine.TooManyCombinationsException;
 import org.sitaf.core.diagnostic.Diagnostic;
 import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.model.InputElement;
 import org.sitaf.core.model.InvalidValues;
-import org.sitaf.core.model.KeptCase;
 import org.sitaf.core.model.Strength;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.model.Value;
@@ -33,6 +32,17 @@ public final class TestCaseGenerator {
    *     would be too many
    */
   public static GeneratedSuite generate(TestModel model, GenerationOptions options) {
+    return generate(model, options, Progress.NONE);
+  }
+
+  /**
+   * Generates the cases of a model, and says how far it is.
+   *
+   * @throws InvalidInputException when a condition is not usable, no case is allowed, or there
+   *     would be too many
+   */
+  public static GeneratedSuite generate(
+      TestModel model, GenerationOptions options, Progress progress) {
     Strength strength = options.strength() == null ? model.strength() : options.strength();
     InvalidValues invalidValues =
         options.invalidValues() == null ? model.invalidValues() : options.invalidValues();
@@ -40,18 +50,20 @@ public final class TestCaseGenerator {
     Conditions conditions = Conditions.compile(model, diagnostics);
     diagnostics.throwIfErrors();
 
+    KeptCases kept = KeptCases.of(model, options.earlier(), diagnostics);
     List<TestData> data = values(model, options.seed(), diagnostics);
     List<List<TestValue>> rows =
         combine(
             model,
-            new CaseCombination(model, data, conditions, strength, options, diagnostics),
+            new CaseCombination(
+                model, data, conditions, strength, options, kept, progress, diagnostics),
             invalidValues);
     if (rows.isEmpty()) {
       diagnostics.error(
           model.source(), 0, "pre_condition_spec_list", "the conditions allow no case at all");
     }
     diagnostics.throwIfErrors();
-    List<TestCase> cases = number(model, rows, new Oracle(model, conditions, diagnostics));
+    List<TestCase> cases = number(rows, kept, new Oracle(model, conditions, diagnostics));
 
     TestSuite suite =
         new TestSuite(
@@ -93,7 +105,12 @@ public final class TestCaseGenerator {
             "the value " + leftOut + " is left out: " + input.realType() + " cannot hold it");
       }
       if (data.values().isEmpty()) {
-        diagnostics.error(model.source(), input.line(), where, "gives no value");
+        diagnostics.error(
+            model.source(),
+            input.line(),
+            where,
+            "gives no value; the literals of an enumeration come from the interface of an activity, or"
+                + " from a user_value_list");
       }
       all.add(data);
     }
@@ -114,32 +131,24 @@ public final class TestCaseGenerator {
   }
 
   /** Valid cases first; a kept case keeps its number, and no other case ever gets it. */
-  private static List<TestCase> number(TestModel model, List<List<TestValue>> rows, Oracle oracle) {
+  private static List<TestCase> number(List<List<TestValue>> rows, KeptCases kept, Oracle oracle) {
     List<List<TestValue>> ordered = new ArrayList<>(rows);
     ordered.sort(Comparator.comparing(row -> !isValid(row)));
-    Set<Integer> used = new HashSet<>();
-    model.keptCases().forEach(k -> used.add(k.no()));
-    int next = 1 + used.stream().mapToInt(Integer::intValue).max().orElse(0);
-    Set<KeptCase> unnumbered = new HashSet<>(model.keptCases());
+    int next = kept.highestNumber() + 1;
     List<TestCase> cases = new ArrayList<>();
     for (List<TestValue> row : ordered) {
       List<Value> values = row.stream().map(TestValue::value).toList();
-      KeptCase kept =
-          model.keptCases().stream()
-              .filter(k -> unnumbered.contains(k) && k.no() > 0 && k.values().equals(values))
-              .findFirst()
-              .orElse(null);
-      if (kept != null) {
-        unnumbered.remove(kept);
-      }
-      int no = kept != null ? kept.no() : next++;
+      Optional<KeptCases.Kept> numbered = kept.numbered(values);
+      int no = numbered.isPresent() ? numbered.get().no() : next++;
       boolean valid = isValid(row);
+      List<ExpectedValue> expected = oracle.expect(no, valid, values);
       cases.add(
           new TestCase(
               no,
               valid,
               values.stream().map(Value::literal).toList(),
-              oracle.expect(no, valid, values)));
+              // What a person filled in by hand stays where the model itself expects nothing.
+              expected.isEmpty() && numbered.isPresent() ? numbered.get().expected() : expected));
     }
     return cases;
   }

@@ -34,7 +34,12 @@ public final class TestDataGenerator {
       NumberValues numbers = new NumberValues(element.type(), random);
       numbers.generate(spec).forEach(collected::add);
       collected.leftOut.addAll(numbers.leftOut());
-    } else if (element.userValues().isEmpty()) {
+    } else if (element.type() instanceof DataType.Enumeration enumeration
+        && element.userValues().isEmpty()) {
+      enumeration
+          .literals()
+          .forEach(literal -> collected.add(new TestValue(new Value.Text(literal), true)));
+    } else if (isBoolean(element.type()) && element.userValues().isEmpty()) {
       collected.add(new TestValue(new Value.Truth(false), true));
       collected.add(new TestValue(new Value.Truth(true), true));
     }
@@ -55,8 +60,11 @@ public final class TestDataGenerator {
   }
 
   private static boolean isNumber(DataType type) {
-    return type instanceof DataType.Scalar scalar
-        && (scalar.type().isNumeric() || scalar.type() == ScalarType.BOOLEAN);
+    return isBoolean(type) || (type instanceof DataType.Scalar scalar && scalar.type().isNumeric());
+  }
+
+  private static boolean isBoolean(DataType type) {
+    return type instanceof DataType.Scalar scalar && scalar.type() == ScalarType.BOOLEAN;
   }
 
   /** Equal values are listed once: what stands first stays. */

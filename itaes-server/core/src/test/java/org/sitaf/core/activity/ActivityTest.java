@@ -18,6 +18,9 @@ import java.util.zip.ZipOutputStream;
 import org.junit.jupiter.api.Test;
 import org.sitaf.core.diagnostic.Diagnostic;
 import org.sitaf.core.diagnostic.InvalidInputException;
+import org.sitaf.core.model.TestModel;
+import org.sitaf.core.suite.GenerationOptions;
+import org.sitaf.core.suite.TestCaseGenerator;
 
 class ActivityTest {
   private final Map<String, String> files = new HashMap<>();
@@ -132,6 +135,59 @@ class ActivityTest {
         .anyMatch(
             p -> p.contains("test_element NumOfSensor: GetInfraredData has no such parameter"))
         .anyMatch(p -> p.contains("parameter Count of GetInfraredData has no test_element"));
+  }
+
+  private void driveByPoseAndMode(String elements) {
+    files.put(
+        "service.idl",
+        """
+        enum Mode { SLOW, FAST };
+        struct Pose { double x; double path[2]; };
+        interface DriveService { void Drive(in Pose pose, in Mode mode); };
+        """);
+    replace("activity.yaml", "service.xml", "service.idl");
+    files.put(
+        "GetInfraredData.xml",
+        """
+        <test_model><name>Drive</name><input_spec_list>
+        <test_element abstract_type="NUMERIC" real_type="double"><name>pose.x</name><type>TDI</type>
+          <user_value_list><value>1</value></user_value_list></test_element>
+        %s
+        </input_spec_list><order_of_combinations>2</order_of_combinations></test_model>
+        """
+            .formatted(elements));
+  }
+
+  @Test
+  void anEnumerationTakesAllItsLiteralsFromTheInterface() {
+    driveByPoseAndMode(
+        """
+        <test_element abstract_type="ENUM" real_type="Mode"><name>mode</name><type>TDI</type></test_element>
+        """);
+    TestModel model = read().models().get(0);
+    assertThat(
+            TestCaseGenerator.generate(model, GenerationOptions.DEFAULT).suite().cases().stream()
+                .map(c -> c.values().get(1)))
+        .containsExactlyInAnyOrder("SLOW", "FAST");
+  }
+
+  @Test
+  void membersAndLiteralsThatDoNotExistAreTold() {
+    driveByPoseAndMode(
+        """
+        <test_element abstract_type="ENUM" real_type="Mode"><name>mode</name><type>TDI</type>
+          <user_value_list><value>WARP</value></user_value_list></test_element>
+        <test_element abstract_type="NUMERIC" real_type="double"><name>pose.z</name><type>TDI</type>
+          <user_value_list><value>1</value></user_value_list></test_element>
+        <test_element abstract_type="NUMERIC" real_type="double"><name>pose.path[2]</name><type>TDI</type>
+          <user_value_list><value>1</value></user_value_list></test_element>
+        """);
+    assertThat(problems())
+        .hasSize(3)
+        .anyMatch(
+            p -> p.contains("test_element mode: 'WARP' is no literal of Mode; it has [SLOW, FAST]"))
+        .anyMatch(p -> p.contains("test_element pose.z: Pose has no such member or element"))
+        .anyMatch(p -> p.contains("test_element pose.path[2]: Pose has no such member or element"));
   }
 
   @Test

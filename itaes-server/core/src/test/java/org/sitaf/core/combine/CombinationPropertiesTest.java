@@ -23,7 +23,7 @@ class CombinationPropertiesTest {
     assertThat(CoveringCheck.findings(problem, array)).isEmpty();
   }
 
-  @Property(tries = 60)
+  @Property(tries = 25)
   void the_search_keeps_what_the_growth_has_covered(
       @ForAll("problems") CombinationProblem problem) {
     CoveringArray grown = combine(problem, Effort.FAST, 1);

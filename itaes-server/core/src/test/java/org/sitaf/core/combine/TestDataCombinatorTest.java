@@ -28,6 +28,10 @@ class TestDataCombinatorTest {
     "2^100, 2, 10",
     "10^2 4^1 3^2 2^7, 2, 100",
     "4^6, 3, 64",
+    "10^20, 2, 180",
+    "10^12, 2, 120",
+    "3^13, 3, 45",
+    "10^20, 3, 2420",
     "2^5, 4, 16",
     "5^3, 1, 5",
   })
@@ -137,6 +141,20 @@ class TestDataCombinatorTest {
     CoveringArray array = combine(problem, Effort.DEFAULT);
     assertThat(array.size()).isZero();
     assertThat(array.tuples().impossible()).isEqualTo(4 + 6 + 6);
+  }
+
+  @Test
+  void the_bound_counts_impossible_tuples_beyond_those_listed() {
+    CombinationProblem problem =
+        CombinationProblem.tWay(2, 40, 40, 2)
+            .withConstraints(
+                List.of(new Constraint(new int[] {0, 1}, v -> Math.abs(v[0] - v[1]) <= 3)));
+    CoveringArray array = combine(problem, Effort.DEFAULT);
+    assertThat(array.tuples().examples()).hasSize(1000);
+    assertThat(array.tuples().impossible()).isEqualTo(1600 - 268);
+    assertThat(array.size()).isEqualTo(268);
+    assertThat(array.optimal()).isTrue();
+    assertThat(CoveringCheck.findings(problem, array)).isEmpty();
   }
 
   @Test

@@ -123,6 +123,27 @@ class TestModelXmlTest {
   }
 
   @Test
+  void everyMisspeltElementIsToldHoweverManyThereAreAndHoweverManyWereToldBefore() {
+    String element =
+        """
+        <test_element abstract_type="NUMERIC" real_type="int">
+          <name>A%d</name><type>TDI</type><naem>x</naem>
+          <user_value_list><value>1</value></user_value_list>
+        </test_element>
+        """;
+    StringBuilder elements = new StringBuilder();
+    for (int i = 0; i < 25; i++) {
+      elements.append(element.formatted(i));
+    }
+    for (int reading = 0; reading < 3; reading++) {
+      assertThat(problems(model(elements.toString())))
+          .extracting(Diagnostic::element)
+          .hasSize(25)
+          .containsOnly("naem");
+    }
+  }
+
+  @Test
   void settingsMayStandAsElementsOrAsAttributes() {
     String element =
         """

@@ -38,7 +38,7 @@ import org.sitaf.core.verdict.TestResult;
  */
 public final class BuildRun {
   private static final System.Logger LOGGER = System.getLogger("org.sitaf.agent");
-  private static final Duration COMPILE_LIMIT = Duration.ofSeconds(120);
+  private static final Duration COMPILE_LIMIT = Duration.ofMinutes(2);
 
   private final TestApplication application;
   private final Path directory;

@@ -1,5 +1,6 @@
 package org.sitaf.agent.build;
 
+import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
@@ -57,7 +58,7 @@ class GeneratedApplicationTest {
         files.put(example.relativize(path).toString(), Files.readAllBytes(path));
       }
     }
-    changed.forEach((path, text) -> files.put(path, text.getBytes()));
+    changed.forEach((path, text) -> files.put(path, text.getBytes(UTF_8)));
     Activity activity = Activity.read(FileTree.of(files));
     TestModel model = activity.model("GetInfraredData").orElseThrow();
     return InterfaceTestApplicationGenerator.generate(

@@ -83,6 +83,15 @@ class AgentProcessTest {
   }
 
   @Test
+  void whatIsGivenLaterWinsOverTheDefaultsOfALauncher() throws Exception {
+    BufferedReader output =
+        start("--bridge-command", "python", "--bridge", "127.0.0.1:1", "--name", "other");
+
+    assertThat(output.readLine()).startsWith("registered other at ");
+    assertThat(errors()).content().doesNotContain("picocli", "verwrit");
+  }
+
+  @Test
   void aSettingThatIsWrongIsToldAndNothingIsStarted() throws Exception {
     BufferedReader output = start("--slots", "0");
 

@@ -1,5 +1,6 @@
 package org.sitaf.server.build.agent;
 
+import io.grpc.Status;
 import java.time.Clock;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
@@ -58,15 +59,22 @@ class Agents {
     if (winner != session) {
       return false;
     }
-    List<Toolchain> toolchains = toolchains(register);
+    try {
+      remember(session.name(), register);
+    } catch (RuntimeException e) {
+      sessions.remove(session.name(), session);
+      throw e;
+    }
+    return true;
+  }
+
+  private void remember(String name, Register register) {
     transaction.executeWithoutResult(
         status -> {
-          KnownAgent agent =
-              known.findById(session.name()).orElseGet(() -> new KnownAgent(session.name()));
-          agent.register(register.getVersion(), register.getSlots(), toolchains, now());
+          KnownAgent agent = known.findById(name).orElseGet(() -> new KnownAgent(name));
+          agent.register(register.getVersion(), register.getSlots(), toolchains(register), now());
           known.save(agent);
         });
-    return true;
   }
 
   /** The session's stream has ended. */
@@ -96,12 +104,23 @@ class Agents {
     for (AgentSession session : sessions.values()) {
       if (isSilent(session)) {
         session.close(
-            io.grpc.Status.UNAVAILABLE
+            Status.UNAVAILABLE
                 .withDescription("nothing was heard for a lease; register again")
                 .asRuntimeException());
         remove(session);
       }
     }
+  }
+
+  /** Ends all streams, because the server stops; agents dial again until it is back. */
+  void closeAll() {
+    connected()
+        .forEach(
+            session ->
+                session.close(
+                    Status.UNAVAILABLE
+                        .withDescription("the server stops; dial again")
+                        .asRuntimeException()));
   }
 
   Collection<AgentSession> connected() {

@@ -43,7 +43,7 @@ public class Dispatcher implements SmartLifecycle {
   /** Why a build of that language waits, for people. */
   public String whyWaiting(String language) {
     List<AgentSession> connected = List.copyOf(agents.connected());
-    long offline = agents.all().size() - connected.size();
+    int offline = agents.all().size() - connected.size();
     String others = offline <= 0 ? "" : "; " + agentsAre(offline, "offline");
     long able = connected.stream().filter(a -> a.offers(language)).count();
     if (connected.isEmpty()) {
@@ -122,6 +122,7 @@ public class Dispatcher implements SmartLifecycle {
   public void stop() {
     running = false;
     thread.shutdownNow();
+    agents.closeAll();
   }
 
   @Override

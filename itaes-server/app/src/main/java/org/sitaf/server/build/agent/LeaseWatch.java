@@ -62,7 +62,7 @@ class LeaseWatch implements SmartLifecycle {
   private void lookAgainAt(Instant when) {
     if (running) {
       long delayMs = Math.max(10, Duration.between(clock.instant(), when).toMillis() + 1);
-      timer.schedule(this::look, delayMs, TimeUnit.MILLISECONDS);
+      var unused = timer.schedule(this::look, delayMs, TimeUnit.MILLISECONDS);
     }
   }
 

@@ -54,6 +54,7 @@ public class BuildLogs {
    *
    * @param end where the log ends at present, in bytes
    */
+  @SuppressWarnings("ArrayRecordComponent") // Handed on once, never compared.
   public record Excerpt(byte[] bytes, long end) {}
 
   /**

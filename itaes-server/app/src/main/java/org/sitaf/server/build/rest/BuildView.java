@@ -125,6 +125,6 @@ record BuildView(
         waitingFor,
         build.failure().map(FailureView::of).orElse(null),
         build.counts().map(CountsView::of).orElse(null),
-        build.scheduleId().orElse(null));
+        build.reservation().map(Build.Reservation::scheduleId).orElse(null));
   }
 }

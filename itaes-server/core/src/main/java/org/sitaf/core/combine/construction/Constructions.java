@@ -1,8 +1,11 @@
 package org.sitaf.core.combine.construction;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import org.sitaf.core.combine.coverage.Dice;
+import org.sitaf.core.combine.search.Budget;
 
 /** Chooses a construction for columns with these levels. */
 public final class Constructions {
@@ -10,30 +13,105 @@ public final class Constructions {
   private static final long MAX_ROWS = 200_000;
 
   /** A construction with more rows than this many times the bound is no better than growth. */
-  private static final double NEAR = 1.3;
+  private static final double NEAR = 3;
+
+  private static final int MAX_VALUES = 16;
+  private static final double MAX_TUPLES = 20_000;
+
+  /** With a smaller share of columns that have all values, folding wastes too much. */
+  private static final double ALIKE = 0.75;
 
   private Constructions() {}
 
   /**
-   * An array of the strength, when one is known that comes near the product of the largest levels;
-   * rows may repeat, and a caller checks what they cover.
+   * An array of the strength that algebra gives at once, when one is known that comes near the
+   * product of the largest levels; rows may repeat, and a caller checks what they cover.
    *
    * @param levels of each column, at least 2
    */
-  public static Optional<List<int[]>> find(int strength, int[] levels) {
+  public static Optional<List<int[]>> atOnce(int strength, int[] levels) {
     int most = Arrays.stream(levels).max().orElse(0);
     if (strength < 2 || most > MAX_ORDER) {
       return Optional.empty();
     }
-    int order = GaloisField.orderFrom(most);
-    while (OrthogonalArray.columns(strength, order) < levels.length && order <= MAX_ORDER) {
+    double limit = Math.min(MAX_ROWS, NEAR * product(levels, strength));
+    Optional<int[][]> array = orthogonal(strength, most, levels.length, limit);
+    if (array.isEmpty() && strength == 3) {
+      array = doubled(most, levels.length, limit);
+    }
+    return array.map(rows -> fold(rows, levels));
+  }
+
+  private static Optional<int[][]> orthogonal(int strength, int values, int columns, double limit) {
+    int order = GaloisField.orderFrom(values);
+    while (OrthogonalArray.columns(strength, order) < columns && order <= MAX_ORDER) {
       order = GaloisField.orderFrom(order + 1);
     }
-    double rows = Math.pow(order, strength);
-    if (rows > MAX_ROWS || rows > NEAR * product(levels, strength)) {
+    return Math.pow(order, strength) > limit
+        ? Optional.empty()
+        : OrthogonalArray.of(strength, order, columns);
+  }
+
+  /**
+   * Twice the columns at strength three (M. Chateauneuf, D. Kreher, On the state of strength-three
+   * covering arrays, 2002): each row of an array of strength three beside itself, and each row of
+   * one of strength two beside itself shifted by every value but zero.
+   */
+  private static Optional<int[][]> doubled(int values, int columns, double limit) {
+    int half = (columns + 1) / 2;
+    Optional<int[][]> triples = orthogonal(3, values, half, limit);
+    Optional<int[][]> pairs = orthogonal(2, values, half, limit);
+    if (triples.isEmpty() || pairs.isEmpty()) {
       return Optional.empty();
     }
-    return OrthogonalArray.of(strength, order, levels.length).map(array -> fold(array, levels));
+    int[] halves = new int[half];
+    Arrays.fill(halves, values);
+    List<int[]> rows = new ArrayList<>();
+    for (int[] row : fold(triples.get(), halves)) {
+      rows.add(beside(row, 0, values, columns));
+    }
+    for (int[] row : fold(pairs.get(), halves)) {
+      for (int shift = 1; shift < values; shift++) {
+        rows.add(beside(row, shift, values, columns));
+      }
+    }
+    return rows.size() > limit ? Optional.empty() : Optional.of(rows.toArray(int[][]::new));
+  }
+
+  private static int[] beside(int[] row, int shift, int values, int columns) {
+    int[] whole = Arrays.copyOf(row, columns);
+    for (int c = row.length; c < columns; c++) {
+      whole[c] = (row[c - row.length] + shift) % values;
+    }
+    return whole;
+  }
+
+  /**
+   * What groups develop.
+   *
+   * @param array a complete array with fewer rows than asked for, if one was found
+   * @param nearMiss an array with fewer rows still which misses some tuples
+   */
+  public record Development(Optional<List<int[]>> array, Optional<List<int[]>> nearMiss) {}
+
+  /**
+   * Searches an array of the strength with fewer rows than {@code size}, developed from a group.
+   *
+   * @param levels of each column, at least 2; mostly alike, else there is no hope
+   */
+  public static Development developed(
+      int strength, int[] levels, int size, Dice dice, Budget budget) {
+    int most = Arrays.stream(levels).max().orElse(0);
+    long alike = Arrays.stream(levels).filter(n -> n == most).count();
+    boolean fits = strength >= 2 && most <= MAX_VALUES && Math.pow(most, strength) <= MAX_TUPLES;
+    if (!fits || levels.length <= strength || alike < ALIKE * levels.length) {
+      return new Development(Optional.empty(), Optional.empty());
+    }
+    Developed search = new Developed(strength, most, levels.length, dice);
+    int[][] rows = search.below(size, budget);
+    return new Development(
+        Optional.ofNullable(rows).map(array -> fold(array, levels)),
+        Optional.ofNullable(search.nearest()).map(array -> fold(array, levels)));
   }
 
   /** The product of the largest levels, which no array can go below. */

@@ -43,8 +43,16 @@ public interface Coverage {
    */
   void exclude(int[] columns, int[] values);
 
-  /** What one call of {@link #gain} or {@link #loss} costs, in word operations. */
+  /** What one call of {@link #gain} or {@link #loss} costs, in operations of about 1 ns. */
   int cost();
+
+  /** What one call of {@link #gains} costs, in the same operations. */
+  default int gainsCost(int levels) {
+    return levels * cost();
+  }
+
+  /** What one {@link #change} costs, in the same operations. */
+  int changeCost();
 
   /**
    * Values that stand together.

@@ -59,7 +59,7 @@ final class GeneralCoverage implements Coverage {
     }
     int most = Arrays.stream(symbols.levels).max().orElse(1);
     this.scratch = new int[most];
-    this.cost = widest / 2 + 2;
+    this.cost = widest + 4;
   }
 
   private int[] setsThrough(int column) {
@@ -293,5 +293,15 @@ final class GeneralCoverage implements Coverage {
   @Override
   public int cost() {
     return cost;
+  }
+
+  @Override
+  public int changeCost() {
+    return 4 * cost;
+  }
+
+  @Override
+  public int gainsCost(int levels) {
+    return cost + cost * levels / 8;
   }
 }

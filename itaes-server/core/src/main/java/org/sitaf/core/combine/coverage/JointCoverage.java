@@ -111,4 +111,13 @@ final class JointCoverage implements Coverage {
     }
     return sum;
   }
+
+  @Override
+  public int changeCost() {
+    int sum = 0;
+    for (Coverage part : parts) {
+      sum += part.changeCost();
+    }
+    return sum;
+  }
 }

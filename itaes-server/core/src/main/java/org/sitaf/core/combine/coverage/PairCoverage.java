@@ -194,6 +194,11 @@ final class PairCoverage implements Coverage {
 
   @Override
   public int cost() {
-    return words + 2;
+    return 2 * words + 4;
+  }
+
+  @Override
+  public int changeCost() {
+    return 8 * symbols.columns();
   }
 }

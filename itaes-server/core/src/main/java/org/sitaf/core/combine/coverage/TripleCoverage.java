@@ -244,6 +244,11 @@ final class TripleCoverage implements Coverage {
 
   @Override
   public int cost() {
-    return symbols.columns() * (words + 2) / 2;
+    return symbols.columns() * (words + 3);
+  }
+
+  @Override
+  public int changeCost() {
+    return 4 * symbols.columns() * symbols.columns();
   }
 }

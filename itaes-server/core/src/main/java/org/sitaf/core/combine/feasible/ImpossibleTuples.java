@@ -27,16 +27,32 @@ public final class ImpossibleTuples {
     this.coverage = coverage;
   }
 
+  /**
+   * What was found.
+   *
+   * @param report the tuples that are left, and those excluded
+   * @param bound the most tuples left in one set of columns: a row covers only one of them
+   */
+  public record Judgement(TupleReport report, int bound) {}
+
   /** Judges all tuples of these column sets. */
-  public static TupleReport exclude(
+  public static Judgement exclude(
       Symbols symbols, List<int[]> sets, Feasibility feasibility, Coverage coverage) {
     var judge = new ImpossibleTuples(symbols, feasibility, coverage);
-    if (!feasibility.rules().isEmpty()) {
-      for (int[] set : sets) {
+    long bound = 1;
+    for (int[] set : sets) {
+      long tuples = 1;
+      for (int column : set) {
+        tuples *= symbols.levels(column);
+      }
+      long before = judge.count;
+      if (!feasibility.rules().isEmpty()) {
         judge.judge(set);
       }
+      bound = Math.max(bound, tuples - (judge.count - before));
     }
-    return new TupleReport(coverage.required(), judge.count, judge.examples);
+    TupleReport report = new TupleReport(coverage.required(), judge.count, judge.examples);
+    return new Judgement(report, (int) bound);
   }
 
   private void judge(int[] set) {

@@ -174,7 +174,7 @@ public final class Greedy {
   private boolean chooseOpen(Row row, int column, Propagation propagation) {
     int[] out = gains[column];
     coverage.gains(row, column, out);
-    budget.spend((long) out.length * coverage.cost());
+    budget.spend(coverage.gainsCost(out.length));
     while (true) {
       int value = -1;
       int start = dice.below(out.length);
@@ -220,7 +220,7 @@ public final class Greedy {
   private int best(Row row, int column, boolean constrained) {
     int[] out = gains[column];
     coverage.gains(row, column, out);
-    budget.spend((long) out.length * coverage.cost());
+    budget.spend(coverage.gainsCost(out.length));
     int value = row.value(column);
     int most = value < 0 ? -1 : out[value];
     int start = dice.below(out.length);

@@ -18,6 +18,7 @@ import org.sitaf.core.combine.feasible.Feasibility;
  */
 public final class TupleForcing {
   private static final int TENURE = 3;
+  private static final int STEP_COST = 150;
   private static final int MAX_LOOSE_ROWS = 24;
 
   /** Of many rows, so many compete for being taken away. */
@@ -28,11 +29,11 @@ public final class TupleForcing {
   private final Feasibility feasibility;
   private final Greedy greedy;
   private final Dice dice;
-  private final Budget budget;
+  private Budget budget = new Budget(0);
   private final List<Row> rows;
   private final boolean constrained;
   private final int looseEvery;
-  private long step, loose;
+  private long step;
 
   /**
    * A search over complete rows that the coverage counts.
@@ -45,17 +46,15 @@ public final class TupleForcing {
       Feasibility feasibility,
       Greedy greedy,
       Dice dice,
-      Budget budget,
       List<Row> rows) {
     this.symbols = symbols;
     this.coverage = coverage;
     this.feasibility = feasibility;
     this.greedy = greedy;
     this.dice = dice;
-    this.budget = budget;
     this.rows = rows;
     this.constrained = !feasibility.rules().isEmpty();
-    this.looseEvery = Integer.getInteger("loose", constrained ? 50 : 1000);
+    this.looseEvery = constrained ? 50 : 1000;
     this.step = TENURE + 1;
   }
 
@@ -66,24 +65,20 @@ public final class TupleForcing {
   }
 
   /**
-   * Removes rows until there are no more than {@code enough}, or the budget is spent.
+   * Removes rows until there are no more than {@code enough}, or the budget is spent. The present
+   * rows may still miss tuples when they are fewer than those of the complete array; called again,
+   * it goes on where it was.
    *
+   * @param complete the smallest complete array so far
    * @return the smallest complete array found
    */
-  public List<int[]> shrink(int enough, Listener listener) {
-    List<int[]> best = snapshot();
-    while (best.size() > enough && !budget.spent() && removeOne()) {
+  public List<int[]> shrink(List<int[]> complete, int enough, Budget spent, Listener listener) {
+    budget = spent;
+    List<int[]> best = coverage.uncovered() == 0 ? snapshot() : complete;
+    while (best.size() > enough && !budget.spent() && (coverage.uncovered() > 0 || removeOne())) {
       long next = step + 256;
       while (coverage.uncovered() > 0 && !budget.spent()) {
         force(coverage.pick(dice));
-        if (step % 1000 == 0 && System.getProperty("dbg") != null)
-          System.err.println(
-              rows.size()
-                  + " open "
-                  + coverage.uncovered()
-                  + " e.g. "
-                  + java.util.Arrays.toString(coverage.pick(dice).columns())
-                  + loose);
         if (step >= next) {
           next = step + 256;
           listener.heard(best.size());
@@ -91,6 +86,7 @@ public final class TupleForcing {
       }
       if (coverage.uncovered() == 0) {
         best = snapshot();
+        budget.renew();
         listener.heard(best.size());
       }
     }
@@ -175,9 +171,8 @@ public final class TupleForcing {
         bestAt = at;
       }
     }
-    budget.spend(2L * evaluated * coverage.cost() + rows.size());
+    budget.spend(2L * evaluated * coverage.cost() + STEP_COST + 3L * rows.size());
     if (best == null) {
-      loose++;
       forceAnywhere(columns, values);
     } else {
       change(best, columns[bestAt], values[bestAt]);
@@ -201,7 +196,7 @@ public final class TupleForcing {
   private void change(Row row, int column, int value) {
     coverage.change(row, column, value);
     row.touch(column, step);
-    budget.spend(2L * symbols.columns());
+    budget.spend(coverage.changeCost());
   }
 
   /** Puts a tuple into the best of some rows, changing as many cells as that takes. */
@@ -218,6 +213,7 @@ public final class TupleForcing {
         continue;
       }
       tried++;
+      budget.spend((constrained ? 60L : 3L) * symbols.columns());
       int delta = 0;
       for (int c = 0; c < symbols.columns(); c++) {
         if (target.value(c) != row.value(c)) {

@@ -1,4 +1,4 @@
-package org.sitaf.core.description;
+package org.sitaf.core.description.opros;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -14,6 +14,11 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.Test;
+import org.sitaf.core.description.DataType;
+import org.sitaf.core.description.Direction;
+import org.sitaf.core.description.InterfaceDescription;
+import org.sitaf.core.description.Method;
+import org.sitaf.core.description.Parameter;
 import org.sitaf.core.diagnostic.Diagnostic;
 import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.diagnostic.InvalidInputException;

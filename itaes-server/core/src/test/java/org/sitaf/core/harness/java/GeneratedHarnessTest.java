@@ -222,6 +222,18 @@ class GeneratedHarnessTest {
   }
 
   @Test
+  void aPeriodicComponentIsNotTakenForAPassiveOne() {
+    Map<String, String> files = files();
+    assertThat(PROFILE).contains("component:\n");
+    files.put(
+        "activity.yaml",
+        PROFILE.replace("component:\n", "component:\n  execution: periodic\n  period_ms: 100\n"));
+    assertThatThrownBy(() -> generate(files))
+        .isInstanceOf(InvalidInputException.class)
+        .hasMessageContaining("component.execution");
+  }
+
+  @Test
   void anotherLanguageIsRefusedClearly() {
     Map<String, String> files = files();
     files.put("activity.yaml", PROFILE + "harness: python\n");

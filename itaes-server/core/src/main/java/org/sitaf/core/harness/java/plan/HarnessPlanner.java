@@ -73,6 +73,14 @@ public final class HarnessPlanner {
     String className = component.className().replace('$', '.');
     String simpleName = className.substring(className.lastIndexOf('.') + 1);
     className(className);
+    if (component.period() != null) {
+      diagnostics.error(
+          PROFILE,
+          0,
+          "component.execution",
+          "periodic components are not driven in Java tests yet; with execution: passive the method"
+              + " under test is called once a case");
+    }
     List<Argument> arguments = arguments(target);
     suiteParameters(method);
     World world = world();

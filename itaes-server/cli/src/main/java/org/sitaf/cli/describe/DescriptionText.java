@@ -1,0 +1,261 @@
+package org.sitaf.cli.describe;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.Deque;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.TreeSet;
+import java.util.function.UnaryOperator;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.sitaf.core.description.CallType;
+import org.sitaf.core.description.DataType;
+import org.sitaf.core.description.Direction;
+import org.sitaf.core.description.InterfaceDescription;
+import org.sitaf.core.description.Method;
+import org.sitaf.core.description.Parameter;
+import org.sitaf.core.description.source.ComponentDescription;
+import org.sitaf.core.description.source.ComponentDescription.Execution;
+import org.sitaf.core.description.source.ComponentDescription.Port;
+import org.sitaf.core.description.source.Described;
+
+/** A description as lines of text. The lines hold text of users as it is. */
+public final class DescriptionText {
+  private static final int WIDEST_COLUMN = 32;
+  private static final int MAX_LITERALS = 12;
+
+  private final Described described;
+  private final UnaryOperator<String> shownFile;
+  private final List<String> lines = new ArrayList<>();
+
+  private DescriptionText(Described described, UnaryOperator<String> shownFile) {
+    this.described = described;
+    this.shownFile = shownFile;
+  }
+
+  /**
+   * The lines of a description: components, interfaces, types.
+   *
+   * @param shownFile how the person knows a file
+   */
+  public static List<String> of(Described described, UnaryOperator<String> shownFile) {
+    DescriptionText text = new DescriptionText(described, shownFile);
+    text.write();
+    return List.copyOf(text.lines);
+  }
+
+  private void write() {
+    described.components().forEach(this::write);
+    Map<InterfaceDescription, Void> all = new LinkedHashMap<>();
+    described.provided().forEach(i -> all.put(i, null));
+    described.required().forEach(i -> all.put(i, null));
+    all.keySet().forEach(this::write);
+    writeTypes();
+  }
+
+  private void write(ComponentDescription component) {
+    heading("component", component.name() + " " + component.version(), component.source());
+    if (!component.description().isEmpty()) {
+      lines.add("  " + component.description());
+    }
+    List<String[]> rows = new ArrayList<>();
+    rows.add(new String[] {"execution", words(component.execution())});
+    for (ComponentDescription.Property property : component.properties()) {
+      String value =
+          property.defaultValue().filter(v -> !v.isEmpty()).map(v -> " = " + v).orElse("");
+      rows.add(
+          new String[] {"property", property.name() + " : " + property.type().spelling() + value});
+    }
+    component.ports().forEach(port -> rows.add(row(port, component.source())));
+    table(rows);
+    lines.add("");
+  }
+
+  private static String words(Execution execution) {
+    if (execution instanceof Execution.Periodic periodic) {
+      return "periodic, every " + periodic.period() + " ms";
+    }
+    if (execution instanceof Execution.Unstated unstated) {
+      return unstated.spelling().isEmpty() ? "not stated" : unstated.spelling();
+    }
+    return "passive";
+  }
+
+  private String[] row(Port port, String profile) {
+    if (port instanceof Port.Service service) {
+      String type =
+          service.interfaceName().equals(service.name()) ? "" : " : " + service.interfaceName();
+      String folder = profile.substring(0, profile.lastIndexOf('/') + 1);
+      String file =
+          service.file().isEmpty()
+              ? "missing"
+              : service.file().startsWith(folder)
+                  ? service.file().substring(folder.length())
+                  : shownFile.apply(service.file());
+      return new String[] {
+        service.provided() ? "provides" : "requires", service.name() + type + "  (" + file + ")"
+      };
+    }
+    if (port instanceof Port.Data data) {
+      return new String[] {
+        data.output() ? "data out" : "data in", data.name() + " : " + data.type().spelling()
+      };
+    }
+    Port.Event event = (Port.Event) port;
+    return new String[] {
+      event.output() ? "event out" : "event in", event.name() + " : " + event.type().spelling()
+    };
+  }
+
+  private void write(InterfaceDescription description) {
+    heading(
+        "interface", description.name() + "  (" + usage(description) + ")", description.source());
+    List<String[]> rows = new ArrayList<>();
+    for (Method method : description.methods()) {
+      rows.add(new String[] {method.returnType().spelling(), prototype(method)});
+    }
+    table(rows);
+    String unknown =
+        new TreeSet<>(
+                types(description)
+                    .filter(t -> t instanceof DataType.Unknown)
+                    .map(DataType::spelling)
+                    .toList())
+            .stream().collect(Collectors.joining(", "));
+    if (!unknown.isEmpty()) {
+      lines.add("  unknown types: " + unknown);
+    }
+    lines.add("");
+  }
+
+  /** Who offers and who calls it. */
+  private String usage(InterfaceDescription description) {
+    List<String> words = new ArrayList<>();
+    for (boolean provided : new boolean[] {true, false}) {
+      String components =
+          described.components().stream()
+              .filter(
+                  c ->
+                      c.ports().stream()
+                          .anyMatch(
+                              port ->
+                                  port instanceof Port.Service service
+                                      && service.provided() == provided
+                                      && service.interfaceName().equals(description.name())
+                                      && service.file().equals(description.source())))
+              .map(ComponentDescription::name)
+              .distinct()
+              .collect(Collectors.joining(", "));
+      if (!components.isEmpty()) {
+        words.add((provided ? "provided by " : "required by ") + components);
+      }
+    }
+    return words.isEmpty() ? "provided" : String.join("; ", words);
+  }
+
+  private static String prototype(Method method) {
+    String parameters =
+        method.parameters().stream()
+            .map(DescriptionText::spelling)
+            .collect(Collectors.joining(", ", "(", ")"));
+    return method.name()
+        + parameters
+        + (method.callType() == CallType.NONBLOCKING ? "  nonblocking" : "")
+        + (method.raises().isEmpty() ? "" : "  raises " + String.join(", ", method.raises()));
+  }
+
+  private static String spelling(Parameter parameter) {
+    String direction =
+        parameter.direction() == Direction.IN
+            ? ""
+            : parameter.direction().name().toLowerCase(Locale.ROOT) + " ";
+    return direction + parameter.type().spelling() + " " + parameter.name();
+  }
+
+  private void writeTypes() {
+    Map<String, DataType> named = new LinkedHashMap<>();
+    Stream<DataType> used =
+        Stream.of(described.provided(), described.required())
+            .flatMap(Collection::stream)
+            .flatMap(DescriptionText::types);
+    Stream.concat(parts(Stream.concat(described.types().stream(), ports())).stream(), used)
+        .filter(t -> t instanceof DataType.Struct || t instanceof DataType.Enumeration)
+        .forEach(type -> named.putIfAbsent(type.spelling(), type));
+    named.values().forEach(this::write);
+  }
+
+  private void write(DataType type) {
+    if (type instanceof DataType.Struct struct) {
+      lines.add("struct " + struct.name());
+      table(
+          struct.members().stream()
+              .map(m -> new String[] {m.type().spelling(), m.name()})
+              .toList());
+    } else if (type instanceof DataType.Enumeration enumeration) {
+      List<String> literals = enumeration.literals();
+      int more = literals.size() - MAX_LITERALS;
+      lines.add("enum " + enumeration.name());
+      lines.add(
+          "  "
+              + literals.stream().limit(MAX_LITERALS).collect(Collectors.joining(", "))
+              + (more > 0 ? " and " + more + " more" : ""));
+    }
+    lines.add("");
+  }
+
+  private Stream<DataType> ports() {
+    return described.components().stream()
+        .flatMap(c -> c.ports().stream())
+        .flatMap(
+            port -> {
+              if (port instanceof Port.Data data) {
+                return Stream.of(data.type());
+              }
+              return port instanceof Port.Event event ? Stream.of(event.type()) : Stream.of();
+            });
+  }
+
+  private static Stream<DataType> types(InterfaceDescription description) {
+    return parts(
+        description.methods().stream()
+            .flatMap(
+                m ->
+                    Stream.concat(
+                        Stream.of(m.returnType()), m.parameters().stream().map(Parameter::type))))
+        .stream();
+  }
+
+  /** Types and all that they are made of, each name once. */
+  private static Collection<DataType> parts(Stream<DataType> types) {
+    Map<String, DataType> parts = new LinkedHashMap<>();
+    Deque<DataType> open = new ArrayDeque<>(types.toList());
+    while (!open.isEmpty()) {
+      DataType type = open.poll();
+      if (parts.putIfAbsent(type.spelling(), type) == null) {
+        open.addAll(type.parts());
+      }
+    }
+    return parts.values();
+  }
+
+  private void heading(String kind, String name, String file) {
+    lines.add(kind + " " + name.strip() + "  " + shownFile.apply(file));
+  }
+
+  /** Two columns, the first as wide as it must be, within reason. */
+  private void table(List<String[]> rows) {
+    int width =
+        rows.stream()
+            .mapToInt(row -> row[0].length())
+            .filter(length -> length <= WIDEST_COLUMN)
+            .max()
+            .orElse(0);
+    for (String[] row : rows) {
+      lines.add("  " + row[0] + " ".repeat(Math.max(0, width - row[0].length())) + "  " + row[1]);
+    }
+  }
+}

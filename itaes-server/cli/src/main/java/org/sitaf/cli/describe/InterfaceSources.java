@@ -1,0 +1,204 @@
+package org.sitaf.cli.describe;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.LinkOption;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.Stream;
+import org.sitaf.core.activity.ActivityArchive;
+import org.sitaf.core.activity.FileTree;
+import org.sitaf.core.description.importer.InterfaceFiles;
+import org.sitaf.core.description.source.Described;
+import org.sitaf.core.description.source.SourceFiles;
+import org.sitaf.core.diagnostic.Diagnostic;
+import org.sitaf.core.diagnostic.InvalidInputException;
+
+/** Interface files on this machine, as a person names them: files, folders, zip archives. */
+public final class InterfaceSources {
+  private static final int MAX_FOLDERS = 20;
+  private static final int MAX_FILES = 10_000;
+
+  /** Folders of a ROS 2 package; types lie in the first. */
+  private static final Set<String> ROS_FOLDERS = Set.of("msg", "srv", "action");
+
+  private InterfaceSources() {}
+
+  /**
+   * What was understood.
+   *
+   * @param shown how the person knows each file
+   */
+  public record Source(Described described, Map<String, String> shown) {
+    public Source {
+      shown = Map.copyOf(shown);
+    }
+
+    /** How the person knows a file. */
+    public String show(String file) {
+      return shown.getOrDefault(file, file);
+    }
+
+    /** The diagnostics, with files as the person knows them. */
+    public List<Diagnostic> diagnostics() {
+      return described.diagnostics().stream()
+          .map(
+              d -> new Diagnostic(d.severity(), show(d.file()), d.line(), d.element(), d.message()))
+          .toList();
+    }
+  }
+
+  /**
+   * Reads all that is named. Single files are read together, so that one may use what another
+   * declares; a folder or an archive is read by itself.
+   *
+   * @throws InvalidInputException when something cannot be read at all
+   */
+  public static List<Source> read(List<Path> named) {
+    List<Path> single = new ArrayList<>();
+    List<Source> sources = new ArrayList<>();
+    for (Path path : named) {
+      if (Files.isDirectory(path)) {
+        sources.add(folder(path));
+      } else if (path.toString().endsWith(".zip")) {
+        sources.add(archive(path));
+      } else {
+        single.add(path);
+      }
+    }
+    if (!single.isEmpty()) {
+      sources.add(files(single));
+    }
+    return sources;
+  }
+
+  private static Source archive(Path path) {
+    try (InputStream in = Files.newInputStream(path)) {
+      FileTree tree = ActivityArchive.read(in, path.toString());
+      Map<String, byte[]> files = new HashMap<>();
+      Map<String, String> shown = new HashMap<>();
+      for (String file : tree.paths()) {
+        files.put(file, tree.content(file).orElseThrow());
+        shown.put(file, path + "/" + file);
+      }
+      String name = String.valueOf(path.getFileName()).replaceFirst("\\.zip$", "");
+      shown.put(name, path.toString());
+      return new Source(InterfaceFiles.readAll(name, files), shown);
+    } catch (IOException e) {
+      throw unreadable(path, e);
+    }
+  }
+
+  private static Source folder(Path folder) {
+    Map<String, byte[]> files = new HashMap<>();
+    Map<String, String> shown = new HashMap<>();
+    try (Stream<Path> all = Files.walk(folder, MAX_FOLDERS)) {
+      for (Path path : (Iterable<Path>) all::iterator) {
+        String name = folder.relativize(path).toString().replace('\\', '/');
+        if (name.startsWith(".") || name.contains("/.") || !isWanted(path)) {
+          continue;
+        }
+        if (files.size() >= MAX_FILES) {
+          throw InvalidInputException.of(
+              folder.toString(), "holds more than " + MAX_FILES + " interface files; name a part");
+        }
+        files.put(name, content(path));
+        shown.put(name, path.toString());
+      }
+    } catch (UncheckedIOException e) {
+      throw unreadable(folder, e.getCause());
+    } catch (IOException e) {
+      throw unreadable(folder, e);
+    }
+    String name = String.valueOf(folder.toAbsolutePath().normalize().getFileName());
+    shown.put(name, folder.toString());
+    return new Source(InterfaceFiles.readAll(name, files), shown);
+  }
+
+  /** Files by their absolute paths, with those beside them, where references and types may lead. */
+  private static Source files(List<Path> named) {
+    Map<String, byte[]> files = new HashMap<>();
+    Map<String, String> shown = new HashMap<>();
+    List<String> asked = new ArrayList<>();
+    for (Path path : named) {
+      if (!Files.exists(path)) {
+        throw InvalidInputException.of(path.toString(), "there is no such file");
+      }
+      String key = key(path);
+      files.put(key, content(path));
+      shown.put(key, path.toString());
+      asked.add(key);
+      for (Path other : beside(path)) {
+        if (!files.containsKey(key(other)) && isSmall(other)) {
+          files.put(key(other), content(other));
+          shown.put(key(other), other.toString());
+        }
+      }
+    }
+    return new Source(InterfaceFiles.read(SourceFiles.of("", files, asked)), shown);
+  }
+
+  private static List<Path> beside(Path path) {
+    Path folder = path.toAbsolutePath().normalize().getParent();
+    if (folder == null) {
+      return List.of();
+    }
+    List<Path> found = new ArrayList<>(wantedIn(folder));
+    if (ROS_FOLDERS.contains(String.valueOf(folder.getFileName()))) {
+      found.addAll(wantedIn(folder.resolveSibling("msg")));
+      found.addAll(wantedIn(folder.resolveSibling("package.xml")));
+    }
+    return found;
+  }
+
+  private static List<Path> wantedIn(Path folder) {
+    if (!Files.isDirectory(folder)) {
+      return isWanted(folder) ? List.of(folder) : List.of();
+    }
+    try (Stream<Path> all = Files.list(folder)) {
+      return all.filter(InterfaceSources::isWanted).sorted().limit(MAX_FILES).toList();
+    } catch (IOException e) {
+      throw unreadable(folder, e);
+    }
+  }
+
+  private static boolean isWanted(Path path) {
+    return InterfaceFiles.mayBe(path.toString())
+        && Files.isRegularFile(path, LinkOption.NOFOLLOW_LINKS);
+  }
+
+  private static boolean isSmall(Path path) {
+    try {
+      return Files.size(path) <= InterfaceFiles.MAX_SIZE;
+    } catch (IOException e) {
+      throw unreadable(path, e);
+    }
+  }
+
+  private static byte[] content(Path path) {
+    try {
+      if (!isSmall(path)) {
+        throw InvalidInputException.of(
+            path.toString(),
+            "is larger than " + (InterfaceFiles.MAX_SIZE >> 20) + " MiB; split it");
+      }
+      return Files.readAllBytes(path);
+    } catch (IOException e) {
+      throw unreadable(path, e);
+    }
+  }
+
+  private static String key(Path path) {
+    return path.toAbsolutePath().normalize().toString().replace('\\', '/');
+  }
+
+  private static InvalidInputException unreadable(Path path, IOException e) {
+    return InvalidInputException.of(path.toString(), "cannot be read: " + e.getMessage());
+  }
+}

@@ -1,0 +1,71 @@
+package org.sitaf.core.description;
+
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * Where a test element lies in a parameter: {@code pose}, a member of it {@code pose.x}, an element
+ * {@code path[0]}.
+ */
+public final class MemberPath {
+  private static final Pattern STEP = Pattern.compile("\\.([A-Za-z_]\\w*)|\\[(\\d{1,6})]");
+
+  private MemberPath() {}
+
+  /** The parameter that a name begins with. */
+  public static String root(String name) {
+    return name.split("[.\\[]", 2)[0];
+  }
+
+  /**
+   * The type that a name leads to.
+   *
+   * @param root type of the parameter that the name begins with
+   * @return empty where there is no such member or element; the root itself where it is unknown
+   *     what it holds
+   */
+  public static Optional<DataType> resolve(DataType root, String name) {
+    DataType type = root;
+    int at = root(name).length();
+    Matcher step = STEP.matcher(name);
+    while (at < name.length()) {
+      if (!step.find(at) || step.start() != at) {
+        return Optional.empty();
+      }
+      if (type instanceof DataType.Unknown) {
+        return Optional.of(type);
+      }
+      Optional<DataType> next =
+          step.group(1) != null
+              ? member(type, step.group(1))
+              : element(type, Integer.parseInt(step.group(2)));
+      if (next.isEmpty()) {
+        return Optional.empty();
+      }
+      type = next.get();
+      at = step.end();
+    }
+    return Optional.of(type);
+  }
+
+  private static Optional<DataType> member(DataType type, String name) {
+    return type instanceof DataType.Struct struct
+        ? struct.members().stream()
+            .filter(m -> m.name().equals(name))
+            .map(DataType.Member::type)
+            .findFirst()
+        : Optional.empty();
+  }
+
+  private static Optional<DataType> element(DataType type, int index) {
+    if (type instanceof DataType.Sequence sequence) {
+      return sequence.bound() == 0 || index < sequence.bound()
+          ? Optional.of(sequence.element())
+          : Optional.empty();
+    }
+    return type instanceof DataType.FixedArray array && index < array.length()
+        ? Optional.of(array.element())
+        : Optional.empty();
+  }
+}

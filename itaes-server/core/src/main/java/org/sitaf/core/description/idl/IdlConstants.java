@@ -1,0 +1,193 @@
+package org.sitaf.core.description.idl;
+
+import java.math.BigInteger;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalInt;
+import org.antlr.v4.runtime.ParserRuleContext;
+import org.antlr.v4.runtime.tree.ParseTree;
+import org.antlr.v4.runtime.tree.TerminalNode;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.description.idl.InterfaceDefinitionParser.ExpressionContext;
+import org.sitaf.core.description.idl.InterfaceDefinitionParser.PrimaryContext;
+import org.sitaf.core.description.idl.InterfaceDefinitionParser.UnaryContext;
+import org.sitaf.core.description.source.Findings;
+import org.sitaf.core.description.source.Place;
+
+/** Whole numbers that constants and bounds come to. */
+final class IdlConstants {
+  private static final int MAX_LENGTH = 1_000_000;
+  private static final int MAX_BITS = 128;
+  private static final int MAX_CHAIN = 40;
+
+  private final IdlScopes scopes;
+  private final Findings findings;
+  private final Map<String, Constant> constants = new HashMap<>();
+  private int chain;
+
+  IdlConstants(IdlScopes scopes, Findings findings) {
+    this.scopes = scopes;
+    this.findings = findings;
+  }
+
+  /**
+   * Makes a constant known.
+   *
+   * @return whether the name was free
+   */
+  boolean declare(String qualified, String scope, ExpressionContext expression) {
+    return constants.putIfAbsent(qualified, new Constant(scope, expression)) == null;
+  }
+
+  /** The length of an array or the bound of a sequence; what is none is reported. */
+  OptionalInt length(ExpressionContext expression, String scope, Place place) {
+    try {
+      BigInteger value = value(expression, scope);
+      if (value.signum() > 0 && value.compareTo(BigInteger.valueOf(MAX_LENGTH)) <= 0) {
+        return OptionalInt.of(value.intValueExact());
+      }
+      findings.error(place, "a length or bound is 1 to " + MAX_LENGTH + ", not " + value);
+    } catch (NoNumberException e) {
+      findings.error(place, String.valueOf(e.getMessage()));
+    }
+    return OptionalInt.empty();
+  }
+
+  private BigInteger named(
+      String name, String scope, InterfaceDefinitionParser.ScopedNameContext at)
+      throws NoNumberException {
+    Optional<String> qualified = scopes.find(at, scope, constants::containsKey);
+    if (qualified.isEmpty()) {
+      throw new NoNumberException("there is no constant '" + name + "'");
+    }
+    Constant constant = constants.get(qualified.get());
+    if (constant.value == null) {
+      if (constant.isOpen || chain >= MAX_CHAIN) {
+        throw new NoNumberException("the constant '" + name + "' is defined by way of itself");
+      }
+      constant.isOpen = true;
+      chain++;
+      try {
+        constant.value = value(constant.expression, constant.scope);
+      } finally {
+        chain--;
+        constant.isOpen = false;
+      }
+    }
+    return constant.value;
+  }
+
+  /** Every rule below {@code expression} is operands with operators between them. */
+  private BigInteger value(ParserRuleContext rule, String scope) throws NoNumberException {
+    if (rule instanceof UnaryContext unary) {
+      return unary(unary, scope);
+    }
+    List<ParseTree> children = rule.children;
+    BigInteger value = value((ParserRuleContext) children.get(0), scope);
+    StringBuilder operator = new StringBuilder();
+    for (ParseTree child : children.subList(1, children.size())) {
+      if (child instanceof TerminalNode) {
+        operator.append(child.getText());
+      } else {
+        value = apply(operator.toString(), value, value((ParserRuleContext) child, scope));
+        operator.setLength(0);
+      }
+    }
+    return value;
+  }
+
+  private BigInteger unary(UnaryContext unary, String scope) throws NoNumberException {
+    BigInteger value = primary(unary.primary(), scope);
+    for (int i = unary.getChildCount() - 2; i >= 0; i--) {
+      value =
+          switch (unary.getChild(i).getText()) {
+            case "-" -> value.negate();
+            case "~" -> value.not();
+            default -> value;
+          };
+    }
+    return value;
+  }
+
+  private BigInteger primary(PrimaryContext primary, String scope) throws NoNumberException {
+    if (primary.INTEGER() != null) {
+      return literal(primary.INTEGER().getText());
+    }
+    if (primary.expression() != null) {
+      return value(primary.expression(), scope);
+    }
+    if (primary.scopedName() != null) {
+      return named(primary.scopedName().getText(), scope, primary.scopedName());
+    }
+    throw new NoNumberException("'" + primary.getText() + "' is not a whole number");
+  }
+
+  private static BigInteger literal(String text) throws NoNumberException {
+    boolean hexadecimal = text.startsWith("0x") || text.startsWith("0X");
+    boolean octal = !hexadecimal && text.length() > 1 && text.startsWith("0");
+    String digits = hexadecimal ? text.substring(2) : text;
+    if (digits.length() > MAX_BITS / 3 || (octal && digits.matches(".*[89].*"))) {
+      throw new NoNumberException("'" + digits.substring(0, 1) + "...' is no usable number");
+    }
+    return new BigInteger(digits, hexadecimal ? 16 : octal ? 8 : 10);
+  }
+
+  private static BigInteger apply(String operator, BigInteger left, BigInteger right)
+      throws NoNumberException {
+    BigInteger result =
+        switch (operator) {
+          case "|" -> left.or(right);
+          case "^" -> left.xor(right);
+          case "&" -> left.and(right);
+          case "<<" -> left.shiftLeft(shift(right));
+          case ">>" -> left.shiftRight(shift(right));
+          case "+" -> left.add(right);
+          case "-" -> left.subtract(right);
+          case "*" -> left.multiply(right);
+          case "/" -> left.divide(divisor(right));
+          case "%" -> left.remainder(divisor(right));
+          default -> throw new NoNumberException("'" + operator + "' is no operator");
+        };
+    if (result.bitLength() > MAX_BITS) {
+      throw new NoNumberException("the constant is too large");
+    }
+    return result;
+  }
+
+  private static int shift(BigInteger by) throws NoNumberException {
+    if (by.signum() < 0 || by.bitLength() > 6) {
+      throw new NoNumberException("a shift is by 0 to 63 bits");
+    }
+    return by.intValueExact();
+  }
+
+  private static BigInteger divisor(BigInteger by) throws NoNumberException {
+    if (by.signum() == 0) {
+      throw new NoNumberException("division by zero");
+    }
+    return by;
+  }
+
+  private static final class Constant {
+    private final String scope;
+    private final ExpressionContext expression;
+    private @Nullable BigInteger value;
+    private boolean isOpen;
+
+    Constant(String scope, ExpressionContext expression) {
+      this.scope = scope;
+      this.expression = expression;
+    }
+  }
+
+  /** An expression does not come to a whole number. */
+  private static final class NoNumberException extends Exception {
+    private static final long serialVersionUID = 1L;
+
+    NoNumberException(String message) {
+      super(message);
+    }
+  }
+}

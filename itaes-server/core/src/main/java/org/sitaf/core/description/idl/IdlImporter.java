@@ -1,0 +1,162 @@
+package org.sitaf.core.description.idl;
+
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.antlr.v4.runtime.ParserRuleContext;
+import org.sitaf.core.description.InterfaceDescription;
+import org.sitaf.core.description.idl.InterfaceDefinitionParser.ConstantContext;
+import org.sitaf.core.description.idl.InterfaceDefinitionParser.DefinitionContext;
+import org.sitaf.core.description.idl.InterfaceDefinitionParser.ExportContext;
+import org.sitaf.core.description.idl.InterfaceDefinitionParser.InterfaceDeclarationContext;
+import org.sitaf.core.description.idl.InterfaceDefinitionParser.SpecificationContext;
+import org.sitaf.core.description.idl.InterfaceDefinitionParser.TypeDeclarationContext;
+import org.sitaf.core.description.source.Findings;
+import org.sitaf.core.description.source.Importer;
+import org.sitaf.core.description.source.Place;
+import org.sitaf.core.description.source.SourceFiles;
+import org.sitaf.core.diagnostic.Diagnostics;
+
+/**
+ * Reads OMG IDL. Lines of the preprocessor are passed over; what they would include is found among
+ * the files given.
+ */
+public final class IdlImporter implements Importer {
+  @Override
+  public boolean takes(String path) {
+    return path.endsWith(".idl");
+  }
+
+  @Override
+  public void read(SourceFiles files, Findings findings) {
+    new Reading(files, findings).read();
+  }
+
+  private static final class Reading {
+    private final SourceFiles files;
+    private final Findings findings;
+    private final IdlScopes scopes = new IdlScopes();
+    private final IdlConstants constants;
+    private final IdlTypes types;
+    private final Map<String, IdlInterfaces.Declared> interfaces = new LinkedHashMap<>();
+    private final Set<String> exceptions = new HashSet<>();
+
+    Reading(SourceFiles files, Findings findings) {
+      this.files = files;
+      this.findings = findings;
+      this.constants = new IdlConstants(scopes, findings);
+      this.types = new IdlTypes(scopes, constants, findings);
+    }
+
+    void read() {
+      // Asked files first: where something is declared twice, theirs counts.
+      files.asked().forEach(this::declare);
+      files.files().keySet().stream()
+          .filter(path -> path.endsWith(".idl") && !files.isAsked(path))
+          .forEach(this::declare);
+      IdlInterfaces reader = new IdlInterfaces(scopes, types, exceptions::contains, findings);
+      Map<String, Integer> simpleNames = new HashMap<>();
+      interfaces.keySet().forEach(name -> simpleNames.merge(simple(name), 1, Integer::sum));
+      for (IdlInterfaces.Declared declared : interfaces.values()) {
+        if (files.isAsked(declared.file())) {
+          String simple = simple(declared.qualified());
+          String name =
+              simpleNames.getOrDefault(simple, 1) == 1
+                  ? simple
+                  : declared.qualified().replace("::", "_");
+          Place place =
+              new Place(
+                  declared.file(),
+                  declared.body().getStart().getLine(),
+                  "interface " + declared.qualified());
+          InterfaceDescription description =
+              reader.describe(declared, interfaces, findings.identifier(name, place));
+          findings.checkDistinct(description);
+          findings.provides(description);
+        }
+      }
+      types.declaredIn(files::isAsked).forEach(findings::type);
+    }
+
+    private void declare(String path) {
+      Diagnostics problems = new Diagnostics();
+      Optional<SpecificationContext> tree = IdlSyntax.parse(files.text(path), path, problems);
+      if (files.isAsked(path)) {
+        findings.addAll(problems.all());
+      } else {
+        findings.aside(problems.all());
+      }
+      tree.ifPresent(specification -> declare(specification.definition(), "", path));
+    }
+
+    private void declare(List<DefinitionContext> definitions, String scope, String path) {
+      for (DefinitionContext definition : definitions) {
+        if (definition.module() != null) {
+          String name = IdlScopes.spelling(definition.module().name());
+          declare(definition.module().definition(), IdlScopes.inside(scope, name), path);
+        } else if (definition.interfaceDeclaration() != null) {
+          declare(definition.interfaceDeclaration(), scope, path);
+        } else if (definition.typeDeclaration() != null) {
+          declare(definition.typeDeclaration(), scope, path);
+        } else if (definition.constant() != null) {
+          declare(definition.constant(), scope, path);
+        } else if (definition.exception() != null) {
+          exceptions.add(
+              IdlScopes.inside(scope, IdlScopes.spelling(definition.exception().name())));
+        } else if (definition.other() != null && files.isAsked(path)) {
+          findings.warning(
+              place(path, definition.other(), definition.other().getStart().getText()),
+              "describes no interface, passed over");
+        }
+      }
+    }
+
+    private void declare(InterfaceDeclarationContext body, String scope, String path) {
+      String qualified = IdlScopes.inside(scope, IdlScopes.spelling(body.name()));
+      Place place = place(path, body, "interface " + qualified);
+      IdlInterfaces.Declared first =
+          interfaces.putIfAbsent(qualified, new IdlInterfaces.Declared(qualified, body, path));
+      if (first != null) {
+        if (files.isAsked(path)) {
+          findings.error(place, "is declared already in " + first.file());
+        }
+        return;
+      }
+      scopes.declareInterface(qualified, body.scopedName());
+      types.declareInterface(qualified, place);
+      for (ExportContext export : body.export()) {
+        if (export.typeDeclaration() != null) {
+          declare(export.typeDeclaration(), qualified, path);
+        } else if (export.constant() != null) {
+          declare(export.constant(), qualified, path);
+        } else if (export.exception() != null) {
+          exceptions.add(
+              IdlScopes.inside(qualified, IdlScopes.spelling(export.exception().name())));
+        }
+      }
+    }
+
+    private void declare(TypeDeclarationContext declaration, String scope, String path) {
+      types.declare(declaration, scope, place(path, declaration, ""), files.isAsked(path));
+    }
+
+    private void declare(ConstantContext constant, String scope, String path) {
+      String qualified = IdlScopes.inside(scope, IdlScopes.spelling(constant.name()));
+      if (!constants.declare(qualified, scope, constant.expression()) && files.isAsked(path)) {
+        findings.error(place(path, constant, "const " + qualified), "is declared already");
+      }
+    }
+
+    private static Place place(String path, ParserRuleContext context, String element) {
+      return new Place(path, context.getStart().getLine(), element);
+    }
+
+    private static String simple(String qualified) {
+      return qualified.substring(qualified.lastIndexOf(':') + 1);
+    }
+  }
+}

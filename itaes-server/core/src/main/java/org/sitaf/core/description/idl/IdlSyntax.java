@@ -1,0 +1,123 @@
+package org.sitaf.core.description.idl;
+
+import java.util.Optional;
+import org.antlr.v4.runtime.BaseErrorListener;
+import org.antlr.v4.runtime.CharStreams;
+import org.antlr.v4.runtime.CommonTokenStream;
+import org.antlr.v4.runtime.RecognitionException;
+import org.antlr.v4.runtime.Recognizer;
+import org.antlr.v4.runtime.Token;
+import org.antlr.v4.runtime.misc.ParseCancellationException;
+import org.sitaf.core.description.idl.InterfaceDefinitionParser.SpecificationContext;
+import org.sitaf.core.diagnostic.Diagnostics;
+
+/** Text in OMG IDL to its parse tree. */
+final class IdlSyntax {
+  /** Deepest nesting of brackets; the parser calls itself once for each. */
+  private static final int MAX_DEPTH = 40;
+
+  /**
+   * Greatest number of scopes of a name. The parser looks ahead to its end at each of them, so that
+   * its time would grow with the square.
+   */
+  private static final int MAX_SCOPES = 40;
+
+  /** After so many errors, the rest is not worth reading. */
+  private static final int MAX_ERRORS = 20;
+
+  private IdlSyntax() {}
+
+  /** The parse tree; empty where there are syntax errors, which go to the diagnostics. */
+  static Optional<SpecificationContext> parse(String text, String file, Diagnostics diagnostics) {
+    var lexer = new InterfaceDefinitionLexer(CharStreams.fromString(text, file));
+    lexer.removeErrorListeners();
+    var tokens = new CommonTokenStream(lexer);
+    tokens.fill();
+    if (!isShallow(tokens, file, diagnostics)) {
+      return Optional.empty();
+    }
+    var parser = new InterfaceDefinitionParser(tokens);
+    parser.removeErrorListeners();
+    parser.addErrorListener(new Reporter(file, diagnostics));
+    try {
+      SpecificationContext tree = parser.specification();
+      return parser.getNumberOfSyntaxErrors() == 0 ? Optional.of(tree) : Optional.empty();
+    } catch (ParseCancellationException e) {
+      return Optional.empty();
+    }
+  }
+
+  private static boolean isShallow(CommonTokenStream tokens, String file, Diagnostics diagnostics) {
+    int depth = 0;
+    int angles = 0;
+    int scopes = 0;
+    for (Token token : tokens.getTokens()) {
+      if (token.getText().equals("::")) {
+        scopes++;
+      } else if (token.getType() != InterfaceDefinitionLexer.IDENTIFIER) {
+        scopes = 0;
+      }
+      switch (token.getText()) {
+        case "{" -> {
+          depth++;
+          angles = 0;
+        }
+        case "(", "[" -> depth++;
+        case ")", "]" -> depth = Math.max(0, depth - 1);
+        case "}" -> {
+          depth = Math.max(0, depth - 1);
+          angles = 0;
+        }
+        // A shift is not closed, but ends with its statement.
+        case ";" -> angles = 0;
+        case "<" -> angles++;
+        case ">" -> angles = Math.max(0, angles - 1);
+        default -> {
+          // Everything else nests nothing.
+        }
+      }
+      if (depth + angles > MAX_DEPTH) {
+        diagnostics.error(
+            file, token.getLine(), "", "brackets nest deeper than " + MAX_DEPTH + " levels");
+        return false;
+      }
+      if (scopes > MAX_SCOPES) {
+        diagnostics.error(
+            file, token.getLine(), "", "a name has more than " + MAX_SCOPES + " scopes");
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private static final class Reporter extends BaseErrorListener {
+    private final String file;
+    private final Diagnostics diagnostics;
+    private int errors;
+
+    Reporter(String file, Diagnostics diagnostics) {
+      this.file = file;
+      this.diagnostics = diagnostics;
+    }
+
+    @Override
+    public void syntaxError(
+        Recognizer<?, ?> recognizer,
+        Object symbol,
+        int line,
+        int column,
+        String message,
+        RecognitionException cause) {
+      diagnostics.error(file, line, "", "column " + (column + 1) + ": " + shortened(message));
+      errors++;
+      if (errors >= MAX_ERRORS) {
+        diagnostics.error(file, line, "", "too many errors; the rest was not read");
+        throw new ParseCancellationException();
+      }
+    }
+
+    private static String shortened(String message) {
+      return message.length() <= 300 ? message : message.substring(0, 300) + "...";
+    }
+  }
+}

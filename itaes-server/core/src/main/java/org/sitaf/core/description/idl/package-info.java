@@ -1,0 +1,5 @@
+/** Interfaces in OMG IDL. */
+@NullMarked
+package org.sitaf.core.description.idl;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,112 @@
+package org.sitaf.core.description.opros;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.description.DataType;
+import org.sitaf.core.description.TypeGrammar;
+import org.sitaf.core.description.source.DeclaredTypes;
+import org.sitaf.core.description.source.Findings;
+import org.sitaf.core.description.source.Place;
+import org.sitaf.core.document.XmlDocuments;
+import org.sitaf.schemas.DataItemType;
+import org.sitaf.schemas.DataStructType;
+import org.sitaf.schemas.LocatedText;
+
+/** Types in C++ spelling, and the structs of {@code data_type} files that they may name. */
+final class OprosTypes {
+  private final Findings findings;
+  private final DeclaredTypes declared;
+
+  OprosTypes(Findings findings) {
+    this.findings = findings;
+    this.declared = new DeclaredTypes(findings);
+  }
+
+  /** Makes the structs of a file known. Of several of one name, the first counts. */
+  void declare(OprosDocument.DataTypes document) {
+    for (DataStructType struct : document.structs()) {
+      Place place = new Place(document.file(), XmlDocuments.line(struct), "struct");
+      String name = findings.identifier(struct.getName(), place);
+      Place named = new Place(place.file(), place.line(), "struct " + name);
+      if (!declared.declare(name, named, () -> body(name, struct, named))) {
+        String other = declared.place(name).map(Place::file).orElse("");
+        findings.warning(named, "is declared in " + other + " already; that one counts");
+      }
+    }
+  }
+
+  /** The structs of the files that fit. */
+  List<DataType> declaredIn(java.util.function.Predicate<String> file) {
+    return declared.declaredIn(file);
+  }
+
+  /** The type of a spelling; what nothing defines is kept by its name and reported. */
+  TypeGrammar.Spelled resolve(@Nullable LocatedText text, Place owner) {
+    String spelling = text(text);
+    Place place = text == null ? owner : at(owner, text);
+    if (spelling.isEmpty()) {
+      findings.error(place, "has no type");
+      return new TypeGrammar.Spelled(new DataType.Unknown(""), false);
+    }
+    return resolve(spelling, place);
+  }
+
+  /** The type of a spelling; what nothing defines is kept by its name and reported. */
+  TypeGrammar.Spelled resolve(String spelling, Place place) {
+    TypeGrammar.Spelled spelled = TypeGrammar.parse(spelling);
+    return new TypeGrammar.Spelled(known(spelled.type(), place), spelled.byReference());
+  }
+
+  private DataType known(DataType type, Place place) {
+    if (type instanceof DataType.Sequence sequence) {
+      return new DataType.Sequence(known(sequence.element(), place), sequence.bound());
+    }
+    if (type instanceof DataType.FixedArray array) {
+      return new DataType.FixedArray(known(array.element(), place), array.length());
+    }
+    if (type instanceof DataType.Unknown unknown) {
+      DataType found = declared.find(unknown.name()).orElse(unknown);
+      if (found instanceof DataType.Unknown) {
+        findings.unknownType(place, unknown.name(), declared.reason(unknown.name()));
+      }
+      return found;
+    }
+    return type;
+  }
+
+  private DataType body(String name, DataStructType struct, Place place) {
+    Set<String> names = new HashSet<>();
+    List<DataType.Member> members = new ArrayList<>();
+    if (struct.getItems().isEmpty()) {
+      findings.error(place, "has no <item>");
+    }
+    for (DataItemType item : struct.getItems()) {
+      int line = XmlDocuments.line(item);
+      String element = place.element() + "/item";
+      String itemName =
+          findings.identifier(item.getValue(), new Place(place.file(), line, element));
+      Place at = new Place(place.file(), line, element + " " + itemName);
+      if (!names.add(itemName)) {
+        findings.error(at, "two items have this name");
+      }
+      String spelling = item.getType() == null ? "" : item.getType();
+      if (spelling.isEmpty()) {
+        findings.error(at, "has no type");
+      }
+      members.add(new DataType.Member(itemName, resolve(spelling, at).type()));
+    }
+    return new DataType.Struct(name, members);
+  }
+
+  static String text(@Nullable LocatedText text) {
+    return text == null || text.getValue() == null ? "" : text.getValue();
+  }
+
+  static Place at(Place owner, LocatedText text) {
+    int line = XmlDocuments.line(text);
+    return line == 0 ? owner : new Place(owner.file(), line, owner.element());
+  }
+}

@@ -1,0 +1,5 @@
+/** Services of protobuf. */
+@NullMarked
+package org.sitaf.core.description.proto;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,5 @@
+/** Messages, services and actions of ROS 2. */
+@NullMarked
+package org.sitaf.core.description.ros;
+
+import org.jspecify.annotations.NullMarked;

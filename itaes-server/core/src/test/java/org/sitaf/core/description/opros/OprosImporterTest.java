@@ -1,0 +1,182 @@
+package org.sitaf.core.description.opros;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.charset.Charset;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.sitaf.core.description.InterfaceDescription;
+import org.sitaf.core.description.importer.InterfaceFiles;
+import org.sitaf.core.description.importer.InterfaceText;
+import org.sitaf.core.description.source.ComponentDescription;
+import org.sitaf.core.description.source.ComponentDescription.Execution;
+import org.sitaf.core.description.source.ComponentDescription.Port;
+import org.sitaf.core.description.source.Described;
+import org.sitaf.core.description.source.SourceFiles;
+
+class OprosImporterTest {
+  private static final String SERVICE =
+      """
+      <service_port_type>
+        <type_name>Drive</type_name>
+        <method name="Go" return_type="bool">
+          <param index="1"><name>to</name>
+            <type>Pose</type></param>
+        </method>
+      </service_port_type>
+      """;
+
+  private static final String TYPES =
+      """
+      <data_type><struct name="Pose">
+        <item type="double">x</item>
+        <item type="vector&lt;Point&gt;">path</item>
+      </struct></data_type>
+      """;
+
+  private static String component(String ports) {
+    return """
+        <component_profile>
+        <name>Mover</name>
+        <execution_semantics><type>periodic</type><period>50</period></execution_semantics>
+        <ports>
+        %s
+        </ports>
+        </component_profile>
+        """
+        .formatted(ports);
+  }
+
+  private static String service(String usage, String reference) {
+    return "<service_port><name>drive</name><type>Drive</type>\n<usage>"
+        + usage
+        + "</usage>\n<reference>"
+        + reference
+        + "</reference></service_port>";
+  }
+
+  @Test
+  void aProfileLeadsToItsInterfaceAndItsTypes() {
+    Described described =
+        InterfaceText.read(
+            Map.of(
+                "c/Mover.xml", component(service("provided", "Drive.xml")),
+                "c/Drive.xml", SERVICE,
+                "types/Pose.xml", TYPES),
+            "c/Mover.xml");
+    ComponentDescription component = described.components().get(0);
+    assertThat(component.execution()).isEqualTo(new Execution.Periodic(50));
+    assertThat(component.ports())
+        .containsExactly(new Port.Service("drive", "Drive", true, "c/Drive.xml"));
+    assertThat(described.provided())
+        .extracting(InterfaceDescription::name)
+        .containsExactly("Drive");
+    assertThat(InterfaceText.prototypes(described.provided().get(0)))
+        .containsExactly("boolean Go(IN Pose to)");
+    assertThat(InterfaceText.lines(described))
+        .containsExactly(
+            "types/Pose.xml:3: warning: struct Pose/item path: unknown type 'Point', kept by its"
+                + " name");
+  }
+
+  @Test
+  void whatIsOnlyRequiredIsNotProvided() {
+    Described described =
+        InterfaceText.readAll(
+            Map.of("Mover.xml", component(service("required", "Drive.xml")), "Drive.xml", SERVICE));
+    assertThat(described.provided()).isEmpty();
+    assertThat(described.required())
+        .extracting(InterfaceDescription::name)
+        .containsExactly("Drive");
+  }
+
+  @Test
+  void aDanglingReferenceIsToldWithItsLine() {
+    Described described =
+        InterfaceText.read("Mover.xml", component(service("provided", "Drive.xml")));
+    assertThat(InterfaceText.lines(described))
+        .containsExactly(
+            "Mover.xml:7: error: service_port drive: refers to 'Drive.xml', which is not among the"
+                + " files given; add it, or correct the reference");
+    assertThat(described.components()).hasSize(1);
+  }
+
+  @Test
+  void aReferenceToAFileWithAnotherInterfaceIsToldWithWhatIsThere() {
+    Described described =
+        InterfaceText.read(
+            Map.of(
+                "Mover.xml", component(service("provided", "Drive.xml")),
+                "Drive.xml", SERVICE.replace(">Drive<", ">Steer<")),
+            "Mover.xml");
+    assertThat(InterfaceText.lines(described))
+        .anyMatch(
+            l -> l.contains("'Drive.xml' holds no service_port_type Drive; it holds [Steer]"));
+  }
+
+  @Test
+  void everyProblemOfAProfileIsToldAtItsLine() {
+    Described described =
+        InterfaceText.read(
+            "Mover.xml",
+            """
+            <component_profile>
+            <name>Mover</name>
+            <execution_semantics><type>periodic</type>
+              <period>often</period></execution_semantics>
+            <ports>
+              <data_port><name>out</name>
+                <data_type>vector&lt;int</data_type>
+                <usage>sideways</usage></data_port>
+              <service_port><name>drive</name><usage>provided</usage></service_port>
+            </ports>
+            </component_profile>
+            """);
+    assertThat(InterfaceText.lines(described))
+        .containsExactly(
+            "Mover.xml:4: error: execution_semantics/period: must be a whole number of milliseconds"
+                + " above 0, not 'often'",
+            "Mover.xml:8: error: data_port out: usage must be output or input, not 'sideways'",
+            "Mover.xml:7: warning: data_port out: unknown type 'vector<int', kept by its name",
+            "Mover.xml:9: error: service_port drive: has no <type>, the type_name of its interface");
+  }
+
+  @Test
+  void theSignOfAPointerBeforeANameBelongsToTheType() {
+    Described described =
+        InterfaceText.read(
+            "Drive.xml", SERVICE.replace("<name>to", "<name>*to").replace("Pose", "double"));
+    assertThat(InterfaceText.prototypes(described.provided().get(0)))
+        .containsExactly("boolean Go(INOUT double to)");
+    assertThat(InterfaceText.lines(described))
+        .containsExactly(
+            "Drive.xml:4: warning: method Go/param to: '*' belongs to the type, and is read as part"
+                + " of it");
+  }
+
+  @Test
+  void aStructWithinItselfIsKeptByItsNameThere() {
+    Described described =
+        InterfaceText.readAll(
+            Map.of("Types.xml", TYPES.replace("Point", "Pose"), "Drive.xml", SERVICE));
+    assertThat(InterfaceText.lines(described))
+        .containsExactly(
+            "Types.xml:3: warning: struct Pose/item path: type 'Pose' is part of itself, kept by its"
+                + " name");
+    assertThat(described.types()).hasSize(1);
+  }
+
+  @Test
+  void theDeclaredEncodingCounts() {
+    byte[] profile =
+        ("<?xml version=\"1.0\" encoding=\"euc-kr\"?>"
+                + component("")
+                    .replace("<name>Mover", "<description>이동 로봇</description><name>Mover"))
+            .getBytes(Charset.forName("euc-kr"));
+    Described described =
+        InterfaceFiles.read(
+            SourceFiles.of("test", Map.of("Mover.xml", profile), List.of("Mover.xml")));
+    assertThat(described.components().get(0).description()).isEqualTo("이동 로봇");
+  }
+}
