@@ -321,23 +321,31 @@ def robot_world(client, worlds, name):
 
 def test_an_arm_grasps_a_block_and_feels_its_weight(client, worlds):
     with robot_world(client, worlds, "arm") as arm:
-        def move(width, *joints, seconds=2.0):
-            commands = [pb.DeviceCommand(device=f"motor{i}", joint=pb.JointCommand(position=q)) for i, q in enumerate(joints, 1)]
+        pose = (0, 0.1, 0, -2.2, 0, 2.3, 0.785)
+
+        def move(width, seconds):
+            joints = enumerate(pose, 1)
+            commands = [pb.DeviceCommand(device=f"motor{i}", joint=pb.JointCommand(position=q)) for i, q in joints]
             commands.append(pb.DeviceCommand(device="gripper", gripper=pb.GripperCommand(width_m=width)))
             return {o.name: o.value for o in arm.step(round(seconds * 500), commands=commands).observations}
 
-        above = (0, 0.1, 0, -2.2, 0, 2.3, 0.785)
-        move(0.08, *above)
-        grasp = arm.read("grasp").position
+        def weight():
+            force = arm.read("wrist").force
+            return math.hypot(force.x, force.y, force.z)
+
+        arm.prepare(BlockMass=0.3)
+        move(0.08, 3)
         positions = [arm.read(f"encoder{i}").position for i in range(1, 8)]
-        assert positions == pytest.approx(above, abs=0.05)
-        # Put the block between the fingers, close, and lift.
-        place = pb.EntityState(pose=pb.Pose(position=grasp, orientation=pb.Quaternion(w=1)), twist=pb.Twist(linear=pb.Vector3()))
-        arm("SetEntityState", entity="block", state=place)
-        held = move(0.0, *above, seconds=1.0)
-        width = arm.read("gripper").width_m
-        assert 0.02 < width < 0.06
-        assert held["block_z"] == pytest.approx(grasp.z, abs=0.05)
+        assert positions == pytest.approx(pose, abs=0.05)
+        empty = weight()
+        # Put the block between the open fingers, and close them.
+        place = arm.read("grasp")
+        arm("SetEntityState", entity="block", state=pb.EntityState(pose=place, twist=pb.Twist(linear=pb.Vector3())))
+        held = move(0.0, 2)
+        # The fingers' collision shapes stand in from where the width is measured.
+        assert 0.02 < arm.read("gripper").width_m < 0.05
+        assert held["block_z"] == pytest.approx(place.position.z, abs=0.02)
+        assert weight() - empty == pytest.approx(0.3 * G, abs=0.15)
 
 
 def test_a_quadruped_stands_and_its_imu_reads_gravity(client, worlds):
