@@ -55,12 +55,6 @@ def source(path):
     return pb.WorldSource(description=world.description, files=dict(world.files))
 
 
-def resident_kib(pid):
-    """Memory of a process that is its own."""
-    lines = Path(f"/proc/{pid}/smaps_rollup").read_text().splitlines()
-    return sum(int(line.split()[1]) for line in lines if line.startswith("Private_"))
-
-
 def plain_ir():
     """Set, step, forward and read of the infrared world, without anything around it: model, data and a step."""
     model = mujoco.MjModel.from_xml_path(str(IR.with_name("ir.xml")))
@@ -130,19 +124,13 @@ def stepped(control):
     yield Row(f"bulk: cases of {STEPS} steps", rates[0], "cases/s", ">= 0.8 x", ratio >= 0.8, f"{ratio:.2f} x {rates[1]:,.0f}")
 
 
-def sessions(control, pid):
-    world = source(IR)
-    control.CreateSession(pb.CreateSessionRequest(world=world, seed=1))
-    before = resident_kib(pid)
-    for seed in range(SESSIONS):
-        control.CreateSession(pb.CreateSessionRequest(world=world, seed=seed))
-    grown = (resident_kib(pid) - before) / SESSIONS
+def sessions():
+    """The simulations themselves, without the wire."""
     loaded = Catalog().world(read_world(IR))
     mine = [Simulation(loaded, seed) for seed in range(SESSIONS)]
     models = len({id(simulation._model) for simulation in mine})
     yield Row(f"{SESSIONS} sessions: compiled models", models, "", "1", models == 1, "")
     data = mujoco.MjData(loaded.model)
-    yield Row("a session's memory", grown, "KiB", "", True, f"MjData: {(data.nbuffer + data.narena) / 1024:.0f} KiB of addresses")
     reset = timed(lambda: [mine[0].reset(ResetScope.ALL) for _ in range(100)]) * 1e4
 
     def plain():
@@ -192,7 +180,7 @@ def main():
                 control = pb_grpc.SimulationControlStub(channel)
                 hardware = pb_grpc.VirtualHardwareStub(channel)
                 print(f"{'':34}{'measured':>14} {'':9}{'target':>11}   plain in-process MuJoCo")
-                for rows_of in (calls(target, control), stepped(control), sessions(control, process.pid), cameras(control, hardware)):
+                for rows_of in (calls(target, control), stepped(control), sessions(), cameras(control, hardware)):
                     for row in rows_of:
                         rows.append(row)
                         mark = "" if row.held else "  SHORT"
