@@ -1,8 +1,13 @@
 """The paper's evaluation, end to end on the whole system."""
 
+import json
 import re
+import signal
 import subprocess
+import tempfile
+import urllib.request
 import xml.etree.ElementTree as ElementTree
+from pathlib import Path
 
 import pytest
 
@@ -47,4 +52,28 @@ def test_the_result_document_lies_where_the_demo_says(demo, sitaf):
 
 def test_nothing_that_the_demo_started_is_left(demo):
     processes = subprocess.run(["ps", "-eo", "args"], capture_output=True, text=True, check=True)
+    assert "sitaf-demo-" not in processes.stdout
+
+
+def test_a_kept_demo_shows_the_portal_and_goes_without_a_trace_when_it_is_stopped(sitaf):
+    before = set(Path(tempfile.gettempdir()).glob("sitaf-demo-*"))
+    kept = subprocess.Popen([sitaf.root / "sitaf", "demo", "--keep"], stdout=subprocess.PIPE, text=True)
+    try:
+        address = next(
+            found.group(1) for line in kept.stdout if (found := re.search(r"The portal is at (http://\S+)", line))
+        )
+        with urllib.request.urlopen(address) as page:
+            html = page.read().decode()
+        script = re.search(r'<script[^>]* src="([^"]+)"', html).group(1)
+        with urllib.request.urlopen(address + script) as loaded:
+            assert "javascript" in loaded.headers["Content-Type"]
+        with urllib.request.urlopen(address + "/api/v1/builds") as builds:
+            states = [build["state"] for build in json.load(builds)["items"]]
+        assert states == ["DONE", "DONE"]
+    finally:
+        kept.send_signal(signal.SIGINT)
+        assert kept.wait(timeout=30) in (0, 130)
+    assert set(Path(tempfile.gettempdir()).glob("sitaf-demo-*")) == before
+    processes = subprocess.run(["ps", "-eo", "args"], capture_output=True, text=True, check=True)
+    assert address.rsplit(":", 1)[1] not in processes.stdout
     assert "sitaf-demo-" not in processes.stdout

@@ -35,7 +35,7 @@ def test_the_faulty_sensor_fails_exactly_the_cases_that_the_fault_touches(sitaf,
 def test_a_component_that_does_not_compile_is_told_with_file_and_line(sitaf, activity):
     source = next(activity.glob("component/**/InfraredSensor.java"))
     lines = source.read_text().splitlines()
-    at = next(i for i, line in enumerate(lines) if "return" in line)
+    at = next(i for i, line in enumerate(lines) if line.strip().startswith("return "))
     lines[at] = "    return nonsense;"
     source.write_text("\n".join(lines))
     run = sitaf("run", activity)

@@ -27,7 +27,7 @@ if $fast; then
   mvn -B -ntp -q verify -DexcludedGroups=slow -Dsitaf.bridge.python="$python"
   exit 0
 fi
-mvn -B -ntp verify -Dsitaf.bridge.python="$python" | grep -vE '^\[INFO\] *$|Download(ing|ed)'
+mvn -B -ntp verify -Dsitaf.bridge.python="$python" | grep -vE '^\[INFO\] *$|Download(ing|ed)|Overwriting|already exists in destination|Copying .*\.jar'
 
 section "End to end: the launcher as a person uses it"
 cd "$home/tests"

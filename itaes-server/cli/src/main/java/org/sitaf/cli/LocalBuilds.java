@@ -6,7 +6,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Comparator;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.build.BuildListener;
 import org.sitaf.agent.build.BuildOutcome;
 import org.sitaf.agent.build.BuildRun;
@@ -26,6 +28,8 @@ final class LocalBuilds implements AutoCloseable {
   private final Path directory;
   private final BuildSettings settings;
   private final AtomicInteger count = new AtomicInteger();
+  private final AtomicReference<@Nullable BuildRun> current = new AtomicReference<>();
+  private final OnExit onExit = new OnExit(this::cancel);
 
   LocalBuilds(Installation installation) throws IOException {
     directory = Files.createTempDirectory("sitaf-run-");
@@ -51,33 +55,33 @@ final class LocalBuilds implements AutoCloseable {
               directory.resolve("build-" + count.incrementAndGet()),
               settings,
               new Steps(model.name(), suite.cases().size(), progress));
-      Thread onExit = new Thread(() -> run.cancel("the command was stopped"));
-      Runtime.getRuntime().addShutdownHook(onExit);
-      try {
-        return run.run();
-      } finally {
-        removeHook(onExit);
-      }
+      current.set(run);
+      return run.run();
+    }
+  }
+
+  private void cancel() {
+    BuildRun run = current.get();
+    if (run != null) {
+      run.cancel("the command was stopped");
     }
   }
 
   @Override
   public void close() {
-    settings.simulator().close();
+    try (onExit) {
+      settings.simulator().close();
+      delete();
+    }
+  }
+
+  private void delete() {
     try (Stream<Path> files = Files.walk(directory)) {
       for (Path path : files.sorted(Comparator.reverseOrder()).toList()) {
         Files.delete(path);
       }
     } catch (IOException e) {
       throw new UncheckedIOException("left behind: " + directory, e);
-    }
-  }
-
-  private static void removeHook(Thread hook) {
-    try {
-      Runtime.getRuntime().removeShutdownHook(hook);
-    } catch (IllegalStateException e) {
-      // The process is ending, and the hook with it.
     }
   }
 

@@ -26,6 +26,9 @@ import picocli.CommandLine.ExitCode;
       UpCommand.class
     })
 public final class Sitaf {
+  /** Stopped from outside, as shells have it for SIGINT. */
+  private static final int STOPPED = 130;
+
   /** The input cannot be used, or nothing ran. */
   static final int UNUSABLE = 2;
 
@@ -40,6 +43,9 @@ public final class Sitaf {
     return new CommandLine(new Sitaf())
         .setExecutionExceptionHandler(
             (failure, command, parsed) -> {
+              if (failure instanceof InterruptedException) {
+                return STOPPED;
+              }
               report(failure, command.getErr());
               return UNUSABLE;
             })

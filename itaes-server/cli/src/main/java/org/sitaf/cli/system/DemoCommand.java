@@ -12,6 +12,7 @@ import java.util.concurrent.Callable;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.cli.Installation;
+import org.sitaf.cli.OnExit;
 import org.sitaf.cli.ProgressLine;
 import org.sitaf.cli.ResultTable;
 import org.sitaf.cli.UserFiles;
@@ -45,21 +46,19 @@ public final class DemoCommand implements Callable<Integer> {
     PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
     Installation installation = Installation.current();
     Path directory = Files.createTempDirectory("sitaf-demo-");
-    try (ProgressLine progress = new ProgressLine(System.err);
-        LocalSystem system = LocalSystem.start(installation, directory, 0, 0, progress)) {
-      Thread onExit = new Thread(system::close);
-      Runtime.getRuntime().addShutdownHook(onExit);
-      int exitCode = evaluate(installation, system, progress, out);
-      progress.close();
-      if (keep) {
-        out.println("The portal is at " + system.address() + " until you press Ctrl-C.");
-        out.flush();
-        system.await();
+    try (OnExit onExit = new OnExit(Thread.currentThread()::interrupt)) {
+      try (ProgressLine progress = new ProgressLine(System.err);
+          LocalSystem system = LocalSystem.start(installation, directory, 0, 0, progress)) {
+        int exitCode = evaluate(installation, system, progress, out);
+        if (keep) {
+          out.println("The portal is at " + system.address() + " until you press Ctrl-C.");
+          out.flush();
+          system.await();
+        }
+        return exitCode;
+      } finally {
+        delete(directory);
       }
-      Runtime.getRuntime().removeShutdownHook(onExit);
-      return exitCode;
-    } finally {
-      delete(directory);
     }
   }
 

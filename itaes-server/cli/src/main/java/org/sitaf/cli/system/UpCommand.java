@@ -7,6 +7,7 @@ import java.util.Objects;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.cli.Installation;
+import org.sitaf.cli.OnExit;
 import org.sitaf.cli.ProgressLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -43,9 +44,9 @@ public final class UpCommand implements Callable<Integer> {
     PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
     Installation installation = Installation.current();
     Path directory = data == null ? installation.state().resolve("data") : data.toAbsolutePath();
-    try (ProgressLine progress = new ProgressLine(System.err);
+    try (OnExit onExit = new OnExit(Thread.currentThread()::interrupt);
+        ProgressLine progress = new ProgressLine(System.err);
         LocalSystem system = LocalSystem.start(installation, directory, port, grpcPort, progress)) {
-      Runtime.getRuntime().addShutdownHook(new Thread(system::close));
       progress.close();
       out.println("The portal is at " + system.address() + " until you press Ctrl-C.");
       out.flush();
