@@ -28,6 +28,22 @@ class LimitReached(BridgeError):
     """A limit of the bridge was reached; the text names the limit."""
 
 
+class NotNow(BridgeError):
+    """The request does not fit the state of the session."""
+
+
+class Unavailable(NotNow):
+    """This machine lacks what the request needs."""
+
+
+class TimeWentBack(BridgeError):
+    """Simulation time was put back while a caller waited for it."""
+
+
+class NotAllowed(BridgeError):
+    """The caller has not shown the token."""
+
+
 class Cancelled(BridgeError):
     """The caller went away while its request was carried out; nothing has changed."""
 

@@ -23,5 +23,16 @@ class mjtObj:
     mjOBJ_JOINT: mjtObj
     mjOBJ_SENSOR: mjtObj
     mjOBJ_SITE: mjtObj
+    mjOBJ_ACTUATOR: mjtObj
+    mjOBJ_CAMERA: mjtObj
+    mjOBJ_LIGHT: mjtObj
+    mjOBJ_XBODY: mjtObj
+
+class MjSpec:
+    assets: dict[str, bytes]
+    nuserdata: int
+    def __getattr__(self, name: str) -> Any: ...
+    @staticmethod
+    def from_string(xml: str, include: dict[str, bytes] | None = None, assets: dict[str, bytes] | None = None) -> MjSpec: ...
 
 def __getattr__(name: str) -> Any: ...

@@ -1,11 +1,17 @@
-"""Where the bridge may listen: on this machine only."""
+"""Where the bridge may listen: on this machine, or beyond it with TLS and a token."""
 
+import hmac
 import ipaddress
 import re
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
+
+import grpc
 
 UNIX_PATH_LIMIT = 107
+SHORTEST_TOKEN = 16
 
 
 class BadAddress(ValueError):
@@ -24,8 +30,66 @@ class Address:
         return self.target if self.is_unix else f"{self.target.rsplit(':', 1)[0]}:{port}"
 
 
-def parse_address(text: str) -> Address:
-    """`HOST:PORT` with a loopback host, `[::1]:PORT`, or `unix:PATH`. Raises BadAddress."""
+@dataclass(frozen=True)
+class Guard:
+    """PEM certificate chain and key of the server, and the token that every call must bring."""
+
+    certificate: bytes
+    key: bytes
+    token: str
+
+    def credentials(self) -> grpc.ServerCredentials:
+        """TLS for the server's port."""
+        return grpc.ssl_server_credentials([(self.key, self.certificate)])
+
+
+def read_guard(certificate: Path | None, key: Path | None, token: Path | None) -> Guard | None:
+    """The guard that three files make; None where none is named. Raises BadAddress."""
+    if certificate is None and key is None and token is None:
+        return None
+    if certificate is None or key is None or token is None:
+        raise BadAddress("--tls-cert, --tls-key and --token-file go together: name all three, or none")
+    try:
+        secret = token.read_text("utf-8").strip()
+        guard = Guard(certificate.read_bytes(), key.read_bytes(), secret)
+    except (OSError, UnicodeDecodeError) as error:
+        raise BadAddress(f"cannot read what guards the bridge: {error}") from error
+    if len(secret) < SHORTEST_TOKEN or not secret.isascii() or not secret.isprintable():
+        raise BadAddress(f"{token}: the token must have at least {SHORTEST_TOKEN} printable ASCII characters")
+    return guard
+
+
+class TokenCheck(grpc.ServerInterceptor):
+    """Refuses calls without the token, before anything of them is looked at."""
+
+    def __init__(self, token: str) -> None:
+        self._expected = f"Bearer {token}".encode()
+
+    def intercept_service(
+        self,
+        continuation: Callable[[grpc.HandlerCallDetails], grpc.RpcMethodHandler | None],
+        handler_call_details: grpc.HandlerCallDetails,
+    ) -> grpc.RpcMethodHandler | None:
+        """Let through, or refuse with UNAUTHENTICATED."""
+        shown = dict(handler_call_details.invocation_metadata or ()).get("authorization", "")
+        given = shown if isinstance(shown, bytes) else shown.encode()
+        if hmac.compare_digest(given, self._expected):
+            return continuation(handler_call_details)
+        handler = continuation(handler_call_details)
+        refuse: Any = _refuse_stream if handler is not None and handler.request_streaming else _refuse
+        return refuse
+
+
+def _abort(_request: Any, context: grpc.ServicerContext) -> Any:
+    context.abort(grpc.StatusCode.UNAUTHENTICATED, "the token is missing: metadata `authorization: Bearer TOKEN`")
+
+
+_refuse = grpc.unary_unary_rpc_method_handler(_abort)
+_refuse_stream = grpc.stream_stream_rpc_method_handler(_abort)
+
+
+def parse_address(text: str, guard: Guard | None = None) -> Address:
+    """`HOST:PORT`, `[::1]:PORT`, or `unix:PATH`; without a guard on loopback only. Raises BadAddress."""
     if text.startswith("unix:"):
         path = text.removeprefix("unix:")
         if path.startswith("//"):
@@ -44,9 +108,9 @@ def parse_address(text: str) -> Address:
         loopback = ipaddress.ip_address(host.strip("[]")).is_loopback
     except ValueError:
         loopback = False
-    if not loopback:
+    if not loopback and guard is None:
         raise BadAddress(
-            f"{text}: the bridge listens on loopback (127.0.0.1, [::1]) and Unix sockets only: "
-            "a simulator that other machines reach would need TLS and a token, which it does not have yet"
+            f"{text}: beyond loopback (127.0.0.1, [::1]) and Unix sockets it listens only with TLS and a token: "
+            "add --tls-cert, --tls-key and --token-file"
         )
     return Address(f"{host}:{match['port']}", is_unix=False)

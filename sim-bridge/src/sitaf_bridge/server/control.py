@@ -1,19 +1,40 @@
 """The service SimulationControl."""
 
+from collections.abc import Callable, Iterator
+from typing import Any
+
 import grpc
 
 from sitaf_bridge import __version__
-from sitaf_bridge.server.status import answering
-from sitaf_bridge.server.wire import duration, scope_of, seconds_of, source_of, state_message, world_message
+from sitaf_bridge.errors import BridgeError, InvalidRequest, NotNow
+from sitaf_bridge.server.many import prepare_many_response
+from sitaf_bridge.server.operations import OPERATIONS, operate, replay
+from sitaf_bridge.server.status import answering, code_of, message_of
+from sitaf_bridge.server.wire import duration, seconds_of, source_of, state_message, world_message
+from sitaf_bridge.session.recording import Recorder
 from sitaf_bridge.session.registry import Registry
 from sitaf_bridge.wire import simulation_pb2 as pb
 from sitaf_bridge.wire import simulation_pb2_grpc as pb_grpc
 from sitaf_bridge.world.catalog import Catalog
 from sitaf_bridge.world.engine import DEVICE_KINDS, ENGINE, ENGINE_VERSION
+from sitaf_bridge.world.state import ResetScope
+
+# The parts of OperateRequest, and the rpc that each stands for.
+STREAMED = {
+    "set_parameters": "SetParameters",
+    "reset": "ResetSimulation",
+    "step": "StepSimulation",
+    "prepare": "Prepare",
+    "read": "ReadDevices",
+    "write": "WriteDevices",
+}
 
 
 class SimulationControl(pb_grpc.SimulationControlServicer):
-    """Sets the virtual environment; what each method promises stands in simulation.proto."""
+    """Sets the virtual environment; what each method promises stands in simulation.proto.
+
+    The methods that only carry out an operation in a session are added below.
+    """
 
     def __init__(self, catalog: Catalog, registry: Registry) -> None:
         self._catalog = catalog
@@ -70,42 +91,93 @@ class SimulationControl(pb_grpc.SimulationControlServicer):
         return pb.DeleteSessionResponse()
 
     @answering
-    def GetParameters(
-        self, request: pb.GetParametersRequest, context: grpc.ServicerContext
-    ) -> pb.GetParametersResponse:
-        """Read parameters as last set."""
-        with self._registry.use(request.session_id) as session, session.simulation() as simulation:
-            return pb.GetParametersResponse(values=simulation.parameters(request.names))
+    def PrepareMany(self, request: pb.PrepareManyRequest, context: grpc.ServicerContext) -> pb.PrepareManyResponse:
+        """Prepare many cases; the session itself is not touched, and stays free for others."""
+        with self._registry.use(request.session_id) as session:
+            return prepare_many_response(session.world, session.seed, request, context.is_active)
+
+    def Operate(
+        self, request_iterator: Iterator[pb.OperateRequest], context: grpc.ServicerContext
+    ) -> Iterator[pb.OperateResponse]:
+        """Operations in order."""
+        for request in request_iterator:
+            yield self._operated(request, context)
+
+    def _operated(self, request: pb.OperateRequest, context: grpc.ServicerContext) -> pb.OperateResponse:
+        part = request.WhichOneof("operation")
+        try:
+            if part == "ping":
+                return pb.OperateResponse()
+            if part is None:
+                raise InvalidRequest("operation: is missing")
+            message = getattr(request, part)
+            with self._registry.use(message.session_id) as session, session.simulation() as simulation:
+                answer = operate(session, simulation, STREAMED[part], message, context.is_active)
+                return pb.OperateResponse(state=answer.state)
+        except BridgeError as error:
+            refusal = pb.Refusal(code=code_of(error).value[0], message=message_of(error))
+            return pb.OperateResponse(refusal=refusal)
 
     @answering
-    def SetParameters(
-        self, request: pb.SetParametersRequest, context: grpc.ServicerContext
-    ) -> pb.SetParametersResponse:
-        """Set parameters."""
+    def StartRecording(
+        self, request: pb.StartRecordingRequest, context: grpc.ServicerContext
+    ) -> pb.StartRecordingResponse:
+        """Reset and record from there."""
         with self._registry.use(request.session_id) as session, session.simulation() as simulation:
-            return pb.SetParametersResponse(state=state_message(simulation.set(request.values)))
+            if session.recorder is not None:
+                raise NotNow("a recording is under way in this session; stop it first")
+            session.forget_snapshots()
+            state = simulation.reset(ResetScope.ALL)
+            session.recorder = Recorder(simulation.digest())
+            return pb.StartRecordingResponse(state=state_message(state))
 
     @answering
-    def ResetSimulation(
-        self, request: pb.ResetSimulationRequest, context: grpc.ServicerContext
-    ) -> pb.ResetSimulationResponse:
-        """Put the world back."""
-        scope = scope_of(request.scope)
-        with self._registry.use(request.session_id) as session, session.simulation() as simulation:
-            return pb.ResetSimulationResponse(state=state_message(simulation.reset(scope)))
+    def StopRecording(
+        self, request: pb.StopRecordingRequest, context: grpc.ServicerContext
+    ) -> pb.StopRecordingResponse:
+        """Give the recording away."""
+        with self._registry.use(request.session_id) as session, session.simulation():
+            recorder = session.recorder
+            if recorder is None:
+                raise NotNow("no recording is under way in this session; start one first")
+            session.recorder = None
+            recording = pb.Recording(
+                world_digest=session.world.digest,
+                seed=session.seed,
+                operations=[
+                    pb.RecordedOperation(rpc=rpc, request=message, digest=digest)
+                    for rpc, message, digest in recorder.operations
+                ],
+                digest=recorder.digest.hex(),
+            )
+            return pb.StopRecordingResponse(recording=recording)
 
     @answering
-    def StepSimulation(
-        self, request: pb.StepSimulationRequest, context: grpc.ServicerContext
-    ) -> pb.StepSimulationResponse:
-        """Move time."""
+    def ReplayRecording(
+        self, request: pb.ReplayRecordingRequest, context: grpc.ServicerContext
+    ) -> pb.ReplayRecordingResponse:
+        """Carry a recording out."""
         with self._registry.use(request.session_id) as session, session.simulation() as simulation:
-            state = simulation.step(request.steps, context.is_active)
-            return pb.StepSimulationResponse(state=state_message(state))
+            different, digest = replay(session, simulation, request.recording, context.is_active)
+            return pb.ReplayRecordingResponse(
+                identical=different < 0 and digest.hex() == request.recording.digest,
+                digest=digest.hex(),
+                first_difference=different,
+                state=state_message(simulation.state),
+            )
+
+
+def operation(rpc: str) -> Callable[[Any, Any, grpc.ServicerContext], Any]:
+    """The servicer method of an operation."""
 
     @answering
-    def Prepare(self, request: pb.PrepareRequest, context: grpc.ServicerContext) -> pb.PrepareResponse:
-        """Prepare one test case."""
+    def method(self: Any, request: Any, context: grpc.ServicerContext) -> Any:
         with self._registry.use(request.session_id) as session, session.simulation() as simulation:
-            state = simulation.prepare(request.parameters, request.settle_ns, context.is_active)
-            return pb.PrepareResponse(state=state_message(state))
+            return operate(session, simulation, rpc, request, context.is_active)
+
+    return method
+
+
+for _rpc in OPERATIONS:
+    if hasattr(pb_grpc.SimulationControlServicer, _rpc):
+        setattr(SimulationControl, _rpc, operation(_rpc))

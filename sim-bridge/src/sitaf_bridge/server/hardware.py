@@ -1,7 +1,11 @@
 """The service VirtualHardware."""
 
+import threading
+
 import grpc
 
+from sitaf_bridge.errors import LimitReached
+from sitaf_bridge.server.operations import operate
 from sitaf_bridge.server.status import answering
 from sitaf_bridge.server.wire import state_message
 from sitaf_bridge.session.registry import Registry
@@ -10,13 +14,34 @@ from sitaf_bridge.wire import simulation_pb2_grpc as pb_grpc
 
 
 class VirtualHardware(pb_grpc.VirtualHardwareServicer):
-    """What a component under test sees of the robot."""
+    """What a component under test sees of the robot. At most `waiting` calls wait for time at once."""
 
-    def __init__(self, registry: Registry) -> None:
+    def __init__(self, registry: Registry, waiting: int) -> None:
         self._registry = registry
+        self._waiting = threading.BoundedSemaphore(waiting)
+        self._limit = waiting
 
     @answering
     def ReadDevices(self, request: pb.ReadDevicesRequest, context: grpc.ServicerContext) -> pb.ReadDevicesResponse:
         """The readings at the current step."""
         with self._registry.use(request.session_id) as session, session.simulation() as simulation:
-            return pb.ReadDevicesResponse(state=state_message(simulation.state))
+            return operate(session, simulation, "ReadDevices", request, context.is_active)
+
+    @answering
+    def WriteDevices(self, request: pb.WriteDevicesRequest, context: grpc.ServicerContext) -> pb.WriteDevicesResponse:
+        """Command actuators."""
+        with self._registry.use(request.session_id) as session, session.simulation() as simulation:
+            return operate(session, simulation, "WriteDevices", request, context.is_active)
+
+    @answering
+    def WaitUntil(self, request: pb.WaitUntilRequest, context: grpc.ServicerContext) -> pb.WaitUntilResponse:
+        """Wait for time to come, without the simulation's lock and without keeping all threads from others."""
+        with self._registry.use(request.session_id) as session:
+            if not self._waiting.acquire(blocking=False):
+                raise LimitReached(f"{self._limit} calls of WaitUntil wait already, the limit (half of --threads)")
+            try:
+                session.wait_until(request.time_ns, context.is_active)
+            finally:
+                self._waiting.release()
+            with session.simulation() as simulation:
+                return pb.WaitUntilResponse(state=state_message(simulation.state))

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import grpc
 
-from sitaf_bridge.server.address import Address, BadAddress
+from sitaf_bridge.server.address import Address, BadAddress, Guard, TokenCheck
 from sitaf_bridge.server.control import SimulationControl
 from sitaf_bridge.server.hardware import VirtualHardware
 from sitaf_bridge.session.registry import Registry
@@ -27,6 +27,7 @@ class Settings:
     default_lease_s: float
     max_sessions: int
     threads: int
+    guard: Guard | None = None
 
 
 @contextlib.contextmanager
@@ -39,12 +40,19 @@ def serving(settings: Settings) -> Iterator[str]:
         # Two bridges on one port would share its calls at random.
         ("grpc.so_reuseport", 0),
     ]
-    server = grpc.server(pool, options=options)
+    guard = settings.guard
+    checks: list[grpc.ServerInterceptor] = [] if guard is None else [TokenCheck(guard.token)]
+    server = grpc.server(pool, options=options, interceptors=checks)
     pb_grpc.add_SimulationControlServicer_to_server(SimulationControl(Catalog(), registry), server)
-    pb_grpc.add_VirtualHardwareServicer_to_server(VirtualHardware(registry), server)
+    pb_grpc.add_VirtualHardwareServicer_to_server(VirtualHardware(registry, max(1, settings.threads // 2)), server)
     try:
         try:
-            port = server.add_insecure_port(settings.address.target)
+            target = settings.address.target
+            port = (
+                server.add_insecure_port(target)
+                if guard is None
+                else server.add_secure_port(target, guard.credentials())
+            )
         except RuntimeError as error:
             raise BadAddress(f"cannot listen on {settings.address.target}: {error}") from error
         server.start()

@@ -13,6 +13,9 @@ from sitaf_bridge.errors import (
     InvalidRequest,
     LimitReached,
     NoSuchSession,
+    NotAllowed,
+    NotNow,
+    TimeWentBack,
     UnreachableValue,
 )
 
@@ -22,6 +25,9 @@ CODES: dict[type[BridgeError], grpc.StatusCode] = {
     NoSuchSession: grpc.StatusCode.NOT_FOUND,
     Diverged: grpc.StatusCode.DATA_LOSS,
     LimitReached: grpc.StatusCode.RESOURCE_EXHAUSTED,
+    NotNow: grpc.StatusCode.FAILED_PRECONDITION,
+    TimeWentBack: grpc.StatusCode.ABORTED,
+    NotAllowed: grpc.StatusCode.UNAUTHENTICATED,
     Cancelled: grpc.StatusCode.CANCELLED,
 }
 # Status messages travel in HTTP/2 headers, which clients bound at 8 KiB, percent-encoded.
@@ -35,6 +41,12 @@ def code_of(error: BridgeError) -> grpc.StatusCode:
     return next(code for kind, code in CODES.items() if isinstance(error, kind))
 
 
+def message_of(error: BridgeError) -> str:
+    """An error's text, as long as fits."""
+    text = str(error)
+    return text if len(text) <= MAX_MESSAGE else text[:MAX_MESSAGE] + "\n... and more"
+
+
 def answering(method: Callable[..., Answer]) -> Callable[..., Answer]:
     """Make a servicer method answer refusals with their status code."""
 
@@ -43,9 +55,6 @@ def answering(method: Callable[..., Answer]) -> Callable[..., Answer]:
         try:
             return method(self, request, context)
         except BridgeError as error:
-            text = str(error)
-            if len(text) > MAX_MESSAGE:
-                text = text[:MAX_MESSAGE] + "\n... and more"
-            context.abort(code_of(error), text)
+            context.abort(code_of(error), message_of(error))
 
     return answered

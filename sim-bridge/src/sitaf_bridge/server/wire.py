@@ -3,11 +3,12 @@
 from google.protobuf.duration_pb2 import Duration
 
 from sitaf_bridge.errors import InvalidRequest
+from sitaf_bridge.server.readings import reading_message
 from sitaf_bridge.wire import simulation_pb2 as pb
 from sitaf_bridge.world.description.source import WorldSource
-from sitaf_bridge.world.devices import RangeReading, Reading
-from sitaf_bridge.world.simulation import ResetScope
-from sitaf_bridge.world.state import WorldState
+from sitaf_bridge.world.devices import KINDS
+from sitaf_bridge.world.driving.conditions import AtTime, Beyond, Condition, Near, Touching
+from sitaf_bridge.world.state import ResetScope, WorldState
 from sitaf_bridge.world.world import World
 
 SCOPES: dict[int, ResetScope] = {
@@ -31,6 +32,25 @@ def scope_of(number: int) -> ResetScope:
     return scope
 
 
+def condition_of(message: pb.Condition) -> Condition:
+    """A condition. Raises InvalidRequest for one that says nothing."""
+    match message.WhichOneof("condition"):
+        case "contact":
+            return Touching(message.contact.geom1, message.contact.geom2)
+        case "device":
+            bound = message.device.WhichOneof("bound")
+            if bound is None:
+                raise InvalidRequest("condition.device: names neither `above` nor `below`")
+            value = getattr(message.device, bound)
+            return Beyond(message.device.device, message.device.field, value, above=bound == "above")
+        case "distance":
+            return Near(message.distance.body1, message.distance.body2, message.distance.within_m)
+        case "time_ns":
+            return AtTime(message.time_ns)
+        case _:
+            raise InvalidRequest("condition: is missing")
+
+
 def seconds_of(duration: Duration) -> float:
     """Seconds."""
     return duration.seconds + duration.nanos / 1e9
@@ -52,8 +72,12 @@ def world_message(world: World) -> pb.WorldDescription:
             pb.ParameterDescription(name=p.name, unit=p.unit, min=p.low, max=p.high, default_value=p.default)
             for p in description.parameters.values()
         ],
-        devices=[pb.DeviceDescription(name=d.name, kind=d.kind) for d in description.devices.values()],
+        devices=[
+            pb.DeviceDescription(name=d.name, kind=d.kind, fields=KINDS[d.kind].fields(d))
+            for d in description.devices.values()
+        ],
         observations=[pb.ObservationDescription(name=o.name, unit=o.unit) for o in description.observations.values()],
+        entities=world.bodies,
     )
 
 
@@ -62,15 +86,6 @@ def state_message(state: WorldState) -> pb.WorldState:
     return pb.WorldState(
         step=state.step,
         time_ns=state.time_ns,
-        readings=[_reading_message(reading) for reading in state.readings],
+        readings=[reading_message(reading) for reading in state.readings],
         observations=[pb.Observation(name=n, value=v) for n, v in state.observations.items()],
     )
-
-
-def _reading_message(reading: Reading) -> pb.Reading:
-    match reading:
-        case RangeReading():
-            value = pb.Range(range_m=reading.range_m, min_range_m=reading.low_m, max_range_m=reading.high_m)
-            return pb.Reading(device=reading.device, range=value)
-        case _:
-            raise TypeError(f"{type(reading).__name__} has no message on the wire")

@@ -1,5 +1,6 @@
 """All sessions of the bridge, and the end of those whose client has gone."""
 
+import math
 import secrets
 import threading
 import time
@@ -38,6 +39,8 @@ class Registry:
         # Its lock is reentrant.
         self._changed = threading.Condition()
         self._closed = False
+        # When the reaper will look again by itself.
+        self._looks_at = math.inf
         self._reaper = threading.Thread(target=self._reap, name="session-reaper", daemon=True)
         self._reaper.start()
 
@@ -66,13 +69,16 @@ class Registry:
             with self._changed:
                 entry.calls -= 1
                 entry.ends = self._clock() + entry.session.lease_s
-                self._changed.notify()
+                # Woken at every call, the reaper would cost more than many a call does.
+                if entry.ends < self._looks_at:
+                    self._changed.notify()
 
     def delete(self, session_id: str) -> None:
         """Free a session; a call at work in it ends first, but finds it gone the next time."""
-        self._enter(session_id)
+        entry = self._enter(session_id)
         with self._changed:
             self._entries.pop(session_id, None)
+        entry.session.close()
 
     def __len__(self) -> int:
         """How many sessions are open."""
@@ -116,5 +122,5 @@ class Registry:
                 for session_id in [i for i, entry in self._entries.items() if self._has_ended(entry)]:
                     del self._entries[session_id]
                 idle = [entry.ends for entry in self._entries.values() if entry.calls == 0]
-                wait = max(0.0, min(idle) - self._clock()) if idle else None
-                self._changed.wait(wait)
+                self._looks_at = min(idle, default=math.inf)
+                self._changed.wait(max(0.0, self._looks_at - self._clock()) if idle else None)

@@ -6,7 +6,7 @@ from concurrent.futures import Future
 
 from sitaf_bridge.errors import BadWorld, Problem, UnreachableValue
 from sitaf_bridge.world.description.source import WorldSource
-from sitaf_bridge.world.simulation import Simulation
+from sitaf_bridge.world.driving.simulation import Simulation
 from sitaf_bridge.world.world import World, load_world
 
 MAX_WORLDS = 32

@@ -19,6 +19,7 @@ import mujoco
 import numpy as np
 
 from sitaf_bridge.errors import BadWorld, LimitReached, Problem
+from sitaf_bridge.world.additions import Additions, add
 
 CPU_SECONDS = 30
 WALL_SECONDS = 60.0
@@ -39,14 +40,18 @@ def silence_warnings() -> None:
     mujoco.set_mju_user_warning(lambda _message: None)
 
 
-def compile_mjcf(main: str, files: Mapping[str, bytes], shown: str) -> mujoco.MjModel:
-    """Compile the MJCF `main` among `files`; `shown` names it in messages.
+def compile_mjcf(
+    main: str, files: Mapping[str, bytes], shown: str, additions: Additions | None = None
+) -> mujoco.MjModel:
+    """Compile the MJCF `main` among `files` with what is to be added; `shown` names it in messages.
 
     Raises BadWorld with MuJoCo's message, LimitReached if the model is too big.
     """
     with COMPILING:
         receiver, sender = _processes.Pipe(duplex=False)
-        process = _processes.Process(target=_child, args=(sender, main, dict(files)), daemon=True)
+        process = _processes.Process(
+            target=_child, args=(sender, main, dict(files), additions or Additions()), daemon=True
+        )
         process.start()
         sender.close()
         try:
@@ -80,7 +85,7 @@ def _ending(code: int | None) -> str:
     return f"exit code {code}"
 
 
-def _child(answer: Connection, main: str, files: Mapping[str, bytes]) -> None:
+def _child(answer: Connection, main: str, files: Mapping[str, bytes], additions: Additions) -> None:
     """Runs in the forked process."""
     silence_warnings()
     with tempfile.TemporaryDirectory() as empty:
@@ -91,19 +96,23 @@ def _child(answer: Connection, main: str, files: Mapping[str, bytes]) -> None:
     # From here on no file, socket or device can be opened, whatever the model names.
     resource.setrlimit(resource.RLIMIT_NOFILE, (0, 0))
     try:
-        answer.send(_compile(main, files))
+        answer.send(_compile(main, files, additions))
     except MemoryError:
         answer.send(("limit", b"the model needs too much memory; make it smaller"))
-    except (ValueError, RuntimeError, mujoco.FatalError) as error:
+    except (ValueError, RuntimeError, KeyError, mujoco.FatalError) as error:
         answer.send(("refused", str(error).strip().encode()))
 
 
-def _compile(main: str, files: Mapping[str, bytes]) -> tuple[str, bytes]:
+def _compile(main: str, files: Mapping[str, bytes], additions: Additions) -> tuple[str, bytes]:
     folder = str(PurePosixPath(main).parent)
     prefix = "" if folder == "." else folder + "/"
     # MuJoCo looks paths up from the folder of the main file.
     assets = {path.removeprefix(prefix): c for path, c in files.items() if path.startswith(prefix)}
-    model = mujoco.MjModel.from_xml_string(files[main].decode("utf-8"), assets)
+    included = {path: content for path, content in assets.items() if path.lower().endswith(".xml")}
+    others = {path: content for path, content in assets.items() if path not in included}
+    spec = mujoco.MjSpec.from_string(files[main].decode("utf-8"), include=included, assets=others)
+    add(spec, additions, others)
+    model = spec.compile()
     for what, size, limit in (
         ("bytes of model", model.nbuffer, MAX_MODEL_BYTES),
         ("bytes of arena (the `memory` of <size>)", model.narena, MAX_ARENA_BYTES),

@@ -1,9 +1,18 @@
-"""What a simulation looks like at one step."""
+"""What a simulation looks like at one step, and how far it can be put back."""
 
+import enum
 from collections.abc import Mapping
 from dataclasses import dataclass
 
 from sitaf_bridge.world.devices import Reading
+
+
+class ResetScope(enum.Enum):
+    """What a reset puts back."""
+
+    ALL = "time, state and parameters"
+    TIME = "only the clock"
+    STATE = "positions, velocities and controls"
 
 
 @dataclass(frozen=True)

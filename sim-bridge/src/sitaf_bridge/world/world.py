@@ -2,19 +2,24 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 
 import mujoco
 
 from sitaf_bridge.errors import BadWorld, Problem
+from sitaf_bridge.world.additions import Additions, SpawnedEntity
 from sitaf_bridge.world.compiler import compile_mjcf
 from sitaf_bridge.world.description.declaration import Bind, Description, Parameter, read_description
 from sitaf_bridge.world.description.mjcf_guard import check_mjcf
+from sitaf_bridge.world.description.robot import load_robot
 from sitaf_bridge.world.description.source import WorldSource
 from sitaf_bridge.world.description.yaml_block import Problems
-from sitaf_bridge.world.devices import KINDS, Bank
+from sitaf_bridge.world.devices import KINDS, KNOBS, Bank
+from sitaf_bridge.world.devices.camera import CameraDeclaration
 from sitaf_bridge.world.observing import BoundObservation, find_observation
 from sitaf_bridge.world.parameters.gap import BoundGap, find_gap
-from sitaf_bridge.world.parameters.settings import NoSuchSetting, Setting, find_setting
+from sitaf_bridge.world.parameters.paths import find_setting
+from sitaf_bridge.world.parameters.settings import NoSuchSetting, Setting
 
 
 @dataclass(frozen=True)
@@ -27,14 +32,19 @@ class BoundBind:
 
 @dataclass(frozen=True)
 class World:
-    """Immutable, shared by sessions; `model` must not be written to."""
+    """Immutable, shared by sessions; `model` must not be written to.
 
+    `banks` are by kind of device. `entities` were spawned on top of what `source` says.
+    """
+
+    source: WorldSource
+    entities: tuple[SpawnedEntity, ...]
     description: Description
     digest: str
     model: mujoco.MjModel
     timestep_ns: int
     binds: Mapping[str, tuple[BoundBind, ...]]
-    banks: tuple[Bank, ...]
+    banks: Mapping[str, Bank]
     observations: Mapping[str, BoundObservation]
 
     @property
@@ -42,26 +52,44 @@ class World:
         """Whether a session needs a model of its own."""
         return any(bind.setting.edits_model for binds in self.binds.values() for bind in binds)
 
+    @cached_property
+    def bodies(self) -> tuple[str, ...]:
+        """The names of the bodies that have one, but for the world itself."""
+        names = (mujoco.mj_id2name(self.model, mujoco.mjtObj.mjOBJ_BODY, b) for b in range(1, self.model.nbody))
+        return tuple(name for name in names if name)
 
-def load_world(source: WorldSource) -> World:
+
+def load_world(source: WorldSource, entities: tuple[SpawnedEntity, ...] = ()) -> World:
     """Parse, check and compile a world. Raises BadWorld with every problem found, or LimitReached."""
     description = read_description(source)
     files = source.beside_description()
     shown = source.folder + description.mjcf
     check_mjcf(description.mjcf, files, source.folder)
-    model = compile_mjcf(description.mjcf, files, shown)
+    model = compile_mjcf(description.mjcf, files, shown, _additions(description, entities))
     problems = Problems(source.description)
     world = World(
+        source=source,
+        entities=entities,
         description=description,
         digest=source.digest,
         model=model,
         timestep_ns=_timestep_ns(model, shown),
-        binds={name: _bind(model, p, problems) for name, p in description.parameters.items()},
+        binds={name: _bind(model, description, p, problems) for name, p in description.parameters.items()},
         banks=_banks(model, description, problems),
         observations=_observations(model, description, problems),
     )
     problems.raise_if_any()
     return world
+
+
+def _additions(description: Description, entities: tuple[SpawnedEntity, ...]) -> Additions:
+    cameras = [d for d in description.devices.values() if isinstance(d, CameraDeclaration)]
+    return Additions(
+        userdata=len(KNOBS) * len(description.devices),
+        image=(max((c.width for c in cameras), default=0), max((c.height for c in cameras), default=0)),
+        robots=tuple(load_robot(robot, description.file) for robot in description.robots.values()),
+        entities=entities,
+    )
 
 
 def _timestep_ns(model: mujoco.MjModel, shown: str) -> int:
@@ -73,12 +101,14 @@ def _timestep_ns(model: mujoco.MjModel, shown: str) -> int:
     return nanoseconds
 
 
-def _bind(model: mujoco.MjModel, parameter: Parameter, problems: Problems) -> tuple[BoundBind, ...]:
+def _bind(
+    model: mujoco.MjModel, description: Description, parameter: Parameter, problems: Problems
+) -> tuple[BoundBind, ...]:
     found: list[BoundBind] = []
     for bind in parameter.binds:
         where = f"parameters.{parameter.name}.bind: set: {bind.path}"
         try:
-            bound = _bound(model, bind)
+            bound = _bound(model, description, bind)
         except NoSuchSetting as error:
             problems.add(bind.line, f"{where}: {error}")
             continue
@@ -92,17 +122,17 @@ def _bind(model: mujoco.MjModel, parameter: Parameter, problems: Problems) -> tu
     return tuple(found)
 
 
-def _bound(model: mujoco.MjModel, bind: Bind) -> BoundBind:
-    setting = find_setting(model, bind.path)
-    return BoundBind(setting, None if bind.gap is None else find_gap(model, bind.gap))
+def _bound(model: mujoco.MjModel, description: Description, bind: Bind) -> BoundBind:
+    setting = find_setting(model, bind.path, description.devices)
+    return BoundBind(setting, None if bind.gap is None else find_gap(model, bind.gap, setting))
 
 
-def _banks(model: mujoco.MjModel, description: Description, problems: Problems) -> tuple[Bank, ...]:
-    return tuple(
-        kind.bind(model, [d for d in description.devices.values() if d.kind == name], problems)
+def _banks(model: mujoco.MjModel, description: Description, problems: Problems) -> dict[str, Bank]:
+    return {
+        name: kind.bind(model, [d for d in description.devices.values() if d.kind == name], problems)
         for name, kind in KINDS.items()
         if any(d.kind == name for d in description.devices.values())
-    )
+    }
 
 
 def _observations(model: mujoco.MjModel, description: Description, problems: Problems) -> dict[str, BoundObservation]:

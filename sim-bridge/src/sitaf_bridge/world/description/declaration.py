@@ -1,12 +1,15 @@
 """The world description (`NAME.world.yaml`): what a test may vary, which devices there are, what it may observe."""
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
+from sitaf_bridge.world.description.robot import Robot, read_robot
 from sitaf_bridge.world.description.source import WorldSource, unsafe_path
 from sitaf_bridge.world.description.yaml_block import Block, Problems, parse
 from sitaf_bridge.world.devices import KINDS, DeviceDeclaration
 
+# What the past readings of a device may cost in memory is bounded by it.
+MAX_DELAY_S = 10.0
 AXES = ("x", "y", "z", "roll", "pitch", "yaw")
 
 
@@ -63,6 +66,7 @@ class Description:
     parameters: Mapping[str, Parameter] = field(default_factory=dict)
     devices: Mapping[str, DeviceDeclaration] = field(default_factory=dict)
     observations: Mapping[str, Observation] = field(default_factory=dict)
+    robots: Mapping[str, Robot] = field(default_factory=dict)
 
 
 def read_description(source: WorldSource) -> Description:
@@ -71,6 +75,7 @@ def read_description(source: WorldSource) -> Description:
     top = parse(source.files[source.description], problems)
     mjcf = _mjcf(top, source)
     parameters = {name: _parameter(name, block) for name, block in top.named_blocks("parameters")}
+    robots = {name: read_robot(name, block) for name, block in top.named_blocks("robots")}
     devices = {name: _device(name, block) for name, block in top.named_blocks("devices")}
     observations = {name: _observation(name, block) for name, block in top.named_blocks("observations")}
     top.finish()
@@ -80,7 +85,8 @@ def read_description(source: WorldSource) -> Description:
         file=source.description,
         mjcf=mjcf or "",
         parameters={name: p for name, p in parameters.items() if p},
-        devices={name: d for name, d in devices.items() if d},
+        devices={name: replace(d, slot=len(devices) - index) for index, (name, d) in enumerate(devices.items()) if d},
+        robots={name: r for name, r in robots.items() if r},
         observations={name: o for name, o in observations.items() if o},
     )
 
@@ -137,8 +143,17 @@ def _device(name: str, block: Block) -> DeviceDeclaration | None:
         block.problem(f"{block.path}.kind: {kind!r} is not a device kind; known: {', '.join(KINDS)}", "kind")
         return None
     declaration = KINDS[kind].declare(name, block)
+    if KINDS[kind].image:
+        noise = delay = 0.0
+    else:
+        noise, delay = block.optional_number("noise", 0.0), block.optional_number("delay", 0.0)
     block.finish()
-    return declaration
+    if declaration is None or noise is None or delay is None:
+        return None
+    if noise < 0 or not 0 <= delay <= MAX_DELAY_S:
+        block.problem(f"{block.path}: noise must not be negative, and delay be 0 to {MAX_DELAY_S:g} s")
+        return None
+    return replace(declaration, noise=noise, delay=delay)
 
 
 def _observation(name: str, block: Block) -> Observation | None:

@@ -84,6 +84,15 @@ class Block:
         node = self._take(key, required=True)
         return None if node is None else self._number(node, self.inner(key))
 
+    def optional_number(self, key: str, default: float) -> float | None:
+        """A finite number, or the default where there is none; None after noting what is wrong with it."""
+        node = self._take(key, required=False)
+        return default if node is None else self._number(node, self.inner(key))
+
+    def optional_text(self, key: str, default: str) -> str | None:
+        """A text, or the default where there is none; None after noting what is wrong with it."""
+        return self.text(key) if key in self._entries else self._default(key, default)
+
     def pair(self, key: str, *, required: bool = True) -> tuple[yaml.Node, yaml.Node] | None:
         """A list of exactly two."""
         node = self._take(key, required=required)
@@ -102,9 +111,9 @@ class Block:
         first, second = (self._number(node, self.inner(key)) for node in nodes)
         return None if first is None or second is None else (first, second)
 
-    def texts(self, key: str) -> tuple[str, str] | None:
-        """An optional list of two texts."""
-        nodes = self.pair(key, required=False)
+    def texts(self, key: str, *, required: bool = False) -> tuple[str, str] | None:
+        """A list of two texts."""
+        nodes = self.pair(key, required=required)
         if nodes is None:
             return None
         if not all(isinstance(node, yaml.ScalarNode) for node in nodes):
@@ -150,6 +159,21 @@ class Block:
             if key not in self._taken:
                 known = ", ".join(sorted(self._taken))
                 self.problems.add(node.start_mark.line + 1, f"{self.inner(key)} is not known here; known keys: {known}")
+
+    def triple(self, key: str, default: tuple[float, float, float]) -> tuple[float, float, float] | None:
+        """An optional list of three finite numbers; None after noting what is wrong with it."""
+        node = self._take(key, required=False)
+        if node is None:
+            return default
+        if not isinstance(node, yaml.SequenceNode) or len(node.value) != 3:
+            self.problem(f"{self.inner(key)} must be a list of three", key)
+            return None
+        x, y, z = (self._number(inner, self.inner(key)) for inner in node.value)
+        return None if x is None or y is None or z is None else (x, y, z)
+
+    def _default(self, key: str, default: str) -> str:
+        self._taken.add(key)
+        return default
 
     def _take(self, key: str, *, required: bool) -> yaml.Node | None:
         self._taken.add(key)

@@ -3,13 +3,15 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
 from sitaf_bridge.world.description.yaml_block import Block, Problems
-from sitaf_bridge.world.devices.kind import DeviceDeclaration, Reading
+from sitaf_bridge.world.devices.binding import part_of
+from sitaf_bridge.world.devices.kind import DeviceDeclaration, DeviceKind, Reading
 from sitaf_bridge.world.geometry.solids import HFIELD, SOLID_TYPES, TOUCH, Surroundings, cast, clearance, visible
 
 DISTANCE_ONLY = 1 << int(mujoco.mjtRayDataField.mjRAYDATA_DIST)
@@ -25,15 +27,6 @@ class RangeDeclaration(DeviceDeclaration):
 
 
 @dataclass(frozen=True)
-class RangeReading(Reading):
-    """Metres. +Inf: nothing within `high`; -Inf: an object nearer than `low` or around the sensor; NaN: failed."""
-
-    range_m: float
-    low_m: float
-    high_m: float
-
-
-@dataclass(frozen=True)
 class _Ray:
     """Where the ray of a bound device comes from. `native`: the range finder's own value can be taken."""
 
@@ -43,7 +36,7 @@ class _Ray:
     native: bool
 
 
-class RangeKind:
+class RangeKind(DeviceKind):
     """Kind `range`."""
 
     name = "range"
@@ -68,6 +61,15 @@ class RangeKind:
                 found.append((declaration, ray))
         return RangeBank(model, found)
 
+    def fields(self, declaration: DeviceDeclaration) -> tuple[str, ...]:
+        """One distance."""
+        return ("range",)
+
+    def limited(self, declaration: DeviceDeclaration, values: tuple[float, ...]) -> tuple[float, ...]:
+        """Within what it can measure, after REP-117."""
+        assert isinstance(declaration, RangeDeclaration)  # noqa: S101
+        return tuple(within(value, declaration.low, declaration.high) for value in values)
+
 
 class RangeBank:
     """All range devices of a world."""
@@ -77,7 +79,29 @@ class RangeBank:
         rays = [ray for _, ray in devices]
         self._surroundings = Surroundings(model, [ray.site for ray in rays], [ray.solids for ray in rays])
 
-    def read(self, model: mujoco.MjModel, data: mujoco.MjData) -> Sequence[RangeReading]:
+    @property
+    def devices(self) -> list[RangeDeclaration]:
+        """In the order of the readings."""
+        return [device for device, _ in self._devices]
+
+    @property
+    def native(self) -> bool:
+        """Whether all distances can be taken from MuJoCo's own range finders."""
+        return all(ray.native for _, ray in self._devices)
+
+    def read_many(self, model: mujoco.MjModel, batch: Any, count: int) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
+        """The readings of the first simulations of a `mujoco.batch.Batch`, (count, devices), where `native`.
+
+        And which of the simulations cannot be told so, because a sensor touches something.
+        """
+        distance = batch.bind("sensordata")[:count][:, [ray.address for _, ray in self._devices]]
+        inside, unsure = self._surroundings.many(model, batch, count)
+        low, high = np.array([d.low for d, _ in self._devices]), np.array([d.high for d, _ in self._devices])
+        seen = np.where(distance < low, -math.inf, distance + 0.0)
+        seen = np.where((distance < 0) | (distance > high), math.inf, seen)
+        return np.where(inside, -math.inf, seen), unsure
+
+    def read(self, model: mujoco.MjModel, data: mujoco.MjData) -> Sequence[Reading]:
         """The distances at the current step."""
         inside, touching = self._surroundings(model, data)
         values = data.sensordata.tolist()
@@ -88,8 +112,8 @@ class RangeBank:
             if entry is not None and abs(entry) <= TOUCH:
                 distances[index] = max(entry, 0.0)
         return [
-            RangeReading(d.name, _measured(distance, d, within), d.low, d.high)
-            for (d, _), distance, within in zip(self._devices, distances, inside.tolist(), strict=True)
+            Reading(d, (_measured(distance, d, around),))
+            for (d, _), distance, around in zip(self._devices, distances, inside.tolist(), strict=True)
         ]
 
 
@@ -108,6 +132,13 @@ def _measured(distance: float, declaration: RangeDeclaration, inside: bool) -> f
         return math.inf
     # Adding zero turns the -0.0 of a touching ray into 0.0.
     return -math.inf if distance < declaration.low else distance + 0.0
+
+
+def within(distance: float, low: float, high: float) -> float:
+    """A distance as a sensor of limited reach reads it, after REP-117; NaN and the infinities stay."""
+    if distance > high:
+        return math.inf
+    return -math.inf if distance < low else distance
 
 
 def _own_ray(model: mujoco.MjModel, data: mujoco.MjData, ray: _Ray) -> float:
@@ -132,7 +163,7 @@ def _find(model: mujoco.MjModel, declaration: RangeDeclaration, problems: Proble
         return None
     site = int(model.sensor_objid[sensor])
     body = int(model.site_bodyid[site])
-    own = _part_of(model, body)
+    own = part_of(model, body)
     seen = [g for g in range(model.ngeom) if visible(model, g)]
     solids = tuple(g for g in seen if model.geom_bodyid[g] not in own and model.geom_type[g] in (*SOLID_TYPES, HFIELD))
     # The range finder itself is blind to the site's body: to all walls, if that is the world.
@@ -150,17 +181,3 @@ def _unusable(model: mujoco.MjModel, sensor: int, declaration: RangeDeclaration)
     if model.sensor_delay[sensor] > 0 or model.sensor_interval[sensor].any():
         return "has a delay or an interval, which are not supported; remove them"
     return None
-
-
-def _part_of(model: mujoco.MjModel, body: int) -> frozenset[int]:
-    """The bodies that no joint separates from a body, short of the world: the sensor's own housing and chassis."""
-    if body == 0:
-        return frozenset()
-
-    def anchor(b: int) -> int:
-        while model.body_jntnum[b] == 0 and model.body_parentid[b] != 0:
-            b = int(model.body_parentid[b])
-        return b
-
-    own = anchor(body)
-    return frozenset(b for b in range(1, model.nbody) if anchor(b) == own)

@@ -5,6 +5,7 @@ MuJoCo's ray from a point inside a solid reports the far face, and nothing at al
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import mujoco
 import numpy as np
@@ -84,9 +85,10 @@ def _plane_clearance(
 
 @dataclass(frozen=True)
 class _Group:
-    """Pairs of the same geom type: rows of `pairs` are (index of the asker, site, geom)."""
+    """Pairs of the same geom type: index of the asker, site, geom; and where they are among all pairs."""
 
     kind: int
+    pairs: slice
     askers: NDArray[np.intp]
     sites: NDArray[np.intp]
     geoms: NDArray[np.intp]
@@ -112,9 +114,16 @@ class Surroundings:
             ]
             if pairs:
                 columns = np.array(pairs, dtype=np.intp).T
-                self._groups.append(_Group(kind, columns[0], columns[1], columns[2]))
+                first = sum(group.geoms.size for group in self._groups)
+                place = slice(first, first + len(pairs))
+                self._groups.append(_Group(kind, place, columns[0], columns[1], columns[2]))
             if kind == MESH:
                 self._meshes = {geom: Mesh.of(model, int(model.geom_dataid[geom])) for _, _, geom in pairs}
+
+        empty = [np.zeros(0, np.intp)]
+        self._sites = np.concatenate([group.sites for group in self._groups] or empty)
+        self._geoms = np.concatenate([group.geoms for group in self._groups] or empty)
+        self._planes = next((group.pairs for group in self._groups if group.kind == PLANE), None)
 
     def __call__(
         self, model: mujoco.MjModel, data: mujoco.MjData
@@ -122,26 +131,70 @@ class Surroundings:
         """For each site whether it is inside; and the pairs (site's index, geom) of those that touch."""
         inside = np.zeros(self._count, dtype=np.bool_)
         touching: list[tuple[int, int]] = []
+        if not self._groups:
+            return inside, touching
+        # A point outside of the sphere around a geom is not inside of the geom: that rules out most at little cost.
+        relative = data.site_xpos[self._sites] - data.geom_xpos[self._geoms]
+        reach = model.geom_rbound[self._geoms] + TOUCH
+        near = np.einsum("ij,ij->i", relative, relative) <= reach * reach
+        if self._planes is not None:
+            normals = data.geom_xmat[self._geoms[self._planes], 2::3]
+            near[self._planes] = np.einsum("ij,ij->i", relative[self._planes], normals) <= 2 * TOUCH
+        if not near.any():
+            return inside, touching
         for group in self._groups:
-            relative = data.site_xpos[group.sites] - data.geom_xpos[group.geoms]
-            axes = data.geom_xmat[group.geoms].reshape(-1, 3, 3)
-            # The transposed rotation, summed in the order of MuJoCo's own rays.
-            local = (
-                axes[:, 0, :] * relative[:, 0:1] + axes[:, 1, :] * relative[:, 1:2] + axes[:, 2, :] * relative[:, 2:3]
-            )
+            chosen = np.flatnonzero(near[group.pairs])
+            if not chosen.size:
+                continue
+            geoms, askers = group.geoms[chosen], group.askers[chosen]
+            local = to_local(data.geom_xmat[geoms], relative[group.pairs][chosen])
             if group.kind == MESH:
-                pairs = zip(group.geoms.tolist(), local, strict=True)
+                pairs = zip(geoms.tolist(), local, strict=True)
                 depth = np.array([self._meshes[geom].depth(point) for geom, point in pairs])
             else:
-                depth = _depth(group.kind, local, model.geom_size[group.geoms])
-            inside[group.askers[depth > TOUCH]] = True
-            near = np.abs(depth) <= TOUCH
-            if near.any():
-                touching += zip(group.askers[near].tolist(), group.geoms[near].tolist(), strict=True)
+                depth = depth_in(group.kind, local, model.geom_size[geoms])
+            inside[askers[depth > TOUCH]] = True
+            touches = np.abs(depth) <= TOUCH
+            if touches.any():
+                touching += zip(askers[touches].tolist(), geoms[touches].tolist(), strict=True)
         return inside, touching
 
+    def many(self, model: mujoco.MjModel, batch: Any, count: int) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+        """For the first simulations of a `mujoco.batch.Batch`: who is inside, (count, sites); where any touches."""
+        inside = np.zeros((count, self._count), np.bool_)
+        touches = np.zeros(count, np.bool_)
+        sites, geoms = batch.bind("site_xpos")[:count], batch.bind("geom_xpos")[:count]
+        matrices = batch.bind("geom_xmat")[:count]
+        for geom in np.unique(self._geoms).tolist():
+            members = np.flatnonzero(self._geoms == geom)
+            group = next(g for g in self._groups if g.pairs.start <= members[0] < g.pairs.stop)
+            askers = group.askers[members - group.pairs.start]
+            relative = sites[:, self._sites[members]] - geoms[:, geom, None]
+            if group.kind == PLANE:
+                near = (relative @ matrices[:, geom, 2::3, None])[..., 0] <= 2 * TOUCH
+            else:
+                reach = float(model.geom_rbound[geom]) + TOUCH
+                near = np.einsum("ijk,ijk->ij", relative, relative) <= reach * reach
+            cases, which = np.nonzero(near)
+            if not cases.size:
+                continue
+            local = to_local(matrices[cases, geom], relative[cases, which])
+            if group.kind == MESH:
+                depth = np.array([self._meshes[geom].depth(point) for point in local])
+            else:
+                depth = depth_in(group.kind, local, np.broadcast_to(model.geom_size[geom], local.shape))
+            inside[cases[depth > TOUCH], askers[which[depth > TOUCH]]] = True
+            touches[cases[np.abs(depth) <= TOUCH]] = True
+        return inside, touches
 
-def _depth(kind: int, p: Vector, size: Vector) -> Vector:
+
+def to_local(matrices: Vector, relative: Vector) -> Vector:
+    """Vectors (n, 3) in the frames of n rotation matrices (n, 9), summed in the order of MuJoCo's own rays."""
+    axes = matrices.reshape(-1, 3, 3)
+    return axes[:, 0, :] * relative[:, 0:1] + axes[:, 1, :] * relative[:, 1:2] + axes[:, 2, :] * relative[:, 2:3]
+
+
+def depth_in(kind: int, p: Vector, size: Vector) -> Vector:
     """How deep points in the frames of geoms lie inside, in metres, negative outside: p and size are (n, 3).
 
     Exact near the surface, where it matters, up to a factor for the ellipsoid; elsewhere only the sign counts.

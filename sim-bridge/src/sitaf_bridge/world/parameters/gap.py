@@ -1,8 +1,9 @@
 """Solves what a setting must be so that a sensor's clearance to a surface equals a value, to the bit if it can."""
 
+import itertools
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import mujoco
 import numpy as np
@@ -26,6 +27,9 @@ class BoundGap:
     site: int
     geom: int
     text: str
+    # What the setting is more than the clearance where the world begins: a first guess, often an exact one. The same
+    # guess whatever went before, so that the same calls give the same bits.
+    offset: float | None = None
 
     def measure(self, model: mujoco.MjModel, data: mujoco.MjData) -> float | None:
         """The clearance as things stand, or None if the line does not enter the geom."""
@@ -36,6 +40,11 @@ class BoundGap:
     def solve(self, model: mujoco.MjModel, data: mujoco.MjData, setting: Setting, target: float) -> float:
         """Put the setting where the clearance equals the target, and return it. Raises UnreachableValue."""
         search = _Search(self, model, data, setting, target)
+        if self.offset is not None:
+            began, guess = setting.get(model, data), target + self.offset
+            if search.error(guess) == 0.0:
+                return guess
+            setting.put(model, data, began)
         best = search.polish(search.approach())
         error = search.error(best)
         if error is None or abs(error) > TOLERANCE:
@@ -43,13 +52,16 @@ class BoundGap:
         return best
 
 
-def find_gap(model: mujoco.MjModel, gap: Gap) -> BoundGap:
+def find_gap(model: mujoco.MjModel, gap: Gap, setting: Setting) -> BoundGap:
     """Bind a declared gap to a model. Raises NoSuchSetting."""
     site = name_to_id(model, mujoco.mjtObj.mjOBJ_SITE, "site", gap.site)
     geom = name_to_id(model, mujoco.mjtObj.mjOBJ_GEOM, "geom", gap.geom)
     if model.geom_type[geom] not in (*SOLID_TYPES, HFIELD):
         raise NoSuchSetting(f"the geom {gap.geom!r} is of a type that rays cannot measure")
-    return BoundGap(site, geom, f"gap [site.{gap.site}, geom.{gap.geom}]")
+    bound = BoundGap(site, geom, f"gap [site.{gap.site}, geom.{gap.geom}]")
+    data = mujoco.MjData(model)
+    clear = bound.measure(model, data)
+    return bound if clear is None else replace(bound, offset=setting.get(model, data) - clear)
 
 
 class _Search:
@@ -111,7 +123,7 @@ class _Search:
     def polish(self, value: float) -> float:
         """The number next to `value` with the smallest error; the search's last bits are rounding."""
         best, least = value, math.inf
-        for candidate in (value, *_neighbours(value)):
+        for candidate in itertools.chain((value,), _neighbours(value)):
             error = self.error(candidate)
             if error is not None and abs(error) < least:
                 best, least = candidate, abs(error)

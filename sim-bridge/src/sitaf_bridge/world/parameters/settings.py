@@ -1,16 +1,14 @@
 """The quantities that a world's parameters may set: what stands behind the `set` paths of a description."""
 
-import re
-from collections.abc import Callable
-from dataclasses import dataclass, field
-from typing import Protocol
+from dataclasses import dataclass
+from typing import Any, Protocol
 
 import mujoco
 import numpy as np
+from numpy.typing import NDArray
 
 from sitaf_bridge.world.geometry.geom_bounds import refit
 
-AXES = "xyz"
 INTEGRATION = int(mujoco.mjtState.mjSTATE_INTEGRATION)
 
 
@@ -31,6 +29,10 @@ class Setting(Protocol):
         """The present value."""
         ...
 
+    def column(self, batch: Any) -> NDArray[np.float64] | None:
+        """The number in each simulation of a `mujoco.batch.Batch`, to be written to; None if it cannot be had so."""
+        ...
+
     def put(self, model: mujoco.MjModel, data: mujoco.MjData, value: float) -> None:
         """Set the value. What follows from it (`mj_kinematics`, `mj_forward`) is left to the caller."""
         ...
@@ -44,6 +46,10 @@ class MocapPosition:
     axis: int
     edits_model: bool = False
     lowest: float = -np.inf
+
+    def column(self, batch: Any) -> NDArray[np.float64] | None:
+        """As in the data or model of each."""
+        return batch.bind("mocap_pos")[:, self.mocap, self.axis]
 
     def get(self, model: mujoco.MjModel, data: mujoco.MjData) -> float:
         """From the data."""
@@ -61,6 +67,10 @@ class JointPosition:
     address: int
     edits_model: bool = False
     lowest: float = -np.inf
+
+    def column(self, batch: Any) -> NDArray[np.float64] | None:
+        """As in the data or model of each."""
+        return batch.bind("qpos")[:, self.address]
 
     def get(self, model: mujoco.MjModel, data: mujoco.MjData) -> float:
         """From the data."""
@@ -81,6 +91,10 @@ class BodyPosition:
     edits_model: bool = True
     lowest: float = -np.inf
 
+    def column(self, batch: Any) -> NDArray[np.float64] | None:
+        """As in the data or model of each."""
+        return None if self.moves else batch.expand("body_pos")[:, self.body, self.axis]
+
     def get(self, model: mujoco.MjModel, data: mujoco.MjData) -> float:
         """From the model."""
         return float(model.body_pos[self.body, self.axis])
@@ -89,7 +103,7 @@ class BodyPosition:
         """Into the model, and with it the constants that depend on the arrangement of the bodies."""
         model.body_pos[self.body, self.axis] = value
         if self.moves:
-            _derive_constants(model, data)
+            derive_constants(model, data)
 
 
 @dataclass(frozen=True)
@@ -102,6 +116,10 @@ class BodyMass:
     edits_model: bool = True
     lowest: float = float(mujoco.mjMINVAL)
 
+    def column(self, batch: Any) -> NDArray[np.float64] | None:
+        """As in the data or model of each."""
+        return None
+
     def get(self, model: mujoco.MjModel, data: mujoco.MjData) -> float:
         """From the model."""
         return float(model.body_mass[self.body])
@@ -110,7 +128,7 @@ class BodyMass:
         """Scaled from the compiled values, so that setting back restores every bit."""
         model.body_mass[self.body] = value
         model.body_inertia[self.body] = np.array(self.inertia) * (value / self.mass)
-        _derive_constants(model, data)
+        derive_constants(model, data)
 
 
 @dataclass(frozen=True)
@@ -121,6 +139,10 @@ class GeomFriction:
     index: int
     edits_model: bool = True
     lowest: float = 0.0
+
+    def column(self, batch: Any) -> NDArray[np.float64] | None:
+        """As in the data or model of each."""
+        return batch.expand("geom_friction")[:, self.geom, self.index]
 
     def get(self, model: mujoco.MjModel, data: mujoco.MjData) -> float:
         """From the model."""
@@ -140,6 +162,10 @@ class GeomSize:
     edits_model: bool = True
     lowest: float = float(mujoco.mjMINVAL)
 
+    def column(self, batch: Any) -> NDArray[np.float64] | None:
+        """As in the data or model of each."""
+        return None
+
     def get(self, model: mujoco.MjModel, data: mujoco.MjData) -> float:
         """From the model."""
         return float(model.geom_size[self.geom, self.index])
@@ -158,6 +184,10 @@ class Gravity:
     edits_model: bool = True
     lowest: float = -np.inf
 
+    def column(self, batch: Any) -> NDArray[np.float64] | None:
+        """As in the data or model of each."""
+        return batch.expand("opt.gravity")[:, self.axis]
+
     def get(self, model: mujoco.MjModel, data: mujoco.MjData) -> float:
         """From the model."""
         return float(model.opt.gravity[self.axis])
@@ -167,7 +197,7 @@ class Gravity:
         model.opt.gravity[self.axis] = value
 
 
-def _derive_constants(model: mujoco.MjModel, data: mujoco.MjData) -> None:
+def derive_constants(model: mujoco.MjModel, data: mujoco.MjData) -> None:
     """mj_setConst, which computes in the data, without a trace in the data's state."""
     state = np.empty(mujoco.mj_stateSize(model, INTEGRATION))
     mujoco.mj_getState(model, data, state, INTEGRATION)
@@ -179,100 +209,9 @@ class NoSuchSetting(Exception):
     """A path that is not one, or that the model does not have; its text completes `set: PATH: ...`."""
 
 
-@dataclass(frozen=True)
-class _Form:
-    shape: str
-    find: Callable[[mujoco.MjModel, str, str], Setting]
-    pattern: re.Pattern[str] = field(compare=False)
-
-
-def find_setting(model: mujoco.MjModel, path: str) -> Setting:
-    """The setting that a `set` path names. Raises NoSuchSetting."""
-    for form in FORMS:
-        match = form.pattern.fullmatch(path)
-        if match:
-            return form.find(model, match["name"], match["last"])
-    raise NoSuchSetting("is not a path that can be set; known forms: " + ", ".join(form.shape for form in FORMS))
-
-
 def name_to_id(model: mujoco.MjModel, kind: mujoco.mjtObj, noun: str, name: str) -> int:
     """The id of a named element. Raises NoSuchSetting."""
     found = mujoco.mj_name2id(model, kind, name)
     if found < 0:
         raise NoSuchSetting(f"the MJCF has no {noun} {name!r}")
     return found
-
-
-def _body_position(model: mujoco.MjModel, name: str, last: str) -> Setting:
-    body = name_to_id(model, mujoco.mjtObj.mjOBJ_BODY, "body", name)
-    axis = AXES.index(last)
-    if body == 0:
-        raise NoSuchSetting("the world itself cannot be moved")
-    if model.body_mocapid[body] >= 0:
-        return MocapPosition(int(model.body_mocapid[body]), axis)
-    joint = int(model.body_jntadr[body])
-    if joint >= 0 and model.jnt_type[joint] == mujoco.mjtJoint.mjJNT_FREE:
-        return JointPosition(int(model.jnt_qposadr[joint]) + axis)
-    moves = bool(model.body_weldid[body] != 0) or any(
-        model.body_dofnum[b] > 0 and _is_below(model, b, body) for b in range(body, model.nbody)
-    )
-    return BodyPosition(body, axis, moves)
-
-
-def _is_below(model: mujoco.MjModel, body: int, ancestor: int) -> bool:
-    while body > ancestor:
-        body = int(model.body_parentid[body])
-    return body == ancestor
-
-
-def _body_mass(model: mujoco.MjModel, name: str, _last: str) -> Setting:
-    body = name_to_id(model, mujoco.mjtObj.mjOBJ_BODY, "body", name)
-    mass = float(model.body_mass[body])
-    if mass <= 0:
-        raise NoSuchSetting(f"the body {name!r} has no mass, so there is no inertia to scale")
-    x, y, z = model.body_inertia[body].tolist()
-    return BodyMass(body, mass, (x, y, z))
-
-
-def _geom_friction(model: mujoco.MjModel, name: str, last: str) -> Setting:
-    return GeomFriction(name_to_id(model, mujoco.mjtObj.mjOBJ_GEOM, "geom", name), int(last))
-
-
-def _geom_size(model: mujoco.MjModel, name: str, last: str) -> Setting:
-    geom = name_to_id(model, mujoco.mjtObj.mjOBJ_GEOM, "geom", name)
-    kind = mujoco.mjtGeom(int(model.geom_type[geom]))
-    sizes = {
-        mujoco.mjtGeom.mjGEOM_SPHERE: 1,
-        mujoco.mjtGeom.mjGEOM_CAPSULE: 2,
-        mujoco.mjtGeom.mjGEOM_CYLINDER: 2,
-        mujoco.mjtGeom.mjGEOM_ELLIPSOID: 3,
-        mujoco.mjtGeom.mjGEOM_BOX: 3,
-    }.get(kind, 0)
-    if int(last) >= sizes:
-        raise NoSuchSetting(f"the geom {name!r} has {sizes} sizes that can be set")
-    return GeomSize(geom, int(last))
-
-
-def _joint_position(model: mujoco.MjModel, name: str, _last: str) -> Setting:
-    joint = name_to_id(model, mujoco.mjtObj.mjOBJ_JOINT, "joint", name)
-    # Converted, because MuJoCo's enumerators do not equal NumPy's integers from their own side.
-    if mujoco.mjtJoint(int(model.jnt_type[joint])) not in (mujoco.mjtJoint.mjJNT_HINGE, mujoco.mjtJoint.mjJNT_SLIDE):
-        raise NoSuchSetting(f"the joint {name!r} is neither a hinge nor a slide")
-    return JointPosition(int(model.jnt_qposadr[joint]))
-
-
-def _gravity(_model: mujoco.MjModel, _name: str, last: str) -> Setting:
-    return Gravity(AXES.index(last))
-
-
-FORMS = tuple(
-    _Form(shape, find, re.compile(pattern))
-    for shape, pattern, find in (
-        ("body.NAME.pos.x|y|z", r"body\.(?P<name>.+)\.pos\.(?P<last>[xyz])", _body_position),
-        ("body.NAME.mass", r"body\.(?P<name>.+)\.(?P<last>mass)", _body_mass),
-        ("geom.NAME.friction.0|1|2", r"geom\.(?P<name>.+)\.friction\.(?P<last>[012])", _geom_friction),
-        ("geom.NAME.size.0|1|2", r"geom\.(?P<name>.+)\.size\.(?P<last>[012])", _geom_size),
-        ("joint.NAME.pos", r"joint\.(?P<name>.+)\.(?P<last>pos)", _joint_position),
-        ("option.gravity.x|y|z", r"(?P<name>option)\.gravity\.(?P<last>[xyz])", _gravity),
-    )
-)

@@ -19,12 +19,18 @@ import org.sitaf.runtime.Stopwatch;
 import org.sitaf.sim.v1.CreateSessionRequest;
 import org.sitaf.sim.v1.CreateSessionResponse;
 import org.sitaf.sim.v1.DeleteSessionRequest;
+import org.sitaf.sim.v1.DeviceCommand;
 import org.sitaf.sim.v1.PrepareRequest;
+import org.sitaf.sim.v1.ReadDevicesRequest;
+import org.sitaf.sim.v1.Reading;
 import org.sitaf.sim.v1.RenewSessionRequest;
 import org.sitaf.sim.v1.SimulationControlGrpc;
 import org.sitaf.sim.v1.SimulationControlGrpc.SimulationControlBlockingStub;
 import org.sitaf.sim.v1.StepSimulationRequest;
+import org.sitaf.sim.v1.VirtualHardwareGrpc;
+import org.sitaf.sim.v1.VirtualHardwareGrpc.VirtualHardwareBlockingStub;
 import org.sitaf.sim.v1.WorldState;
+import org.sitaf.sim.v1.WriteDevicesRequest;
 
 /**
  * One session of the robot simulator: sets the virtual environment of a case and moves its time.
@@ -48,7 +54,7 @@ public final class Simulation implements AutoCloseable {
   private final long timestepNanos;
   private final SimulatedHardware hardware;
   private final Lease lease;
-  private FrozenWorld world;
+  private volatile FrozenWorld world;
 
   private Simulation(ManagedChannel channel, CreateSessionResponse created, Stopwatch stopwatch) {
     this.channel = channel;
@@ -57,7 +63,7 @@ public final class Simulation implements AutoCloseable {
     this.world = FrozenWorld.of(created.getState());
     Map<String, String> kinds = new HashMap<>();
     created.getWorld().getDevicesList().forEach(d -> kinds.put(d.getName(), d.getKind()));
-    this.hardware = new SimulatedHardware(kinds, stopwatch, world);
+    this.hardware = new SimulatedHardware(kinds, stopwatch, world, new Wire());
     this.lease =
         new Lease(
             Duration.ofSeconds(created.getLease().getSeconds(), created.getLease().getNanos()),
@@ -171,6 +177,48 @@ public final class Simulation implements AutoCloseable {
     hardware.freeze(world);
   }
 
+  /** What devices ask of the simulator. */
+  private final class Wire implements SimulatedHardware.Simulator {
+    @Override
+    public void write(DeviceCommand command) {
+      WriteDevicesRequest request =
+          WriteDevicesRequest.newBuilder().setSessionId(session).addCommands(command).build();
+      try {
+        freeze(devices().writeDevices(request).getState());
+      } catch (StatusRuntimeException e) {
+        throw refusedByDevice(command.getDevice(), e);
+      }
+    }
+
+    @Override
+    public Reading look(String camera) {
+      ReadDevicesRequest request =
+          ReadDevicesRequest.newBuilder().setSessionId(session).addDevices(camera).build();
+      return ask(
+          "looking through " + camera,
+          () -> devices().readDevices(request).getState().getReadings(0));
+    }
+
+    @Override
+    public void advance(Duration time) {
+      Simulation.this.advance(time);
+    }
+
+    private VirtualHardwareBlockingStub devices() {
+      return VirtualHardwareGrpc.newBlockingStub(channel)
+          .withDeadlineAfter(LONGEST_CALL.toSeconds(), TimeUnit.SECONDS);
+    }
+  }
+
+  /** A command that the device does not take is the component's doing, not the simulator's. */
+  private static RuntimeException refusedByDevice(String device, StatusRuntimeException e) {
+    return switch (e.getStatus().getCode()) {
+      case INVALID_ARGUMENT, OUT_OF_RANGE ->
+          new IllegalArgumentException(String.valueOf(e.getStatus().getDescription()), e);
+      default -> failure("commanding " + device, e);
+    };
+  }
+
   private static SimulationControlBlockingStub stub(ManagedChannel channel) {
     return SimulationControlGrpc.newBlockingStub(channel)
         .withDeadlineAfter(LONGEST_CALL.toSeconds(), TimeUnit.SECONDS);
@@ -180,16 +228,21 @@ public final class Simulation implements AutoCloseable {
     try {
       return call.get();
     } catch (StatusRuntimeException e) {
-      Status status = e.getStatus();
-      String reason = status.getDescription() == null ? "" : ": " + status.getDescription();
-      throw new SimulationException(
-          "simulator: " + what + ": " + status.getCode() + reason, isLost(status), e);
+      throw failure(what, e);
     }
+  }
+
+  private static SimulationException failure(String what, StatusRuntimeException e) {
+    Status status = e.getStatus();
+    String reason = status.getDescription() == null ? "" : ": " + status.getDescription();
+    return new SimulationException(
+        "simulator: " + what + ": " + status.getCode() + reason, isLost(status), e);
   }
 
   private static boolean isLost(Status status) {
     return switch (status.getCode()) {
-      case INVALID_ARGUMENT, OUT_OF_RANGE, DATA_LOSS, RESOURCE_EXHAUSTED -> false;
+      case INVALID_ARGUMENT, OUT_OF_RANGE, DATA_LOSS, RESOURCE_EXHAUSTED, FAILED_PRECONDITION ->
+          false;
       default -> true;
     };
   }

@@ -1,0 +1,103 @@
+"""Finds what device declarations name in a model: places, joints, and the actuators that drive them."""
+
+from collections.abc import Callable, Sequence
+from typing import TypeVar
+
+import mujoco
+
+from sitaf_bridge.errors import UnreachableValue
+from sitaf_bridge.world.description.yaml_block import Problems
+from sitaf_bridge.world.devices.kind import DeviceDeclaration
+
+NOUNS = {
+    "site": mujoco.mjtObj.mjOBJ_SITE,
+    "geom": mujoco.mjtObj.mjOBJ_GEOM,
+    "joint": mujoco.mjtObj.mjOBJ_JOINT,
+    "actuator": mujoco.mjtObj.mjOBJ_ACTUATOR,
+    "camera": mujoco.mjtObj.mjOBJ_CAMERA,
+}
+Found = TypeVar("Found")
+
+
+class NotThere(Exception):
+    """Why a device cannot be bound; its text completes `devices.NAME.KEY: ...`."""
+
+    def __init__(self, key: str, message: str) -> None:
+        self.key = key
+        super().__init__(message)
+
+
+def find(model: mujoco.MjModel, noun: str, name: str, key: str | None = None) -> int:
+    """The id of a named element. Raises NotThere."""
+    found = mujoco.mj_name2id(model, NOUNS[noun], name)
+    if found < 0:
+        raise NotThere(key or noun, f"the model has no {noun} {name!r}")
+    return found
+
+
+def find_single_joint(model: mujoco.MjModel, name: str, key: str = "joint") -> int:
+    """The id of a hinge or slide. Raises NotThere."""
+    joint = find(model, "joint", name, key)
+    if mujoco.mjtJoint(int(model.jnt_type[joint])) not in (mujoco.mjtJoint.mjJNT_HINGE, mujoco.mjtJoint.mjJNT_SLIDE):
+        raise NotThere(key, f"the joint {name!r} is neither a hinge nor a slide")
+    return joint
+
+
+def find_all(
+    declarations: Sequence[DeviceDeclaration], problems: Problems, bind: Callable[[DeviceDeclaration], Found]
+) -> list[tuple[DeviceDeclaration, Found]]:
+    """Bind each declaration, noting those that cannot be."""
+    found: list[tuple[DeviceDeclaration, Found]] = []
+    for declaration in declarations:
+        try:
+            found.append((declaration, bind(declaration)))
+        except NotThere as error:
+            problems.add(declaration.line, f"devices.{declaration.name}.{error.key}: {error}")
+    return found
+
+
+def part_of(model: mujoco.MjModel, body: int) -> frozenset[int]:
+    """The bodies that no joint separates from a body, short of the world: the sensor's own housing and chassis."""
+    if body == 0:
+        return frozenset()
+
+    def anchor(b: int) -> int:
+        while model.body_jntnum[b] == 0 and model.body_parentid[b] != 0:
+            b = int(model.body_parentid[b])
+        return b
+
+    own = anchor(body)
+    return frozenset(b for b in range(1, model.nbody) if anchor(b) == own)
+
+
+def joint_of(model: mujoco.MjModel, actuator: int, key: str) -> int:
+    """The hinge or slide that an actuator drives. Raises NotThere."""
+    if mujoco.mjtTrn(int(model.actuator_trntype[actuator])) != mujoco.mjtTrn.mjTRN_JOINT:
+        raise NotThere(key, "the actuator does not drive a joint")
+    name = mujoco.mj_id2name(model, mujoco.mjtObj.mjOBJ_JOINT, int(model.actuator_trnid[actuator, 0]))
+    return find_single_joint(model, name or "", key)
+
+
+def mode_of(model: mujoco.MjModel, actuator: int, key: str) -> str:
+    """What an actuator's control means: position, velocity or effort. Raises NotThere."""
+    bias = mujoco.mjtBias(int(model.actuator_biastype[actuator]))
+    gain = float(model.actuator_gainprm[actuator, 0])
+    offset, by_position, by_velocity = model.actuator_biasprm[actuator, :3].tolist()
+    if mujoco.mjtGain(int(model.actuator_gaintype[actuator])) == mujoco.mjtGain.mjGAIN_FIXED:
+        if bias == mujoco.mjtBias.mjBIAS_NONE:
+            return "effort"
+        if bias == mujoco.mjtBias.mjBIAS_AFFINE and offset == 0 and gain > 0:
+            if by_position == -gain:
+                return "position"
+            if by_position == 0 and by_velocity == -gain:
+                return "velocity"
+    raise NotThere(key, "the actuator is none of <position>, <velocity>, <motor>")
+
+
+def command_actuator(model: mujoco.MjModel, data: mujoco.MjData, actuator: int, value: float, shown: str) -> None:
+    """Set an actuator's control. Raises UnreachableValue beyond its `ctrlrange`."""
+    if model.actuator_ctrllimited[actuator]:
+        low, high = model.actuator_ctrlrange[actuator].tolist()
+        if not low <= value <= high:
+            raise UnreachableValue(f"commands: {shown}: {value:g} is outside the limits [{low:g}, {high:g}]")
+    data.ctrl[actuator] = value

@@ -1,0 +1,145 @@
+"""Kinds `joint_encoder` and `joint_motor`: what a hinge or slide measures, and what drives it."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import mujoco
+
+from sitaf_bridge.errors import InvalidRequest
+from sitaf_bridge.world.description.yaml_block import Block, Problems
+from sitaf_bridge.world.devices.binding import (
+    command_actuator,
+    find,
+    find_all,
+    find_single_joint,
+    joint_of,
+    mode_of,
+)
+from sitaf_bridge.world.devices.kind import Command, DeviceDeclaration, DeviceKind, Reading, expected_form
+
+FIELDS = ("position", "velocity", "effort")
+
+
+@dataclass(frozen=True)
+class EncoderDeclaration(DeviceDeclaration):
+    """`resolution` is the smallest step that it tells apart, in radians or metres; 0 is none."""
+
+    joint: str
+    resolution: float
+
+
+@dataclass(frozen=True)
+class MotorDeclaration(DeviceDeclaration):
+    """A motor is an actuator of the MJCF."""
+
+    actuator: str
+
+
+@dataclass(frozen=True)
+class _Motor:
+    actuator: int
+    joint: int
+    mode: str
+
+
+class JointEncoderKind(DeviceKind):
+    """Kind `joint_encoder`."""
+
+    name = "joint_encoder"
+
+    def declare(self, name: str, block: Block) -> EncoderDeclaration | None:
+        """Keys `joint`, `resolution`."""
+        joint, resolution = block.text("joint"), block.optional_number("resolution", 0.0)
+        if joint is None or resolution is None:
+            return None
+        if resolution < 0:
+            block.problem(f"{block.path}.resolution: {resolution:g} is negative", "resolution")
+            return None
+        return EncoderDeclaration(name, self.name, block.line, joint, resolution)
+
+    def bind(
+        self, model: mujoco.MjModel, declarations: Sequence[DeviceDeclaration], problems: Problems
+    ) -> "EncoderBank":
+        """Find the joints."""
+
+        def joint(declaration: DeviceDeclaration) -> int:
+            assert isinstance(declaration, EncoderDeclaration)  # noqa: S101
+            return find_single_joint(model, declaration.joint)
+
+        return EncoderBank(find_all(declarations, problems, joint))
+
+    def fields(self, declaration: DeviceDeclaration) -> tuple[str, ...]:
+        """It knows no effort."""
+        return FIELDS[:2]
+
+
+class EncoderBank:
+    """All encoders of a world."""
+
+    def __init__(self, devices: Sequence[tuple[DeviceDeclaration, int]]) -> None:
+        self._devices = tuple(devices)
+
+    def read(self, model: mujoco.MjModel, data: mujoco.MjData) -> Sequence[Reading]:
+        """Position and velocity."""
+        return [Reading(d, _encoded(model, data, d, joint)) for d, joint in self._devices]
+
+
+def _encoded(
+    model: mujoco.MjModel, data: mujoco.MjData, declaration: DeviceDeclaration, joint: int
+) -> tuple[float, ...]:
+    assert isinstance(declaration, EncoderDeclaration)  # noqa: S101
+    position = float(data.qpos[model.jnt_qposadr[joint]])
+    if declaration.resolution > 0:
+        position = round(position / declaration.resolution) * declaration.resolution
+    return position, float(data.qvel[model.jnt_dofadr[joint]])
+
+
+class JointMotorKind(DeviceKind):
+    """Kind `joint_motor`; the kind of its actuator says whether it takes position, velocity or effort."""
+
+    name = "joint_motor"
+    takes = "joint"
+
+    def declare(self, name: str, block: Block) -> MotorDeclaration | None:
+        """Key `actuator`."""
+        actuator = block.text("actuator")
+        return None if actuator is None else MotorDeclaration(name, self.name, block.line, actuator)
+
+    def bind(self, model: mujoco.MjModel, declarations: Sequence[DeviceDeclaration], problems: Problems) -> "MotorBank":
+        """Find the actuators."""
+
+        def motor(declaration: DeviceDeclaration) -> _Motor:
+            assert isinstance(declaration, MotorDeclaration)  # noqa: S101
+            actuator = find(model, "actuator", declaration.actuator)
+            return _Motor(actuator, joint_of(model, actuator, "actuator"), mode_of(model, actuator, "actuator"))
+
+        return MotorBank(find_all(declarations, problems, motor))
+
+    def fields(self, declaration: DeviceDeclaration) -> tuple[str, ...]:
+        """All of a joint's state."""
+        return FIELDS
+
+
+class MotorBank:
+    """All joint motors of a world."""
+
+    def __init__(self, devices: Sequence[tuple[DeviceDeclaration, _Motor]]) -> None:
+        self._devices = tuple(devices)
+        self._by_name = {d.name: motor for d, motor in devices}
+
+    def read(self, model: mujoco.MjModel, data: mujoco.MjData) -> Sequence[Reading]:
+        """Position, velocity, and what the actuators exert on the joint."""
+        readings: list[Reading] = []
+        for declaration, motor in self._devices:
+            dof = int(model.jnt_dofadr[motor.joint])
+            position = float(data.qpos[model.jnt_qposadr[motor.joint]])
+            readings.append(Reading(declaration, (position, float(data.qvel[dof]), float(data.qfrc_actuator[dof]))))
+        return readings
+
+    def write(self, model: mujoco.MjModel, data: mujoco.MjData, command: Command) -> None:
+        """In the mode of the actuator."""
+        motor = self._by_name[command.device]
+        ((mode, value),) = expected_form(command, "joint").items()
+        if mode != motor.mode:
+            raise InvalidRequest(f"commands: the motor {command.device} takes {motor.mode}, not {mode}")
+        command_actuator(model, data, motor.actuator, value, f"{command.device}.{mode}")

@@ -1,0 +1,170 @@
+"""Kinds `differential_drive` and `gripper`: several actuators under one command."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import mujoco
+
+from sitaf_bridge.errors import UnreachableValue
+from sitaf_bridge.world.description.yaml_block import Block, Problems
+from sitaf_bridge.world.devices.binding import NotThere, command_actuator, find, find_all, joint_of, mode_of
+from sitaf_bridge.world.devices.kind import Command, DeviceDeclaration, DeviceKind, Reading, expected_form
+
+
+@dataclass(frozen=True)
+class DriveDeclaration(DeviceDeclaration):
+    """Metres; the wheels turn forward for positive controls."""
+
+    left: str
+    right: str
+    wheel_radius: float
+    track: float
+
+
+@dataclass(frozen=True)
+class GripperDeclaration(DeviceDeclaration):
+    """Two fingers; `width` is the distance between them when open, in metres."""
+
+    fingers: tuple[str, str]
+    width: float
+
+
+@dataclass(frozen=True)
+class _Pair:
+    """Two actuators, and the joints that they drive."""
+
+    actuators: tuple[int, int]
+    joints: tuple[int, int]
+
+
+def _pair(model: mujoco.MjModel, names: tuple[str, str], keys: tuple[str, str], mode: str) -> _Pair:
+    actuators, joints = [], []
+    for name, key in zip(names, keys, strict=True):
+        actuator = find(model, "actuator", name, key)
+        if mode_of(model, actuator, key) != mode:
+            raise NotThere(key, f"the actuator {name!r} must be a <{mode}>")
+        actuators.append(actuator)
+        joints.append(joint_of(model, actuator, key))
+    return _Pair((actuators[0], actuators[1]), (joints[0], joints[1]))
+
+
+class DifferentialDriveKind(DeviceKind):
+    """Kind `differential_drive`."""
+
+    name = "differential_drive"
+    takes = "drive"
+
+    def declare(self, name: str, block: Block) -> DriveDeclaration | None:
+        """Keys `left`, `right`, `wheel_radius`, `track`."""
+        left, right = block.text("left"), block.text("right")
+        radius, track = block.number("wheel_radius"), block.number("track")
+        if left is None or right is None or radius is None or track is None:
+            return None
+        if radius <= 0 or track <= 0:
+            block.problem(f"{block.path}: wheel_radius and track must be above 0")
+            return None
+        return DriveDeclaration(name, self.name, block.line, left, right, radius, track)
+
+    def bind(self, model: mujoco.MjModel, declarations: Sequence[DeviceDeclaration], problems: Problems) -> "DriveBank":
+        """Find the velocity actuators."""
+
+        def wheels(declaration: DeviceDeclaration) -> _Pair:
+            assert isinstance(declaration, DriveDeclaration)  # noqa: S101
+            return _pair(model, (declaration.left, declaration.right), ("left", "right"), "velocity")
+
+        return DriveBank(find_all(declarations, problems, wheels))
+
+    def fields(self, declaration: DeviceDeclaration) -> tuple[str, ...]:
+        """As the wheels' encoders have it."""
+        return ("linear", "angular", "left_position", "right_position")
+
+
+class DriveBank:
+    """All differential drives of a world."""
+
+    def __init__(self, devices: Sequence[tuple[DeviceDeclaration, _Pair]]) -> None:
+        self._devices = tuple(devices)
+        self._by_name = {d.name: (d, pair) for d, pair in devices}
+
+    def read(self, model: mujoco.MjModel, data: mujoco.MjData) -> Sequence[Reading]:
+        """From the turning of the wheels."""
+        readings: list[Reading] = []
+        for declaration, pair in self._devices:
+            assert isinstance(declaration, DriveDeclaration)  # noqa: S101
+            left, right = (float(data.qvel[model.jnt_dofadr[j]]) * declaration.wheel_radius for j in pair.joints)
+            positions = (float(data.qpos[model.jnt_qposadr[j]]) for j in pair.joints)
+            readings.append(Reading(declaration, ((left + right) / 2, (right - left) / declaration.track, *positions)))
+        return readings
+
+    def write(self, model: mujoco.MjModel, data: mujoco.MjData, command: Command) -> None:
+        """Wheel speeds, from the velocity of the vehicle."""
+        declaration, pair = self._by_name[command.device]
+        assert isinstance(declaration, DriveDeclaration)  # noqa: S101
+        numbers = expected_form(command, "drive")
+        turning = numbers["angular"] * declaration.track / 2
+        for actuator, speed, side in zip(
+            pair.actuators, (numbers["linear"] - turning, numbers["linear"] + turning), ("left", "right"), strict=True
+        ):
+            shown = f"{command.device}: {side} wheel in rad/s"
+            command_actuator(model, data, actuator, speed / declaration.wheel_radius, shown)
+
+
+class GripperKind(DeviceKind):
+    """Kind `gripper`: two position actuators, each of which opens its finger by half the width."""
+
+    name = "gripper"
+    takes = "gripper"
+
+    def declare(self, name: str, block: Block) -> GripperDeclaration | None:
+        """Keys `fingers`, `width`."""
+        fingers, width = block.texts("fingers", required=True), block.number("width")
+        if fingers is None or width is None:
+            return None
+        if width <= 0:
+            block.problem(f"{block.path}.width: must be above 0", "width")
+            return None
+        return GripperDeclaration(name, self.name, block.line, fingers, width)
+
+    def bind(
+        self, model: mujoco.MjModel, declarations: Sequence[DeviceDeclaration], problems: Problems
+    ) -> "GripperBank":
+        """Find the position actuators."""
+
+        def fingers(declaration: DeviceDeclaration) -> _Pair:
+            assert isinstance(declaration, GripperDeclaration)  # noqa: S101
+            return _pair(model, declaration.fingers, ("fingers", "fingers"), "position")
+
+        return GripperBank(find_all(declarations, problems, fingers))
+
+    def fields(self, declaration: DeviceDeclaration) -> tuple[str, ...]:
+        """How wide, and how hard."""
+        return ("width", "effort")
+
+
+class GripperBank:
+    """All grippers of a world."""
+
+    def __init__(self, devices: Sequence[tuple[DeviceDeclaration, _Pair]]) -> None:
+        self._devices = tuple(devices)
+        self._by_name = {d.name: (d, pair) for d, pair in devices}
+
+    def read(self, model: mujoco.MjModel, data: mujoco.MjData) -> Sequence[Reading]:
+        """The sum of both fingers' openings, and the mean of their forces."""
+        readings: list[Reading] = []
+        for declaration, pair in self._devices:
+            width = sum(float(data.qpos[model.jnt_qposadr[j]]) for j in pair.joints)
+            effort = sum(float(data.qfrc_actuator[model.jnt_dofadr[j]]) for j in pair.joints) / 2
+            readings.append(Reading(declaration, (width, effort)))
+        return readings
+
+    def write(self, model: mujoco.MjModel, data: mujoco.MjData, command: Command) -> None:
+        """Half the width for each finger."""
+        declaration, pair = self._by_name[command.device]
+        assert isinstance(declaration, GripperDeclaration)  # noqa: S101
+        width = expected_form(command, "gripper")["width"]
+        if not 0 <= width <= declaration.width:
+            raise UnreachableValue(
+                f"commands: {command.device}.width: {width:g} m is outside the limits [0, {declaration.width:g}]"
+            )
+        for actuator in pair.actuators:
+            command_actuator(model, data, actuator, width / 2, f"{command.device}.width/2")

@@ -1,0 +1,154 @@
+"""Many cases at once, each from a clean reset, on several threads."""
+
+import threading
+from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sitaf_bridge.errors import Cancelled, Diverged, InvalidRequest, UnreachableValue
+from sitaf_bridge.world.devices import KINDS, DeviceDeclaration
+from sitaf_bridge.world.driving.batch import BatchRun, can_batch
+from sitaf_bridge.world.driving.simulation import Simulation
+from sitaf_bridge.world.state import WorldState
+from sitaf_bridge.world.world import World
+
+# Fewer cases than this are prepared one by one: a batch costs some milliseconds to set up.
+WORTH_A_BATCH = 32
+# Cases of one batch: enough to keep the threads busy, few enough to stay in the caches.
+CHUNK = 2_000
+
+
+@dataclass(frozen=True)
+class Cases:
+    """One row of `values` a case, one column a parameter; `devices` to read, none for all."""
+
+    names: tuple[str, ...]
+    values: NDArray[np.float64]
+    settle_ns: int
+    devices: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class _Job:
+    world: World
+    seed: int
+    cases: Cases
+    devices: tuple[DeviceDeclaration, ...]
+    columns: tuple[str, ...]
+    readings: NDArray[np.float64]
+
+
+def prepare_many(
+    world: World, seed: int, cases: Cases, threads: int, wanted: Callable[[], bool]
+) -> tuple[tuple[str, ...], NDArray[np.float64], list[int]]:
+    """The names of the columns, the readings row by row, and the cases that diverged.
+
+    Row by row bit-identical to Simulation.prepare. Raises InvalidRequest, LimitReached, UnreachableValue, Cancelled.
+    """
+    simulation = Simulation(world, seed)
+    steps = simulation.steps_in(cases.settle_ns, "settle_ns")
+    _check(world, simulation, cases)
+    devices = _devices(world, cases.devices)
+    columns = tuple(f"{d.name}.{field}" for d in devices for field in KINDS[d.kind].fields(d))
+    columns += tuple(world.observations)
+    count = len(cases.values)
+    job = _Job(world, seed, cases, devices, columns, np.empty((count, len(columns))))
+    diverged: list[int] = []
+    left: Sequence[int] = range(count)
+    if count >= WORTH_A_BATCH and can_batch(world, devices):
+        run = BatchRun(world, devices, cases.names, min(CHUNK, count), threads)
+        odd: list[int] = []
+        for first in range(0, count, CHUNK):
+            if not wanted():
+                raise Cancelled("the caller went away")
+            rows = slice(first, min(first + CHUNK, count))
+            strange = run.prepare(cases.values[rows], steps, job.readings[rows])
+            odd += [first + index for index in strange]
+        left = odd
+    if left:
+        diverged = _one_by_one(job, left, threads, simulation, wanted)
+    return columns, job.readings, diverged
+
+
+def _one_by_one(
+    job: _Job, rows: Sequence[int], threads: int, first: Simulation, wanted: Callable[[], bool]
+) -> list[int]:
+    """Fill in rows by simulations of their own, one for each thread; gives those that diverged."""
+    threads = max(1, min(threads, len(rows)))
+    simulations = [first, *(Simulation(job.world, job.seed) for _ in range(threads - 1))]
+    stop = threading.Event()
+
+    def work(index: int) -> list[int]:
+        diverged: list[int] = []
+        for row in rows[index::threads]:
+            if stop.is_set() or not wanted():
+                stop.set()
+                raise Cancelled("the caller went away")
+            try:
+                if not _prepare(job, simulations[index], row, wanted):
+                    diverged.append(row)
+            except Exception:
+                stop.set()
+                raise
+        return diverged
+
+    if threads == 1:
+        return work(0)
+    with ThreadPoolExecutor(threads) as pool:
+        futures = [pool.submit(work, index) for index in range(threads)]
+    errors = [error for future in futures if (error := future.exception()) is not None]
+    if errors:
+        raise next((error for error in errors if not isinstance(error, Cancelled)), errors[0])
+    return sorted(row for future in futures for row in future.result())
+
+
+def _prepare(job: _Job, simulation: Simulation, row: int, wanted: Callable[[], bool]) -> bool:
+    values = dict(zip(job.cases.names, job.cases.values[row].tolist(), strict=True))
+    try:
+        state = simulation.prepare(values, job.cases.settle_ns, wanted)
+    except Diverged:
+        job.readings[row] = np.nan
+        return False
+    except UnreachableValue as error:
+        raise UnreachableValue(f"case {row}: {error}") from error
+    job.readings[row] = _numbers(job, state)
+    return True
+
+
+def _numbers(job: _Job, state: WorldState) -> list[float]:
+    by_name = {reading.device.name: reading.values for reading in state.readings}
+    return [value for d in job.devices for value in by_name[d.name]] + list(state.observations.values())
+
+
+def _devices(world: World, names: Sequence[str]) -> tuple[DeviceDeclaration, ...]:
+    devices = world.description.devices
+    if not names:
+        return tuple(d for d in devices.values() if not KINDS[d.kind].image)
+    for name in names:
+        if name not in devices:
+            raise InvalidRequest(f"devices: no device {name!r}; devices of this world: {', '.join(devices) or 'none'}")
+        if KINDS[devices[name].kind].image:
+            raise InvalidRequest(f"devices: {name} is a camera, which is read by ReadDevices")
+    return tuple(devices[name] for name in dict.fromkeys(names))
+
+
+def _check(world: World, simulation: Simulation, cases: Cases) -> None:
+    simulation.check({})
+    if len(set(cases.names)) != len(cases.names):
+        raise InvalidRequest("parameters: a name is given twice")
+    unknown = dict.fromkeys(cases.names, 0.0)
+    simulation.refuse_unknown(unknown)
+    low = np.array([world.description.parameters[name].low for name in cases.names])
+    high = np.array([world.description.parameters[name].high for name in cases.names])
+    with np.errstate(invalid="ignore"):
+        bad = ~((cases.values >= low) & (cases.values <= high))
+    if bad.any():
+        row = int(np.flatnonzero(bad.any(axis=1))[0])
+        values = dict(zip(cases.names, cases.values[row].tolist(), strict=True))
+        try:
+            simulation.check(values)
+        except (InvalidRequest, UnreachableValue) as error:
+            raise type(error)(f"case {row}: {error}") from error

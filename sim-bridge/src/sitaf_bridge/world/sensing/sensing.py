@@ -1,0 +1,111 @@
+"""What the devices of one simulation read, as against what is true."""
+
+import math
+from collections.abc import Mapping, Sequence
+
+import mujoco
+import numpy as np
+
+from sitaf_bridge.errors import InvalidRequest
+from sitaf_bridge.world.devices import KINDS, KNOBS, Reading
+from sitaf_bridge.world.sensing.faults import MAX_FAULTS, Fault, FaultKind, check_fault, spoil
+from sitaf_bridge.world.sensing.noise import gaussian, stream
+from sitaf_bridge.world.world import World
+
+History = tuple[tuple[int, tuple[float, ...]], ...]
+Memory = tuple[Mapping[str, tuple[Fault, ...]], Mapping[str, History]]
+
+
+class Sensing:
+    """Faults, and the past readings of delayed devices; noise and delay of the devices are in the userdata."""
+
+    def __init__(self, world: World, seed: int) -> None:
+        self.world = world
+        self._seed = seed
+        self._faults: dict[str, tuple[Fault, ...]] = {}
+        self._past: dict[str, list[tuple[int, tuple[float, ...]]]] = {}
+
+    def reset(self) -> None:
+        """As good as new."""
+        self._faults = {}
+        self._past = {}
+
+    def forget(self) -> None:
+        """Forget past readings, as when time is put back."""
+        self._past = {}
+
+    def memory(self) -> Memory:
+        """A copy of all that it holds."""
+        return dict(self._faults), {name: tuple(past) for name, past in self._past.items()}
+
+    def remember(self, memory: Memory) -> None:
+        """Take over a copy."""
+        self._faults = dict(memory[0])
+        self._past = {name: list(past) for name, past in memory[1].items()}
+
+    def set_faults(self, device: str, faults: Sequence[Fault], now: tuple[float, ...]) -> None:
+        """Replace the faults of a device that reads `now`. Raises InvalidRequest."""
+        declaration = self.world.description.devices.get(device)
+        if declaration is None:
+            known = ", ".join(self.world.description.devices) or "none"
+            raise InvalidRequest(f"device: no device {device!r}; devices of this world: {known}")
+        if KINDS[declaration.kind].image:
+            raise InvalidRequest(f"device: {device} is a camera, which has no faults")
+        if len(faults) > MAX_FAULTS:
+            raise InvalidRequest(f"faults: {len(faults)} for one device; the limit is {MAX_FAULTS}")
+        for fault in faults:
+            check_fault(device, fault)
+        self._faults[device] = tuple(Fault(f.kind, f.value, now if f.kind is FaultKind.STUCK else ()) for f in faults)
+        if not faults:
+            del self._faults[device]
+
+    def keeps_past(self, data: mujoco.MjData) -> bool:
+        """Whether any device is delayed, so that every step has to be seen."""
+        if any(f.kind is FaultKind.DELAY for faults in self._faults.values() for f in faults):
+            return True
+        count = len(self.world.description.devices)
+        return count > 0 and bool(data.userdata[-len(KNOBS) * count :][1 :: len(KNOBS)].any())
+
+    def read(self, model: mujoco.MjModel, data: mujoco.MjData, step: int) -> tuple[Reading, ...]:
+        """The readings in the order of declaration, of data that `mj_forward` has brought up to date."""
+        truth = [reading for bank in self.world.banks.values() for reading in bank.read(model, data)]
+        if len(self.world.banks) > 1:
+            truth.sort(key=lambda reading: -reading.device.slot)
+        count = len(self.world.description.devices)
+        if not self._faults and not (count and data.userdata[-len(KNOBS) * count :].any()):
+            return tuple(truth)
+        return tuple(self._read(model, data, step, reading) for reading in truth)
+
+    def _read(self, model: mujoco.MjModel, data: mujoco.MjData, step: int, truth: Reading) -> Reading:
+        device, values = truth.device, truth.values
+        faults = self._faults.get(device.name, ())
+        delay = float(data.userdata[device.address(model, "delay")])
+        delay += sum(fault.value for fault in faults if fault.kind is FaultKind.DELAY)
+        if delay > 0:
+            values = self._earlier(device.name, step, values, delay)
+        else:
+            self._past.pop(device.name, None)
+        moved = values
+        noise = float(data.userdata[device.address(model, "noise")])
+        kind = KINDS[device.kind]
+        if noise > 0 and not kind.truths:
+            drawn = gaussian(stream(self._seed, device.name), step, len(values))
+            moved = tuple((np.array(values) + noise * drawn).tolist())
+        for index, fault in enumerate(faults):
+            key = stream(self._seed, f"{device.name}/fault/{index}")
+            moved = spoil(moved, fault, key, device, step)
+        return truth if moved is truth.values else Reading(device, kind.limited(device, moved))
+
+    def _earlier(self, name: str, step: int, now: tuple[float, ...], delay_s: float) -> tuple[float, ...]:
+        """Keeps `now`, and gives what was the case so long ago, or at the earliest that is known."""
+        past = self._past.setdefault(name, [])
+        if past and past[-1][0] == step:
+            past[-1] = (step, now)
+        else:
+            past.append((step, now))
+        wanted = step - math.ceil(delay_s * 1e9 / self.world.timestep_ns - 1e-6)
+        first = 0
+        while first + 1 < len(past) and past[first + 1][0] <= wanted:
+            first += 1
+        del past[:first]
+        return past[0][1]

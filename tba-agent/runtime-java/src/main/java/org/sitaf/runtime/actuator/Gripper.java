@@ -1,0 +1,16 @@
+package org.sitaf.runtime.actuator;
+
+/** A gripper with two fingers. */
+public interface Gripper {
+  /** The device's name in the world description. */
+  String name();
+
+  /** Measured distance between the fingers in metres. */
+  double width();
+
+  /** What the fingers exert, in newtons; closing is negative. */
+  double effort();
+
+  /** Goes to a width in metres; {@link IllegalArgumentException} beyond its limits. */
+  void move(double width);
+}

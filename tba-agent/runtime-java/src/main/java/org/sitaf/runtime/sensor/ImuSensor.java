@@ -1,0 +1,19 @@
+package org.sitaf.runtime.sensor;
+
+import org.sitaf.runtime.geometry.Quaternion;
+import org.sitaf.runtime.geometry.Vector;
+
+/** An inertial unit; shape of {@code sensor_msgs/Imu}, in its own frame. */
+public interface ImuSensor {
+  /** The device's name in the world description. */
+  String name();
+
+  /** Its orientation in the world. */
+  Quaternion orientation();
+
+  /** Radians per second. */
+  Vector angularVelocity();
+
+  /** Metres per second squared; at rest it reads gravity upwards. */
+  Vector linearAcceleration();
+}

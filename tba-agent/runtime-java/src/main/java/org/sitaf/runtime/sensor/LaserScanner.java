@@ -1,0 +1,28 @@
+package org.sitaf.runtime.sensor;
+
+/** A laser scanner; shape of {@code sensor_msgs/LaserScan}. */
+public interface LaserScanner {
+  /** The device's name in the world description. */
+  String name();
+
+  /** Angle of the first ray in radians, counterclockwise from straight ahead. */
+  double angleMin();
+
+  /** Angle of the last ray in radians. */
+  double angleMax();
+
+  /** Angle between two rays in radians. */
+  double angleIncrement();
+
+  /** Smallest distance that it measures, in metres. */
+  double minRange();
+
+  /** Largest distance that it measures, in metres. */
+  double maxRange();
+
+  /**
+   * Metres, from the first ray on, in an array of the caller's own; infinities and NaN as REP-117
+   * has them.
+   */
+  double[] ranges();
+}

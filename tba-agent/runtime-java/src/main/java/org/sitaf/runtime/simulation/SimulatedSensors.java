@@ -1,0 +1,243 @@
+package org.sitaf.runtime.simulation;
+
+import org.sitaf.runtime.RangeSensor;
+import org.sitaf.runtime.geometry.Quaternion;
+import org.sitaf.runtime.geometry.Vector;
+import org.sitaf.runtime.sensor.Battery;
+import org.sitaf.runtime.sensor.Camera;
+import org.sitaf.runtime.sensor.ContactSensor;
+import org.sitaf.runtime.sensor.ForceTorqueSensor;
+import org.sitaf.runtime.sensor.ImuSensor;
+import org.sitaf.runtime.sensor.JointEncoder;
+import org.sitaf.runtime.sensor.LaserScanner;
+import org.sitaf.runtime.sensor.Magnetometer;
+import org.sitaf.runtime.sensor.PoseSensor;
+import org.sitaf.runtime.simulation.SimulatedHardware.Access;
+import org.sitaf.sim.v1.Reading;
+import org.sitaf.sim.v1.Vector3;
+
+/** The sensors of a simulated robot, as views of its readings. */
+final class SimulatedSensors {
+  private SimulatedSensors() {}
+
+  record Range(Access access) implements RangeSensor {
+    @Override
+    public String name() {
+      return access.name();
+    }
+
+    @Override
+    public double range() {
+      return access.read(
+          reading -> reading.hasRange() ? reading.getRange().getRangeM() : Double.NaN);
+    }
+
+    @Override
+    public double minRange() {
+      return access.read(
+          reading -> reading.hasRange() ? reading.getRange().getMinRangeM() : Double.NaN);
+    }
+
+    @Override
+    public double maxRange() {
+      return access.read(
+          reading -> reading.hasRange() ? reading.getRange().getMaxRangeM() : Double.NaN);
+    }
+  }
+
+  record Scanner(Access access) implements LaserScanner {
+    @Override
+    public String name() {
+      return access.name();
+    }
+
+    @Override
+    public double angleMin() {
+      return access.read(reading -> reading.getLaserScan().getAngleMin());
+    }
+
+    @Override
+    public double angleMax() {
+      return access.read(reading -> reading.getLaserScan().getAngleMax());
+    }
+
+    @Override
+    public double angleIncrement() {
+      return access.read(reading -> reading.getLaserScan().getAngleIncrement());
+    }
+
+    @Override
+    public double minRange() {
+      return access.read(reading -> reading.getLaserScan().getRangeMinM());
+    }
+
+    @Override
+    public double maxRange() {
+      return access.read(reading -> reading.getLaserScan().getRangeMaxM());
+    }
+
+    @Override
+    public double[] ranges() {
+      return access.read(
+          reading ->
+              reading.getLaserScan().getRangesMList().stream()
+                  .mapToDouble(Double::doubleValue)
+                  .toArray());
+    }
+  }
+
+  record Imu(Access access) implements ImuSensor {
+    @Override
+    public String name() {
+      return access.name();
+    }
+
+    @Override
+    public Quaternion orientation() {
+      return access.read(reading -> rotation(reading.getImu().getOrientation()));
+    }
+
+    @Override
+    public Vector angularVelocity() {
+      return access.read(reading -> vector(reading.getImu().getAngularVelocity()));
+    }
+
+    @Override
+    public Vector linearAcceleration() {
+      return access.read(reading -> vector(reading.getImu().getLinearAcceleration()));
+    }
+  }
+
+  record Encoder(Access access) implements JointEncoder {
+    @Override
+    public String name() {
+      return access.name();
+    }
+
+    @Override
+    public double position() {
+      return access.read(reading -> reading.getJoint().getPosition());
+    }
+
+    @Override
+    public double velocity() {
+      return access.read(reading -> reading.getJoint().getVelocity());
+    }
+  }
+
+  record Pose(Access access) implements PoseSensor {
+    @Override
+    public String name() {
+      return access.name();
+    }
+
+    @Override
+    public Vector position() {
+      return access.read(reading -> vector(reading.getPose().getPosition()));
+    }
+
+    @Override
+    public Quaternion orientation() {
+      return access.read(reading -> rotation(reading.getPose().getOrientation()));
+    }
+  }
+
+  record Force(Access access) implements ForceTorqueSensor {
+    @Override
+    public String name() {
+      return access.name();
+    }
+
+    @Override
+    public Vector force() {
+      return access.read(reading -> vector(reading.getWrench().getForce()));
+    }
+
+    @Override
+    public Vector torque() {
+      return access.read(reading -> vector(reading.getWrench().getTorque()));
+    }
+  }
+
+  record Bumper(Access access) implements ContactSensor {
+    @Override
+    public String name() {
+      return access.name();
+    }
+
+    @Override
+    public boolean isPressed() {
+      return access.read(reading -> reading.getContact().getPressed());
+    }
+
+    @Override
+    public double force() {
+      return access.read(reading -> reading.getContact().getForceN());
+    }
+  }
+
+  record Compass(Access access) implements Magnetometer {
+    @Override
+    public String name() {
+      return access.name();
+    }
+
+    @Override
+    public Vector field() {
+      return access.read(reading -> vector(reading.getMagneticField().getField()));
+    }
+  }
+
+  record Accumulator(Access access) implements Battery {
+    @Override
+    public String name() {
+      return access.name();
+    }
+
+    @Override
+    public double voltage() {
+      return access.read(reading -> reading.getBattery().getVoltageV());
+    }
+
+    @Override
+    public double current() {
+      return access.read(reading -> reading.getBattery().getCurrentA());
+    }
+
+    @Override
+    public double charge() {
+      return access.read(reading -> reading.getBattery().getChargeAh());
+    }
+
+    @Override
+    public double percentage() {
+      return access.read(reading -> reading.getBattery().getPercentage());
+    }
+  }
+
+  record Eye(Access access) implements Camera {
+    @Override
+    public String name() {
+      return access.name();
+    }
+
+    @Override
+    public Image image() {
+      Reading reading = access.look();
+      org.sitaf.sim.v1.Image image = reading.getImage();
+      return new Image(
+          image.getWidth(),
+          image.getHeight(),
+          image.getEncoding(),
+          image.getData().asReadOnlyByteBuffer());
+    }
+  }
+
+  private static Vector vector(Vector3 wire) {
+    return new Vector(wire.getX(), wire.getY(), wire.getZ());
+  }
+
+  private static Quaternion rotation(org.sitaf.sim.v1.Quaternion wire) {
+    return new Quaternion(wire.getX(), wire.getY(), wire.getZ(), wire.getW());
+  }
+}
