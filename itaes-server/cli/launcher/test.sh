@@ -16,6 +16,11 @@ section "Simulation bridge: environment"
 set_up_bridge
 python=$state/venv/bin/python
 
+if ! $fast && ! "$python" -c 'import example_robot_data' 2>/dev/null; then
+  # The robots of examples/worlds; 131 MB that no other command needs.
+  "$python" -m pip install --quiet "$home/sim-bridge[robots]"
+fi
+
 section "Simulation bridge: format, lint, types, tests"
 cd "$home/sim-bridge"
 bash check.sh "$python"
@@ -29,7 +34,7 @@ if $fast; then
 fi
 mvn -B -ntp verify -Dsitaf.bridge.python="$python" | grep -vE '^\[INFO\] *$|Download(ing|ed)|Overwriting|already exists in destination|Copying .*\.jar'
 
-section "End to end: the launcher as a person uses it"
+section "Across rooms: the wire of the simulator, and the launcher as a person uses it"
 cd "$home/tests"
 "$python" -m pytest -q
 section "Done"
