@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Map;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.sitaf.server.support.Activities;
 import org.sitaf.server.support.Api;
@@ -12,6 +13,7 @@ import org.sitaf.server.support.ServerTest;
 import tools.jackson.databind.JsonNode;
 
 /** Activities and suites over HTTP. */
+@Tag("slow")
 class ActivityStoryTest extends ServerTest {
   private static final String ZIP = "application/zip";
   private static final String XML = "application/xml";

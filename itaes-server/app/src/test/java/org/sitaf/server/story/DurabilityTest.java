@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.sitaf.agent.v1.Assignment;
 import org.sitaf.agent.v1.AttemptState;
@@ -22,6 +23,7 @@ import org.sitaf.server.support.ServerTest;
 import tools.jackson.databind.JsonNode;
 
 /** The server as a process of its own, killed and started again. */
+@Tag("slow")
 class DurabilityTest {
   private static final Pattern LISTENING = Pattern.compile("listening http=(\\d+) grpc=(\\d+)");
 

@@ -5,6 +5,7 @@ import static org.awaitility.Awaitility.await;
 
 import java.time.OffsetDateTime;
 import java.time.ZoneOffset;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.quartz.JobKey;
 import org.quartz.Scheduler;
@@ -15,6 +16,7 @@ import org.springframework.beans.factory.annotation.Autowired;
 import tools.jackson.databind.JsonNode;
 
 /** Reserved builds. */
+@Tag("slow")
 class ScheduleStoryTest extends ServerTest {
   @Autowired private Scheduler quartz;
 

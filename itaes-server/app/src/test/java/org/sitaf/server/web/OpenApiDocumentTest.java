@@ -6,10 +6,12 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.sitaf.server.support.ServerTest;
 
 /** The portal's client is generated from the committed copy of the document. */
+@Tag("slow")
 class OpenApiDocumentTest extends ServerTest {
   private static final Path COPY = Path.of("../../webapp/openapi.json");
 

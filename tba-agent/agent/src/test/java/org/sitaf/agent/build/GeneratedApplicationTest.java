@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -38,6 +39,7 @@ import org.sitaf.core.verdict.Verdict;
  * Test applications as SITAF generates them, on the real runtime and, where it is set up, the real
  * simulation.
  */
+@Tag("slow")
 @Timeout(180)
 class GeneratedApplicationTest {
   @TempDir private Path directory;

@@ -8,6 +8,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -22,6 +23,7 @@ import org.sitaf.core.verdict.TestResult;
 import org.sitaf.core.verdict.Verdict;
 
 /** Whatever a component does, its own case pays for it and the others have their results. */
+@Tag("slow")
 @Timeout(120)
 class HostileComponentsTest {
   @TempDir private Path directory;

@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -17,6 +18,7 @@ import org.sitaf.agent.testing.EchoActivity;
 import org.sitaf.agent.v1.AttemptRef;
 
 /** The agent as a process of its own, as its launcher sees it. */
+@Tag("slow")
 @Timeout(120)
 class AgentProcessTest {
   private static final AttemptRef ATTEMPT = FakeServer.attempt("b-1", 1, 17);

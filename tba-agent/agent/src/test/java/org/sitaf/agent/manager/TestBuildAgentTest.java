@@ -12,6 +12,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -26,6 +27,7 @@ import org.sitaf.core.verdict.TestResult;
 import org.sitaf.core.verdict.TestResultXml;
 
 /** The whole agent against a server at the rim. */
+@Tag("slow")
 @Timeout(120)
 class TestBuildAgentTest {
   private static final AttemptRef ATTEMPT = FakeServer.attempt("b-1", 1, 17);

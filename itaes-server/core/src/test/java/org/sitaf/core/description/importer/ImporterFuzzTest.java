@@ -21,12 +21,14 @@ import net.jqwik.api.Example;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
+import net.jqwik.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.sitaf.core.description.source.Described;
 import org.sitaf.core.description.source.SourceFiles;
 
 /** No input does more to an importer than to make it report diagnostics, and soon. */
+@Tag("slow")
 class ImporterFuzzTest {
   /** For a million characters on a busy machine; most take a small part of a second. */
   private static final Duration SOON = Duration.ofSeconds(20);

@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -41,6 +42,7 @@ import org.sitaf.core.suite.TestCase;
 import org.sitaf.core.suite.TestSuite;
 
 /** Names and values that try to become code: in strings, comments, identifiers and templates. */
+@Tag("slow")
 class InjectionTest {
   private static final DataType STRING = new DataType.Scalar(ScalarType.STRING);
 
