@@ -33,9 +33,14 @@ public record Installation(Path home) {
     return List.of(state().resolve("venv/bin/python").toString(), "-m", "sitaf_bridge");
   }
 
-  /** Jars of the runtime of Java test applications. */
-  public Path javaRuntime() {
-    return state().resolve("dist/agent/runtime-java");
+  /** What test applications link against, a folder a language. */
+  public Path runtimes() {
+    return state().resolve("dist/agent");
+  }
+
+  /** What builds keep for the next ones. */
+  public Path cache() {
+    return state().resolve("cache");
   }
 
   /** What starts a server; its arguments are appended. */

@@ -14,7 +14,9 @@ import org.sitaf.agent.build.BuildOutcome;
 import org.sitaf.agent.build.BuildRun;
 import org.sitaf.agent.build.BuildSettings;
 import org.sitaf.agent.build.BuildStage;
+import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.agent.simulation.Simulator;
+import org.sitaf.agent.toolchain.ToolchainPlaces;
 import org.sitaf.agent.toolchain.Toolchains;
 import org.sitaf.core.activity.Activity;
 import org.sitaf.core.harness.InterfaceTestApplicationGenerator;
@@ -35,9 +37,9 @@ final class LocalBuilds implements AutoCloseable {
     directory = Files.createTempDirectory("sitaf-run-");
     settings =
         new BuildSettings(
-            BuildSettings.runtimeJarsIn(installation.javaRuntime()),
             Simulator.started(installation.bridgeCommand(), directory.resolve("simulator")),
-            Toolchains.find(),
+            new Toolchains(new ToolchainPlaces(installation.runtimes(), installation.cache())),
+            Sandbox.none(),
             "");
   }
 

@@ -11,9 +11,9 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.jspecify.annotations.Nullable;
-import org.sitaf.agent.build.BuildSettings;
 import org.sitaf.agent.manager.AgentSettings;
 import org.sitaf.agent.manager.TestBuildAgent;
+import org.sitaf.agent.toolchain.ToolchainPlaces;
 import org.sitaf.agent.toolchain.Toolchains;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -70,10 +70,12 @@ public final class AgentMain implements Callable<Integer> {
   private @Nullable String bridge;
 
   @Option(
-      names = "--runtime-java",
+      names = "--runtimes",
       paramLabel = "FOLDER",
-      description = "Jars of the runtime of Java test applications; default beside agent.jar.")
-  private @Nullable Path runtimeJava;
+      description =
+          "What test applications link against: holds runtime-java and those of other languages;"
+              + " default the folder of agent.jar.")
+  private @Nullable Path runtimes;
 
   @Option(
       names = "--stop-with-stdin",
@@ -93,8 +95,10 @@ public final class AgentMain implements Callable<Integer> {
 
   @Override
   public Integer call() throws InterruptedException {
-    Toolchains toolchains = Toolchains.find();
-    toolchains.missing().forEach(missing -> System.err.println("sitaf agent: no " + missing));
+    Toolchains toolchains =
+        new Toolchains(
+            new ToolchainPlaces(
+                runtimes != null ? runtimes : folderOfJar(), directory.resolve("cache")));
     CountDownLatch stop = new CountDownLatch(1);
     CountDownLatch stopped = new CountDownLatch(1);
     AtomicBoolean told = new AtomicBoolean();
@@ -102,6 +106,7 @@ public final class AgentMain implements Callable<Integer> {
     TestBuildAgent agent;
     try {
       settings = settings();
+      toolchains.missing().forEach(missing -> System.err.println("sitaf agent: no " + missing));
       agent =
           new TestBuildAgent(
               settings,
@@ -144,8 +149,7 @@ public final class AgentMain implements Callable<Integer> {
     return 0;
   }
 
-  private AgentSettings settings() throws IOException {
-    Path runtime = runtimeJava != null ? runtimeJava : besideJar();
+  private AgentSettings settings() {
     return new AgentSettings(
         server,
         name != null ? name : hostName(),
@@ -153,8 +157,7 @@ public final class AgentMain implements Callable<Integer> {
         directory,
         slots,
         bridge == null ? words(bridgeCommand) : List.of(),
-        bridge,
-        BuildSettings.runtimeJarsIn(runtime));
+        bridge);
   }
 
   /**
@@ -193,13 +196,13 @@ public final class AgentMain implements Callable<Integer> {
     return words;
   }
 
-  private static Path besideJar() {
+  private static Path folderOfJar() {
     try {
       Path jar =
           Path.of(AgentMain.class.getProtectionDomain().getCodeSource().getLocation().toURI());
-      return jar.resolveSibling("runtime-java");
+      return jar.toAbsolutePath().getParent();
     } catch (URISyntaxException e) {
-      throw new IllegalArgumentException("give --runtime-java", e);
+      throw new IllegalArgumentException("give --runtimes", e);
     }
   }
 

@@ -29,6 +29,7 @@ class WallsTest {
               "..agent.compiler..",
               "..agent.executor..",
               "..agent.build..",
+              "..agent.sandbox..",
               "..agent.simulation..",
               "..agent.spool..",
               "..agent.toolchain..")

@@ -2,7 +2,7 @@ package org.sitaf.agent.build;
 
 import java.util.List;
 import java.util.Objects;
-import org.sitaf.agent.compiler.SourceDiagnostic;
+import org.sitaf.agent.toolchain.SourceDiagnostic;
 import org.sitaf.core.verdict.TestResult;
 
 /** How a build ended. "Could not run" never looks like "test failed". */

@@ -4,16 +4,12 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.time.Duration;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
-import org.sitaf.agent.compiler.CompilationException;
-import org.sitaf.agent.compiler.CompiledApplication;
-import org.sitaf.agent.compiler.SourceDiagnostic;
 import org.sitaf.agent.compiler.TestApplicationCompiler;
 import org.sitaf.agent.executor.Execution;
 import org.sitaf.agent.executor.ExecutionRequest;
@@ -21,6 +17,10 @@ import org.sitaf.agent.executor.ExecutionRequest.World;
 import org.sitaf.agent.executor.TestApplicationExecutor;
 import org.sitaf.agent.simulation.SimulatorClient;
 import org.sitaf.agent.simulation.WorldException;
+import org.sitaf.agent.toolchain.CompilationException;
+import org.sitaf.agent.toolchain.CompiledApplication;
+import org.sitaf.agent.toolchain.SourceDiagnostic;
+import org.sitaf.agent.toolchain.Toolchain;
 import org.sitaf.core.activity.ActivityProfile;
 import org.sitaf.core.activity.ActivityProfile.Component;
 import org.sitaf.core.activity.ActivityProfile.Language;
@@ -38,7 +38,6 @@ import org.sitaf.core.verdict.TestResult;
  */
 public final class BuildRun {
   private static final System.Logger LOGGER = System.getLogger("org.sitaf.agent");
-  private static final Duration COMPILE_LIMIT = Duration.ofMinutes(2);
 
   private final TestApplication application;
   private final Path directory;
@@ -123,10 +122,15 @@ public final class BuildRun {
   private void match() throws IOException {
     ActivityProfile profile = application.activity().profile();
     for (Language language : List.of(profile.component().language(), profile.harness())) {
-      if (settings.toolchains().of(language).isEmpty() || language != Language.JAVA) {
-        throw new IOException(settings.toolchains().lackOf(language));
-      }
+      toolchain(language);
     }
+  }
+
+  private Toolchain toolchain(Language language) throws IOException {
+    return settings
+        .toolchains()
+        .of(language)
+        .orElseThrow(() -> new IOException(settings.toolchains().lackOf(language)));
   }
 
   /**
@@ -171,8 +175,9 @@ public final class BuildRun {
 
   private CompiledApplication compile()
       throws CompilationException, IOException, InterruptedException {
-    return new TestApplicationCompiler(settings.runtimeJars(), COMPILE_LIMIT)
-        .compile(application, applicationDirectory(), directory.resolve("classes"));
+    Toolchain toolchain = toolchain(application.activity().profile().harness());
+    return new TestApplicationCompiler(toolchain, settings.sandbox())
+        .compile(application, applicationDirectory(), directory.resolve("compilation"));
   }
 
   private Execution execute(
@@ -181,8 +186,9 @@ public final class BuildRun {
     Path execution = Files.createDirectories(directory.resolve("execution"));
     ExecutionRequest request =
         new ExecutionRequest(
-            compiled.classPath(),
-            compiled.mainClass(),
+            compiled,
+            settings.sandbox(),
+            applicationDirectory(),
             application.suite(),
             applicationDirectory().resolve("suite.xml"),
             execution,

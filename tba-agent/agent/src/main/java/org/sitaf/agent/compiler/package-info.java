@@ -1,6 +1,4 @@
-/**
- * Test Application Compiler (TAC): sources of a test application to classes, errors to diagnostics.
- */
+/** Test Application Compiler (TAC): sources of a test application to something that starts. */
 @NullMarked
 package org.sitaf.agent.compiler;
 

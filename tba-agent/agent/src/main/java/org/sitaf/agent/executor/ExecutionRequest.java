@@ -1,32 +1,35 @@
 package org.sitaf.agent.executor;
 
 import java.nio.file.Path;
-import java.util.List;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.agent.sandbox.Sandbox;
+import org.sitaf.agent.toolchain.CompiledApplication;
 import org.sitaf.core.activity.ActivityProfile.Limits;
 import org.sitaf.core.suite.TestSuite;
 
 /**
  * What to execute.
  *
- * @param classPath absolute
+ * @param files folder of the application's files, absolute; suite and world lie in it
  * @param suiteFile the suite as a document, for the test application
  * @param directory the executor's own, for the results file and the working folder of the test
  *     application; created
  * @param world null where the activity has none
  */
 public record ExecutionRequest(
-    List<Path> classPath,
-    String mainClass,
+    CompiledApplication application,
+    Sandbox sandbox,
+    Path files,
     TestSuite suite,
     Path suiteFile,
     Path directory,
     @Nullable World world,
     Limits limits) {
   public ExecutionRequest {
-    classPath = List.copyOf(classPath);
-    Objects.requireNonNull(mainClass);
+    Objects.requireNonNull(application);
+    Objects.requireNonNull(sandbox);
+    Objects.requireNonNull(files);
     Objects.requireNonNull(suite);
     Objects.requireNonNull(suiteFile);
     Objects.requireNonNull(directory);

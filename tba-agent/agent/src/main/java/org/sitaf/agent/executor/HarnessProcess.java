@@ -1,6 +1,5 @@
 package org.sitaf.agent.executor;
 
-import java.io.File;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.InputStreamReader;
@@ -11,29 +10,34 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
-import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
-import java.util.stream.Collectors;
 import org.sitaf.agent.executor.ExecutionRequest.World;
+import org.sitaf.agent.sandbox.ConfinedProcess;
+import org.sitaf.agent.sandbox.Confinement;
+import org.sitaf.agent.sandbox.ProcessLimits;
+import org.sitaf.agent.toolchain.CompiledApplication;
+import org.sitaf.agent.toolchain.ProcessPlace;
 
-/** A test application at work, in a JVM of its own. */
+/** A test application at work, in a process of its own. */
 final class HarnessProcess implements AutoCloseable {
   private static final Duration OUTPUT_GRACE = Duration.ofSeconds(2);
 
-  private final Process process;
-  private final ProcessGroup group;
+  /** Threads of the runtime among them. */
+  private static final int PROCESSES = 512;
+
+  private static final int FILE_MIB = 256;
+
+  private final ConfinedProcess process;
   private final LastWords lastWords = new LastWords();
   private final List<Thread> pumps;
 
-  private HarnessProcess(Process process, ProcessGroup group, OutputSink sink) {
+  private HarnessProcess(ConfinedProcess process, OutputSink sink) {
     this.process = process;
-    this.group = group;
     this.pumps =
         List.of(
-            pump(process.getInputStream(), sink::output),
+            pump(process.output(), sink::output),
             pump(
-                process.getErrorStream(),
+                process.errors(),
                 text -> {
                   lastWords.add(text);
                   sink.output(text);
@@ -47,96 +51,68 @@ final class HarnessProcess implements AutoCloseable {
    */
   static HarnessProcess start(ExecutionRequest request, Path results, int fromCase, OutputSink sink)
       throws IOException, InterruptedException {
-    Path working = request.directory().resolve("run");
-    Path temporary = request.directory().resolve("tmp");
-    Files.createDirectories(working);
-    Files.createDirectories(temporary);
-    ProcessGroup group = new ProcessGroup(ProcessGroup.markOf(request.directory()));
-    ProcessBuilder builder = new ProcessBuilder(command(request, results, fromCase, temporary));
-    builder.directory(working.toFile());
-    // Nothing of the agent's environment is the component's business; what it holds may be secret.
-    Map<String, String> environment = builder.environment();
-    String path = environment.getOrDefault("PATH", "/usr/bin:/bin");
-    environment.clear();
-    environment.put("PATH", path);
-    environment.put("HOME", working.toString());
-    environment.put("TMPDIR", temporary.toString());
-    environment.put("LANG", "C.UTF-8");
-    environment.put(ProcessGroup.VARIABLE, group.mark());
-    Process process = builder.start();
-    process.getOutputStream().close();
-    return new HarnessProcess(process, group, sink);
+    CompiledApplication application = request.application();
+    Path working = Files.createDirectories(request.directory().resolve("run"));
+    Path temporary = Files.createDirectories(request.directory().resolve("tmp"));
+    int memoryMiB = request.limits().memoryMiB();
+    ProcessPlace place = new ProcessPlace(request.directory(), temporary, memoryMiB);
+    List<String> command = new ArrayList<>(application.command(place));
+    command.addAll(arguments(request, results, fromCase));
+    ProcessLimits limits =
+        new ProcessLimits(memoryMiB + application.overheadMiB(), PROCESSES, FILE_MIB);
+    Confinement confinement =
+        Confinement.of(command, working, temporary, limits)
+            .withEnvironment(application.environment(place))
+            .reading(application.readable())
+            .reading(List.of(request.files()))
+            .writing(List.of(results));
+    return new HarnessProcess(request.sandbox().start(confinement), sink);
   }
 
-  private static List<String> command(
-      ExecutionRequest request, Path results, int fromCase, Path temporary)
+  /** What each test application is told, whatever its language. */
+  private static List<String> arguments(ExecutionRequest request, Path results, int fromCase)
       throws IOException, InterruptedException {
-    List<String> command = new ArrayList<>();
-    command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
-    command.add("-Xmx" + request.limits().memoryMiB() + "m");
-    // A suite is over before the optimising compiler pays; start-up is what counts.
-    command.add("-XX:TieredStopAtLevel=1");
-    command.add("-XX:+UseSerialGC");
-    command.add("-Xshare:auto");
-    command.add("-XX:-UsePerfData");
-    command.add("-XX:-CreateCoredumpOnCrash");
-    command.add("-XX:ErrorFile=" + request.directory().resolve("hs_err.log"));
-    command.add("-Djava.io.tmpdir=" + temporary);
-    command.add("-Dfile.encoding=UTF-8");
-    command.add("-Dsun.stdout.encoding=UTF-8");
-    command.add("-Dsun.stderr.encoding=UTF-8");
-    command.add("-cp");
-    command.add(
-        request.classPath().stream()
-            .map(Path::toString)
-            .collect(Collectors.joining(File.pathSeparator)));
-    command.add(request.mainClass());
-    command.add("--suite");
-    command.add(request.suiteFile().toString());
-    command.add("--results");
-    command.add(results.toString());
+    List<String> arguments = new ArrayList<>();
+    arguments.add("--suite");
+    arguments.add(request.suiteFile().toString());
+    arguments.add("--results");
+    arguments.add(results.toString());
     World world = request.world();
     if (world != null) {
-      command.add("--bridge");
-      command.add(world.simulator().get());
-      command.add("--world");
-      command.add(world.description().toString());
+      arguments.add("--bridge");
+      arguments.add(world.simulator().get());
+      arguments.add("--world");
+      arguments.add(world.description().toString());
     }
-    command.add("--seed");
-    command.add(Long.toString(request.suite().generation().seed()));
-    command.add("--from");
-    command.add(Integer.toString(fromCase));
-    return command;
+    arguments.add("--seed");
+    arguments.add(Long.toString(request.suite().generation().seed()));
+    arguments.add("--from");
+    arguments.add(Integer.toString(fromCase));
+    return arguments;
   }
 
   /** Waits for the end; true when it came within that time. */
   boolean awaitEnd(Duration atMost) throws InterruptedException {
-    return process.waitFor(atMost.toMillis(), TimeUnit.MILLISECONDS);
+    return process.awaitEnd(atMost);
   }
 
   /** Ends it now, with all that it started. */
   void kill() throws InterruptedException {
-    List<ProcessHandle> descendants = process.descendants().toList();
-    process.destroyForcibly();
-    descendants.forEach(ProcessHandle::destroyForcibly);
-    group.kill();
-    process.waitFor();
+    process.kill();
   }
 
   /** How it ended; only after its end. */
   ProcessEnd end() throws InterruptedException {
-    // What it left behind would keep its output open.
-    group.kill();
+    process.killRest();
     for (Thread pump : pumps) {
       pump.join(OUTPUT_GRACE.toMillis());
     }
-    return new ProcessEnd(process.exitValue(), lastWords.get());
+    return new ProcessEnd(process.exitCode(), lastWords.get());
   }
 
   @Override
   public void close() {
-    process.destroyForcibly();
-    group.kill();
+    process.close();
   }
 
   private static Thread pump(InputStream stream, Consumer<String> sink) {

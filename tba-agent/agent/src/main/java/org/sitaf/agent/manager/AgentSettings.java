@@ -16,7 +16,6 @@ import org.jspecify.annotations.Nullable;
  * @param slots builds that may run at the same time
  * @param bridgeCommand starts a simulation bridge of the agent's own; empty for none
  * @param bridge gRPC target of a running bridge; null for none
- * @param runtimeJars what Java test applications link against
  */
 public record AgentSettings(
     String server,
@@ -25,8 +24,7 @@ public record AgentSettings(
     Path directory,
     int slots,
     List<String> bridgeCommand,
-    @Nullable String bridge,
-    List<Path> runtimeJars) {
+    @Nullable String bridge) {
   private static final Pattern NAME = Pattern.compile("[A-Za-z0-9._-]{1,100}");
   private static final int MAX_SLOTS = 256;
 
@@ -34,7 +32,6 @@ public record AgentSettings(
     Objects.requireNonNull(version);
     Objects.requireNonNull(directory);
     bridgeCommand = List.copyOf(bridgeCommand);
-    runtimeJars = List.copyOf(runtimeJars);
     require(!server.isBlank(), "--server needs HOST:PORT");
     require(
         NAME.matcher(name).matches(),
@@ -43,7 +40,6 @@ public record AgentSettings(
     require(
         bridgeCommand.isEmpty() || bridge == null,
         "--bridge-command and --bridge exclude each other");
-    require(!runtimeJars.isEmpty(), "the runtime of test applications is missing");
   }
 
   private static void require(boolean condition, String message) {

@@ -5,7 +5,7 @@ import java.io.ByteArrayOutputStream;
 import java.util.HexFormat;
 import java.util.List;
 import org.sitaf.agent.build.BuildOutcome;
-import org.sitaf.agent.compiler.SourceDiagnostic;
+import org.sitaf.agent.toolchain.SourceDiagnostic;
 import org.sitaf.agent.v1.BuildFailure;
 import org.sitaf.agent.v1.BuildFailure.Category;
 import org.sitaf.agent.v1.Diagnostic;

@@ -8,7 +8,8 @@ import java.io.IOException;
 import java.time.Duration;
 import java.util.function.Consumer;
 import org.sitaf.agent.build.BuildSettings;
-import org.sitaf.agent.executor.ProcessGroup;
+import org.sitaf.agent.sandbox.ProcessGroup;
+import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.agent.simulation.Simulator;
 import org.sitaf.agent.spool.AgentDirectory;
 import org.sitaf.agent.toolchain.Toolchains;
@@ -55,10 +56,7 @@ public final class TestBuildAgent implements AutoCloseable {
     this.upload = new ResultUpload(directory.spool(), calls);
     BuildSettings builds =
         new BuildSettings(
-            settings.runtimeJars(),
-            simulator,
-            toolchains,
-            settings.name() + " " + settings.version());
+            simulator, toolchains, Sandbox.none(), settings.name() + " " + settings.version());
     this.attempts =
         new Attempts(
             settings.slots(),

@@ -1,21 +1,36 @@
 package org.sitaf.agent.toolchain;
 
-import java.util.Objects;
+import java.io.IOException;
 import org.sitaf.core.activity.ActivityProfile.Language;
 
-/**
- * A language that this machine can compile and run.
- *
- * @param version of the compiler, such as {@code javac 17.0.15}
- */
-public record Toolchain(Language language, String version) {
-  public Toolchain {
-    Objects.requireNonNull(language);
-    Objects.requireNonNull(version);
-  }
+/** A language that this machine can compile and run. Safe to use from several threads. */
+public interface Toolchain {
+  Language language();
 
-  @Override
-  public String toString() {
-    return language.spelling() + " (" + version + ")";
-  }
+  /** Of the compiler or interpreter, such as {@code javac 17.0.15}. */
+  String version();
+
+  /**
+   * Whatever decides, beside the sources, what {@link #compile} brings: compiler, options, runtime.
+   * What was compiled under another identity is never used.
+   */
+  String identity() throws IOException, InterruptedException;
+
+  /**
+   * Compiles component, adapter and harness. Is not called when the same was compiled before; then
+   * the output folder holds already what an earlier call has left there.
+   *
+   * @throws CompilationException when the user's files are at fault
+   * @throws InterruptedException when the build was cancelled meanwhile
+   * @throws IOException when this machine is at fault
+   */
+  void compile(Compilation compilation)
+      throws CompilationException, InterruptedException, IOException;
+
+  /**
+   * What starts the application out of the output folder; also fetches packages that it needs at
+   * run time. Called for each build, after {@link #compile} or instead of it.
+   */
+  CompiledApplication open(Compilation compilation)
+      throws CompilationException, InterruptedException, IOException;
 }

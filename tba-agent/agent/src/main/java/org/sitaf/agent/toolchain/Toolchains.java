@@ -1,58 +1,79 @@
 package org.sitaf.agent.toolchain;
 
 import java.util.ArrayList;
+import java.util.EnumMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
-import javax.tools.JavaCompiler;
-import javax.tools.ToolProvider;
+import org.sitaf.agent.toolchain.ToolchainLookup.Found;
+import org.sitaf.agent.toolchain.ToolchainLookup.Missing;
+import org.sitaf.agent.toolchain.java.JavaToolchain;
 import org.sitaf.core.activity.ActivityProfile.Language;
 
-/**
- * The toolchains of this machine.
- *
- * @param missing why a language that an agent knows is not among them, one sentence each
- */
-public record Toolchains(List<Toolchain> found, List<String> missing) {
-  public Toolchains {
-    found = List.copyOf(found);
-    missing = List.copyOf(missing);
+/** The toolchains of this machine; each is looked for when it is first asked for. */
+public final class Toolchains {
+  private final ToolchainPlaces places;
+  private final Map<Language, ToolchainLookup> looked = new EnumMap<>(Language.class);
+
+  public Toolchains(ToolchainPlaces places) {
+    this.places = places;
   }
 
-  /** Looks at this machine. */
-  public static Toolchains find() {
-    List<Toolchain> found = new ArrayList<>();
-    List<String> missing = new ArrayList<>();
-    JavaCompiler javac = ToolProvider.getSystemJavaCompiler();
-    if (javac != null) {
-      found.add(new Toolchain(Language.JAVA, "javac " + System.getProperty("java.version")));
-    } else {
-      missing.add(
-          "java: the Java that runs the agent ("
-              + System.getProperty("java.home")
-              + ") is a runtime without a compiler; run the agent with a JDK 17, such as Debian's"
-              + " openjdk-17-jdk-headless");
-    }
-    return new Toolchains(found, missing);
+  /** Where a language is looked for; the one place that knows them all. */
+  private ToolchainLookup look(Language language) {
+    return switch (language) {
+      case JAVA -> JavaToolchain.find(places);
+      case CPP, PYTHON ->
+          new Missing("this release of the agent does not know it", "use a later release");
+    };
+  }
+
+  private synchronized ToolchainLookup lookup(Language language) {
+    return looked.computeIfAbsent(language, this::look);
   }
 
   /** The toolchain of a language. */
   public Optional<Toolchain> of(Language language) {
-    return found.stream().filter(toolchain -> toolchain.language() == language).findFirst();
+    return lookup(language) instanceof Found found
+        ? Optional.of(found.toolchain())
+        : Optional.empty();
+  }
+
+  /** All that are there. */
+  public List<Toolchain> found() {
+    List<Toolchain> found = new ArrayList<>();
+    for (Language language : Language.values()) {
+      of(language).ifPresent(found::add);
+    }
+    return List.copyOf(found);
+  }
+
+  /** Why a language that an agent knows is not among them, one sentence each. */
+  public List<String> missing() {
+    List<String> sentences = new ArrayList<>();
+    for (Language language : Language.values()) {
+      if (lookup(language) instanceof Missing missing) {
+        sentences.add(language.spelling() + ": " + missing.reason() + "; " + missing.remedy());
+      }
+    }
+    return List.copyOf(sentences);
   }
 
   /** Says that a language is not offered, why, and what is. */
   public String lackOf(Language language) {
-    String reason =
-        missing.stream()
-            .filter(sentence -> sentence.startsWith(language.spelling() + ":"))
-            .map(sentence -> " (" + sentence + ")")
-            .findFirst()
-            .orElse("");
+    String why =
+        lookup(language) instanceof Missing missing
+            ? " (" + missing.reason() + "; " + missing.remedy() + ")"
+            : "";
     String offered =
-        found.isEmpty()
-            ? "none at all"
-            : found.stream().map(Toolchain::toString).collect(Collectors.joining(", "));
-    return "no toolchain for " + language.spelling() + reason + "; this agent offers " + offered;
+        found().stream()
+            .map(toolchain -> toolchain.language().spelling() + " (" + toolchain.version() + ")")
+            .collect(Collectors.joining(", "));
+    return "no toolchain for "
+        + language.spelling()
+        + why
+        + "; this agent offers "
+        + (offered.isEmpty() ? "none at all" : offered);
   }
 }

@@ -9,9 +9,13 @@ import org.junit.jupiter.api.io.TempDir;
 import org.sitaf.agent.build.BuildOutcome.CompilationFailed;
 import org.sitaf.agent.build.BuildOutcome.Completed;
 import org.sitaf.agent.build.BuildOutcome.InfrastructureFailed;
-import org.sitaf.agent.compiler.SourceDiagnostic;
+import org.sitaf.agent.sandbox.Sandbox;
+import org.sitaf.agent.simulation.Simulator;
 import org.sitaf.agent.testing.EchoActivity;
 import org.sitaf.agent.testing.Recording;
+import org.sitaf.agent.toolchain.SourceDiagnostic;
+import org.sitaf.agent.toolchain.ToolchainPlaces;
+import org.sitaf.agent.toolchain.Toolchains;
 import org.sitaf.core.verdict.TestResult;
 import org.sitaf.core.verdict.Verdict;
 
@@ -137,11 +141,25 @@ class BuildRunTest {
   }
 
   @Test
-  void anotherLanguageIsAnsweredAndNotACrash() {
-    BuildOutcome outcome = build(EchoActivity.doing("return value;").language("cpp"));
+  void aLanguageThatIsNotHereIsAnsweredWithTheReasonAndTheRemedy() {
+    BuildSettings settings =
+        new BuildSettings(
+            Simulator.none(),
+            new Toolchains(
+                new ToolchainPlaces(directory.resolve("runtimes"), directory.resolve("cache"))),
+            Sandbox.none(),
+            "");
+    BuildOutcome outcome =
+        new BuildRun(
+                EchoActivity.doing("return value;").application(),
+                directory.resolve("build"),
+                settings,
+                recording)
+            .run();
 
     assertThat(((InfrastructureFailed) outcome).message())
-        .startsWith("no toolchain for cpp; this agent offers java (javac ");
+        .startsWith("no toolchain for java (")
+        .contains("does not hold the runtime", "; install the agent with", "this agent offers ");
   }
 
   @Test

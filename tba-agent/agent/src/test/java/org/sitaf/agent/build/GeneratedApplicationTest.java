@@ -19,11 +19,11 @@ import org.junit.jupiter.api.io.TempDir;
 import org.sitaf.agent.build.BuildOutcome.CompilationFailed;
 import org.sitaf.agent.build.BuildOutcome.Completed;
 import org.sitaf.agent.build.BuildOutcome.InfrastructureFailed;
+import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.agent.simulation.RealBridge;
 import org.sitaf.agent.simulation.Simulator;
 import org.sitaf.agent.testing.EchoActivity;
 import org.sitaf.agent.testing.Recording;
-import org.sitaf.agent.toolchain.Toolchains;
 import org.sitaf.core.activity.Activity;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.harness.InterfaceTestApplicationGenerator;
@@ -47,7 +47,7 @@ class GeneratedApplicationTest {
 
   private BuildOutcome build(TestApplication application, Simulator simulator) {
     BuildSettings settings =
-        new BuildSettings(EchoActivity.runtimeJars(), simulator, Toolchains.find(), "");
+        new BuildSettings(simulator, EchoActivity.toolchains(), Sandbox.none(), "");
     return new BuildRun(application, directory.resolve("build"), settings, recording).run();
   }
 
@@ -115,7 +115,7 @@ class GeneratedApplicationTest {
         };
     try (Simulator simulator = Simulator.started(RealBridge.command(), directory)) {
       BuildSettings settings =
-          new BuildSettings(EchoActivity.runtimeJars(), simulator, Toolchains.find(), "");
+          new BuildSettings(simulator, EchoActivity.toolchains(), Sandbox.none(), "");
       String component = "component/org/sitaf/examples/ir/InfraredSensor.java";
       String source = infrared(Map.of()).activity().files().text(component).orElseThrow();
       TestApplication slow =

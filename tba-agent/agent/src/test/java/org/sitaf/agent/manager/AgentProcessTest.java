@@ -46,8 +46,8 @@ class AgentProcessTest {
                 "tester",
                 "--directory",
                 directory.resolve("agent").toString(),
-                "--runtime-java",
-                System.getProperty("sitaf.runtime-java")));
+                "--runtimes",
+                System.getProperty("sitaf.runtimes")));
     command.addAll(List.of(more));
     agent = new ProcessBuilder(command).redirectError(errors().toFile()).start();
     return agent.inputReader();

@@ -17,7 +17,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.sitaf.agent.testing.EchoActivity;
-import org.sitaf.agent.toolchain.Toolchains;
 import org.sitaf.agent.v1.AttemptRef;
 import org.sitaf.agent.v1.AttemptState;
 import org.sitaf.agent.v1.BuildFailure.Category;
@@ -47,16 +46,8 @@ class TestBuildAgentTest {
 
   private void startAgent() throws IOException {
     AgentSettings settings =
-        new AgentSettings(
-            server.address(),
-            "tester",
-            "1",
-            directory,
-            1,
-            List.of(),
-            null,
-            EchoActivity.runtimeJars());
-    agent = new TestBuildAgent(settings, Toolchains.find(), version -> {});
+        new AgentSettings(server.address(), "tester", "1", directory, 1, List.of(), null);
+    agent = new TestBuildAgent(settings, EchoActivity.toolchains(), version -> {});
   }
 
   @AfterEach

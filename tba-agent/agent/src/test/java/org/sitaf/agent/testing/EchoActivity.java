@@ -10,7 +10,9 @@ import java.util.Objects;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.sitaf.agent.build.BuildSettings;
+import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.agent.simulation.Simulator;
+import org.sitaf.agent.toolchain.ToolchainPlaces;
 import org.sitaf.agent.toolchain.Toolchains;
 import org.sitaf.core.activity.Activity;
 import org.sitaf.core.activity.FileTree;
@@ -138,20 +140,17 @@ public final class EchoActivity {
     }
   }
 
-  /** The jars that the build copied for test applications. */
-  public static java.util.List<Path> runtimeJars() {
-    try {
-      return BuildSettings.runtimeJarsIn(
-          Path.of(
-              Objects.requireNonNull(
-                  System.getProperty("sitaf.runtime-java"), "run the tests through Maven")));
-    } catch (IOException e) {
-      throw new java.io.UncheckedIOException(e);
-    }
+  /** The toolchains of this machine, on the runtimes that the build copied. */
+  public static Toolchains toolchains() {
+    Path runtimes =
+        Path.of(
+            Objects.requireNonNull(
+                System.getProperty("sitaf.runtimes"), "run the tests through Maven"));
+    return new Toolchains(new ToolchainPlaces(runtimes, runtimes.resolveSibling("test-cache")));
   }
 
   /** This machine, without a simulator. */
   public static BuildSettings settings() {
-    return new BuildSettings(runtimeJars(), Simulator.none(), Toolchains.find(), "tester 1");
+    return new BuildSettings(Simulator.none(), toolchains(), Sandbox.none(), "tester 1");
   }
 }

@@ -1,4 +1,4 @@
-package org.sitaf.agent.compiler;
+package org.sitaf.agent.toolchain.java;
 
 import java.net.URI;
 import java.net.URISyntaxException;
@@ -13,6 +13,8 @@ import java.util.TreeMap;
 import java.util.stream.Stream;
 import javax.tools.SimpleJavaFileObject;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.agent.toolchain.CompilationException;
+import org.sitaf.agent.toolchain.SourceDiagnostic;
 import org.sitaf.core.activity.ActivityProfile.Component;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.harness.InterfaceTestApplicationGenerator;

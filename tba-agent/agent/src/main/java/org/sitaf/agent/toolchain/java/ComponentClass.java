@@ -1,4 +1,4 @@
-package org.sitaf.agent.compiler;
+package org.sitaf.agent.toolchain.java;
 
 import java.io.IOException;
 import java.nio.file.Path;
@@ -7,6 +7,7 @@ import java.util.Set;
 import java.util.jar.JarFile;
 import java.util.stream.Collectors;
 import java.util.zip.ZipException;
+import org.sitaf.agent.toolchain.CompilationException;
 import org.sitaf.core.harness.TestApplication;
 
 /** The class under test, as the activity's profile names it. */
@@ -47,7 +48,7 @@ final class ComponentClass {
                 ? "there are no sources of the component"
                 : "the sources define " + there);
     throw new CompilationException(
-        "there is no class " + className, List.of(TestApplicationCompiler.inProfile(message)));
+        "there is no class " + className, List.of(JavaToolchain.inProfile(message)));
   }
 
   private boolean isOrEncloses(String topLevel) {
@@ -75,7 +76,7 @@ final class ComponentClass {
         String file = library.getFileName().toString();
         throw new CompilationException(
             file + " is not a jar",
-            List.of(TestApplicationCompiler.inProfile(file + " is not a jar: " + e.getMessage())));
+            List.of(JavaToolchain.inProfile(file + " is not a jar: " + e.getMessage())));
       }
     }
     return false;

@@ -1,4 +1,4 @@
-package org.sitaf.agent.compiler;
+package org.sitaf.agent.toolchain.java;
 
 import java.io.IOException;
 import java.util.Set;

@@ -1,4 +1,4 @@
-package org.sitaf.agent.compiler;
+package org.sitaf.agent.toolchain.java;
 
 import com.sun.source.tree.ClassTree;
 import com.sun.source.tree.CompilationUnitTree;
@@ -11,13 +11,14 @@ import java.util.TreeSet;
 import java.util.concurrent.Callable;
 import javax.tools.JavaCompiler;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.agent.toolchain.CompilationException;
 
 /**
  * One run of javac. The sources are parsed first, so that a class that nobody defines is told as
  * such and not as a hundred unknown symbols.
  */
 final class JavaCompilation implements Callable<@Nullable Void> {
-  private static final List<String> OPTIONS =
+  static final List<String> OPTIONS =
       List.of("-proc:none", "--release", "17", "-g", "-nowarn", "-implicit:none");
 
   private final JavacTask task;

@@ -1,4 +1,4 @@
-package org.sitaf.agent.compiler;
+package org.sitaf.agent.toolchain;
 
 import java.util.Objects;
 

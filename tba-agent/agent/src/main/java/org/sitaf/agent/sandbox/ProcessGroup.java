@@ -1,4 +1,4 @@
-package org.sitaf.agent.executor;
+package org.sitaf.agent.sandbox;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;

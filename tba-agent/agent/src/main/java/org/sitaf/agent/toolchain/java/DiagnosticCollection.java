@@ -1,4 +1,4 @@
-package org.sitaf.agent.compiler;
+package org.sitaf.agent.toolchain.java;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -6,6 +6,8 @@ import java.util.Locale;
 import javax.tools.Diagnostic;
 import javax.tools.DiagnosticListener;
 import javax.tools.JavaFileObject;
+import org.sitaf.agent.toolchain.CompilationException;
+import org.sitaf.agent.toolchain.SourceDiagnostic;
 
 /** Collects a compiler's errors; warnings do not keep a test from running and are left out. */
 final class DiagnosticCollection implements DiagnosticListener<JavaFileObject> {

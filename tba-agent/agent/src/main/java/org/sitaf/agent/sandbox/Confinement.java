@@ -1,0 +1,94 @@
+package org.sitaf.agent.sandbox;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.TreeMap;
+
+/**
+ * A process and all that it needs; whatever is not named here it need not have. The system's own
+ * folders are always readable.
+ *
+ * @param working its working folder, writable, absolute; becomes {@code HOME}
+ * @param temporary its folder for temporary files, writable, absolute
+ * @param environment in addition to {@code PATH}, {@code HOME}, {@code TMPDIR}, {@code LANG}
+ * @param readable files and folders beyond the system's, absolute
+ * @param writable files and folders beyond the two above, absolute; they exist
+ * @param network whether it reaches other machines; Unix sockets are files, and named as such
+ */
+public record Confinement(
+    List<String> command,
+    Path working,
+    Path temporary,
+    Map<String, String> environment,
+    List<Path> readable,
+    List<Path> writable,
+    boolean network,
+    ProcessLimits limits) {
+  public Confinement {
+    command = List.copyOf(command);
+    Objects.requireNonNull(working);
+    Objects.requireNonNull(temporary);
+    environment = java.util.Collections.unmodifiableMap(new TreeMap<>(environment));
+    readable = List.copyOf(readable);
+    writable = List.copyOf(writable);
+    Objects.requireNonNull(limits);
+    if (command.isEmpty()) {
+      throw new IllegalArgumentException("the command is empty");
+    }
+  }
+
+  /** A command in a folder of its own, without environment, network or any further file. */
+  public static Confinement of(
+      List<String> command, Path working, Path temporary, ProcessLimits limits) {
+    return new Confinement(
+        command, working, temporary, Map.of(), List.of(), List.of(), false, limits);
+  }
+
+  /** With these variables too. */
+  public Confinement withEnvironment(Map<String, String> more) {
+    Map<String, String> all = new TreeMap<>(environment);
+    all.putAll(more);
+    return new Confinement(command, working, temporary, all, readable, writable, network, limits);
+  }
+
+  /** Reading these files and folders too. */
+  public Confinement reading(List<Path> more) {
+    return new Confinement(
+        command,
+        working,
+        temporary,
+        environment,
+        joined(readable, more),
+        writable,
+        network,
+        limits);
+  }
+
+  /** Writing these files and folders too. */
+  public Confinement writing(List<Path> more) {
+    return new Confinement(
+        command,
+        working,
+        temporary,
+        environment,
+        readable,
+        joined(writable, more),
+        network,
+        limits);
+  }
+
+  /** Reaching other machines, as what fetches packages must. */
+  public Confinement withNetwork() {
+    return new Confinement(
+        command, working, temporary, environment, readable, writable, true, limits);
+  }
+
+  private static List<Path> joined(List<Path> some, List<Path> more) {
+    List<Path> all = new ArrayList<>(some);
+    all.addAll(more);
+    return all;
+  }
+}

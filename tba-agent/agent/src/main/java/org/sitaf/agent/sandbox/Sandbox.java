@@ -1,0 +1,35 @@
+package org.sitaf.agent.sandbox;
+
+import java.io.IOException;
+import java.time.Duration;
+
+/** A way to start processes of other people's code on this machine. Safe to use from threads. */
+public sealed interface Sandbox permits NoSandbox {
+
+  /** What it is, for logs and for the agent's capabilities, such as {@code bubblewrap 0.8.0}. */
+  String description();
+
+  /**
+   * Starts a process; its input is at its end, its output and error stream are the caller's.
+   *
+   * @throws IOException when it cannot be started
+   */
+  ConfinedProcess start(Confinement confinement) throws IOException;
+
+  /**
+   * Runs a tool to its end, as compilers are.
+   *
+   * @param atMost after this time it is killed, with all that it started
+   * @throws IOException when it cannot be started
+   * @throws InterruptedException when nobody waits for it any more; it is gone then
+   */
+  default ToolEnd run(Confinement confinement, Duration atMost)
+      throws IOException, InterruptedException {
+    return ToolEnd.of(start(confinement), atMost);
+  }
+
+  /** Processes as they are, with this user's rights; limits are the caller's to watch. */
+  static Sandbox none() {
+    return new NoSandbox();
+  }
+}

@@ -1,0 +1,24 @@
+package org.sitaf.agent.toolchain;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+
+/** A test application that can be started, as often as needed and in several processes at once. */
+public interface CompiledApplication {
+  /** What starts it; the arguments of a test application are appended. */
+  List<String> command(ProcessPlace place);
+
+  /** Variables that its process needs. */
+  default Map<String, String> environment(ProcessPlace place) {
+    return Map.of();
+  }
+
+  /** Files and folders beyond the system's that its process reads, absolute. */
+  List<Path> readable();
+
+  /** What its runtime takes of memory beyond what the profile grants the component. */
+  default int overheadMiB() {
+    return 64;
+  }
+}

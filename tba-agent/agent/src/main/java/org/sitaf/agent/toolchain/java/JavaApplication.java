@@ -1,0 +1,60 @@
+package org.sitaf.agent.toolchain.java;
+
+import java.io.File;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Collectors;
+import org.sitaf.agent.toolchain.CompiledApplication;
+import org.sitaf.agent.toolchain.ProcessPlace;
+
+/**
+ * A test application on a JVM.
+ *
+ * @param classPath runtime, libraries, and last the folder of classes; absolute
+ */
+record JavaApplication(List<Path> classPath, String mainClass) implements CompiledApplication {
+  private static final Path JAVA_HOME = Path.of(System.getProperty("java.home"));
+
+  /** Metaspace, code, stacks and the collector's own. */
+  private static final int OVERHEAD_MIB = 256;
+
+  JavaApplication {
+    classPath = List.copyOf(classPath);
+  }
+
+  @Override
+  public List<String> command(ProcessPlace place) {
+    List<String> command = new ArrayList<>();
+    command.add(JAVA_HOME.resolve("bin").resolve("java").toString());
+    command.add("-Xmx" + place.memoryMiB() + "m");
+    // A suite is over before the optimising compiler pays; start-up is what counts.
+    command.add("-XX:TieredStopAtLevel=1");
+    command.add("-XX:+UseSerialGC");
+    command.add("-Xshare:auto");
+    command.add("-XX:-UsePerfData");
+    command.add("-XX:-CreateCoredumpOnCrash");
+    command.add("-XX:ErrorFile=" + place.directory().resolve("hs_err.log"));
+    command.add("-Djava.io.tmpdir=" + place.temporary());
+    command.add("-Dfile.encoding=UTF-8");
+    command.add("-Dsun.stdout.encoding=UTF-8");
+    command.add("-Dsun.stderr.encoding=UTF-8");
+    command.add("-cp");
+    command.add(
+        classPath.stream().map(Path::toString).collect(Collectors.joining(File.pathSeparator)));
+    command.add(mainClass);
+    return command;
+  }
+
+  @Override
+  public List<Path> readable() {
+    List<Path> readable = new ArrayList<>(classPath);
+    readable.add(JAVA_HOME);
+    return readable;
+  }
+
+  @Override
+  public int overheadMiB() {
+    return OVERHEAD_MIB;
+  }
+}

@@ -1,0 +1,33 @@
+package org.sitaf.agent.toolchain.java;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+
+/** What Java test applications link against. */
+final class RuntimeJars {
+  private RuntimeJars() {}
+
+  /**
+   * The jars of a folder that holds the runtime of Java test applications, in the order of their
+   * names.
+   *
+   * @throws IOException when it does not hold the runtime
+   */
+  static List<Path> in(Path directory) throws IOException {
+    if (Files.isDirectory(directory)) {
+      try (Stream<Path> files = Files.list(directory)) {
+        List<Path> jars = files.filter(file -> file.toString().endsWith(".jar")).sorted().toList();
+        if (jars.stream()
+            .anyMatch(jar -> jar.getFileName().toString().startsWith("sitaf-runtime-java"))) {
+          return jars;
+        }
+      }
+    }
+    throw new IOException(
+        directory
+            + " does not hold the runtime of Java test applications (sitaf-runtime-java-*.jar)");
+  }
+}
