@@ -9,8 +9,9 @@ from sitaf_bridge import __version__
 from sitaf_bridge.errors import BridgeError, InvalidRequest, NotNow
 from sitaf_bridge.server.many import prepare_many_response
 from sitaf_bridge.server.operations import OPERATIONS, operate, replay
+from sitaf_bridge.server.packing import state_message
 from sitaf_bridge.server.status import answering, code_of, message_of
-from sitaf_bridge.server.wire import duration, seconds_of, source_of, state_message, world_message
+from sitaf_bridge.server.wire import duration, seconds_of, source_of, world_message
 from sitaf_bridge.session.recording import Recorder
 from sitaf_bridge.session.registry import Registry
 from sitaf_bridge.wire import simulation_pb2 as pb

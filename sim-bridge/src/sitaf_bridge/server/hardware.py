@@ -6,8 +6,8 @@ import grpc
 
 from sitaf_bridge.errors import LimitReached
 from sitaf_bridge.server.operations import operate
+from sitaf_bridge.server.packing import state_message
 from sitaf_bridge.server.status import answering
-from sitaf_bridge.server.wire import state_message
 from sitaf_bridge.session.registry import Registry
 from sitaf_bridge.wire import simulation_pb2 as pb
 from sitaf_bridge.wire import simulation_pb2_grpc as pb_grpc

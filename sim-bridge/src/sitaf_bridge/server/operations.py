@@ -7,6 +7,7 @@ from typing import Any
 from google.protobuf.message import DecodeError, Message
 
 from sitaf_bridge.errors import BridgeError, Diverged, InvalidRequest, NotNow
+from sitaf_bridge.server.packing import state_message
 from sitaf_bridge.server.readings import (
     commands_of,
     faults_of,
@@ -17,7 +18,7 @@ from sitaf_bridge.server.readings import (
     wxyz,
     xyz,
 )
-from sitaf_bridge.server.wire import condition_of, scope_of, state_message
+from sitaf_bridge.server.wire import condition_of, scope_of
 from sitaf_bridge.session.recording import Recorder
 from sitaf_bridge.session.session import Session
 from sitaf_bridge.wire import simulation_pb2 as pb
@@ -97,14 +98,14 @@ def replay(session: Session, simulation: Simulation, recording: pb.Recording, wa
 
 
 def _prepare(_: Session, simulation: Simulation, request: pb.PrepareRequest, wanted: Wanted) -> pb.PrepareResponse:
-    state = simulation.prepare(request.parameters, request.settle_ns, wanted)
+    state = simulation.prepare(dict(request.parameters), request.settle_ns, wanted)
     return pb.PrepareResponse(state=state_message(state))
 
 
 def _set(
     _: Session, simulation: Simulation, request: pb.SetParametersRequest, _wanted: Wanted
 ) -> pb.SetParametersResponse:
-    return pb.SetParametersResponse(state=state_message(simulation.set(request.values)))
+    return pb.SetParametersResponse(state=state_message(simulation.set(dict(request.values))))
 
 
 def _get(
@@ -122,7 +123,7 @@ def _reset(
 def _step(
     _: Session, simulation: Simulation, request: pb.StepSimulationRequest, wanted: Wanted
 ) -> pb.StepSimulationResponse:
-    state = simulation.step(request.steps, wanted, request.parameters, commands_of(request.commands))
+    state = simulation.step(request.steps, wanted, dict(request.parameters), commands_of(request.commands))
     return pb.StepSimulationResponse(state=state_message(state))
 
 

@@ -3,12 +3,11 @@
 from google.protobuf.duration_pb2 import Duration
 
 from sitaf_bridge.errors import InvalidRequest
-from sitaf_bridge.server.readings import reading_message
 from sitaf_bridge.wire import simulation_pb2 as pb
 from sitaf_bridge.world.description.source import WorldSource
 from sitaf_bridge.world.devices import KINDS
 from sitaf_bridge.world.driving.conditions import AtTime, Beyond, Condition, Near, Touching
-from sitaf_bridge.world.state import ResetScope, WorldState
+from sitaf_bridge.world.state import ResetScope
 from sitaf_bridge.world.world import World
 
 SCOPES: dict[int, ResetScope] = {
@@ -78,14 +77,4 @@ def world_message(world: World) -> pb.WorldDescription:
         ],
         observations=[pb.ObservationDescription(name=o.name, unit=o.unit) for o in description.observations.values()],
         entities=world.bodies,
-    )
-
-
-def state_message(state: WorldState) -> pb.WorldState:
-    """The frozen world at one step."""
-    return pb.WorldState(
-        step=state.step,
-        time_ns=state.time_ns,
-        readings=[reading_message(reading) for reading in state.readings],
-        observations=[pb.Observation(name=n, value=v) for n, v in state.observations.items()],
     )

@@ -4,6 +4,7 @@ import enum
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from sitaf_bridge.world.description.declaration import Description
 from sitaf_bridge.world.devices import Reading
 
 
@@ -17,8 +18,9 @@ class ResetScope(enum.Enum):
 
 @dataclass(frozen=True)
 class WorldState:
-    """The frozen world: readings by device, observations by name, both in the order of declaration."""
+    """The frozen world: readings by device but for cameras, observations by name, in the order of declaration."""
 
+    declared: Description
     step: int
     time_ns: int
     readings: tuple[Reading, ...]

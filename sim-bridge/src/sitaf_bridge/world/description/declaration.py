@@ -57,9 +57,12 @@ class Observation:
         return "m" if self.axis in ("x", "y", "z") else "rad"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Description:
-    """A world description that is well formed; whether the MJCF has what it names is not known yet."""
+    """A world description that is well formed; whether the MJCF has what it names is not known yet.
+
+    Two of them are equal if they are the same.
+    """
 
     file: str
     mjcf: str

@@ -160,7 +160,7 @@ class Simulation:
 
     def keep(self) -> Kept:
         """The whole state, to be put back later."""
-        state = np.empty(mujoco.mj_stateSize(self._model, INTEGRATION))
+        state = np.empty(self._state_size)
         mujoco.mj_getState(self._model, self._data, state, INTEGRATION)
         settings = tuple(s.get(self._model, self._data) for s in self._model_settings)
         return Kept(self.world, state, settings, dict(self._values), self._step, self._frozen, self._sensing.memory())
@@ -258,6 +258,9 @@ class Simulation:
         # A copy costs 0.2 ms for a small model; where no parameter writes to the model, all sessions share one.
         self._model = copy.copy(world.model) if world.edits_model else world.model
         self._data = mujoco.MjData(self._model)
+        # A view: looking it up costs more than looking at it.
+        self._warnings = self._data.warning.number
+        self._state_size = mujoco.mj_stateSize(self._model, INTEGRATION)
         self._sensing.world = world
         # The settings that the state of the data does not hold.
         self._model_settings: list[Setting] = [
@@ -361,7 +364,7 @@ class Simulation:
                 return
 
     def _diverged(self) -> bool:
-        return bool(self._data.warning.number[FATAL].any())
+        return any(self._warnings.take(FATAL).tolist())
 
     def _refresh(self) -> WorldState:
         """Bring derived quantities up to date: after mj_step, sensor data lag by one substep."""
@@ -377,6 +380,7 @@ class Simulation:
     def _observe(self) -> WorldState:
         mujoco.mj_forward(self._model, self._data)
         return WorldState(
+            declared=self.world.description,
             step=self._step,
             time_ns=self.time_ns,
             readings=self._read(),

@@ -124,6 +124,7 @@ class Surroundings:
         self._sites = np.concatenate([group.sites for group in self._groups] or empty)
         self._geoms = np.concatenate([group.geoms for group in self._groups] or empty)
         self._planes = next((group.pairs for group in self._groups if group.kind == PLANE), None)
+        self._plane_geoms = self._geoms[self._planes] if self._planes is not None else empty[0]
 
     def __call__(
         self, model: mujoco.MjModel, data: mujoco.MjData
@@ -134,11 +135,12 @@ class Surroundings:
         if not self._groups:
             return inside, touching
         # A point outside of the sphere around a geom is not inside of the geom: that rules out most at little cost.
-        relative = data.site_xpos[self._sites] - data.geom_xpos[self._geoms]
-        reach = model.geom_rbound[self._geoms] + TOUCH
+        # `take` costs a third of an index by an array.
+        relative = data.site_xpos.take(self._sites, 0) - data.geom_xpos.take(self._geoms, 0)
+        reach = model.geom_rbound.take(self._geoms) + TOUCH
         near = np.einsum("ij,ij->i", relative, relative) <= reach * reach
         if self._planes is not None:
-            normals = data.geom_xmat[self._geoms[self._planes], 2::3]
+            normals = data.geom_xmat.take(self._plane_geoms, 0)[:, 2::3]
             near[self._planes] = np.einsum("ij,ij->i", relative[self._planes], normals) <= 2 * TOUCH
         if not near.any():
             return inside, touching

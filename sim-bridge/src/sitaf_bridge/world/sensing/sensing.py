@@ -63,18 +63,21 @@ class Sensing:
         """Whether any device is delayed, so that every step has to be seen."""
         if any(f.kind is FaultKind.DELAY for faults in self._faults.values() for f in faults):
             return True
-        count = len(self.world.description.devices)
-        return count > 0 and bool(data.userdata[-len(KNOBS) * count :][1 :: len(KNOBS)].any())
+        return any(self._knobs(data)[1 :: len(KNOBS)])
 
     def read(self, model: mujoco.MjModel, data: mujoco.MjData, step: int) -> tuple[Reading, ...]:
         """The readings in the order of declaration, of data that `mj_forward` has brought up to date."""
         truth = [reading for bank in self.world.banks.values() for reading in bank.read(model, data)]
         if len(self.world.banks) > 1:
             truth.sort(key=lambda reading: -reading.device.slot)
-        count = len(self.world.description.devices)
-        if not self._faults and not (count and data.userdata[-len(KNOBS) * count :].any()):
+        if not self._faults and not any(self._knobs(data)):
             return tuple(truth)
         return tuple(self._read(model, data, step, reading) for reading in truth)
+
+    def _knobs(self, data: mujoco.MjData) -> list[float]:
+        """Those of all devices. Lists are quicker than arrays for so few numbers."""
+        count = len(self.world.description.devices)
+        return data.userdata.tolist()[-len(KNOBS) * count :] if count else []
 
     def _read(self, model: mujoco.MjModel, data: mujoco.MjData, step: int, truth: Reading) -> Reading:
         device, values = truth.device, truth.values
