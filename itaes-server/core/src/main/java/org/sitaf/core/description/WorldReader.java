@@ -25,7 +25,7 @@ public final class WorldReader {
   public static WorldDescription read(String text, String path) {
     Diagnostics diagnostics = new Diagnostics();
     YamlMapping root = YamlDocument.read(text, path, diagnostics);
-    root.knowOnly(Set.of("mjcf", "parameters", "devices", "observations"));
+    root.knowOnly(Set.of("mjcf", "robots", "parameters", "devices", "observations"));
     root.requiredText("mjcf");
     List<WorldParameter> parameters = new ArrayList<>();
     root.mapping("parameters")
