@@ -19,7 +19,8 @@ record HarnessFile(
 
   static List<HarnessFile> of(TestApplication application) {
     FileTree sources = application.harness();
-    String editable = InterfaceTestApplicationGenerator.editableFile(application.model());
+    String editable =
+        InterfaceTestApplicationGenerator.editableFile(application.activity(), application.model());
     return sources.paths().stream()
         .map(
             path ->

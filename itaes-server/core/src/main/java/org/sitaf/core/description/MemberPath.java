@@ -1,5 +1,7 @@
 package org.sitaf.core.description;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -13,9 +15,45 @@ public final class MemberPath {
 
   private MemberPath() {}
 
+  /** One step of the way into a parameter. */
+  public sealed interface Step {
+    /** To a member of a struct. */
+    record Member(String name) implements Step {}
+
+    /**
+     * To an element of a sequence or an array.
+     *
+     * @param index from 0
+     */
+    record Element(int index) implements Step {}
+  }
+
   /** The parameter that a name begins with. */
   public static String root(String name) {
     return name.split("[.\\[]", 2)[0];
+  }
+
+  /**
+   * The steps from the parameter that a name begins with; none for the whole of it.
+   *
+   * @throws IllegalArgumentException when the name is spelled otherwise
+   */
+  public static List<Step> steps(String name) {
+    List<Step> steps = new ArrayList<>();
+    Matcher step = STEP.matcher(name);
+    int at = root(name).length();
+    while (at < name.length()) {
+      if (!step.find(at) || step.start() != at) {
+        throw new IllegalArgumentException(
+            "'" + name + "' is not spelled like pose, pose.x or path[0]");
+      }
+      steps.add(
+          step.group(1) != null
+              ? new Step.Member(step.group(1))
+              : new Step.Element(Integer.parseInt(step.group(2))));
+      at = step.end();
+    }
+    return steps;
   }
 
   /**

@@ -3,8 +3,12 @@ package org.sitaf.core.harness;
 import org.sitaf.core.activity.Activity;
 import org.sitaf.core.activity.ActivityProfile.Language;
 import org.sitaf.core.activity.FileTree;
+import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.harness.java.JavaHarness;
+import org.sitaf.core.harness.plan.HarnessPlan;
+import org.sitaf.core.harness.plan.HarnessPlanner;
+import org.sitaf.core.harness.plan.HarnessWriter;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.suite.TestSuite;
 
@@ -17,29 +21,49 @@ public final class InterfaceTestApplicationGenerator {
 
   /**
    * Generates the test application of a model. The same documents give the same sources, byte by
-   * byte.
+   * byte. A concrete test driver that the activity keeps is taken as it is.
    *
-   * @throws InvalidInputException with everything in the documents that the harness's language
-   *     cannot express
+   * @throws InvalidInputException with everything in the documents that cannot be tested, or that
+   *     the harness's language cannot express
    */
   public static TestApplication generate(Activity activity, TestModel model, TestSuite suite) {
-    Language language = activity.profile().harness();
-    if (language != Language.JAVA) {
-      throw InvalidInputException.of(
-          "activity.yaml",
-          "harness: test applications are generated in java, not yet in " + language.spelling());
-    }
-    FileTree sources = JavaHarness.generate(activity, model, suite);
-    return new TestApplication(activity, model, suite, sources, JavaHarness.mainClass(model));
+    HarnessWriter writer = writer(activity);
+    Diagnostics diagnostics = new Diagnostics();
+    HarnessPlan plan = HarnessPlanner.plan(activity, model, suite, diagnostics);
+    FileTree sources = writer.write(plan, diagnostics);
+    diagnostics.throwIfErrors();
+    FileTree withKept =
+        activity
+            .files()
+            .content(keptDriver(activity, model))
+            .map(kept -> sources.with(writer.editableFile(model.name()), kept))
+            .orElse(sources);
+    return new TestApplication(activity, model, suite, withKept, writer.entryPoint(model.name()));
   }
 
-  /** Where an activity keeps the concrete test driver that its user has edited. */
-  public static String keptDriver(TestModel model) {
-    return JavaHarness.keptDriver(model);
+  /**
+   * Where an activity keeps the concrete test driver that its user has edited: {@code
+   * harness/MODEL/} and the name of the {@link #editableFile}.
+   */
+  public static String keptDriver(Activity activity, TestModel model) {
+    String editable = editableFile(activity, model);
+    return "harness/" + model.name() + "/" + editable.substring(editable.lastIndexOf('/') + 1);
   }
 
   /** Which file of the harness the user may edit: the one that {@link #keptDriver} replaces. */
-  public static String editableFile(TestModel model) {
-    return JavaHarness.editableFile(model);
+  public static String editableFile(Activity activity, TestModel model) {
+    return writer(activity).editableFile(model.name());
+  }
+
+  private static HarnessWriter writer(Activity activity) {
+    Language language = activity.profile().harness();
+    return switch (language) {
+      case JAVA -> new JavaHarness();
+      case CPP, PYTHON ->
+          throw InvalidInputException.of(
+              HarnessPlanner.PROFILE,
+              "harness: test applications are generated in java, not yet in "
+                  + language.spelling());
+    };
   }
 }

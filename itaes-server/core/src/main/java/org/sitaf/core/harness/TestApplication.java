@@ -17,20 +17,21 @@ import org.sitaf.core.suite.TestSuite;
  * harness/...    the generated sources
  * model.xml      the test model, for the post-conditions
  * suite.xml      the test cases
- * main-class     what to start, one line
+ * entry-point    what to start, one line
  * </pre>
  *
  * @param harness the sources of the test application, paths relative to {@code harness/}
- * @param mainClass what to start, qualified as the harness's language writes it
+ * @param entryPoint what to start: the qualified name of the main class (Java) or of the module
+ *     (Python), the name of the executable (C++)
  */
 public record TestApplication(
-    Activity activity, TestModel model, TestSuite suite, FileTree harness, String mainClass) {
+    Activity activity, TestModel model, TestSuite suite, FileTree harness, String entryPoint) {
   public TestApplication {
     Objects.requireNonNull(activity);
     Objects.requireNonNull(model);
     Objects.requireNonNull(suite);
     Objects.requireNonNull(harness);
-    Objects.requireNonNull(mainClass);
+    Objects.requireNonNull(entryPoint);
   }
 
   /** The application as files, in the layout above. */

@@ -18,7 +18,7 @@ final class TestApplicationFiles {
   private static final String HARNESS = "harness";
   private static final String MODEL = "model.xml";
   private static final String SUITE = "suite.xml";
-  private static final String MAIN_CLASS = "main-class";
+  private static final String ENTRY_POINT = "entry-point";
 
   private TestApplicationFiles() {}
 
@@ -33,8 +33,8 @@ final class TestApplicationFiles {
                 model,
                 SUITE,
                 suite.toByteArray(),
-                MAIN_CLASS,
-                (application.mainClass() + "\n").getBytes(StandardCharsets.UTF_8)))
+                ENTRY_POINT,
+                (application.entryPoint() + "\n").getBytes(StandardCharsets.UTF_8)))
         .with(ACTIVITY, activity.files())
         .with(HARNESS, application.harness());
   }
@@ -43,17 +43,17 @@ final class TestApplicationFiles {
     Activity activity = Activity.read(files.below(ACTIVITY));
     TestModel model = TestModelXml.read(open(files, MODEL), MODEL);
     TestSuite suite = TestSuiteXml.read(open(files, SUITE), SUITE);
-    String mainClass =
+    String entryPoint =
         files
-            .text(MAIN_CLASS)
-            .orElseThrow(() -> InvalidInputException.of(MAIN_CLASS, "is missing"))
+            .text(ENTRY_POINT)
+            .orElseThrow(() -> InvalidInputException.of(ENTRY_POINT, "is missing"))
             .strip();
     return new TestApplication(
         activity,
         activity.model(model.name()).orElse(model),
         suite,
         files.below(HARNESS),
-        mainClass);
+        entryPoint);
   }
 
   private static InputStream open(FileTree files, String path) {

@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SortedSet;
 import java.util.TreeSet;
-import org.sitaf.core.harness.java.plan.HarnessPlan;
-import org.sitaf.core.harness.java.plan.HarnessPlan.Argument;
+import org.sitaf.core.harness.java.plan.JavaPlan;
+import org.sitaf.core.harness.java.plan.JavaPlan.Argument;
 import org.sitaf.core.harness.java.plan.JavaText;
 
 /** What the template of the concrete test driver prints. */
@@ -20,7 +20,7 @@ record ConcreteTestDriverView(
     String callDeclaration,
     String call) {
 
-  static ConcreteTestDriverView of(HarnessPlan plan) {
+  static ConcreteTestDriverView of(JavaPlan plan) {
     SortedSet<String> imports = new TreeSet<>();
     imports.add("org.sitaf.runtime.TestRun");
     imports.add("org.sitaf.runtime.suite.TestCase");
@@ -46,7 +46,7 @@ record ConcreteTestDriverView(
             plan.arguments().stream().map(Argument::local).toList()));
   }
 
-  private static String documentation(HarnessPlan plan) {
+  private static String documentation(JavaPlan plan) {
     return JavaText.javadoc(
         0,
         List.of(
@@ -59,7 +59,7 @@ record ConcreteTestDriverView(
         List.of());
   }
 
-  private static List<String> setUp(HarnessPlan plan) {
+  private static List<String> setUp(JavaPlan plan) {
     List<String> statements = new ArrayList<>();
     plan.properties()
         .forEach(
@@ -76,7 +76,7 @@ record ConcreteTestDriverView(
     return statements;
   }
 
-  private static String hook(HarnessPlan plan, String name) {
+  private static String hook(JavaPlan plan, String name) {
     return JavaText.declaration(
         2,
         "protected void " + name,

@@ -3,7 +3,7 @@ package org.sitaf.core.harness.java;
 import java.util.List;
 import java.util.SortedSet;
 import java.util.TreeSet;
-import org.sitaf.core.harness.java.plan.HarnessPlan.Stub;
+import org.sitaf.core.harness.java.plan.JavaPlan.Stub;
 import org.sitaf.core.harness.java.plan.JavaText;
 
 /** What the template of a required interface prints. */

@@ -2,8 +2,8 @@ package org.sitaf.core.harness.java;
 
 import java.time.Duration;
 import java.util.List;
-import org.sitaf.core.harness.java.plan.HarnessPlan;
-import org.sitaf.core.harness.java.plan.HarnessPlan.World;
+import org.sitaf.core.harness.java.plan.JavaPlan;
+import org.sitaf.core.harness.java.plan.JavaPlan.World;
 import org.sitaf.core.harness.java.plan.JavaText;
 
 /** What the template of the simulation control prints. */
@@ -20,7 +20,7 @@ record SimulationControlView(
     String prepareDeclaration,
     List<String> puts) {
 
-  static SimulationControlView of(HarnessPlan plan) {
+  static SimulationControlView of(JavaPlan plan) {
     World world = plan.world();
     if (world == null) {
       return new SimulationControlView(
@@ -62,7 +62,7 @@ record SimulationControlView(
   }
 
   /** Whether simulation time passes after the call. */
-  static boolean runsOn(HarnessPlan plan) {
+  static boolean runsOn(JavaPlan plan) {
     return plan.world() != null && !plan.world().runFor().isZero();
   }
 

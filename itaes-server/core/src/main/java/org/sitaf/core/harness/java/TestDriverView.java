@@ -6,11 +6,11 @@ import java.util.SortedSet;
 import java.util.TreeSet;
 import java.util.stream.Stream;
 import org.sitaf.core.description.Direction;
-import org.sitaf.core.harness.java.plan.HarnessPlan;
-import org.sitaf.core.harness.java.plan.HarnessPlan.Argument;
-import org.sitaf.core.harness.java.plan.HarnessPlan.Output;
-import org.sitaf.core.harness.java.plan.HarnessPlan.StubMethod;
-import org.sitaf.core.harness.java.plan.HarnessPlan.World;
+import org.sitaf.core.harness.java.plan.JavaPlan;
+import org.sitaf.core.harness.java.plan.JavaPlan.Argument;
+import org.sitaf.core.harness.java.plan.JavaPlan.Output;
+import org.sitaf.core.harness.java.plan.JavaPlan.StubMethod;
+import org.sitaf.core.harness.java.plan.JavaPlan.World;
 import org.sitaf.core.harness.java.plan.JavaText;
 import org.sitaf.core.harness.java.plan.JavaType;
 import org.sitaf.core.model.Tolerance;
@@ -34,7 +34,7 @@ record TestDriverView(
     boolean runOn,
     List<String> outputs) {
 
-  static TestDriverView of(HarnessPlan plan) {
+  static TestDriverView of(JavaPlan plan) {
     return new TestDriverView(
         plan.packageName(),
         imports(plan),
@@ -70,14 +70,14 @@ record TestDriverView(
    * The head of the method that makes the call, which the driver declares and the concrete driver
    * implements.
    */
-  static String callDeclaration(HarnessPlan plan, String modifiers, String end) {
+  static String callDeclaration(JavaPlan plan, String modifiers, String end) {
     List<String> parameters = new ArrayList<>();
     parameters.add(plan.component() + " component");
     plan.arguments().forEach(a -> parameters.add(a.parameter()));
     return JavaText.declaration(2, modifiers + plan.returnName() + " call", parameters, true, end);
   }
 
-  private static SortedSet<String> imports(HarnessPlan plan) {
+  private static SortedSet<String> imports(JavaPlan plan) {
     SortedSet<String> imports = new TreeSet<>();
     for (String type : List.of("LifeCycle", "Stopwatch", "SuiteDriver", "TestRun")) {
       imports.add("org.sitaf.runtime." + type);
@@ -95,7 +95,7 @@ record TestDriverView(
   }
 
   /** What the head of the call needs: the component, out-parameters, wide integers. */
-  static void addTypesOfCall(HarnessPlan plan, SortedSet<String> imports) {
+  static void addTypesOfCall(JavaPlan plan, SortedSet<String> imports) {
     if (plan.componentImport() != null) {
       imports.add(plan.componentImport());
     }
@@ -110,7 +110,7 @@ record TestDriverView(
     }
   }
 
-  private static String documentation(HarnessPlan plan) {
+  private static String documentation(JavaPlan plan) {
     List<String> paragraphs = new ArrayList<>();
     paragraphs.add(
         "Test driver (TD) of "
@@ -124,19 +124,19 @@ record TestDriverView(
     return JavaText.javadoc(0, paragraphs, List.of());
   }
 
-  private static List<String> newComponentArguments(HarnessPlan plan) {
+  private static List<String> newComponentArguments(JavaPlan plan) {
     List<String> arguments = new ArrayList<>();
     arguments.add(plan.component() + ".class");
     plan.stubs().forEach(s -> arguments.add("testStub." + s.field()));
     return arguments;
   }
 
-  private static List<String> settings(HarnessPlan plan) {
+  private static List<String> settings(JavaPlan plan) {
     World world = plan.world();
     return world == null ? List.of() : world.settings().stream().map(World.Setting::local).toList();
   }
 
-  private static List<String> reads(HarnessPlan plan) {
+  private static List<String> reads(JavaPlan plan) {
     List<String> reads = new ArrayList<>();
     for (Argument argument : plan.arguments()) {
       if (argument.direction() == Direction.IN) {

@@ -5,9 +5,9 @@ import java.util.Objects;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import java.util.stream.Stream;
-import org.sitaf.core.harness.java.plan.HarnessPlan;
-import org.sitaf.core.harness.java.plan.HarnessPlan.Stub;
-import org.sitaf.core.harness.java.plan.HarnessPlan.StubMethod;
+import org.sitaf.core.harness.java.plan.JavaPlan;
+import org.sitaf.core.harness.java.plan.JavaPlan.Stub;
+import org.sitaf.core.harness.java.plan.JavaPlan.StubMethod;
 import org.sitaf.core.harness.java.plan.JavaText;
 import org.sitaf.core.harness.java.plan.JavaType;
 
@@ -34,7 +34,7 @@ record TestStubView(
    */
   record Answer(String declaration, boolean hasBody, String body, boolean last) {}
 
-  static TestStubView of(HarnessPlan plan) {
+  static TestStubView of(JavaPlan plan) {
     List<StubMethod> returning =
         plan.stubs().stream()
             .flatMap(s -> s.methods().stream())
@@ -70,7 +70,7 @@ record TestStubView(
             .toList());
   }
 
-  private static SortedSet<String> imports(HarnessPlan plan, List<StubMethod> returning) {
+  private static SortedSet<String> imports(JavaPlan plan, List<StubMethod> returning) {
     SortedSet<String> imports = new TreeSet<>();
     imports.add("org.sitaf.runtime.Stopwatch");
     if (!returning.isEmpty()) {

@@ -96,7 +96,7 @@ class GoldenHarnessTest {
                 HarnessBuild.tree(Map.of("ConcreteTestDriver.java", mine)));
     TestApplication application = generate(files);
     assertThat(application.harness().text(FOLDER + "ConcreteTestDriver.java")).contains(mine);
-    assertThat(application.mainClass())
+    assertThat(application.entryPoint())
         .isEqualTo("sitaf.harness.getinfrareddata.ConcreteTestDriver");
   }
 

@@ -86,7 +86,7 @@ final class HarnessBuild {
                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                 "-cp",
                 classPath,
-                application.mainClass(),
+                application.entryPoint(),
                 "--suite",
                 folder.resolve("suite.xml").toString(),
                 "--results",

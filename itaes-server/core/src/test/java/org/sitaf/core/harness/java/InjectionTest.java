@@ -293,7 +293,7 @@ class InjectionTest {
   void aModelOfAnyNameGetsAPackageOfItsOwn(String name) throws Exception {
     modelName = name;
     TestApplication application = generate();
-    assertThat(application.mainClass())
+    assertThat(application.entryPoint())
         .matches("sitaf\\.harness\\.[a-z0-9_]+\\.ConcreteTestDriver");
     new HarnessBuild(folder).compile(application);
   }

@@ -21,8 +21,8 @@ final class ComponentClass {
   ComponentClass(TestApplication application, List<Path> libraries) {
     this.className = application.activity().profile().component().className();
     this.libraries = libraries;
-    int lastDot = application.mainClass().lastIndexOf('.');
-    this.harnessPackage = application.mainClass().substring(0, lastDot + 1);
+    int lastDot = application.entryPoint().lastIndexOf('.');
+    this.harnessPackage = application.entryPoint().substring(0, lastDot + 1);
   }
 
   /**

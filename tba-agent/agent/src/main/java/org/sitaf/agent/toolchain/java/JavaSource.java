@@ -78,9 +78,12 @@ final class JavaSource extends SimpleJavaFileObject {
    * generated.
    */
   private static @Nullable String userFileOf(String harnessPath, TestApplication application) {
-    String kept = InterfaceTestApplicationGenerator.keptDriver(application.model());
+    String kept =
+        InterfaceTestApplicationGenerator.keptDriver(application.activity(), application.model());
     boolean isKept =
-        harnessPath.equals(InterfaceTestApplicationGenerator.editableFile(application.model()))
+        harnessPath.equals(
+                InterfaceTestApplicationGenerator.editableFile(
+                    application.activity(), application.model()))
             && application.activity().files().contains(kept);
     return isKept ? ACTIVITY + kept : null;
   }

@@ -87,7 +87,7 @@ public final class JavaToolchain implements Toolchain {
     List<Path> classPath = new ArrayList<>(runtimeJars);
     classPath.addAll(libraries(compilation.application(), compilation.activity()));
     classPath.add(compilation.output());
-    return new JavaApplication(classPath, compilation.application().mainClass());
+    return new JavaApplication(classPath, compilation.application().entryPoint());
   }
 
   @Override

@@ -4,17 +4,14 @@ import java.util.Arrays;
 import java.util.HashSet;
 import java.util.Locale;
 import java.util.Set;
-import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import org.sitaf.core.harness.plan.Words;
 
 /**
  * Names of users' documents in Java sources. What is called must keep its name and is refused where
  * Java cannot spell it; locals are only named after something, and step aside.
  */
 final class JavaNames {
-  private static final Pattern IDENTIFIER = Pattern.compile("[\\p{L}_$][\\p{L}\\p{Nd}_$]*");
-  private static final int MAX_LENGTH = 255;
-
   private static final Set<String> KEYWORDS =
       words(
           """
@@ -60,14 +57,7 @@ final class JavaNames {
 
   /** Whether Java spells a method or a variable so. */
   static boolean isName(String name) {
-    return name.length() <= MAX_LENGTH
-        && IDENTIFIER.matcher(name).matches()
-        && !KEYWORDS.contains(name);
-  }
-
-  /** Whether a document's name is one that a local can be named after. */
-  static boolean isWord(String name) {
-    return name.length() <= MAX_LENGTH && IDENTIFIER.matcher(name).matches();
+    return Words.isWord(name) && !KEYWORDS.contains(name);
   }
 
   /** Whether Java spells a type so. */

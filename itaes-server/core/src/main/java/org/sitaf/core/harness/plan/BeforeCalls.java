@@ -1,16 +1,16 @@
-package org.sitaf.core.harness.java.plan;
+package org.sitaf.core.harness.plan;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.Direction;
 import org.sitaf.core.description.InterfaceDescription;
 import org.sitaf.core.description.Method;
 import org.sitaf.core.description.Parameter;
 import org.sitaf.core.diagnostic.Diagnostics;
-import org.sitaf.core.harness.java.plan.HarnessPlan.Call;
+import org.sitaf.core.harness.plan.HarnessPlan.Call;
 import org.sitaf.core.model.Value;
 
 /**
@@ -47,7 +47,7 @@ final class BeforeCalls {
 
   private Call plan(String call) {
     Matcher parts = CALL.matcher(call);
-    if (!parts.matches() || !JavaNames.isName(parts.group(1))) {
+    if (!parts.matches() || !Words.isWord(parts.group(1))) {
       throw new IllegalArgumentException("is not a call such as Enable() or SetGain(0.5)");
     }
     List<String> literals = literals(parts.group(2));
@@ -72,7 +72,7 @@ final class BeforeCalls {
     IllegalArgumentException lastProblem = new IllegalArgumentException("no method fits");
     for (Method candidate : candidates) {
       try {
-        return new Call(candidate.name(), arguments(candidate, literals));
+        return new Call(candidate, arguments(candidate, literals));
       } catch (IllegalArgumentException e) {
         lastProblem = e;
       }
@@ -80,20 +80,37 @@ final class BeforeCalls {
     throw lastProblem;
   }
 
-  private static List<String> arguments(Method method, List<String> literals) {
-    List<String> arguments = new ArrayList<>();
+  private static List<Value> arguments(Method method, List<String> literals) {
+    List<Value> arguments = new ArrayList<>();
     for (int i = 0; i < literals.size(); i++) {
       Parameter parameter = method.parameters().get(i);
-      Optional<JavaType> type = JavaType.of(parameter.type());
-      if (type.isEmpty() || type.get().scalar() == null || parameter.direction() != Direction.IN) {
+      boolean single =
+          parameter.type() instanceof DataType.Scalar
+              || parameter.type() instanceof DataType.Enumeration;
+      if (!single || parameter.direction() != Direction.IN) {
         throw new IllegalArgumentException(
             "parameter "
                 + parameter.name()
                 + " is of type "
                 + parameter.type().spelling()
-                + ", which cannot be written here; call it in createComponent() of the concrete test driver");
+                + ", which cannot be written here; call it in the concrete test driver, where the"
+                + " component is made");
       }
-      arguments.add(type.get().expression(Value.parse(literals.get(i), parameter.type())));
+      Value value = Value.parse(literals.get(i), parameter.type());
+      if (parameter.type() instanceof DataType.Enumeration enumeration
+          && !enumeration.literals().contains(value.literal())) {
+        throw new IllegalArgumentException(
+            "'"
+                + value.literal()
+                + "' is no literal of "
+                + enumeration.name()
+                + "; it has "
+                + enumeration.literals());
+      }
+      if (parameter.type().spelling().equals("char") && value.literal().length() != 1) {
+        throw new IllegalArgumentException("'" + value.literal() + "' is not one character");
+      }
+      arguments.add(value);
     }
     return arguments;
   }

@@ -25,7 +25,7 @@ import org.sitaf.core.model.Tolerance;
  * @param properties of the component, by name
  * @param before calls that set the component up, as statements without the component
  */
-public record HarnessPlan(
+public record JavaPlan(
     String modelName,
     String packageName,
     String interfaceName,

@@ -1,0 +1,244 @@
+package org.sitaf.core.harness.java.plan;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.activity.ActivityProfile.LifeCycle;
+import org.sitaf.core.description.DataType;
+import org.sitaf.core.description.Method;
+import org.sitaf.core.description.Parameter;
+import org.sitaf.core.diagnostic.Diagnostics;
+import org.sitaf.core.harness.java.plan.JavaPlan.Argument;
+import org.sitaf.core.harness.java.plan.JavaPlan.Call;
+import org.sitaf.core.harness.java.plan.JavaPlan.Output;
+import org.sitaf.core.harness.java.plan.JavaPlan.World;
+import org.sitaf.core.harness.plan.HarnessPlan;
+import org.sitaf.core.harness.plan.HarnessPlan.Source;
+import org.sitaf.core.harness.plan.HarnessPlanner;
+import org.sitaf.core.model.Value;
+
+/** Spells a plan in Java, and says everything that Java cannot express. */
+public final class JavaPlanner {
+  private final HarnessPlan plan;
+  private final Diagnostics diagnostics;
+  private final JavaNames names;
+
+  private JavaPlanner(HarnessPlan plan, Diagnostics diagnostics) {
+    this.plan = plan;
+    this.diagnostics = diagnostics;
+    this.names = new JavaNames(plan.component().className().split("\\.", 2)[0]);
+  }
+
+  /**
+   * Spells a plan.
+   *
+   * @param diagnostics gets everything that has no spelling in Java; with an error among it the
+   *     result is not to be printed
+   */
+  public static JavaPlan plan(HarnessPlan plan, Diagnostics diagnostics) {
+    return new JavaPlanner(plan, diagnostics).plan();
+  }
+
+  /** The package of a model's test application. */
+  public static String packageName(String modelName) {
+    return "sitaf.harness." + JavaNames.packagePart(modelName);
+  }
+
+  private JavaPlan plan() {
+    String className = plan.component().className().replace('$', '.');
+    String simpleName = className.substring(className.lastIndexOf('.') + 1);
+    className(className);
+    if (plan.component().period() != null) {
+      diagnostics.error(
+          HarnessPlanner.PROFILE,
+          0,
+          "component.execution",
+          "periodic components are not driven in Java tests yet; with execution: passive the method"
+              + " under test is called once a case");
+    }
+    methodName(plan.interfaceName(), plan.method());
+    List<Argument> arguments = arguments();
+    World world = world();
+    var stubs = new JavaStubPlanner(plan.stubs(), names, diagnostics).plan();
+    @Nullable JavaType returns =
+        plan.returnsNothing() ? null : type(plan.method().returnType(), "its return type");
+    List<Output> outputs = outputs(arguments);
+    List<Call> before = before();
+    boolean clash = JavaNames.isUsedType(simpleName);
+    return new JavaPlan(
+        plan.modelName(),
+        packageName(plan.modelName()),
+        plan.interfaceName(),
+        plan.method().name(),
+        plan.description(),
+        clash ? className : simpleName,
+        clash ? null : className,
+        plan.component().lifeCycle() == LifeCycle.SUITE,
+        arguments,
+        returns,
+        world,
+        stubs,
+        outputs,
+        plan.component().properties(),
+        before);
+  }
+
+  private void className(String className) {
+    String[] parts = className.split("\\.", -1);
+    for (String part : parts) {
+      if (!JavaNames.isTypeName(part)) {
+        diagnostics.error(
+            HarnessPlanner.PROFILE,
+            0,
+            "component.class",
+            "'" + className + "' is not the qualified name of a Java class");
+        return;
+      }
+    }
+    if (parts.length == 1) {
+      diagnostics.error(
+          HarnessPlanner.PROFILE,
+          0,
+          "component.class",
+          className + " must be in a package, so that a test can import it");
+    }
+  }
+
+  private void methodName(String source, Method method) {
+    if (!JavaNames.isName(method.name())) {
+      diagnostics.error(
+          source,
+          method.line(),
+          "method " + method.name(),
+          "is not a name that a Java method can have");
+    }
+  }
+
+  private List<Argument> arguments() {
+    List<Argument> arguments = new ArrayList<>();
+    for (HarnessPlan.Argument argument : plan.arguments()) {
+      Parameter parameter = argument.parameter();
+      boolean whole = argument.given().stream().anyMatch(g -> g.path().isEmpty());
+      argument.given().stream()
+          .filter(g -> !g.path().isEmpty())
+          .forEach(
+              g ->
+                  inModel(
+                      g.column(),
+                      "members and elements of parameters cannot be set in a Java test application"
+                          + " yet"));
+      JavaType type = type(parameter.type(), "parameter " + parameter.name());
+      if (type != null) {
+        String local = names.local(parameter.name());
+        arguments.add(new Argument(parameter.name(), local, type, parameter.direction(), whole));
+      }
+    }
+    return arguments;
+  }
+
+  private @Nullable World world() {
+    HarnessPlan.World world = plan.world();
+    return world == null
+        ? null
+        : new World(
+            world.path(),
+            world.settings().stream()
+                .map(
+                    s ->
+                        new World.Setting(
+                            s.name(),
+                            names.local(s.name()),
+                            JavaText.comment(s.name())
+                                + " in "
+                                + JavaText.comment(s.unit())
+                                + ", from "
+                                + s.min()
+                                + " to "
+                                + s.max()))
+                .toList(),
+            world.settle(),
+            world.runFor());
+  }
+
+  private List<Output> outputs(List<Argument> arguments) {
+    List<Output> outputs = new ArrayList<>();
+    for (HarnessPlan.Output output : plan.outputs()) {
+      Optional<String> expression = expression(output, arguments);
+      if (expression.isEmpty()) {
+        inModel(output.name(), "is an output that Java tests cannot look at yet");
+      } else {
+        outputs.add(
+            new Output(
+                output.name(),
+                expression.get(),
+                output.source() instanceof Source.Observation,
+                output.tolerance()));
+      }
+    }
+    return outputs;
+  }
+
+  private static Optional<String> expression(HarnessPlan.Output output, List<Argument> arguments) {
+    if (output.source() instanceof Source.Returned returned && returned.path().isEmpty()) {
+      return Optional.of("returned");
+    }
+    if (output.source() instanceof Source.OutParameter out && out.path().isEmpty()) {
+      return arguments.stream()
+          .filter(a -> a.name().equals(out.parameter()))
+          .map(a -> a.local() + ".get()")
+          .findFirst();
+    }
+    return output.source() instanceof Source.Observation observation
+        ? Optional.of("simulationControl.observe(" + JavaText.string(observation.name()) + ")")
+        : Optional.empty();
+  }
+
+  private List<Call> before() {
+    List<Call> calls = new ArrayList<>();
+    for (HarnessPlan.Call call : plan.before()) {
+      methodName(HarnessPlanner.PROFILE, call.method());
+      List<String> arguments = new ArrayList<>();
+      for (int i = 0; i < call.arguments().size(); i++) {
+        Parameter parameter = call.method().parameters().get(i);
+        Optional<JavaType> type = JavaType.of(parameter.type());
+        if (type.isEmpty()) {
+          unknown(call.method(), "parameter " + parameter.name(), parameter.type());
+        } else {
+          Value value = call.arguments().get(i);
+          arguments.add(type.get().expression(value));
+        }
+      }
+      calls.add(new Call(call.method().name(), arguments));
+    }
+    return calls;
+  }
+
+  private @Nullable JavaType type(DataType type, String what) {
+    Optional<JavaType> known = JavaType.of(type);
+    if (known.isEmpty()) {
+      unknown(plan.method(), what, type);
+    }
+    return known.orElse(null);
+  }
+
+  private void unknown(Method method, String what, DataType type) {
+    diagnostics.error(
+        sourceOf(method),
+        method.line(),
+        "method " + method.name(),
+        what + " is " + type.spelling() + "; " + JavaType.SUPPORTED);
+  }
+
+  private String sourceOf(Method method) {
+    return plan.provided().stream()
+        .filter(i -> i.methods().contains(method))
+        .map(i -> i.source())
+        .findFirst()
+        .orElse(plan.interfaceName());
+  }
+
+  private void inModel(String element, String problem) {
+    diagnostics.error(plan.modelName(), 0, "test_element " + element, problem);
+  }
+}

@@ -1,0 +1,134 @@
+package org.sitaf.core.harness.plan;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SortedSet;
+import java.util.TreeSet;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.activity.Activity;
+import org.sitaf.core.activity.ActivityProfile.Component;
+import org.sitaf.core.activity.TargetMethod;
+import org.sitaf.core.description.InterfaceDescription;
+import org.sitaf.core.description.Method;
+import org.sitaf.core.description.WorldDescription;
+import org.sitaf.core.diagnostic.Diagnostics;
+import org.sitaf.core.diagnostic.InvalidInputException;
+import org.sitaf.core.harness.plan.HarnessPlan.Argument;
+import org.sitaf.core.harness.plan.HarnessPlan.Output;
+import org.sitaf.core.harness.plan.HarnessPlan.Stub;
+import org.sitaf.core.harness.plan.HarnessPlan.World;
+import org.sitaf.core.model.InputKind;
+import org.sitaf.core.model.TestModel;
+import org.sitaf.core.suite.CaseParameter;
+import org.sitaf.core.suite.TestSuite;
+
+/**
+ * Decides about a test application before a language spells it, and says everything that holds in
+ * no language.
+ */
+public final class HarnessPlanner {
+  /** The document that problems with the profile are told of. */
+  public static final String PROFILE = "activity.yaml";
+
+  private final Activity activity;
+  private final TestModel model;
+  private final TestSuite suite;
+  private final Diagnostics diagnostics;
+
+  private HarnessPlanner(
+      Activity activity, TestModel model, TestSuite suite, Diagnostics diagnostics) {
+    this.activity = activity;
+    this.model = model;
+    this.suite = suite;
+    this.diagnostics = diagnostics;
+  }
+
+  /**
+   * Plans a test application.
+   *
+   * @param diagnostics gets everything that cannot be tested so; when there is an error among it,
+   *     the plan lacks what the error is about
+   * @throws InvalidInputException when the method under test is not found
+   */
+  public static HarnessPlan plan(
+      Activity activity, TestModel model, TestSuite suite, Diagnostics diagnostics) {
+    return new HarnessPlanner(activity, model, suite, diagnostics).plan();
+  }
+
+  private HarnessPlan plan() {
+    TargetMethod target;
+    try {
+      target = TargetMethod.find(model, activity.provided());
+    } catch (IllegalArgumentException e) {
+      throw InvalidInputException.of(model.source(), "target: " + e.getMessage());
+    }
+    Method method = target.method();
+    Component component = activity.profile().component();
+    List<Argument> arguments = new ArgumentPlanner(target, model, suite, diagnostics).plan();
+    World world = world();
+    StubPlanner stubPlanner = new StubPlanner(activity.required(), model, suite, diagnostics);
+    List<Stub> stubs = stubPlanner.plan();
+    List<Output> outputs = new OutputPlanner(method, model, activity, diagnostics).plan();
+    var before =
+        new BeforeCalls(activity.provided(), diagnostics).plan(component.before(), PROFILE);
+    DeclaredTypes types = new DeclaredTypes(diagnostics);
+    types.reach(target.declaring().source(), method);
+    for (InterfaceDescription description : activity.required()) {
+      description.methods().forEach(m -> types.reach(description.source(), m));
+    }
+    before.forEach(call -> types.reach(PROFILE, call.method()));
+    if (component.adapter() != null) {
+      // What an adapter implements is generated in full.
+      for (InterfaceDescription description : activity.provided()) {
+        description.methods().forEach(m -> types.reach(description.source(), m));
+      }
+    }
+    SortedSet<String> errors = new TreeSet<>(stubPlanner.errors());
+    activity.required().forEach(i -> i.methods().forEach(m -> errors.addAll(m.raises())));
+    errors.addAll(method.raises());
+    return new HarnessPlan(
+        model.name(),
+        model.description(),
+        target.declaring().name(),
+        method,
+        component,
+        arguments,
+        outputs,
+        world,
+        stubs,
+        before,
+        activity.provided(),
+        types.inOrder(),
+        List.copyOf(errors),
+        activity.profile().limits());
+  }
+
+  private @Nullable World world() {
+    WorldDescription description = activity.world();
+    List<World.Setting> settings = new ArrayList<>();
+    for (CaseParameter parameter : suite.parameters()) {
+      if (parameter.kind() != InputKind.TDSD) {
+        continue;
+      }
+      if (description == null || description.parameter(parameter.name()).isEmpty()) {
+        diagnostics.error(
+            model.source(),
+            0,
+            "test_element " + parameter.name(),
+            description == null
+                ? "is set through the simulation, but activity.yaml names no world"
+                : description.path() + " has no such parameter");
+      } else if (!Words.isWord(parameter.name())) {
+        diagnostics.error(
+            description.path(), 0, "parameters", "'" + parameter.name() + "' is not an identifier");
+      } else {
+        var declared = description.parameter(parameter.name()).get();
+        settings.add(
+            new World.Setting(parameter.name(), declared.unit(), declared.min(), declared.max()));
+      }
+    }
+    return description == null
+        ? null
+        : new World(description.path(), settings, model.target().settle(), model.target().runFor());
+  }
+}
