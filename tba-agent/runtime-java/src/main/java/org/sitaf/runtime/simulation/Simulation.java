@@ -51,7 +51,7 @@ public final class Simulation implements AutoCloseable {
 
   private final ManagedChannel channel;
   private final String session;
-  private final long timestepNanos;
+  private final PassingTime time;
   private final SimulatedHardware hardware;
   private final Lease lease;
   private volatile FrozenWorld world;
@@ -59,7 +59,7 @@ public final class Simulation implements AutoCloseable {
   private Simulation(ManagedChannel channel, CreateSessionResponse created, Stopwatch stopwatch) {
     this.channel = channel;
     this.session = created.getSessionId();
-    this.timestepNanos = created.getWorld().getTimestepNs();
+    this.time = new PassingTime(created.getWorld().getTimestepNs(), this::step);
     this.world = FrozenWorld.of(created.getState());
     Map<String, String> kinds = new HashMap<>();
     created.getWorld().getDevicesList().forEach(d -> kinds.put(d.getName(), d.getKind()));
@@ -129,20 +129,33 @@ public final class Simulation implements AutoCloseable {
             .setSettleNs(settle.toNanos())
             .build();
     freeze(ask("setting " + parameters, () -> stub(channel).prepare(request).getState()));
+    time.restart();
   }
 
-  /** Lets simulation time pass, rounded up to whole steps. */
-  public void advance(Duration time) {
-    long nanos = time.toNanos();
-    if (nanos <= 0) {
-      return;
-    }
-    StepSimulationRequest request =
-        StepSimulationRequest.newBuilder()
-            .setSessionId(session)
-            .setSteps((nanos - 1) / timestepNanos + 1)
-            .build();
-    freeze(ask("advancing by " + time, () -> stub(channel).stepSimulation(request).getState()));
+  /**
+   * Lets simulation time pass, rounded up to whole steps. In other threads than the one that
+   * prepared the case it only waits for time to pass.
+   */
+  public void advance(Duration duration) {
+    time.pass(duration);
+  }
+
+  /**
+   * Calls a periodic component while time passes, until the next case is prepared: after the step
+   * that ends at or first after each whole period from now. A tick that lets time pass itself is
+   * not called meanwhile, and skips what it slept through. What a tick throws comes out of the call
+   * that let time pass.
+   */
+  public void every(Duration period, Tick tick) {
+    time.every(period, tick);
+  }
+
+  /**
+   * Lets time pass only while a thread waits for it or is at its end, until the next case is
+   * prepared: what the thread does then happens at the same simulation time in every run.
+   */
+  public void follow(Thread thread) {
+    time.follow(thread);
   }
 
   /** What the world shows at the current step, in the unit that the world declares. */
@@ -159,6 +172,7 @@ public final class Simulation implements AutoCloseable {
   @Override
   public void close() {
     lease.close();
+    time.end();
     try {
       stub(channel).deleteSession(DeleteSessionRequest.newBuilder().setSessionId(session).build());
     } catch (StatusRuntimeException e) {
@@ -166,6 +180,15 @@ public final class Simulation implements AutoCloseable {
     } finally {
       channel.shutdownNow();
     }
+  }
+
+  private void step(long steps) {
+    StepSimulationRequest request =
+        StepSimulationRequest.newBuilder().setSessionId(session).setSteps(steps).build();
+    freeze(
+        ask(
+            "advancing by " + steps + " steps",
+            () -> stub(channel).stepSimulation(request).getState()));
   }
 
   private void renew() {

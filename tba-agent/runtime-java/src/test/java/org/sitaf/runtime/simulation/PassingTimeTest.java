@@ -1,0 +1,106 @@
+package org.sitaf.runtime.simulation;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicLong;
+import org.junit.jupiter.api.Test;
+
+class PassingTimeTest {
+  private static final long STEP_NANOS = 2_000_000;
+  private final AtomicLong now = new AtomicLong();
+  private final PassingTime time = new PassingTime(STEP_NANOS, now::addAndGet);
+
+  @Test
+  void ticksFallOnTheFirstStepAtOrAfterEachPeriodWithoutDrift() {
+    List<Long> ticks = new ArrayList<>();
+    time.every(Duration.ofMillis(5), () -> ticks.add(now.get()));
+
+    time.pass(Duration.ofMillis(13));
+    assertThat(now.get()).isEqualTo(7);
+    time.pass(Duration.ofMillis(6));
+
+    // 5, 10, 15 and 20 ms in steps of 2 ms.
+    assertThat(ticks).containsExactly(3L, 5L, 8L, 10L);
+  }
+
+  @Test
+  void aPeriodOfWholeStepsTicksExactlyAsOftenAsItFitsIn() {
+    List<Long> ticks = new ArrayList<>();
+    time.every(Duration.ofMillis(10), () -> ticks.add(now.get()));
+
+    time.pass(Duration.ofSeconds(1));
+
+    assertThat(ticks).hasSize(100).startsWith(5L, 10L, 15L).endsWith(500L);
+  }
+
+  @Test
+  void aTickThatLetsTimePassSkipsWhatItSleptThrough() {
+    List<Long> ticks = new ArrayList<>();
+    time.every(
+        Duration.ofMillis(10),
+        () -> {
+          ticks.add(now.get());
+          time.pass(Duration.ofMillis(12));
+        });
+
+    time.pass(Duration.ofMillis(50));
+
+    assertThat(ticks).containsExactly(5L, 15L, 25L);
+  }
+
+  @Test
+  void whatATickThrowsComesOutAsItIs() {
+    time.every(
+        Duration.ofMillis(10),
+        () -> {
+          throw new IOException("no bus");
+        });
+
+    assertThatThrownBy(() -> time.pass(Duration.ofMillis(50)))
+        .isExactlyInstanceOf(IOException.class)
+        .hasMessage("no bus");
+    assertThat(now.get()).isEqualTo(5);
+  }
+
+  @Test
+  void aNewCaseHasNoTicksOfTheLastOne() {
+    List<Long> ticks = new ArrayList<>();
+    time.every(Duration.ofMillis(10), () -> ticks.add(now.get()));
+
+    time.restart();
+    time.pass(Duration.ofMillis(50));
+
+    assertThat(ticks).isEmpty();
+    assertThatThrownBy(() -> time.every(Duration.ZERO, () -> {}))
+        .isInstanceOf(IllegalArgumentException.class);
+  }
+
+  @Test
+  void aThreadThatIsFollowedActsAtTheSameTimesInEveryRun() throws Exception {
+    List<Long> acted = Collections.synchronizedList(new ArrayList<>());
+    Thread component =
+        new Thread(
+            () -> {
+              for (int i = 0; i < 5; i++) {
+                acted.add(now.get());
+                time.pass(Duration.ofMillis(6));
+              }
+            });
+    time.follow(component);
+    component.start();
+
+    time.pass(Duration.ofMillis(20));
+    assertThat(acted).containsExactly(0L, 3L, 6L, 9L);
+    time.pass(Duration.ofMillis(100));
+    component.join();
+
+    assertThat(acted).containsExactly(0L, 3L, 6L, 9L, 12L);
+    assertThat(now.get()).isEqualTo(60);
+  }
+}
