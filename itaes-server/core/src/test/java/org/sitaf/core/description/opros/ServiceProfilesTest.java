@@ -3,14 +3,13 @@ package org.sitaf.core.description.opros;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import java.io.ByteArrayInputStream;
 import java.io.IOException;
-import java.io.InputStream;
 import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.Test;
@@ -19,17 +18,20 @@ import org.sitaf.core.description.Direction;
 import org.sitaf.core.description.InterfaceDescription;
 import org.sitaf.core.description.Method;
 import org.sitaf.core.description.Parameter;
+import org.sitaf.core.description.importer.InterfaceFiles;
+import org.sitaf.core.description.source.Described;
+import org.sitaf.core.description.source.SourceFiles;
 import org.sitaf.core.diagnostic.Diagnostic;
-import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.diagnostic.InvalidInputException;
 
-class OprosReaderTest {
-  private static List<InterfaceDescription> read(byte[] document, Diagnostics diagnostics) {
-    return OprosReader.read(new ByteArrayInputStream(document), "service.xml", diagnostics);
+class ServiceProfilesTest {
+  private static Described describe(byte[] document) {
+    Map<String, byte[]> files = Map.of("service.xml", document);
+    return InterfaceFiles.read(SourceFiles.of("test", files, List.of("service.xml")));
   }
 
   private static List<InterfaceDescription> read(String document) {
-    return read(document.getBytes(StandardCharsets.UTF_8), new Diagnostics());
+    return describe(document.getBytes(StandardCharsets.UTF_8)).orThrow().provided();
   }
 
   @Test
@@ -64,20 +66,18 @@ class OprosReaderTest {
         """
             .stripLeading()
             .getBytes(Charset.forName("euc-kr"));
-    assertThat(read(document, new Diagnostics()).get(0).name()).isEqualTo("S");
+    assertThat(describe(document).orThrow().provided().get(0).name()).isEqualTo("S");
   }
 
   @Test
   void anUnknownTypeIsKeptByItsNameAndReported() {
-    Diagnostics diagnostics = new Diagnostics();
-    List<InterfaceDescription> interfaces =
-        read(
+    Described described =
+        describe(
             "<service_port_type><type_name>S</type_name>\n<method name='Get' return_type='Pose2D'/></service_port_type>"
-                .getBytes(StandardCharsets.UTF_8),
-            diagnostics);
-    assertThat(interfaces.get(0).methods().get(0).returnType())
+                .getBytes(StandardCharsets.UTF_8));
+    assertThat(described.provided().get(0).methods().get(0).returnType())
         .isEqualTo(new DataType.Unknown("Pose2D"));
-    assertThat(diagnostics.all()).extracting(Diagnostic::line).containsExactly(2);
+    assertThat(described.diagnostics()).extracting(Diagnostic::line).containsExactly(2);
   }
 
   @Test
@@ -99,10 +99,8 @@ class OprosReaderTest {
       for (Path file : files.filter(f -> f.toString().endsWith(".xml")).toList()) {
         String text = Files.readString(file, StandardCharsets.ISO_8859_1);
         if (text.contains("<service_port_type")) {
-          try (InputStream in = Files.newInputStream(file)) {
-            assertThat(OprosReader.read(in, file.toString(), new Diagnostics())).isNotEmpty();
-            services++;
-          }
+          assertThat(describe(Files.readAllBytes(file)).orThrow().provided()).isNotEmpty();
+          services++;
         }
       }
     }
