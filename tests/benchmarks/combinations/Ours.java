@@ -11,8 +11,8 @@ import org.sitaf.core.combine.TestDataCombinator;
 
 /**
  * Combines the models that standard input names, one a line: strength, effort, levels, forbidden
- * tuples as {@code parameter=value&...}, separated by tabs. Answers each with the rows and seconds
- * of the first complete array and of the smallest, the seconds in all, and what the check found.
+ * tuples as {@code parameter=value&...}, separated by tabs. Answers each with its rows, the seconds in
+ * all, how many findings the check has, and every improvement on the way as {@code rows@seconds}.
  */
 public final class Ours {
   private Ours() {}
@@ -33,8 +33,8 @@ public final class Ours {
         CombinationProblem.tWay(Integer.parseInt(line[0]), levels)
             .withConstraints(constraints(line[3]));
     long began = System.nanoTime();
-    double[] first = new double[2];
-    double[] best = new double[2];
+    List<String> improvements = new ArrayList<>();
+    int[] smallest = {Integer.MAX_VALUE};
     CoveringArray array =
         new TestDataCombinator()
             .combine(
@@ -42,20 +42,22 @@ public final class Ours {
                 Effort.valueOf(line[1]),
                 1,
                 (rows, share) -> {
-                  double now = (System.nanoTime() - began) / 1e9;
-                  if (first[0] == 0) {
-                    first[0] = rows;
-                    first[1] = now;
-                  }
-                  if (rows != best[0]) {
-                    best[0] = rows;
-                    best[1] = now;
+                  if (rows < smallest[0]) {
+                    smallest[0] = rows;
+                    improvements.add("%d@%.3f".formatted(rows, seconds(began)));
                   }
                 });
-    double whole = (System.nanoTime() - began) / 1e9;
+    double whole = seconds(began);
+    if (array.size() < smallest[0]) {
+      improvements.add("%d@%.3f".formatted(array.size(), whole));
+    }
     int findings = CoveringCheck.findings(problem, array).size();
-    return "%.0f\t%.3f\t%d\t%.3f\t%.3f\t%d"
-        .formatted(first[0], first[1], array.size(), best[1], whole, findings);
+    return "%d\t%.3f\t%d\t%s"
+        .formatted(array.size(), whole, findings, String.join(" ", improvements));
+  }
+
+  private static double seconds(long since) {
+    return (System.nanoTime() - since) / 1e9;
   }
 
   private static List<Constraint> constraints(String forbidden) {
