@@ -49,7 +49,7 @@ final class Combination {
     this.progress = progress;
   }
 
-  CoveringArray run(List<Row> kept, long seed) {
+  CoveringArray run(long seed) {
     Coverage coverage = ColumnSets.coverage(symbols, sets);
     Judgement judgement = ImpossibleTuples.exclude(symbols, sets, feasibility, coverage);
     TupleReport report = judgement.report();
@@ -58,9 +58,12 @@ final class Combination {
     Greedy greedy = new Greedy(symbols, coverage, feasibility, dice, budget);
 
     List<Row> rows = new ArrayList<>();
-    for (Row row : kept) {
-      Row filled = Objects.requireNonNull(greedy.fill(row), "a kept row that was found allowed");
-      filled.keep(problem.seeds().get(rows.size()));
+    List<int[]> kept = problem.seeds();
+    for (int[] values : kept) {
+      Row filled =
+          Objects.requireNonNull(
+              greedy.fill(new Row(symbols, values)), "a seed that was found allowed");
+      filled.keep(values);
       coverage.add(filled);
       rows.add(filled);
     }
@@ -81,7 +84,7 @@ final class Combination {
     if (effort != Effort.FAST) {
       best = smaller(rows, best, enough, columns, coverage, greedy, dice, budget);
     }
-    return new CoveringArray(ordered(best, kept.size()), report, best.size() <= enough);
+    return new CoveringArray(ordered(best, kept.size()), report, best.size() <= enough, List.of());
   }
 
   /** A first complete array: what algebra gives where that is near the bound, or else smaller. */

@@ -10,11 +10,15 @@ import java.util.List;
  *     for every parameter
  * @param tuples what was covered, and what cannot be
  * @param optimal whether no smaller array exists, by proof
+ * @param refusedSeeds indices of the seeds that no allowed row holds, and that are left out of the
+ *     rows
  */
 @SuppressWarnings("ArrayRecordComponent") // copied in and out
-public record CoveringArray(int[][] rows, TupleReport tuples, boolean optimal) {
+public record CoveringArray(
+    int[][] rows, TupleReport tuples, boolean optimal, List<Integer> refusedSeeds) {
   public CoveringArray {
     rows = copy(rows);
+    refusedSeeds = List.copyOf(refusedSeeds);
   }
 
   @Override

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.IntStream;
 
 /**
  * Checks an array against its problem, in the plainest way that there is: it shares no code with
@@ -15,18 +16,19 @@ public final class CoveringCheck {
 
   /**
    * Lists what is wrong, at most a thousand findings; empty when every required tuple is covered,
-   * or reported impossible, or in no allowed row by exhaustion, when no constraint is broken, and
-   * when the seeds stand first.
+   * or reported impossible, or in no allowed row by exhaustion, when no constraint is broken, when
+   * the seeds stand first, and when what was refused as impossible is in no allowed row.
    */
   public static List<String> findings(CombinationProblem problem, CoveringArray array) {
     List<String> findings = new ArrayList<>();
     int[][] rows = array.rows();
-    checkRows(problem, rows, findings);
+    checkRows(problem, allowedSeeds(problem, array), rows, findings);
     Set<List<Integer>> impossible = new HashSet<>();
     for (CoveringArray.Tuple tuple : array.tuples().examples()) {
       impossible.add(code(tuple.parameters(), tuple.values()));
     }
     Exhaustion exhaustion = new Exhaustion(problem);
+    checkRefusals(problem, array, exhaustion, findings);
     for (Interaction interaction : problem.interactions()) {
       int[] parameters = interaction.parameters();
       int strength = Math.min(interaction.strength(), parameters.length);
@@ -41,9 +43,36 @@ public final class CoveringCheck {
     return findings;
   }
 
-  private static void checkRows(CombinationProblem problem, int[][] rows, List<String> findings) {
+  private static List<int[]> allowedSeeds(CombinationProblem problem, CoveringArray array) {
+    return IntStream.range(0, problem.seeds().size())
+        .filter(i -> !array.refusedSeeds().contains(i))
+        .mapToObj(problem.seeds()::get)
+        .toList();
+  }
+
+  private static void checkRefusals(
+      CombinationProblem problem,
+      CoveringArray array,
+      Exhaustion exhaustion,
+      List<String> findings) {
+    for (int refused : array.refusedSeeds()) {
+      int[] seed = problem.seeds().get(refused);
+      int[] parameters = IntStream.range(0, seed.length).filter(p -> seed[p] >= 0).toArray();
+      int[] values = IntStream.of(parameters).map(p -> seed[p]).toArray();
+      if (exhaustion.finds(parameters, values)) {
+        add(findings, "seed " + refused + " was refused, but an allowed row holds it");
+      }
+    }
+    for (CoveringArray.Tuple tuple : array.tuples().examples()) {
+      if (exhaustion.finds(tuple.parameters(), tuple.values())) {
+        add(findings, "reported impossible, but an allowed row holds it: " + tuple);
+      }
+    }
+  }
+
+  private static void checkRows(
+      CombinationProblem problem, List<int[]> seeds, int[][] rows, List<String> findings) {
     int[] levels = problem.levels();
-    List<int[]> seeds = problem.seeds();
     Set<List<Integer>> seen = new HashSet<>();
     for (int r = 0; r < rows.length; r++) {
       int[] row = rows[r];

@@ -30,7 +30,6 @@ public final class TestDataCombinator {
    * @param seed of the pseudo-random choices
    * @throws TooManyCombinationsException when there are more than {@link #MAX_PRODUCT} rows of a
    *     full product, or more than {@link #MAX_TUPLES} tuples
-   * @throws IllegalArgumentException when a seed row breaks a constraint
    */
   public CoveringArray combine(
       CombinationProblem problem, Effort effort, long seed, Progress progress) {
@@ -39,12 +38,25 @@ public final class TestDataCombinator {
     boolean product = sets.isProduct();
     refuseExplosion(symbols, sets, product);
     Feasibility feasibility = new Feasibility(symbols, problem.constraints());
-    List<Row> kept = kept(problem, symbols, feasibility);
-    if (product) {
-      return product(problem, symbols, feasibility, kept);
+    List<Integer> refused = new ArrayList<>();
+    List<int[]> allowed = new ArrayList<>();
+    for (int i = 0; i < problem.seeds().size(); i++) {
+      if (isAllowed(new Row(symbols, problem.seeds().get(i)), feasibility)) {
+        allowed.add(problem.seeds().get(i));
+      } else {
+        refused.add(i);
+      }
     }
-    return new Combination(problem, symbols, sets.list(), feasibility, effort, progress)
-        .run(kept, seed);
+    CombinationProblem kept = problem.withSeeds(allowed);
+    CoveringArray array =
+        product
+            ? product(kept, symbols, feasibility)
+            : new Combination(kept, symbols, sets.list(), feasibility, effort, progress).run(seed);
+    return new CoveringArray(array.rows(), array.tuples(), array.optimal(), refused);
+  }
+
+  private static boolean isAllowed(Row row, Feasibility feasibility) {
+    return feasibility.rules().allow(row) && feasibility.complete(row) != null;
   }
 
   private static void refuseExplosion(Symbols symbols, ColumnSets sets, boolean product) {
@@ -64,27 +76,11 @@ public final class TestDataCombinator {
     }
   }
 
-  private static List<Row> kept(
-      CombinationProblem problem, Symbols symbols, Feasibility feasibility) {
-    List<Row> rows = new ArrayList<>();
-    List<int[]> seeds = problem.seeds();
-    for (int i = 0; i < seeds.size(); i++) {
-      Row row = new Row(symbols, seeds.get(i));
-      if (!feasibility.rules().allow(row) || feasibility.complete(row) == null) {
-        throw new IllegalArgumentException(
-            "seed row " + i + " " + Arrays.toString(seeds.get(i)) + " breaks a constraint");
-      }
-      row.keep(seeds.get(i));
-      rows.add(row);
-    }
-    return rows;
-  }
-
   private static CoveringArray product(
-      CombinationProblem problem, Symbols symbols, Feasibility feasibility, List<Row> seeds) {
+      CombinationProblem problem, Symbols symbols, Feasibility feasibility) {
     List<Row> kept = new ArrayList<>();
-    for (Row seed : seeds) {
-      Row row = feasibility.complete(seed);
+    for (int[] seed : problem.seeds()) {
+      Row row = feasibility.complete(new Row(symbols, seed));
       for (int c = 0; c < symbols.columns(); c++) {
         if (row != null && row.value(c) == Row.FREE) {
           row.set(c, 0);
@@ -104,6 +100,9 @@ public final class TestDataCombinator {
     all.addAll(rows);
     // Which combinations the constraints forbid is their very sense, and no finding: only counted.
     return new CoveringArray(
-        all.toArray(int[][]::new), new TupleReport(covered, whole - covered, List.of()), true);
+        all.toArray(int[][]::new),
+        new TupleReport(covered, whole - covered, List.of()),
+        true,
+        List.of());
   }
 }

@@ -4,9 +4,11 @@ import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import org.jspecify.annotations.Nullable;
 import org.sitaf.core.combine.CombinationProblem;
 import org.sitaf.core.combine.Constraint;
 import org.sitaf.core.combine.CoveringArray;
@@ -38,8 +40,9 @@ final class CaseCombination {
   private final GenerationOptions options;
   private final Diagnostics diagnostics;
   private final Progress progress;
-  private final KeptCases keptCases;
+  private final List<KeptCases.Kept> keptCases;
   private final List<List<TestValue>> kept;
+  private final ImpossibleCombinations impossible;
 
   CaseCombination(
       TestModel model,
@@ -57,16 +60,18 @@ final class CaseCombination {
     this.options = options;
     this.diagnostics = diagnostics;
     this.progress = progress;
-    this.keptCases = keptCases;
+    this.impossible = new ImpossibleCombinations(model);
+    this.keptCases = keptCases.all().stream().filter(this::isAllowed).toList();
     this.kept =
-        keptCases.all().stream().filter(KeptCases.Kept::isComplete).map(this::keptRow).toList();
+        this.keptCases.stream().filter(KeptCases.Kept::isComplete).map(this::keptRow).toList();
   }
 
   /** All values alike. */
   List<List<TestValue>> mixed() {
     List<List<TestValue>> candidates = data.stream().map(TestData::values).toList();
     Set<List<TestValue>> rows = new LinkedHashSet<>(kept);
-    rows.addAll(combine(candidates, interactions(-1), null));
+    rows.addAll(combine(candidates, -1, null));
+    impossible.tell(diagnostics);
     return List.copyOf(rows);
   }
 
@@ -89,16 +94,17 @@ final class CaseCombination {
     }
     diagnostics.throwIfErrors();
     Set<List<TestValue>> rows = new LinkedHashSet<>(kept);
-    rows.addAll(combine(valid, interactions(-1), true));
+    rows.addAll(combine(valid, -1, true));
     for (int p = 0; p < data.size(); p++) {
       for (TestValue value : data.get(p).values()) {
         if (!value.valid()) {
           List<List<TestValue>> candidates = new ArrayList<>(valid);
           candidates.set(p, List.of(value));
-          rows.addAll(combine(candidates, interactions(p), false));
+          rows.addAll(combine(candidates, p, false));
         }
       }
     }
+    impossible.tell(diagnostics);
     return List.copyOf(rows);
   }
 
@@ -130,11 +136,16 @@ final class CaseCombination {
     }
   }
 
+  /**
+   * The rows of one array.
+   *
+   * @param held the parameter that is held at its only, invalid, value; -1 where none is
+   * @param valid whether all its cases are; null where they differ
+   */
   private List<List<TestValue>> combine(
-      List<List<TestValue>> candidates,
-      List<Interaction> interactions,
-      @org.jspecify.annotations.Nullable Boolean valid) {
+      List<List<TestValue>> candidates, int held, @Nullable Boolean valid) {
     int[] levels = candidates.stream().mapToInt(List::size).toArray();
+    List<Interaction> interactions = interactions(held);
     List<int[]> seeds = seeds(candidates);
     if ((seeds.isEmpty() && IntStream.of(levels).allMatch(l -> l == 1)) || interactions.isEmpty()) {
       // Nothing varies, or no tuple is asked for: one case, whichever the conditions allow.
@@ -142,26 +153,20 @@ final class CaseCombination {
     }
     List<Constraint> constraints =
         conditions.pre().stream().map(c -> constraint(c, candidates, valid)).toList();
-    CoveringArray array;
-    try {
-      array =
-          new TestDataCombinator()
-              .combine(
-                  new CombinationProblem(levels, interactions, constraints, seeds),
-                  options.effort(),
-                  options.seed(),
-                  progress);
-    } catch (IllegalArgumentException e) {
-      if (seeds.isEmpty()) {
-        throw e;
-      }
-      // No allowed row holds what is held here, which is a fact about the model and not a mistake
-      // in it.
-      diagnostics.warning(
-          model.source(), 0, "pre_condition_spec_list", String.valueOf(e.getMessage()));
-      return List.of();
+    CoveringArray array =
+        new TestDataCombinator()
+            .combine(
+                new CombinationProblem(levels, interactions, constraints, seeds),
+                options.effort(),
+                options.seed(),
+                progress);
+    impossible.add(array.tuples(), candidates, held);
+    if (held >= 0 && array.size() == 0) {
+      impossible.addValue(held, candidates);
     }
-    report(array.tuples(), candidates);
+    for (int refused : array.refusedSeeds()) {
+      tellRefused(seeds.get(refused), candidates);
+    }
     List<List<TestValue>> rows = new ArrayList<>();
     for (int[] row : array.rows()) {
       rows.add(
@@ -176,7 +181,7 @@ final class CaseCombination {
    */
   private List<int[]> seeds(List<List<TestValue>> candidates) {
     List<int[]> seeds = new ArrayList<>();
-    for (KeptCases.Kept keptCase : keptCases.all()) {
+    for (KeptCases.Kept keptCase : keptCases) {
       int[] seed = new int[candidates.size()];
       boolean fits = true;
       for (int p = 0; p < seed.length; p++) {
@@ -203,9 +208,7 @@ final class CaseCombination {
   }
 
   private Constraint constraint(
-      Expression condition,
-      List<List<TestValue>> candidates,
-      @org.jspecify.annotations.Nullable Boolean valid) {
+      Expression condition, List<List<TestValue>> candidates, @Nullable Boolean valid) {
     boolean dependsOnAll = valid == null && condition.mentions(Variables.VALID);
     int[] parameters =
         IntStream.range(0, candidates.size())
@@ -249,33 +252,50 @@ final class CaseCombination {
     return Variables.roots(List.of(input)).stream().anyMatch(condition::mentions);
   }
 
-  private void report(CoveringArray.TupleReport tuples, List<List<TestValue>> candidates) {
-    if (tuples.impossible() > 0) {
-      String examples =
-          tuples.examples().stream()
-              .limit(3)
-              .map(t -> describe(t, candidates))
-              .collect(Collectors.joining("; "));
+  private void tellRefused(int[] seed, List<List<TestValue>> candidates) {
+    String values =
+        IntStream.range(0, seed.length)
+            .filter(p -> seed[p] != CombinationProblem.FREE)
+            .mapToObj(
+                p ->
+                    model.inputs().get(p).name()
+                        + "="
+                        + candidates.get(p).get(seed[p]).value().literal())
+            .collect(Collectors.joining(", "));
+    if (!values.isEmpty()) {
       diagnostics.warning(
           model.source(),
           0,
           "pre_condition_spec_list",
-          tuples.impossible()
-              + " combination(s) of values that no allowed case can hold, such as "
-              + examples);
+          "the case with " + values + " that was to be kept is in no allowed case and is left out");
     }
   }
 
-  private String describe(CoveringArray.Tuple tuple, List<List<TestValue>> candidates) {
-    int[] parameters = tuple.parameters();
-    int[] values = tuple.values();
-    return IntStream.range(0, parameters.length)
-        .mapToObj(
-            i ->
-                model.inputs().get(parameters[i]).name()
-                    + "="
-                    + candidates.get(parameters[i]).get(values[i]).value().literal())
-        .collect(Collectors.joining(", "));
+  /** Whether a kept case still keeps the conditions; one that lacks values may yet be completed. */
+  private boolean isAllowed(KeptCases.Kept keptCase) {
+    if (!keptCase.isComplete()) {
+      return true;
+    }
+    List<TestValue> row = keptRow(keptCase);
+    Variables variables = new Variables();
+    for (int p = 0; p < row.size(); p++) {
+      variables.put(model.inputs().get(p).name(), row.get(p).value());
+    }
+    variables.put(Variables.VALID, row.stream().allMatch(TestValue::valid));
+    Optional<Expression> broken =
+        conditions.pre().stream().filter(c -> !holds(c, variables)).findFirst();
+    broken.ifPresent(
+        c ->
+            diagnostics.warning(
+                model.source(),
+                0,
+                "pre_condition_spec_list",
+                "case "
+                    + keptCase.no()
+                    + " that was to be kept breaks '"
+                    + c.text()
+                    + "' and is left out; its number is not used again"));
+    return broken.isEmpty();
   }
 
   /** A kept case stays as it is; a value that the model no longer gives does not count as valid. */

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.math.BigInteger;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.regex.Pattern;
@@ -81,18 +82,19 @@ class TestDataCombinatorTest {
   }
 
   @Test
-  void a_kept_row_that_breaks_a_condition_is_refused_by_its_number() {
+  void a_seed_that_breaks_a_condition_is_refused_and_the_rest_is_covered() {
     CombinationProblem problem =
         CombinationProblem.tWay(2, 2, 2, 2)
             .withConstraints(List.of(Constraint.forbid(new int[] {0, 2}, new int[] {1, 1})))
             .withSeeds(List.of(new int[] {0, 0, 0}, new int[] {1, -1, 1}));
-    assertThatThrownBy(() -> combine(problem, Effort.FAST))
-        .isInstanceOf(IllegalArgumentException.class)
-        .hasMessageContaining("seed row 1");
+    CoveringArray array = combine(problem, Effort.FAST);
+    assertThat(array.refusedSeeds()).containsExactly(1);
+    assertThat(array.rows()[0]).containsExactly(0, 0, 0);
+    assertThat(CoveringCheck.findings(problem, array)).isEmpty();
   }
 
   @Test
-  void a_kept_row_that_no_allowed_row_completes_is_refused() {
+  void a_seed_that_no_allowed_row_completes_is_refused() {
     // 0 -> 1 -> not 2, and 0 -> 2: value 1 of parameter 0 is in no allowed row.
     CombinationProblem problem =
         CombinationProblem.tWay(2, 2, 2, 2)
@@ -102,8 +104,25 @@ class TestDataCombinatorTest {
                     Constraint.forbid(new int[] {1, 2}, new int[] {1, 1}),
                     Constraint.forbid(new int[] {0, 2}, new int[] {1, 0})))
             .withSeeds(List.of(new int[] {1, -1, -1}));
-    assertThatThrownBy(() -> combine(problem, Effort.FAST))
-        .isInstanceOf(IllegalArgumentException.class);
+    assertThat(combine(problem, Effort.FAST).refusedSeeds()).containsExactly(0);
+  }
+
+  @Test
+  void conditions_that_contradict_each_other_leave_no_row_also_for_what_they_do_not_touch() {
+    // Each pair of values is forbidden, but none alone: only a search finds the contradiction.
+    List<Constraint> none = new ArrayList<>();
+    for (int a = 0; a < 2; a++) {
+      for (int b = 0; b < 2; b++) {
+        none.add(Constraint.forbid(new int[] {0, 1}, new int[] {a, b}));
+      }
+    }
+    CombinationProblem problem =
+        new CombinationProblem(
+            new int[] {2, 2, 3}, List.of(new Interaction(1, new int[] {2})), none, List.of());
+    CoveringArray array = combine(problem, Effort.FAST);
+    assertThat(array.size()).isZero();
+    assertThat(array.tuples().impossible()).isEqualTo(3);
+    assertThat(CoveringCheck.findings(problem, array)).isEmpty();
   }
 
   @Test
@@ -197,7 +216,7 @@ class TestDataCombinatorTest {
   }
 
   private static CoveringArray with(CoveringArray array, int[][] rows) {
-    return new CoveringArray(rows, array.tuples(), false);
+    return new CoveringArray(rows, array.tuples(), false, List.of());
   }
 
   private static CoveringArray combine(CombinationProblem problem, Effort effort) {

@@ -18,6 +18,10 @@ import org.sitaf.core.model.TestModelXml;
 /** A changed model keeps the cases that a user already has; a number never changes its meaning. */
 class EarlierSuiteTest {
   private static TestModel model(String... elements) {
+    return model("", List.of(elements));
+  }
+
+  private static TestModel model(String preConditions, List<String> elements) {
     StringBuilder all = new StringBuilder();
     for (String element : elements) {
       String[] parts = element.split(" ", 2);
@@ -26,8 +30,8 @@ class EarlierSuiteTest {
               .formatted(parts[0], parts[1]));
     }
     String xml =
-        "<test_model><name>M</name><input_spec_list>%s</input_spec_list><order_of_combinations>2</order_of_combinations></test_model>"
-            .formatted(all);
+        "<test_model><name>M</name><input_spec_list>%s</input_spec_list>%s<order_of_combinations>2</order_of_combinations></test_model>"
+            .formatted(all, preConditions);
     return TestModelXml.read(
         new ByteArrayInputStream(xml.getBytes(StandardCharsets.UTF_8)), "M.xml");
   }
@@ -88,6 +92,27 @@ class EarlierSuiteTest {
     assertThat(grown.notes())
         .extracting(Diagnostic::message)
         .anyMatch(m -> m.startsWith("4 case(s) lack a value for a new element"));
+  }
+
+  @Test
+  void aCaseThatBreaksANewConditionIsLeftOutAloneAndItsNumberIsNotUsedAgain() {
+    String[] elements = {"a " + values(1, 2, 3), "b " + values(1, 2, 3), "c " + values(1, 2)};
+    TestSuite old = fresh(model(elements));
+    String different =
+        "<pre_condition_spec_list><pre_condition>a != b</pre_condition></pre_condition_spec_list>";
+    GeneratedSuite changed = after(model(different, List.of(elements)), old);
+    Map<Integer, TestCase> cases = byNumber(changed.suite());
+    for (TestCase earlier : old.cases()) {
+      boolean broken = earlier.values().get(0).equals(earlier.values().get(1));
+      assertThat(cases.containsKey(earlier.no())).isEqualTo(!broken);
+    }
+    assertThat(changed.suite().cases())
+        .noneMatch(c -> c.values().get(0).equals(c.values().get(1)))
+        .extracting(c -> c.values().get(0) + c.values().get(2))
+        .contains("11", "12", "21", "22", "31", "32");
+    assertThat(changed.notes())
+        .extracting(Diagnostic::message)
+        .anyMatch(m -> m.matches("case \\d that was to be kept breaks 'a != b' and is left out.*"));
   }
 
   @Test

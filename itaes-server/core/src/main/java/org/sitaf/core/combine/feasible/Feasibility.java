@@ -31,8 +31,9 @@ public final class Feasibility {
     this.rules = new Rules(symbols, constraints);
     this.forbidden = rules.forbidden();
     this.propagation = new Propagation(symbols, forbidden);
-    this.contradiction = !propagation.start();
     this.witnesses = new long[symbols.count()][rules.isEmpty() ? 0 : 4];
+    // Propagation alone overlooks contradictions that take a search to find.
+    this.contradiction = !propagation.start() || solve(new Row(symbols)) == null;
   }
 
   /** The constraints. */
@@ -45,7 +46,7 @@ public final class Feasibility {
     return propagation;
   }
 
-  /** Whether the constraints alone contradict each other already under propagation. */
+  /** Whether the constraints contradict each other: no row is allowed. */
   public boolean contradiction() {
     return contradiction;
   }
@@ -61,9 +62,10 @@ public final class Feasibility {
    * @return null where there is none
    */
   public @Nullable Row complete(Row partial) {
-    if (contradiction) {
-      return null;
-    }
+    return contradiction ? null : solve(partial);
+  }
+
+  private @Nullable Row solve(Row partial) {
     if (rules.isEmpty()) {
       return new Row(symbols, partial.values());
     }
