@@ -14,6 +14,16 @@ check() {
   fi
 }
 
+# better NAME WHAT_FOR FOUND PACKAGES: something that SITAF runs without.
+better() {
+  local name=$1 purpose=$2 found=$3 packages=$4
+  if [ -n "$found" ]; then
+    printf '  %-12s %-28s %s\n' "$name" "$found" "ok"
+  else
+    printf '  %-12s %-28s %s\n' "$name" "not found" "$purpose; apt-get install -y $packages"
+  fi
+}
+
 # at_least MAJOR.MINOR VERSION: prints the version when it is new enough.
 at_least() {
   [ -n "$2" ] && [ "$(printf '%s\n%s\n' "$1" "$2" | sort -V | head -n 1)" = "$1" ] && printf '%s' "$2"
@@ -30,6 +40,10 @@ check "Python" "3.11 or newer, with venv" "$(at_least 3.11 "$(command -v python3
 check "Node" "20 or newer" "$(at_least 20 "$(command -v node >/dev/null && version_of node --version)")" nodejs
 check "npm" "10 or newer" "$(at_least 10 "$(command -v npm >/dev/null && version_of npm --version)")" npm
 check "flock" "util-linux" "$(command -v flock >/dev/null && version_of flock --version)" util-linux
+
+echo
+echo "SITAF is better with:"
+better "bubblewrap" "the sandbox of components" "$(command -v bwrap >/dev/null && version_of bwrap --version)" bubblewrap
 
 home=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../../.." && pwd)
 echo

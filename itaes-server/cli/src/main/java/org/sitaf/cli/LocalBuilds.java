@@ -15,6 +15,7 @@ import org.sitaf.agent.build.BuildRun;
 import org.sitaf.agent.build.BuildSettings;
 import org.sitaf.agent.build.BuildStage;
 import org.sitaf.agent.sandbox.Sandbox;
+import org.sitaf.agent.sandbox.SandboxMode;
 import org.sitaf.agent.simulation.Simulator;
 import org.sitaf.agent.toolchain.ToolchainPlaces;
 import org.sitaf.agent.toolchain.Toolchains;
@@ -33,14 +34,20 @@ final class LocalBuilds implements AutoCloseable {
   private final AtomicReference<@Nullable BuildRun> current = new AtomicReference<>();
   private final OnExit onExit = new OnExit(this::cancel);
 
-  LocalBuilds(Installation installation) throws IOException {
+  LocalBuilds(Installation installation, SandboxMode sandbox) throws IOException {
+    Sandbox opened = sandbox.open();
     directory = Files.createTempDirectory("sitaf-run-");
     settings =
         new BuildSettings(
             Simulator.started(installation.bridgeCommand(), directory.resolve("simulator")),
             new Toolchains(new ToolchainPlaces(installation.runtimes(), installation.cache())),
-            Sandbox.none(),
+            opened,
             "");
+  }
+
+  /** In which sandbox components run, or why in none. */
+  String sandbox() {
+    return settings.sandbox().description();
   }
 
   /**

@@ -12,6 +12,7 @@ import java.util.Objects;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.build.BuildOutcome;
+import org.sitaf.agent.sandbox.SandboxMode;
 import org.sitaf.core.activity.Activity;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.model.TestModel;
@@ -72,6 +73,15 @@ final class RunCommand implements Callable<Integer> {
       description = "Seed of everything random (default: ${DEFAULT-VALUE}).")
   private long seed = 1;
 
+  @Option(
+      names = "--sandbox",
+      paramLabel = "MODE",
+      defaultValue = "auto",
+      description =
+          "The component runs in a sandbox (bubblewrap): required, auto (where it is installed) or"
+              + " off; default: ${DEFAULT-VALUE}.")
+  private SandboxMode sandbox = SandboxMode.AUTO;
+
   @Option(names = "--table", description = "Prints every case, not only those that did not pass.")
   private boolean table;
 
@@ -83,7 +93,9 @@ final class RunCommand implements Callable<Integer> {
     Sitaf.print(activity.warnings(), err);
     List<TestResult> results = new ArrayList<>();
     int exitCode = 0;
-    try (LocalBuilds builds = new LocalBuilds(Installation.current())) {
+    try (LocalBuilds builds = new LocalBuilds(Installation.current(), sandbox)) {
+      err.println("sandbox: " + builds.sandbox());
+      err.flush();
       for (TestModel model : models(activity)) {
         GeneratedSuite generated =
             TestCaseGenerator.generate(model, GenerationOptions.DEFAULT.withSeed(seed));

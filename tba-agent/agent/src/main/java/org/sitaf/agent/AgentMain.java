@@ -13,6 +13,7 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.manager.AgentSettings;
 import org.sitaf.agent.manager.TestBuildAgent;
+import org.sitaf.agent.sandbox.SandboxMode;
 import org.sitaf.agent.toolchain.ToolchainPlaces;
 import org.sitaf.agent.toolchain.Toolchains;
 import picocli.CommandLine;
@@ -78,6 +79,15 @@ public final class AgentMain implements Callable<Integer> {
   private @Nullable Path runtimes;
 
   @Option(
+      names = "--sandbox",
+      paramLabel = "MODE",
+      defaultValue = "auto",
+      description =
+          "Components and their compilers run in a sandbox (bubblewrap): required, auto (where it is"
+              + " installed) or off; default ${DEFAULT-VALUE}.")
+  private SandboxMode sandbox = SandboxMode.AUTO;
+
+  @Option(
       names = "--stop-with-stdin",
       description = "Ends when standard input closes, so that the agent goes with its launcher.")
   private boolean stopWithStdin;
@@ -89,7 +99,10 @@ public final class AgentMain implements Callable<Integer> {
     }
     // A launcher gives defaults first; what a person adds wins, without a word about it.
     System.setProperty("picocli.trace", "OFF");
-    CommandLine command = new CommandLine(new AgentMain()).setOverwrittenOptionsAllowed(true);
+    CommandLine command =
+        new CommandLine(new AgentMain())
+            .setOverwrittenOptionsAllowed(true)
+            .setCaseInsensitiveEnumValuesAllowed(true);
     System.exit(command.execute(arguments));
   }
 
@@ -157,7 +170,8 @@ public final class AgentMain implements Callable<Integer> {
         directory,
         slots,
         bridge == null ? words(bridgeCommand) : List.of(),
-        bridge);
+        bridge,
+        sandbox);
   }
 
   /**

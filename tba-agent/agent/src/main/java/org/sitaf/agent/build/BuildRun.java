@@ -14,7 +14,9 @@ import org.sitaf.agent.compiler.TestApplicationCompiler;
 import org.sitaf.agent.executor.Execution;
 import org.sitaf.agent.executor.ExecutionRequest;
 import org.sitaf.agent.executor.ExecutionRequest.World;
+import org.sitaf.agent.executor.SimulatorAddress;
 import org.sitaf.agent.executor.TestApplicationExecutor;
+import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.agent.simulation.SimulatorClient;
 import org.sitaf.agent.simulation.WorldException;
 import org.sitaf.agent.toolchain.CompilationException;
@@ -90,6 +92,7 @@ public final class BuildRun {
     try {
       Instant started = Instant.now();
       match();
+      log.remark(settings.sandbox().description());
 
       listener.stage(BuildStage.PREPARING);
       Prepared prepared = prepare(log);
@@ -163,6 +166,7 @@ public final class BuildRun {
       String version = client.version();
       client.check(world.substring(slash + 1), worldFiles);
       log.remark("world " + world + " on " + version);
+      requireWayInto(settings.simulator().target(), log);
       Path description = applicationDirectory().resolve("activity").resolve(world);
       return new Prepared(new World(description, settings.simulator()::target), version);
     } catch (WorldException e) {
@@ -171,6 +175,20 @@ public final class BuildRun {
           "the simulator refuses the world: " + message,
           List.of(SourceDiagnostic.ofFile("activity/" + world, message)));
     }
+  }
+
+  /** A simulator on the network leaves the whole network open to the component. */
+  private void requireWayInto(String target, BuildLog log) throws IOException {
+    Sandbox sandbox = settings.sandbox();
+    if (new SimulatorAddress(target).socket().isPresent() || sandbox.kind().equals("none")) {
+      return;
+    }
+    String why =
+        "the simulator answers at " + target + "; behind unix:PATH the network would stay closed";
+    if (sandbox.isRequired()) {
+      throw new IOException("--sandbox=required: " + why);
+    }
+    log.remark("the component reaches the network: " + why);
   }
 
   private CompiledApplication compile()

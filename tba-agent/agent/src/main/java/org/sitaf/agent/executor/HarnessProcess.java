@@ -11,6 +11,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.executor.ExecutionRequest.World;
 import org.sitaf.agent.sandbox.ConfinedProcess;
 import org.sitaf.agent.sandbox.Confinement;
@@ -27,19 +28,29 @@ final class HarnessProcess implements AutoCloseable {
 
   private static final int FILE_MIB = 256;
 
+  /** Processor time for a case beyond its wall-clock time, as threads may share the work. */
+  private static final int CPU_FACTOR = 4;
+
   private final ConfinedProcess process;
   private final LastWords lastWords = new LastWords();
+  private final Answer heard = new Answer();
   private final List<Thread> pumps;
 
   private HarnessProcess(ConfinedProcess process, OutputSink sink) {
     this.process = process;
     this.pumps =
         List.of(
-            pump(process.output(), sink::output),
+            pump(
+                process.output(),
+                text -> {
+                  heard.add(text);
+                  sink.output(text);
+                }),
             pump(
                 process.errors(),
                 text -> {
                   lastWords.add(text);
+                  heard.add(text);
                   sink.output(text);
                 }));
   }
@@ -55,32 +66,48 @@ final class HarnessProcess implements AutoCloseable {
     Path working = Files.createDirectories(request.directory().resolve("run"));
     Path temporary = Files.createDirectories(request.directory().resolve("tmp"));
     int memoryMiB = request.limits().memoryMiB();
-    ProcessPlace place = new ProcessPlace(request.directory(), temporary, memoryMiB);
+    ProcessPlace place = new ProcessPlace(temporary, null, memoryMiB);
     List<String> command = new ArrayList<>(application.command(place));
-    command.addAll(arguments(request, results, fromCase));
+    World world = request.world();
+    SimulatorAddress simulator =
+        world == null ? null : new SimulatorAddress(world.simulator().get());
+    command.addAll(arguments(request, results, fromCase, simulator));
     ProcessLimits limits =
-        new ProcessLimits(memoryMiB + application.overheadMiB(), PROCESSES, FILE_MIB);
+        new ProcessLimits(
+            memoryMiB + application.overheadMiB(), PROCESSES, FILE_MIB, processorTime(request));
     Confinement confinement =
         Confinement.of(command, working, temporary, limits)
             .withEnvironment(application.environment(place))
             .reading(application.readable())
             .reading(List.of(request.files()))
             .writing(List.of(results));
+    if (simulator != null) {
+      confinement = simulator.grantedTo(confinement);
+    }
     return new HarnessProcess(request.sandbox().start(confinement), sink);
   }
 
+  /** All cases may use their wall-clock time to the end. */
+  private static Duration processorTime(ExecutionRequest request) {
+    return request
+        .limits()
+        .caseWall()
+        .multipliedBy((long) CPU_FACTOR * request.suite().cases().size())
+        .plusMinutes(1);
+  }
+
   /** What each test application is told, whatever its language. */
-  private static List<String> arguments(ExecutionRequest request, Path results, int fromCase)
-      throws IOException, InterruptedException {
+  private static List<String> arguments(
+      ExecutionRequest request, Path results, int fromCase, @Nullable SimulatorAddress simulator) {
     List<String> arguments = new ArrayList<>();
     arguments.add("--suite");
     arguments.add(request.suiteFile().toString());
     arguments.add("--results");
     arguments.add(results.toString());
     World world = request.world();
-    if (world != null) {
+    if (world != null && simulator != null) {
       arguments.add("--bridge");
-      arguments.add(world.simulator().get());
+      arguments.add(simulator.target());
       arguments.add("--world");
       arguments.add(world.description().toString());
     }
@@ -96,6 +123,16 @@ final class HarnessProcess implements AutoCloseable {
     return process.awaitEnd(atMost);
   }
 
+  /**
+   * What it prints when it is asked where it is; it may end of the question, and is to be killed
+   * afterwards.
+   */
+  String stacks() throws InterruptedException {
+    heard.begin();
+    process.askForStacks();
+    return heard.untilQuiet();
+  }
+
   /** Ends it now, with all that it started. */
   void kill() throws InterruptedException {
     process.kill();
@@ -107,7 +144,7 @@ final class HarnessProcess implements AutoCloseable {
     for (Thread pump : pumps) {
       pump.join(OUTPUT_GRACE.toMillis());
     }
-    return new ProcessEnd(process.exitCode(), lastWords.get());
+    return new ProcessEnd(process.exitCode(), process.brokenLimit().orElse(""), lastWords.get());
   }
 
   @Override

@@ -87,6 +87,10 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow) {
       try (HarnessProcess process =
           HarnessProcess.start(request, results.path(), progress.current().no(), sink)) {
         Follow how = follow(process);
+        String where = "";
+        if (how == Follow.NO_ANSWER) {
+          where = request.application().whereItHangs(process.stacks()).orElse("");
+        }
         if (how != Follow.ENDED) {
           process.kill();
         }
@@ -105,7 +109,7 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow) {
           return notReady(how, end);
         }
         if (how == Follow.ENDED || current == progress.current().no()) {
-          blameCurrentCase(how, end);
+          blameCurrentCase(how, where, end);
         }
         return barrenProcesses < crashesInARow
             ? ""
@@ -125,10 +129,12 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow) {
       return ++failedStarts < STARTS ? "" : message;
     }
 
-    private void blameCurrentCase(Follow how, ProcessEnd end) {
+    private void blameCurrentCase(Follow how, String where, ProcessEnd end) {
       String message =
           how == Follow.NO_ANSWER
-              ? "no answer within " + seconds(request.limits().caseWall())
+              ? "no answer within "
+                  + seconds(request.limits().caseWall())
+                  + (where.isEmpty() ? "" : ", at " + where)
               : "the test application ended with " + end.describe();
       sink.remark("case " + progress.current().no() + ": " + message);
       progress.currentFailed(message);

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.agent.sandbox.SandboxMode;
 
 /**
  * All settings of an agent.
@@ -16,6 +17,7 @@ import org.jspecify.annotations.Nullable;
  * @param slots builds that may run at the same time
  * @param bridgeCommand starts a simulation bridge of the agent's own; empty for none
  * @param bridge gRPC target of a running bridge; null for none
+ * @param sandbox whether components and tools run in one
  */
 public record AgentSettings(
     String server,
@@ -24,13 +26,15 @@ public record AgentSettings(
     Path directory,
     int slots,
     List<String> bridgeCommand,
-    @Nullable String bridge) {
+    @Nullable String bridge,
+    SandboxMode sandbox) {
   private static final Pattern NAME = Pattern.compile("[A-Za-z0-9._-]{1,100}");
   private static final int MAX_SLOTS = 256;
 
   public AgentSettings {
     Objects.requireNonNull(version);
     Objects.requireNonNull(directory);
+    Objects.requireNonNull(sandbox);
     bridgeCommand = List.copyOf(bridgeCommand);
     require(!server.isBlank(), "--server needs HOST:PORT");
     require(

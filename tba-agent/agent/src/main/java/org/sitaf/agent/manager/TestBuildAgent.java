@@ -20,6 +20,7 @@ import org.sitaf.agent.v1.Toolchain;
 
 /** A test build agent at work, from its start to {@link #close()}. */
 public final class TestBuildAgent implements AutoCloseable {
+  private static final System.Logger LOGGER = System.getLogger("org.sitaf.agent");
   private static final int MAX_MESSAGE_BYTES = 16 << 20;
   private static final Duration UNACKNOWLEDGED = Duration.ofSeconds(20);
   private static final Duration STOP = Duration.ofSeconds(5);
@@ -28,6 +29,7 @@ public final class TestBuildAgent implements AutoCloseable {
   private final Toolchains toolchains;
   private final Consumer<String> onRegistered;
   private final AgentDirectory directory;
+  private final Sandbox sandbox;
   private final Simulator simulator;
   private final ManagedChannel channel;
   private final ResultUpload upload;
@@ -39,7 +41,8 @@ public final class TestBuildAgent implements AutoCloseable {
    * not.
    *
    * @param onRegistered is told the server's version each time that the server knows the agent
-   * @throws IOException when the agent's folder cannot be used
+   * @throws IOException when the agent's folder cannot be used, or a sandbox is required and there
+   *     is none
    */
   public TestBuildAgent(
       AgentSettings settings, Toolchains toolchains, Consumer<String> onRegistered)
@@ -47,6 +50,8 @@ public final class TestBuildAgent implements AutoCloseable {
     this.settings = settings;
     this.toolchains = toolchains;
     this.onRegistered = onRegistered;
+    this.sandbox = settings.sandbox().open();
+    LOGGER.log(System.Logger.Level.INFO, sandbox.description());
     this.directory = AgentDirectory.open(settings.directory());
     // What an agent that was killed left running would disturb the builds to come.
     new ProcessGroup(ProcessGroup.markOf(directory.path())).kill();
@@ -56,7 +61,7 @@ public final class TestBuildAgent implements AutoCloseable {
     this.upload = new ResultUpload(directory.spool(), calls);
     BuildSettings builds =
         new BuildSettings(
-            simulator, toolchains, Sandbox.none(), settings.name() + " " + settings.version());
+            simulator, toolchains, sandbox, settings.name() + " " + settings.version());
     this.attempts =
         new Attempts(
             settings.slots(),

@@ -1,18 +1,56 @@
 package org.sitaf.agent.sandbox;
 
+import java.io.IOException;
 import java.io.InputStream;
 import java.time.Duration;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.TimeUnit;
+import org.jspecify.annotations.Nullable;
 
 /** A process of other people's code at work, with all that it started. */
 public final class ConfinedProcess implements AutoCloseable {
+  private static final Duration SIGNAL = Duration.ofSeconds(2);
+
   private final Process process;
   private final ProcessGroup group;
+  private final int generations;
+  private volatile @Nullable String broken;
 
-  ConfinedProcess(Process process, ProcessGroup group) {
+  private ConfinedProcess(Process process, ProcessGroup group, int generations) {
     this.process = process;
     this.group = group;
+    this.generations = generations;
+  }
+
+  /**
+   * Starts a process with nothing of the agent's environment.
+   *
+   * @param generations how many processes lie between the one that is started and the one that was
+   *     asked for
+   */
+  static ConfinedProcess start(List<String> command, Confinement confinement, int generations)
+      throws IOException {
+    ProcessBuilder builder = new ProcessBuilder(command);
+    builder.directory(confinement.working().toFile());
+    // Nothing of the agent's environment is the component's business; what it holds may be secret.
+    Map<String, String> environment = builder.environment();
+    String path = environment.getOrDefault("PATH", "/usr/bin:/bin");
+    environment.clear();
+    environment.put("PATH", path);
+    environment.put("HOME", confinement.working().toString());
+    environment.put("TMPDIR", confinement.temporary().toString());
+    environment.put("LANG", "C.UTF-8");
+    environment.putAll(confinement.environment());
+    ProcessGroup group = new ProcessGroup(ProcessGroup.markOf(confinement.working()));
+    environment.put(ProcessGroup.VARIABLE, group.mark());
+    Process process = builder.start();
+    process.getOutputStream().close();
+    ConfinedProcess confined = new ConfinedProcess(process, group, generations);
+    int memoryMiB = confinement.limits().memoryMiB();
+    MemoryWatch.over(process, memoryMiB, () -> confined.breakOff(memoryMiB));
+    return confined;
   }
 
   public InputStream output() {
@@ -26,6 +64,29 @@ public final class ConfinedProcess implements AutoCloseable {
   /** Waits for the end; true when it came within that time. */
   public boolean awaitEnd(Duration atMost) throws InterruptedException {
     return process.waitFor(atMost.toMillis(), TimeUnit.MILLISECONDS);
+  }
+
+  /**
+   * Asks the process for its stacks, as runtimes give them at {@code SIGQUIT}; one that does not
+   * know the signal ends.
+   */
+  public void askForStacks() throws InterruptedException {
+    ProcessHandle asked = process.toHandle();
+    for (int i = 0; i < generations; i++) {
+      Optional<ProcessHandle> child = asked.children().findFirst();
+      if (child.isEmpty()) {
+        return;
+      }
+      asked = child.get();
+    }
+    try {
+      new ProcessBuilder("kill", "-QUIT", Long.toString(asked.pid()))
+          .redirectErrorStream(true)
+          .start()
+          .waitFor(SIGNAL.toMillis(), TimeUnit.MILLISECONDS);
+    } catch (IOException e) {
+      // Without the signal there are no stacks; the process is killed all the same.
+    }
   }
 
   /** Ends it now, with all that it started. */
@@ -44,8 +105,18 @@ public final class ConfinedProcess implements AutoCloseable {
     return process.exitValue();
   }
 
+  /** Which limit it was ended for. */
+  public Optional<String> brokenLimit() {
+    return Optional.ofNullable(broken);
+  }
+
   @Override
   public void close() {
+    destroy();
+  }
+
+  private void breakOff(int memoryMiB) {
+    broken = "it used more than " + memoryMiB + " MiB of memory";
     destroy();
   }
 

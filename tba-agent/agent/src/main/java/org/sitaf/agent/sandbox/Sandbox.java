@@ -4,10 +4,16 @@ import java.io.IOException;
 import java.time.Duration;
 
 /** A way to start processes of other people's code on this machine. Safe to use from threads. */
-public sealed interface Sandbox permits NoSandbox {
+public sealed interface Sandbox permits NoSandbox, Bubblewrap {
 
-  /** What it is, for logs and for the agent's capabilities, such as {@code bubblewrap 0.8.0}. */
+  /** What it is, for the agent's capabilities, such as {@code bubblewrap 0.8.0} or {@code none}. */
+  String kind();
+
+  /** What it is and why, for logs. */
   String description();
+
+  /** Whether nothing of the user's may run outside of one. */
+  boolean isRequired();
 
   /**
    * Starts a process; its input is at its end, its output and error stream are the caller's.
@@ -28,8 +34,8 @@ public sealed interface Sandbox permits NoSandbox {
     return ToolEnd.of(start(confinement), atMost);
   }
 
-  /** Processes as they are, with this user's rights; limits are the caller's to watch. */
+  /** Processes as they are, with this user's rights. */
   static Sandbox none() {
-    return new NoSandbox();
+    return new NoSandbox("switched off");
   }
 }

@@ -3,6 +3,7 @@ package org.sitaf.agent.toolchain;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 
 /** A test application that can be started, as often as needed and in several processes at once. */
 public interface CompiledApplication {
@@ -16,6 +17,13 @@ public interface CompiledApplication {
 
   /** Files and folders beyond the system's that its process reads, absolute. */
   List<Path> readable();
+
+  /**
+   * Where a process hangs, in one line, out of what it printed when it was asked for its stacks.
+   */
+  default Optional<String> whereItHangs(String stacks) {
+    return Optional.empty();
+  }
 
   /** What its runtime takes of memory beyond what the profile grants the component. */
   default int overheadMiB() {

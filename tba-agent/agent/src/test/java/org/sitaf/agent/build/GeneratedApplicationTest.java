@@ -19,7 +19,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.sitaf.agent.build.BuildOutcome.CompilationFailed;
 import org.sitaf.agent.build.BuildOutcome.Completed;
 import org.sitaf.agent.build.BuildOutcome.InfrastructureFailed;
-import org.sitaf.agent.sandbox.Sandbox;
+import org.sitaf.agent.sandbox.SandboxMode;
 import org.sitaf.agent.simulation.RealBridge;
 import org.sitaf.agent.simulation.Simulator;
 import org.sitaf.agent.testing.EchoActivity;
@@ -45,9 +45,9 @@ class GeneratedApplicationTest {
   @TempDir private Path directory;
   private final Recording recording = new Recording();
 
-  private BuildOutcome build(TestApplication application, Simulator simulator) {
+  private BuildOutcome build(TestApplication application, Simulator simulator) throws IOException {
     BuildSettings settings =
-        new BuildSettings(simulator, EchoActivity.toolchains(), Sandbox.none(), "");
+        new BuildSettings(simulator, EchoActivity.toolchains(), SandboxMode.AUTO.open(), "");
     return new BuildRun(application, directory.resolve("build"), settings, recording).run();
   }
 
@@ -68,7 +68,7 @@ class GeneratedApplicationTest {
   }
 
   @Test
-  void aComponentWithoutAWorldRunsOnTheRuntimeAlone() {
+  void aComponentWithoutAWorldRunsOnTheRuntimeAlone() throws Exception {
     BuildOutcome outcome =
         build(
             EchoActivity.doing(
@@ -115,7 +115,7 @@ class GeneratedApplicationTest {
         };
     try (Simulator simulator = Simulator.started(RealBridge.command(), directory)) {
       BuildSettings settings =
-          new BuildSettings(simulator, EchoActivity.toolchains(), Sandbox.none(), "");
+          new BuildSettings(simulator, EchoActivity.toolchains(), SandboxMode.AUTO.open(), "");
       String component = "component/org/sitaf/examples/ir/InfraredSensor.java";
       String source = infrared(Map.of()).activity().files().text(component).orElseThrow();
       TestApplication slow =

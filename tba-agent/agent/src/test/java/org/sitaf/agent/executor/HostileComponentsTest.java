@@ -2,7 +2,8 @@ package org.sitaf.agent.executor;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.nio.file.Files;
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
@@ -16,6 +17,8 @@ import org.sitaf.agent.build.BuildOutcome;
 import org.sitaf.agent.build.BuildOutcome.Cancelled;
 import org.sitaf.agent.build.BuildOutcome.Completed;
 import org.sitaf.agent.build.BuildRun;
+import org.sitaf.agent.sandbox.Sandbox;
+import org.sitaf.agent.sandbox.SandboxMode;
 import org.sitaf.agent.testing.EchoActivity;
 import org.sitaf.agent.testing.Recording;
 import org.sitaf.core.verdict.CaseResult;
@@ -26,19 +29,34 @@ import org.sitaf.core.verdict.Verdict;
 @Tag("slow")
 @Timeout(120)
 class HostileComponentsTest {
-  @TempDir private Path directory;
-  private final Recording recording = new Recording();
+  @TempDir Path directory;
+  final Recording recording = new Recording();
 
-  private BuildRun run(EchoActivity activity) {
-    return new BuildRun(
-        activity.application(), directory.resolve("build"), EchoActivity.settings(), recording);
+  Sandbox sandbox() throws IOException {
+    return SandboxMode.OFF.open();
   }
 
-  private TestResult result(EchoActivity activity) {
+  BuildRun run(EchoActivity activity) {
+    try {
+      return start(activity);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  private BuildRun start(EchoActivity activity) throws IOException {
+    return new BuildRun(
+        activity.application(),
+        directory.resolve("build"),
+        EchoActivity.settings(sandbox()),
+        recording);
+  }
+
+  TestResult result(EchoActivity activity) {
     return ((Completed) run(activity).run()).result();
   }
 
-  private static void onlyThirdIsError(TestResult result, String message) {
+  static void onlyThirdIsError(TestResult result, String message) {
     assertThat(result.cases())
         .extracting(CaseResult::verdict)
         .containsExactly(Verdict.PASS, Verdict.PASS, Verdict.ERROR, Verdict.PASS, Verdict.PASS);
@@ -84,7 +102,9 @@ class HostileComponentsTest {
             EchoActivity.doing("while (value == 3) { Thread.onSpinWait(); } return value;")
                 .caseWallSeconds(1));
 
-    onlyThirdIsError(result, "no answer within 1 s");
+    onlyThirdIsError(result, "no answer within 1 s, at ");
+    assertThat(result.cases().get(2).message()).contains("demo.Component.echo(Component.java:");
+    assertThat(recording.logText()).contains("Full thread dump");
   }
 
   @Test
@@ -180,20 +200,19 @@ class HostileComponentsTest {
 
   @Test
   void whatAComponentLeavesRunningIsGoneAfterTheBuild() throws Exception {
-    Path pidFile = directory.resolve("pid");
+    String seconds = "1000." + ProcessHandle.current().pid() + getClass().getSimpleName().length();
     TestResult result =
         result(
             EchoActivity.doing(
-                "if (value == 2) { new ProcessBuilder(\"sh\", \"-c\", \"sleep 1000 & echo $! > "
-                    + pidFile
-                    + "\").start().waitFor(); } return value;"));
+                "if (value == 2) { new ProcessBuilder(\"sh\", \"-c\", \"setsid sleep "
+                    + seconds
+                    + " & sleep 0.2\").start().waitFor(); } return value;"));
 
     assertThat(result.summary().pass()).isEqualTo(5);
-    long pid = Long.parseLong(Files.readString(pidFile).strip());
-    for (int i = 0; i < 100 && isRunning(pid); i++) {
+    for (int i = 0; i < 100 && isRunning(seconds); i++) {
       Thread.sleep(20);
     }
-    assertThat(isRunning(pid)).isFalse();
+    assertThat(isRunning(seconds)).isFalse();
   }
 
   @Test
@@ -244,7 +263,9 @@ class HostileComponentsTest {
         .contains("a second result of case 1", "not a test_result", "a result of case 99");
   }
 
-  private static boolean isRunning(long pid) {
-    return ProcessHandle.of(pid).map(ProcessHandle::isAlive).orElse(false);
+  private static boolean isRunning(String argument) {
+    return ProcessHandle.allProcesses()
+        .anyMatch(
+            handle -> handle.info().arguments().map(List::of).orElse(List.of()).contains(argument));
   }
 }

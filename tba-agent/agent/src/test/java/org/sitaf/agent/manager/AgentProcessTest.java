@@ -46,6 +46,8 @@ class AgentProcessTest {
                 "tester",
                 "--directory",
                 directory.resolve("agent").toString(),
+                "--sandbox",
+                "off",
                 "--runtimes",
                 System.getProperty("sitaf.runtimes")));
     command.addAll(List.of(more));

@@ -16,6 +16,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.sitaf.agent.sandbox.SandboxMode;
 import org.sitaf.agent.testing.EchoActivity;
 import org.sitaf.agent.v1.AttemptRef;
 import org.sitaf.agent.v1.AttemptState;
@@ -46,7 +47,8 @@ class TestBuildAgentTest {
 
   private void startAgent() throws IOException {
     AgentSettings settings =
-        new AgentSettings(server.address(), "tester", "1", directory, 1, List.of(), null);
+        new AgentSettings(
+            server.address(), "tester", "1", directory, 1, List.of(), null, SandboxMode.AUTO);
     agent = new TestBuildAgent(settings, EchoActivity.toolchains(), version -> {});
   }
 

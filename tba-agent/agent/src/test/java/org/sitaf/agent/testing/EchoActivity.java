@@ -151,6 +151,11 @@ public final class EchoActivity {
 
   /** This machine, without a simulator. */
   public static BuildSettings settings() {
-    return new BuildSettings(Simulator.none(), toolchains(), Sandbox.none(), "tester 1");
+    return settings(Sandbox.none());
+  }
+
+  /** This machine, without a simulator. */
+  public static BuildSettings settings(Sandbox sandbox) {
+    return new BuildSettings(Simulator.none(), toolchains(), sandbox, "tester 1");
   }
 }

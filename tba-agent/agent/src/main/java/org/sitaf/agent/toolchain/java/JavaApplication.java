@@ -4,6 +4,7 @@ import java.io.File;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Collectors;
 import org.sitaf.agent.toolchain.CompiledApplication;
 import org.sitaf.agent.toolchain.ProcessPlace;
@@ -34,7 +35,7 @@ record JavaApplication(List<Path> classPath, String mainClass) implements Compil
     command.add("-Xshare:auto");
     command.add("-XX:-UsePerfData");
     command.add("-XX:-CreateCoredumpOnCrash");
-    command.add("-XX:ErrorFile=" + place.directory().resolve("hs_err.log"));
+    command.add("-XX:ErrorFile=" + place.temporary().resolve("hs_err.log"));
     command.add("-Djava.io.tmpdir=" + place.temporary());
     command.add("-Dfile.encoding=UTF-8");
     command.add("-Dsun.stdout.encoding=UTF-8");
@@ -51,6 +52,11 @@ record JavaApplication(List<Path> classPath, String mainClass) implements Compil
     List<Path> readable = new ArrayList<>(classPath);
     readable.add(JAVA_HOME);
     return readable;
+  }
+
+  @Override
+  public Optional<String> whereItHangs(String stacks) {
+    return ThreadDump.componentStack(stacks);
   }
 
   @Override
