@@ -71,10 +71,15 @@ set_up_java() {
     require npm
     touch "$state/java.begun"
     stage "Building SITAF" build mvn -B -ntp -f "$home/pom.xml" -DskipTests -Dspotless.check.skip=true package
-    stage "Installing SITAF below .sitaf" install install_java
-    mv "$state/java.begun" "$state/java.stamp"
+    keep_java
   fi
   unlocked
+}
+
+# Takes what Maven has built since java.begun as the installation; expects the lock.
+keep_java() {
+  stage "Installing SITAF below .sitaf" install install_java
+  mv "$state/java.begun" "$state/java.stamp"
 }
 
 # Copies what was built, so that a later build never changes what runs, and records the classes that each program loads:

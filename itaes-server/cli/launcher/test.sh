@@ -32,7 +32,13 @@ if $fast; then
   mvn -B -ntp -q verify -DexcludedGroups=slow -Dsitaf.bridge.python="$python"
   exit 0
 fi
+touch "$state/java.begun"
 mvn -B -ntp verify -Dsitaf.bridge.python="$python" | grep -vE '^\[INFO\] *$|Download(ing|ed)|Overwriting|already exists in destination|Copying .*\.jar'
+
+# What was tested is what the launcher shall run: it need not build again.
+locked
+keep_java
+unlocked
 
 section "Across rooms: the wire of the simulator, and the launcher as a person uses it"
 cd "$home/tests"
