@@ -26,6 +26,12 @@ cd "$home/sim-bridge"
 bash check.sh "$python"
 if $fast; then "$python" -m pytest -q -m "not slow"; else "$python" -m pytest -q; fi
 
+section "Runtime of Python tests: format, lint, types, tests"
+cd "$home/tba-agent/runtime-python"
+"$python" -m pip install --quiet --editable ".[dev]"
+bash check.sh "$python"
+"$python" -m pytest -q
+
 section "Java and portal: format, lint, types, tests"
 cd "$home"
 if $fast; then

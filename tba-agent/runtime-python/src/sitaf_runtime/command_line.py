@@ -1,0 +1,82 @@
+"""How a test application is started."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from sitaf_runtime.errors import CannotRunError
+
+USAGE = (
+    "--suite FILE --results FILE [--bridge TARGET --world FILE.world.yaml] [--seed N] [--from NO] [--case-sim SECONDS]"
+    " [--recording DIR]"
+)
+_OPTIONS = ("--suite", "--results", "--bridge", "--world", "--seed", "--from", "--case-sim", "--recording")
+
+
+@dataclass(frozen=True, slots=True)
+class CommandLine:
+    """The arguments.
+
+    `bridge` is the gRPC target of the simulator and `world` the world description; both None where the component needs
+    no simulation. `first` is the number of the first case to run; 0 for all. `case_sim_s` is the simulation time that
+    one case may take.
+    """
+
+    suite: Path
+    results: Path
+    bridge: str | None = None
+    world: Path | None = None
+    seed: int = 1
+    first: int = 0
+    case_sim_s: float | None = None
+    recording: Path | None = None
+
+    @classmethod
+    def parse(cls, arguments: list[str]) -> "CommandLine":
+        """Read the arguments. Raises CannotRunError when they are wrong."""
+        given: dict[str, str] = {}
+        for at in range(0, len(arguments), 2):
+            option = arguments[at]
+            if option not in _OPTIONS or at + 1 == len(arguments):
+                raise _wrong(f"'{option}' is not an option with a value")
+            if option in given:
+                raise _wrong(f"{option} is given twice")
+            given[option] = arguments[at + 1]
+        if ("--bridge" in given) != ("--world" in given):
+            raise _wrong("--bridge and --world belong together")
+        for option in ("--suite", "--results"):
+            if option not in given:
+                raise _wrong(f"{option} is missing")
+        return cls(
+            Path(given["--suite"]),
+            Path(given["--results"]),
+            given.get("--bridge"),
+            Path(given["--world"]) if "--world" in given else None,
+            _number(given, "--seed", 1),
+            _number(given, "--from", 0),
+            _seconds(given, "--case-sim"),
+            Path(given["--recording"]) if "--recording" in given else None,
+        )
+
+
+def _number(given: dict[str, str], option: str, otherwise: int) -> int:
+    text = given.get(option, str(otherwise))
+    if not (text.isascii() and text.isdigit() and len(text) < 20):
+        raise _wrong(f"{option}: '{text}' is not a whole number from 0")
+    return int(text)
+
+
+def _seconds(given: dict[str, str], option: str) -> float | None:
+    text = given.get(option)
+    if text is None:
+        return None
+    try:
+        seconds = float(text)
+    except ValueError:
+        seconds = -1.0
+    if not 0 < seconds < 1e12:
+        raise _wrong(f"{option}: '{text}' is not a number of seconds above 0")
+    return seconds
+
+
+def _wrong(problem: str) -> CannotRunError:
+    return CannotRunError(f"{problem}; usage: {USAGE}")

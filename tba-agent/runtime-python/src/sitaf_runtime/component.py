@@ -1,0 +1,243 @@
+"""Makes a component, sets its properties and finds its methods, by what its class offers."""
+
+from __future__ import annotations
+
+import functools
+import inspect
+import re
+import typing
+from collections.abc import Callable, Sequence
+from typing import Any, TypeVar
+
+from sitaf_runtime.errors import CannotRunError, CaseDataError
+from sitaf_runtime.out import InOut, Out
+from sitaf_runtime.robot.hardware import Hardware
+from sitaf_runtime.suite import literals
+
+C = TypeVar("C")
+_WORD = re.compile(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])")
+_POSITIONAL = (inspect.Parameter.POSITIONAL_ONLY, inspect.Parameter.POSITIONAL_OR_KEYWORD)
+
+
+def snake_case(name: str) -> str:
+    """A name as PEP 8 has it: `get_infrared_data` for `GetInfraredData`, `get_hp` for `getHP`."""
+    return _WORD.sub("_", name).lower()
+
+
+def create(type_: type[C], available: Sequence[Any]) -> C:
+    """Make a component, with those of the objects at hand that its constructor asks for.
+
+    A parameter asks by its annotation (`Hardware`, a required interface), else by its name (`hardware`, the name of the
+    interface in any spelling). One that asks for anything else keeps its default. Raises CannotRunError when it has
+    none, and what the constructor raises.
+    """
+    lacking: frozenset[str] = getattr(type_, "__abstractmethods__", frozenset())
+    if lacking:
+        missing = ", ".join(sorted(lacking))
+        raise CannotRunError(f"{_named(type_)} is abstract (it lacks {missing}): name a class that can be made")
+    positional: list[Any] = []
+    named: dict[str, Any] = {}
+    for parameter in _parameters(type_):
+        offered = [o for o in available if _asks_for(parameter, _hints(type_), o)]
+        if offered and parameter.kind is inspect.Parameter.POSITIONAL_ONLY:
+            positional.append(offered[0])
+        elif offered:
+            named[parameter.name] = offered[0]
+        elif parameter.default is inspect.Parameter.empty:
+            has = "nothing (the activity has neither a world nor required interfaces)"
+            if available:
+                has = ", ".join(_roles(o)[0] for o in available)
+            raise CannotRunError(
+                f"{_named(type_)} asks for '{parameter.name}', which no test can give: it has {has}."
+                " Give it a default, annotate it with what it is, or write an adapter"
+            )
+    return type_(*positional, **named)
+
+
+def _parameters(type_: type) -> list[inspect.Parameter]:
+    try:
+        parameters = inspect.signature(type_).parameters.values()
+    except (TypeError, ValueError):
+        return []  # A class of an extension module may not say.
+    variable = (inspect.Parameter.VAR_POSITIONAL, inspect.Parameter.VAR_KEYWORD)
+    return [p for p in parameters if p.kind not in variable]
+
+
+@functools.cache
+def _hints(type_: type) -> dict[str, Any]:
+    try:
+        return typing.get_type_hints(type_.__init__)
+    except Exception:
+        return {}  # A name that only type checkers import; the annotation's text is looked at instead.
+
+
+def _asks_for(parameter: inspect.Parameter, hints: dict[str, Any], offered: Any) -> bool:
+    hint = hints.get(parameter.name, parameter.annotation)
+    if hint is not inspect.Parameter.empty:
+        choices = typing.get_args(hint) or (hint,)
+        roles = _roles(offered)
+        for choice in choices:
+            if isinstance(choice, str) and any(re.search(rf"\b{re.escape(role)}\b", choice) for role in roles):
+                return True
+            if isinstance(choice, type) and choice is not object and choice in type(offered).__mro__:
+                return True
+        if any(isinstance(choice, type) and choice is not type(None) for choice in choices):
+            return False
+    wanted = parameter.name.replace("_", "").lower()
+    return any(role.replace("_", "").lower() == wanted for role in _roles(offered))
+
+
+def _roles(offered: Any) -> list[str]:
+    """The names of what an object stands for."""
+    if isinstance(offered, Hardware):
+        return ["Hardware"]
+    skipped = ("object", "Protocol", "Generic", "ABC", type(offered).__name__)
+    return [base.__name__ for base in type(offered).__mro__ if base.__name__ not in skipped] or [type(offered).__name__]
+
+
+def set_property(component: object, name: str, value: str) -> None:
+    """Set a property: by `set_property(name, value)`, else by the setter of its name, else as an attribute.
+
+    A setter and an attribute get the value converted to the type that they are annotated with, or that they have.
+    Raises CannotRunError when the class has none of them, or the value does not fit; and what the component raises.
+    """
+    for general in ("set_property", "setProperty"):
+        method = getattr(component, general, None)
+        if callable(method):
+            method(name, value)
+            return
+    camel = name[:1].upper() + name[1:]
+    for setter in (f"set_{snake_case(name)}", f"set{camel}", f"Set{camel}", f"set_{name}"):
+        method = getattr(component, setter, None)
+        if callable(method):
+            method(_converted(component, name, value, _setter_type(method)))
+            return
+    for attribute in (name, snake_case(name), name[:1].lower() + name[1:]):
+        if attribute.isidentifier() and not attribute.startswith("_") and hasattr(component, attribute):
+            current = getattr(component, attribute)
+            if not callable(current):
+                hint = None if current is None else type(current)
+                setattr(component, attribute, _converted(component, name, value, hint))
+                return
+    raise CannotRunError(
+        f"{_named(type(component))} has neither set_property(name, value) nor set_{snake_case(name)}(value) nor an"
+        f" attribute {snake_case(name)} for the property '{name}' of activity.yaml"
+    )
+
+
+def _setter_type(method: Callable[..., Any]) -> Any:
+    try:
+        hints = typing.get_type_hints(method)
+    except Exception:
+        return None
+    hints.pop("return", None)
+    return next(iter(hints.values()), None)
+
+
+def _converted(component: object, name: str, value: str, hint: Any) -> Any:
+    """The value as an object of a type; as a number or a truth value where it looks like one and no type is known."""
+    text = value.strip()
+    try:
+        if hint is str:
+            return value
+        if hint is bool:
+            return literals.truth(text)
+        if hint is int:
+            return int(text)
+        if hint is float:
+            return literals.real(text)
+    except ValueError as e:
+        raise CannotRunError(
+            f"{_named(type(component))}: the property '{name}' of activity.yaml is '{value}', but it takes a"
+            f" {hint.__name__}"
+        ) from e
+    return _guessed(value)
+
+
+def _guessed(value: str) -> Any:
+    text = value.strip()
+    if text in ("true", "false"):
+        return text == "true"
+    for read in (int, literals.real):
+        try:
+            return read(text)
+        except (ValueError, CaseDataError):
+            continue
+    return value
+
+
+@functools.cache
+def _attribute(type_: type, name: str) -> str | None:
+    spellings = (name, snake_case(name), name[:1].lower() + name[1:])
+    return next((s for s in spellings if callable(getattr(type_, s, None))), None)
+
+
+def method_of(component: object, name: str) -> Callable[..., Any]:
+    """A method by its name in the interface, or that name in snake_case. Raises CannotRunError when there is none."""
+    found = _attribute(type(component), name)
+    if found is not None:
+        return getattr(component, found)
+    for spelling in (name, snake_case(name)):
+        method = getattr(component, spelling, None)
+        if callable(method):
+            return method
+    raise CannotRunError(
+        f"{_named(type(component))} has no method {name} or {snake_case(name)}: write it, or write an adapter"
+    )
+
+
+def has_method(component: object, *names: str) -> str | None:
+    """The first of some names that a component has a method of."""
+    return next((name for name in names if callable(getattr(component, name, None))), None)
+
+
+@functools.cache
+def _takes_holders(function: Any, arguments: int, inputs: int) -> bool:
+    """Whether a method takes its out-parameters as `Out`, instead of returning them."""
+    try:
+        parameters = [p for p in inspect.signature(function).parameters.values() if p.kind in _POSITIONAL]
+    except (TypeError, ValueError):
+        return False
+    if any("Out" in str(p.annotation) for p in parameters):
+        return True
+    needed = sum(p.default is inspect.Parameter.empty for p in parameters)
+    return arguments != inputs and needed >= arguments
+
+
+def call_with_outs(method: Callable[..., Any], *arguments: Any, returns: bool) -> Any:
+    """Call a method that has out-parameters, and give what it returns beside them.
+
+    The arguments hold an `Out` for each of these, in their places. A method that is annotated with `Out`, or takes as
+    many arguments as the interface has parameters, gets them so. Any other gets the inputs alone, and returns a tuple:
+    the return value, where there is one, then the out-parameters in order; one thing alone is returned as it is.
+    """
+    outs = [a for a in arguments if isinstance(a, Out)]
+    inputs = [
+        a.value if isinstance(a, InOut) else a for a in arguments if isinstance(a, InOut) or not isinstance(a, Out)
+    ]
+    function = getattr(method, "__func__", None)
+    bound = function is not None
+    if _takes_holders(function or method, len(arguments) + bound, len(inputs) + bound):
+        return method(*arguments)
+    given = method(*inputs)
+    count = len(outs) + returns
+    parts = (given,) if count == 1 else given
+    if not isinstance(parts, tuple | list) or len(parts) != count:
+        raise TypeError(
+            f"expected a tuple of {count}"
+            f" ({'the return value and ' if returns else ''}{len(outs)} out-parameters), but got {given!r}"
+        )
+    for out, value in zip(outs, parts[1:] if returns else parts, strict=True):
+        out.set(value)
+    return parts[0] if returns else None
+
+
+def part_of(value: Any, *path: str | int) -> Any:
+    """A member of a struct, an element of a sequence, or a member of that: `part_of(pose, "position", "x")`."""
+    for step in path:
+        value = value[step] if isinstance(step, int) or isinstance(value, dict) else getattr(value, step)
+    return value
+
+
+def _named(type_: type) -> str:
+    return f"{type_.__module__}.{type_.__qualname__}"

@@ -1,0 +1,196 @@
+"""What a component reads. `name` is the device's name in the world description."""
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+
+from sitaf_runtime.robot.geometry import Quaternion, Vector
+
+
+class Device(ABC):  # noqa: B024  # each kind has methods of its own
+    """A part of the robot's hardware."""
+
+    __slots__ = ("name",)
+
+    def __init__(self, name: str) -> None:
+        self.name = name
+
+
+class RangeSensor(Device):
+    """Measures the distance to the nearest surface along its ray; shape of `sensor_msgs/Range`."""
+
+    __slots__ = ()
+
+    @abstractmethod
+    def range(self) -> float:
+        """The distance at the current step in metres.
+
+        As REP-117 has it: positive infinity when nothing is within `max_range()`, negative infinity when something is
+        nearer than `min_range()` or around the sensor, NaN when the reading failed.
+        """
+
+    @abstractmethod
+    def min_range(self) -> float:
+        """Smallest distance that the sensor measures, in metres, inclusive."""
+
+    @abstractmethod
+    def max_range(self) -> float:
+        """Largest distance that the sensor measures, in metres, inclusive."""
+
+
+class LaserScanner(Device):
+    """A laser scanner; shape of `sensor_msgs/LaserScan`."""
+
+    __slots__ = ()
+
+    @abstractmethod
+    def angle_min(self) -> float:
+        """Angle of the first ray in radians, counterclockwise from straight ahead."""
+
+    @abstractmethod
+    def angle_max(self) -> float:
+        """Angle of the last ray in radians."""
+
+    @abstractmethod
+    def angle_increment(self) -> float:
+        """Angle between two rays in radians."""
+
+    @abstractmethod
+    def min_range(self) -> float:
+        """Smallest distance that it measures, in metres."""
+
+    @abstractmethod
+    def max_range(self) -> float:
+        """Largest distance that it measures, in metres."""
+
+    @abstractmethod
+    def ranges(self) -> list[float]:
+        """Metres, from the first ray on, in a list of the caller's own; infinities and NaN as REP-117 has them."""
+
+
+class ImuSensor(Device):
+    """An inertial unit; shape of `sensor_msgs/Imu`, in its own frame."""
+
+    __slots__ = ()
+
+    @abstractmethod
+    def orientation(self) -> Quaternion:
+        """Its orientation in the world."""
+
+    @abstractmethod
+    def angular_velocity(self) -> Vector:
+        """Radians per second."""
+
+    @abstractmethod
+    def linear_acceleration(self) -> Vector:
+        """Metres per second squared; at rest it reads gravity upwards."""
+
+
+class JointEncoder(Device):
+    """What is measured at a joint."""
+
+    __slots__ = ()
+
+    @abstractmethod
+    def position(self) -> float:
+        """Radians, or metres for a slide."""
+
+    @abstractmethod
+    def velocity(self) -> float:
+        """Radians or metres per second."""
+
+
+class PoseSensor(Device):
+    """A sensor of position and orientation in the world."""
+
+    __slots__ = ()
+
+    @abstractmethod
+    def position(self) -> Vector:
+        """Metres."""
+
+    @abstractmethod
+    def orientation(self) -> Quaternion:
+        """Its orientation in the world."""
+
+
+class ForceTorqueSensor(Device):
+    """A force and torque sensor, in its own frame."""
+
+    __slots__ = ()
+
+    @abstractmethod
+    def force(self) -> Vector:
+        """Newtons."""
+
+    @abstractmethod
+    def torque(self) -> Vector:
+        """Newton metres."""
+
+
+class ContactSensor(Device):
+    """A bumper."""
+
+    __slots__ = ()
+
+    @abstractmethod
+    def is_pressed(self) -> bool:
+        """Whether anything presses on it."""
+
+    @abstractmethod
+    def force(self) -> float:
+        """How hard, in newtons."""
+
+
+@dataclass(frozen=True, slots=True)
+class Image:
+    """A picture, row by row from the top.
+
+    `encoding` is `rgb8` (bytes red, green, blue) or `32FC1` (metres, as little-endian floats).
+    """
+
+    width: int
+    height: int
+    encoding: str
+    data: bytes
+
+
+class Camera(Device):
+    """A camera; shape of `sensor_msgs/Image`. Unlike all others it is read from the simulator at each call."""
+
+    __slots__ = ()
+
+    @abstractmethod
+    def image(self) -> Image:
+        """The picture at the current step."""
+
+
+class Magnetometer(Device):
+    """A compass, in its own frame."""
+
+    __slots__ = ()
+
+    @abstractmethod
+    def field(self) -> Vector:
+        """Tesla."""
+
+
+class Battery(Device):
+    """A battery; shape of `sensor_msgs/BatteryState`."""
+
+    __slots__ = ()
+
+    @abstractmethod
+    def voltage(self) -> float:
+        """Volts."""
+
+    @abstractmethod
+    def current(self) -> float:
+        """Amperes, negative while it discharges."""
+
+    @abstractmethod
+    def charge(self) -> float:
+        """Ampere hours."""
+
+    @abstractmethod
+    def percentage(self) -> float:
+        """0 to 1."""

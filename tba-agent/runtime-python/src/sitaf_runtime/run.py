@@ -1,0 +1,236 @@
+"""One process that runs a suite.
+
+Reads the cases, hands each to the test driver, and sees to it that every case gets a result line whatever the component
+does.
+"""
+
+from __future__ import annotations
+
+import faulthandler
+import gc
+import os
+import re
+import signal
+import sys
+import time
+from collections import deque
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
+from itertools import islice
+from typing import TYPE_CHECKING, Any, NoReturn
+
+from sitaf_runtime.command_line import CommandLine
+from sitaf_runtime.driver import SuiteDriver
+from sitaf_runtime.errors import CannotRunError, CaseDataError, SimulationError
+from sitaf_runtime.robot.hardware import set_current
+from sitaf_runtime.stopwatch import Stopwatch
+from sitaf_runtime.stub import StubCalls
+from sitaf_runtime.suite.reader import SuiteReader
+from sitaf_runtime.suite.result import CaseResult, ResultsFile, Verdict
+from sitaf_runtime.suite.test_case import TestCase
+from sitaf_runtime.thrown import describe
+
+if TYPE_CHECKING:
+    from sitaf_runtime.simulation.session import Simulation
+
+EXIT_DONE = 0
+EXIT_CANNOT_RUN = 3
+# A process that is killed loses what coverage counted since it was last written.
+_COVERAGE_EVERY_S = 1.0
+
+
+class TestRun:
+    """What the drivers of a run share."""
+
+    __test__ = False  # pytest: the name is not one of its own
+
+    def __init__(self, command: CommandLine, suite: SuiteReader, results: ResultsFile) -> None:
+        self.stopwatch = Stopwatch()
+        self.stub_calls = StubCalls()
+        self.results = results
+        self._cases = iter(suite)
+        self._read: deque[TestCase] = deque()
+        self._mistake: CaseDataError | None = None
+        self._simulation: Simulation | None = None
+        if command.bridge is not None and command.world is not None:
+            from sitaf_runtime.simulation.session import Simulation
+
+            self._simulation = Simulation(
+                command.bridge, command.world, command.seed, self.stopwatch, self._coming, command.case_sim_s
+            )
+
+    @property
+    def simulation(self) -> Simulation:
+        """The simulator's session. Raises CannotRunError when there is none."""
+        if self._simulation is None:
+            raise CannotRunError("this test needs a simulation: start it with --bridge TARGET --world FILE.world.yaml")
+        return self._simulation
+
+    @property
+    def took_too_long(self) -> str | None:
+        """What to say when the case took more simulation time than it may; else None."""
+        return None if self._simulation is None else self._simulation.took_too_long
+
+    def hardware(self) -> list[object]:
+        """What the component may be given; empty where there is no simulation."""
+        return [] if self._simulation is None else [self._simulation.hardware]
+
+    def run_all(self, first: int, factory: Callable[[TestRun], SuiteDriver[Any]]) -> None:
+        """Run the cases, from the one of a number on where it is above 0."""
+        set_current(None if self._simulation is None else self._simulation.hardware)
+        try:
+            driver = factory(self)
+            self._pass_over(first)
+            # What is there stays; cases are let go by their counts, and cycles among them seldom matter.
+            gc.collect()
+            gc.freeze()
+            self.results.ready()
+            covered = time.monotonic()
+            for case in self._each():
+                self._run_one(driver, case)
+                if time.monotonic() - covered > _COVERAGE_EVERY_S:
+                    save_coverage()
+                    covered = time.monotonic()
+            _closing("closing the component", driver.close)
+        finally:
+            set_current(None)
+            if self._simulation is not None:
+                self._simulation.close()
+
+    def _each(self) -> Iterator[TestCase]:
+        while True:
+            if self._read:
+                yield self._read.popleft()
+                continue
+            if self._mistake:
+                raise self._mistake
+            case = next(self._cases, None)
+            if case is None:
+                return
+            yield case
+
+    def _coming(self, count: int) -> Sequence[TestCase]:
+        """The cases after the current one, as many as are asked for and there are."""
+        try:
+            self._read.extend(islice(self._cases, max(0, count - len(self._read))))
+        except CaseDataError as e:
+            # Told where its case would run.
+            self._mistake = e
+        return list(islice(self._read, count))
+
+    def _pass_over(self, first: int) -> None:
+        for case in self._cases if first else ():
+            if case.no == first:
+                self._read.append(case)
+                return
+        if first:
+            raise CannotRunError(f"--from {first}: the suite has no case of that number")
+
+    def _run_one(self, driver: SuiteDriver[Any], case: TestCase) -> None:
+        result = CaseResult(case)
+        self.stopwatch.reset()
+        driver.begin_case()
+        try:
+            driver.run_case(case, result)
+            if not driver.is_saved:
+                raise CannotRunError(f"the test driver ended case {case.no} without save(result)")
+        except BaseException as raised:
+            if driver.is_saved:
+                _tell(f"after case {case.no}: {describe(raised)}")
+            else:
+                self._end(result, case, raised)
+        finally:
+            _closing(f"closing the component after case {case.no}", driver.end_case)
+
+    def _end(self, result: CaseResult, case: TestCase, raised: BaseException) -> None:
+        """Give a case that did not come to its end its verdict. Raises when no further case can run."""
+        called = self.stopwatch.was_started
+        if isinstance(raised, SimulationError) and raised.lost:
+            raise raised
+        if self.took_too_long:
+            result.ended_with(Verdict.ERROR, self.took_too_long)
+        elif self.stopwatch.is_running:
+            if not result.raised(raised):
+                result.ended_with(Verdict.ERROR, describe(raised))
+        elif isinstance(raised, CannotRunError):
+            raise raised
+        elif isinstance(raised, SimulationError):
+            result.ended_with(Verdict.ERROR if called else Verdict.DONT, str(raised))
+        elif isinstance(raised, CaseDataError) and not called:
+            result.ended_with(Verdict.DONT, str(raised))
+        else:
+            result.ended_with(Verdict.ERROR, describe(raised))
+        result.called(self.stub_calls.calls, self.stub_calls.left_out)
+        self.results.save(result)
+
+
+def execute(arguments: list[str], factory: Callable[[TestRun], SuiteDriver[Any]]) -> int:
+    """Run a suite and give the exit code."""
+    try:
+        command = CommandLine.parse(arguments)
+        suite = SuiteReader(command.suite)
+        try:
+            results = ResultsFile(command.results, append=command.first > 0)
+            try:
+                TestRun(command, suite, results).run_all(command.first, factory)
+            finally:
+                results.close()
+        finally:
+            suite.close()
+        return EXIT_DONE
+    except (CannotRunError, SimulationError, CaseDataError) as e:
+        return cannot_run(str(e))
+    except OSError as e:
+        return cannot_run(f"{type(e).__name__}: {e}")
+
+
+def start(factory: Callable[[TestRun], SuiteDriver[Any]], arguments: list[str] | None = None) -> NoReturn:
+    """What a test application does: run the suite that the arguments name, then end the process.
+
+    It ends with 0 when every case has a result, with 3 and one line on the error stream when the suite could not be
+    run, and does not wait for threads that the component has left over.
+    """
+    faulthandler.enable()
+    if hasattr(faulthandler, "register"):
+        faulthandler.register(signal.SIGQUIT, all_threads=True)
+    end(execute(sys.argv[1:] if arguments is None else arguments, factory))
+
+
+def end(code: int) -> NoReturn:
+    """End the process at once, with all that was printed."""
+    save_coverage()
+    for stream in (sys.stdout, sys.stderr):
+        try:
+            stream.flush()
+        except (OSError, ValueError):
+            continue  # Nobody reads it any more.
+    os._exit(code)
+
+
+def cannot_run(reason: str) -> int:
+    """Say why the suite cannot be run."""
+    _tell(re.sub(r"\s*\n\s*", "; ", reason.strip()))
+    return EXIT_CANNOT_RUN
+
+
+def save_coverage() -> None:
+    """Write what coverage.py has counted so far, where it counts in this process."""
+    coverage = sys.modules.get("coverage")
+    if coverage is not None:
+        current = coverage.Coverage.current()
+        if current is not None:
+            current.save()
+
+
+def _tell(text: str) -> None:
+    # The component may have closed the stream.
+    with suppress(OSError, ValueError, AttributeError):
+        print(f"sitaf: {text}", file=sys.stderr, flush=True)
+
+
+def _closing(what: str, close: Callable[[], None]) -> None:
+    """Do what follows a case; what goes wrong then is told, and changes no result."""
+    try:
+        close()
+    except BaseException as e:
+        _tell(f"{what}: {describe(e)}")

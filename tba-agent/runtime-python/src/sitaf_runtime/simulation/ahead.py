@@ -1,0 +1,103 @@
+"""Prepares the coming cases in bulk, while nothing but readings depends on the simulator."""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Callable, Mapping, Sequence
+
+from sitaf_runtime.errors import CaseDataError
+from sitaf_runtime.simulation.frozen import FrozenWorld, Layout
+from sitaf_runtime.simulation.wire.sitaf.sim.v1 import simulation_pb2 as pb
+from sitaf_runtime.suite.kinds import FLOAT64
+from sitaf_runtime.suite.test_case import TestCase
+
+# The first batch is small, so that the first result is soon there.
+_FIRST = 32
+_MOST = 4096
+_MOST_NUMBERS = 1_000_000
+
+Values = tuple[float, ...]
+
+
+class Preparation:
+    """Knows the worlds of the coming cases before they are asked for.
+
+    A case whose values were not foreseen, or that diverged, is not known here, and neither is any after `stop`: the
+    live session prepares them one by one, with the same readings.
+    """
+
+    def __init__(
+        self,
+        layout: Layout,
+        coming: Callable[[int], Sequence[TestCase]],
+        ask: Callable[[pb.PrepareManyRequest], pb.PrepareManyResponse | None],
+    ) -> None:
+        self._layout = layout
+        self._coming = coming
+        self._ask = ask
+        self._known: dict[bytes, Sequence[float]] = {}
+        self._size = _FIRST
+        self._stopped = False
+        self._alone = 0
+
+    def stop(self) -> None:
+        """Look ahead no more: the component does more than to read."""
+        self._stopped = True
+        self._known = {}
+
+    def world(self, parameters: Mapping[str, float], settle_ns: int, time_ns: int) -> FrozenWorld | None:
+        """The world of the current case after it was prepared; None where it is not known."""
+        if self._stopped or not parameters:
+            return None
+        key = _key(parameters.values())
+        numbers = self._known.get(key)
+        if numbers is None:
+            if self._alone > 0:
+                self._alone -= 1
+                return None
+            self._look_ahead(list(parameters), tuple(parameters.values()), settle_ns)
+            numbers = self._known.get(key)
+        return None if numbers is None else FrozenWorld(time_ns, numbers)
+
+    def _look_ahead(self, names: list[str], current: Values, settle_ns: int) -> None:
+        self._known = {}
+        rows = self._rows(names, current)
+        request = pb.PrepareManyRequest(parameters=names, cases=len(rows), settle_ns=settle_ns)
+        for row in rows:
+            request.values.extend(row)
+        response = self._ask(request)
+        if response is None:
+            # One of them is refused: the live session says which, case by case.
+            self._alone = len(rows)
+            return
+        try:
+            order = self._layout.order_of(response.columns)
+        except ValueError:
+            self.stop()
+            return
+        width = len(response.columns)
+        readings = list(response.readings)
+        diverged = set(response.diverged_cases)
+        for i, row in enumerate(rows):
+            numbers = readings[i * width : (i + 1) * width]
+            if i not in diverged:
+                self._known[_key(row)] = numbers if order is None else [numbers[at] for at in order]
+        self._size = min(self._size * 4, _MOST)
+
+    def _rows(self, names: list[str], current: Values) -> list[Values]:
+        """The values of this case and of those after it, each once."""
+        rows = {_key(current): current}
+        width = max(1, len(self._layout.columns), len(names))
+        for case in self._coming(min(self._size, max(1, _MOST_NUMBERS // width))):
+            try:
+                row = tuple(case.read(name, FLOAT64) for name in names)
+            except CaseDataError:
+                break
+            rows.setdefault(_key(row), row)
+        return list(rows.values())
+
+
+def _key(values: object) -> bytes:
+    """Values bit by bit: 0.0 is not -0.0."""
+    row = tuple(values)  # pyright: ignore[reportArgumentType]
+    return struct.pack(f"<{len(row)}d", *row)

@@ -1,0 +1,122 @@
+"""Lets simulation time pass in pieces that end where a component has something to do.
+
+That is at each of its periods, and when a wait of one of its threads is over. Time is counted in steps since the case
+was prepared, and moves in the driver's thread only.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+
+
+class PassingTime:
+    """A clock at 0; `move` moves the world by a number of steps of `timestep_ns` each."""
+
+    def __init__(self, timestep_ns: int, move: Callable[[int], None]) -> None:
+        self._timestep_ns = timestep_ns
+        self._move_world = move
+        self._changed = threading.Condition()
+        self._driver = threading.get_ident()
+        self._step = 0
+        self._waiting: dict[int, int] = {}
+        self._followed: threading.Thread | None = None
+        self._ended = False
+        self._period_ns = 0
+        self._tick: Callable[[], object] | None = None
+        self._begin = 0
+        self._count = 1
+        self._ticking = False
+
+    def steps_in(self, time_ns: int) -> int:
+        """Whole steps that a time takes, rounded up."""
+        return max(0, -(-time_ns // self._timestep_ns))
+
+    def restart(self) -> None:
+        """Begin a case, whose driver is the calling thread; what waited for the last one goes on."""
+        with self._changed:
+            self._driver = threading.get_ident()
+            self._step = 0
+            self._tick = None
+            self._followed = None
+            if self._waiting:
+                self._waiting.clear()
+                self._changed.notify_all()
+
+    def every(self, period_ns: int, tick: Callable[[], object]) -> None:
+        """Call `tick` on the first step at or after each whole period from now on, but never within itself."""
+        if period_ns <= 0:
+            raise ValueError(f"the period {period_ns} ns must be above zero")
+        self._period_ns, self._tick, self._begin, self._count = period_ns, tick, self._step, 1
+
+    def follow(self, thread: threading.Thread) -> None:
+        """Let time pass only while a thread waits for it or has ended, so that what it does is the same each time."""
+        self._followed = thread
+
+    def end(self) -> None:
+        """Let go of all that waits."""
+        with self._changed:
+            self._ended = True
+            self._changed.notify_all()
+
+    def let_pass(self, time_ns: int) -> None:
+        """Move time in the driver's thread; in any other, wait for the driver to have moved it."""
+        steps = self.steps_in(time_ns)
+        if steps == 0:
+            return
+        if threading.get_ident() == self._driver:
+            self._move(steps)
+        else:
+            self._await(steps)
+
+    def _move(self, steps: int) -> None:
+        end = self._step + steps
+        while self._step < end:
+            self._await_followed()
+            stops = [end, *(target for target in list(self._waiting.values()) if target > self._step)]
+            due = self._next_tick()
+            stop = min(stops if due is None else [*stops, due])
+            self._move_world(stop - self._step)
+            with self._changed:
+                self._step = stop
+                self._waiting = {thread: target for thread, target in self._waiting.items() if target > stop}
+                self._changed.notify_all()
+            self._tick_if_due()
+        self._await_followed()
+
+    def _next_tick(self) -> int | None:
+        if self._tick is None or self._ticking:
+            return None
+        # A component that let time pass itself skips the ticks that it slept through.
+        while self._at() <= self._step:
+            self._count += 1
+        return self._at()
+
+    def _tick_if_due(self) -> None:
+        if self._tick is None or self._ticking or self._at() != self._step:
+            return
+        self._count += 1
+        self._ticking = True
+        try:
+            self._tick()
+        finally:
+            self._ticking = False
+
+    def _at(self) -> int:
+        return self._begin + -(-self._count * self._period_ns // self._timestep_ns)
+
+    def _await(self, steps: int) -> None:
+        me = threading.get_ident()
+        with self._changed:
+            self._waiting[me] = self._step + steps
+            self._changed.notify_all()
+            while me in self._waiting and not self._ended:
+                self._changed.wait()
+
+    def _await_followed(self) -> None:
+        """Until the thread that is followed waits for simulation time, or is at its end."""
+        with self._changed:
+            thread = self._followed
+            while thread is not None and thread.is_alive() and thread.ident not in self._waiting:
+                # The end of a thread notifies nobody here.
+                self._changed.wait(0.001)

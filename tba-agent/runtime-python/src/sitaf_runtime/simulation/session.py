@@ -1,0 +1,242 @@
+"""A session with the robot simulator."""
+
+from __future__ import annotations
+
+import os
+import threading
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import Any, TypeVar
+
+os.environ.setdefault("GRPC_VERBOSITY", "NONE")
+
+import grpc
+
+from sitaf_runtime.errors import SimulationError
+from sitaf_runtime.robot.hardware import Hardware
+from sitaf_runtime.simulation.ahead import Preparation
+from sitaf_runtime.simulation.frozen import Layout
+from sitaf_runtime.simulation.hardware import SimulatedHardware
+from sitaf_runtime.simulation.passing_time import PassingTime
+from sitaf_runtime.simulation.wire.service import client
+from sitaf_runtime.simulation.wire.sitaf.sim.v1 import simulation_pb2 as pb
+from sitaf_runtime.simulation.world_files import read_world
+from sitaf_runtime.stopwatch import Stopwatch
+from sitaf_runtime.suite.test_case import TestCase
+
+_LONGEST_CALL_S = 60.0
+_MAX_MESSAGE_BYTES = 256 << 20
+_NANOS = 1_000_000_000
+_REFUSED = (
+    grpc.StatusCode.INVALID_ARGUMENT,
+    grpc.StatusCode.OUT_OF_RANGE,
+    grpc.StatusCode.DATA_LOSS,
+    grpc.StatusCode.RESOURCE_EXHAUSTED,
+    grpc.StatusCode.FAILED_PRECONDITION,
+)
+T = TypeVar("T")
+
+
+class Simulation:
+    """A session: prepares cases, lets time pass, and shows what there is to observe.
+
+    `target` is where the simulator listens: `127.0.0.1:PORT` or `unix:/absolute/path`; the world's files are all files
+    of the description's folder. Raises OSError when they cannot be read, SimulationError when they are refused.
+    """
+
+    def __init__(
+        self,
+        target: str,
+        world_description: Path,
+        seed: int,
+        stopwatch: Stopwatch,
+        coming: Callable[[int], Sequence[TestCase]] = lambda _: (),
+        limit_s: float | None = None,
+    ) -> None:
+        description, files = read_world(world_description)
+        self._channel = grpc.insecure_channel(
+            target,
+            options=[
+                ("grpc.enable_http_proxy", 0),
+                ("grpc.max_receive_message_length", _MAX_MESSAGE_BYTES),
+                ("grpc.max_send_message_length", _MAX_MESSAGE_BYTES),
+            ],
+        )
+        self._control: Any = client(self._channel, pb.DESCRIPTOR, "SimulationControl")
+        self._devices: Any = client(self._channel, pb.DESCRIPTOR, "VirtualHardware")
+        request = pb.CreateSessionRequest(world=pb.WorldSource(description=description, files=files), seed=seed)
+        try:
+            created = self._ask(f"opening the world {description}", self._control.CreateSession, request)
+        except SimulationError:
+            self._channel.close()
+            raise
+        self._session: str = created.session_id
+        self._timestep_ns: int = created.world.timestep_ns
+        if self._timestep_ns <= 0:
+            raise SimulationError("the simulator names no length of a step", lost=True)
+        self._layout = Layout(created.world)
+        self._hardware = SimulatedHardware(
+            self._layout,
+            {reading.device: reading for reading in created.state.readings},
+            stopwatch,
+            self._layout.freeze(created.state),
+            self,
+        )
+        self._ahead = Preparation(self._layout, coming, self._prepare_many)
+        # Set while the session itself lags behind the readings, which came in bulk.
+        self._behind: pb.PrepareRequest | None = None
+        self._limit_ns = None if limit_s is None else round(limit_s * _NANOS)
+        self._passed_ns = 0
+        self._time = PassingTime(self._timestep_ns, self._step)
+        self._ended = threading.Event()
+        self._lease_s = max(0.1, (created.lease.seconds + created.lease.nanos / _NANOS) / 3)
+        threading.Thread(target=self._renew, name="sitaf-lease", daemon=True).start()
+
+    @property
+    def hardware(self) -> Hardware:
+        """What a component under test gets."""
+        return self._hardware
+
+    @property
+    def took_too_long(self) -> str | None:
+        """What to say when the case took more simulation time than it may; else None."""
+        if self._limit_ns is None or self._passed_ns <= self._limit_ns:
+            return None
+        return f"the case took more than {self._limit_ns / _NANOS:g} s of simulation time"
+
+    def prepare(self, parameters: Mapping[str, float], settle_s: float = 0.0) -> None:
+        """Prepare a case from a clean reset, and let it settle.
+
+        `parameters` are in the unit of each parameter of the world; those not named take their default.
+        """
+        self._passed_ns = 0
+        self._time.restart()
+        settle_ns = round(settle_s * _NANOS)
+        settled_ns = self._time.steps_in(settle_ns) * self._timestep_ns
+        request = pb.PrepareRequest(session_id=self._session, parameters=parameters, settle_ns=settle_ns)
+        known = self._ahead.world(parameters, settle_ns, settled_ns)
+        if known is not None:
+            self._behind = request
+            self._hardware.world = known
+        else:
+            self._prepare(request)
+        self._spend(settled_ns)
+
+    def every(self, period_s: float, tick: Callable[[], object]) -> None:
+        """Call a periodic component whenever its period has passed from now on, until the next case is prepared.
+
+        Ticks fall on the first step at or after each whole period, in `advance` and in the component's own sleep, but
+        never within another tick. What it raises comes out of `advance`.
+        """
+        self._time.every(round(period_s * _NANOS), tick)
+
+    def follow(self, thread: threading.Thread) -> None:
+        """Let time pass only while a thread sleeps in simulation time or has ended: a call that does not block."""
+        self._time.follow(thread)
+
+    def advance(self, seconds: float) -> None:
+        """Let simulation time pass, rounded up to whole steps."""
+        self.wait(round(seconds * _NANOS))
+
+    def observation(self, name: str) -> float:
+        """What the world shows at the current step, in the unit that the world declares."""
+        at = self._layout.observations.get(name)
+        if at is None:
+            names = ", ".join(self._layout.observations)
+            raise SimulationError(f"the world has no observation '{name}'; it has {names or 'none'}")
+        return self._hardware.world.numbers[at]
+
+    def close(self) -> None:
+        """Free the session; a simulator that is gone has done so already."""
+        self._ended.set()
+        self._time.end()
+        try:
+            self._control.DeleteSession(pb.DeleteSessionRequest(session_id=self._session), timeout=5)
+        except grpc.RpcError:
+            pass  # Nothing of it is needed any more.
+        finally:
+            self._channel.close()
+
+    # What devices ask of the simulator.
+
+    def write(self, command: pb.DeviceCommand) -> None:
+        """Command a device. Raises ValueError for a command that the device does not take: the component's doing."""
+        self._catch_up()
+        request = pb.WriteDevicesRequest(session_id=self._session, commands=[command])
+        try:
+            state = self._devices.WriteDevices(request, timeout=_LONGEST_CALL_S).state
+        except grpc.RpcError as e:
+            code, details = _status(e)
+            if code in (grpc.StatusCode.INVALID_ARGUMENT, grpc.StatusCode.OUT_OF_RANGE):
+                raise ValueError(details) from None
+            raise _failure(f"commanding {command.device}", e) from None
+        self._hardware.world = self._layout.freeze(state)
+
+    def look(self, camera: str) -> pb.Reading:
+        """Look through a camera."""
+        self._catch_up()
+        request = pb.ReadDevicesRequest(session_id=self._session, devices=[camera])
+        return self._ask(f"looking through {camera}", self._devices.ReadDevices, request).state.readings[0]
+
+    def wait(self, time_ns: int) -> None:
+        """Let time pass, also for a component that sleeps."""
+        self._time.let_pass(time_ns)
+
+    def _step(self, steps: int) -> None:
+        self._catch_up()
+        self._spend(steps * self._timestep_ns)
+        request = pb.StepSimulationRequest(session_id=self._session, steps=steps)
+        what = f"advancing by {steps * self._timestep_ns / _NANOS:g} s"
+        self._hardware.world = self._layout.freeze(self._ask(what, self._control.StepSimulation, request).state)
+
+    def _spend(self, time_ns: int) -> None:
+        self._passed_ns += time_ns
+        too_long = self.took_too_long
+        if too_long:
+            raise TimeoutError(too_long)
+
+    def _catch_up(self) -> None:
+        """Bring the session itself to the current case: from now on it is needed live."""
+        if self._behind is not None:
+            self._ahead.stop()
+            self._prepare(self._behind)
+
+    def _prepare(self, request: pb.PrepareRequest) -> None:
+        self._behind = None
+        what = "setting " + ", ".join(f"{name} = {value:g}" for name, value in request.parameters.items())
+        self._hardware.world = self._layout.freeze(self._ask(what, self._control.Prepare, request).state)
+
+    def _prepare_many(self, request: pb.PrepareManyRequest) -> pb.PrepareManyResponse | None:
+        request.session_id = self._session
+        try:
+            return self._control.PrepareMany(request, timeout=_LONGEST_CALL_S)
+        except grpc.RpcError as e:
+            if _status(e)[0] in _REFUSED:
+                return None
+            raise _failure("preparing cases", e) from None
+
+    def _renew(self) -> None:
+        """Renew the lease three times in each length, so that a long call of the component does not end it."""
+        while not self._ended.wait(self._lease_s):
+            try:
+                self._control.RenewSession(pb.RenewSessionRequest(session_id=self._session), timeout=_LONGEST_CALL_S)
+            except (grpc.RpcError, ValueError):
+                continue  # The next call of the test driver meets the same trouble, and tells it where it matters.
+
+    @staticmethod
+    def _ask(what: str, call: Callable[..., Any], request: object) -> Any:
+        try:
+            return call(request, timeout=_LONGEST_CALL_S)
+        except grpc.RpcError as e:
+            raise _failure(what, e) from None
+
+
+def _status(e: grpc.RpcError) -> tuple[grpc.StatusCode, str]:
+    call: Any = e
+    return call.code(), call.details() or ""
+
+
+def _failure(what: str, e: grpc.RpcError) -> SimulationError:
+    code, details = _status(e)
+    reason = f": {details}" if details else ""
+    return SimulationError(f"simulator: {what}: {code.name}{reason}", lost=code not in _REFUSED)

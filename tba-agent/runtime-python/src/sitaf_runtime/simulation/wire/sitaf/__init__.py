@@ -1,0 +1,1 @@
+"""The wire's messages, in folders as protoc lays them out."""

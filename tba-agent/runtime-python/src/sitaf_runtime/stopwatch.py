@@ -1,0 +1,87 @@
+"""Measures calls of the component."""
+
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from threading import get_ident
+
+_NANOS_PER_MICRO = 1000.0
+
+
+class Stopwatch:
+    """Measures one call by the monotonic clock, and apart from it what it spends in virtual hardware and in stubs.
+
+    Only the thread that started the watch counts: what other threads of the component do goes on beside the call.
+    """
+
+    __slots__ = ("_began", "_called", "_hardware", "_owner", "_stub", "_total")
+
+    def __init__(self) -> None:
+        self._owner = 0
+        self._called = False
+        self._began = self._total = self._hardware = self._stub = 0
+
+    def start(self) -> None:
+        """Begin to measure; an earlier measurement is forgotten."""
+        self._total = self._hardware = self._stub = 0
+        self._called = True
+        self._owner = get_ident()
+        self._began = time.perf_counter_ns()
+
+    def stop(self) -> None:
+        """End the measurement. Raises RuntimeError when none is under way."""
+        now = time.perf_counter_ns()
+        if not self._owner:
+            raise RuntimeError("the stopwatch is stopped before it was started")
+        self._total = now - self._began
+        self._owner = 0
+
+    def reset(self) -> None:
+        """Forget the call before."""
+        self._owner = 0
+        self._called = False
+        self._total = self._hardware = self._stub = 0
+
+    @property
+    def is_running(self) -> bool:
+        """Whether a call is being measured: what is raised now, the component raises."""
+        return self._owner != 0
+
+    @property
+    def was_started(self) -> bool:
+        """Whether a call was begun since the last reset."""
+        return self._called
+
+    @contextmanager
+    def in_hardware(self) -> Iterator[None]:
+        """Count what is inside as spent in virtual hardware."""
+        entered = time.perf_counter_ns()
+        try:
+            yield
+        finally:
+            self.leave_hardware(entered)
+
+    def leave_hardware(self, entered: int) -> None:
+        """Count the time since a moment of `time.perf_counter_ns` as spent in virtual hardware."""
+        if self._owner == get_ident():
+            self._hardware += time.perf_counter_ns() - entered
+
+    def leave_stub(self, entered: int) -> None:
+        """Count the time since a moment of `time.perf_counter_ns` as spent in a stub."""
+        if self._owner == get_ident():
+            self._stub += time.perf_counter_ns() - entered
+
+    @property
+    def component_us(self) -> float:
+        """The component's own time in microseconds: the call without virtual hardware and stubs."""
+        return max(0, self._total - self._hardware - self._stub) / _NANOS_PER_MICRO
+
+    @property
+    def hardware_us(self) -> float:
+        """Time spent in virtual hardware, in microseconds."""
+        return self._hardware / _NANOS_PER_MICRO
+
+    @property
+    def stub_us(self) -> float:
+        """Time spent in stubs, in microseconds."""
+        return self._stub / _NANOS_PER_MICRO

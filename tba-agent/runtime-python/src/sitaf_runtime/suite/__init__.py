@@ -1,0 +1,1 @@
+"""Test cases in, result lines out, and the comparison between them."""

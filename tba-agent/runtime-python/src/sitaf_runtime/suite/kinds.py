@@ -1,0 +1,149 @@
+"""The types of interfaces: how a literal becomes a value, and what a value that nobody has set is."""
+
+import dataclasses
+import enum
+import struct as binary
+from collections.abc import Callable
+from typing import Any, Generic, TypeVar
+
+from sitaf_runtime.errors import CaseDataError
+from sitaf_runtime.suite import literals
+
+T = TypeVar("T")
+
+
+class Kind(Generic[T]):
+    """A type of an interface.
+
+    `parse` reads a literal and raises CaseDataError when the type cannot hold it; `zero` makes the value that nobody
+    has set; `shaped` gives a component's value the type's own form where it has one, and anything else as it is.
+    """
+
+    __slots__ = ("parse", "shaped", "zero")
+
+    def __init__(
+        self, parse: Callable[[str], T], zero: Callable[[], T], shaped: Callable[[Any], Any] = literals.plain
+    ) -> None:
+        self.parse = parse
+        self.zero = zero
+        self.shaped = shaped
+
+
+def _integer(bits: int, *, signed: bool) -> Kind[int]:
+    low = -(1 << bits - 1) if signed else 0
+    high = (1 << bits - 1) - 1 if signed else (1 << bits) - 1
+
+    def parse(literal: str) -> int:
+        return literals.whole(literal, low, high)
+
+    return Kind(parse, int)
+
+
+def _single(value: float) -> float:
+    """The nearest number of 32 bits."""
+    try:
+        return binary.unpack("<f", binary.pack("<f", value))[0]
+    except OverflowError:
+        return float("inf") if value > 0 else float("-inf")
+
+
+class Single(float):
+    """A number of 32 bits; it is expected as one: 0.1 is expected as the nearest of them."""
+
+    __slots__ = ()
+
+
+def _as_real(value: Any) -> Any:
+    value = literals.plain(value)
+    return float(value) if isinstance(value, int) and not isinstance(value, bool) and abs(value) < 1 << 53 else value
+
+
+def _as_single(value: Any) -> Any:
+    value = _as_real(value)
+    return Single(_single(value)) if isinstance(value, float) else value
+
+
+INT8 = _integer(8, signed=True)
+UINT8 = _integer(8, signed=False)
+INT16 = _integer(16, signed=True)
+UINT16 = _integer(16, signed=False)
+INT32 = _integer(32, signed=True)
+UINT32 = _integer(32, signed=False)
+INT64 = _integer(64, signed=True)
+UINT64 = _integer(64, signed=False)
+FLOAT64: Kind[float] = Kind(literals.real, float, _as_real)
+FLOAT32: Kind[float] = Kind(lambda literal: _single(literals.real(literal)), float, _as_single)
+BOOLEAN: Kind[bool] = Kind(literals.truth, bool)
+CHARACTER: Kind[str] = Kind(literals.character, lambda: "\0")
+STRING: Kind[str] = Kind(lambda literal: literal, str)
+
+
+def sequence(element: Kind[T], length: int = 0) -> Kind[list[T]]:
+    """Elements of one type; of a fixed number where a length is given."""
+
+    def parse(literal: str) -> list[T]:
+        parts = literals.elements(literal)
+        if length and len(parts) != length:
+            raise CaseDataError(f"'{literal}' has {len(parts)} elements, not {length}")
+        return [element.parse(part) for part in parts]
+
+    def shaped(value: Any) -> Any:
+        listed = literals.elements_of(literals.plain(value))
+        return value if listed is None else [element.shaped(part) for part in listed]
+
+    return Kind(parse, lambda: [element.zero() for _ in range(length)], shaped)
+
+
+E = TypeVar("E", bound=enum.Enum)
+
+
+def enumeration(type_: type[E]) -> Kind[E]:
+    """An enumeration; a component may also give the name or the value of one of its literals."""
+    first = next(iter(type_))
+
+    def parse(literal: str) -> E:
+        try:
+            return type_[literal.strip()]
+        except KeyError as e:
+            raise CaseDataError(f"'{literal}' is none of {', '.join(type_.__members__)}") from e
+
+    def shaped(value: Any) -> Any:
+        value = literals.plain(value)
+        if isinstance(value, str) and value in type_.__members__:
+            return type_[value]
+        try:
+            return value if isinstance(value, enum.Enum | bool) else type_(value)
+        except ValueError:
+            return value
+
+    return Kind(parse, lambda: first, shaped)
+
+
+def member(kind: Kind[T]) -> T:
+    """A member of a struct, as the default of a field of a dataclass."""
+    return dataclasses.field(default_factory=kind.zero, metadata={"kind": kind})
+
+
+def struct(type_: type[T]) -> Kind[T]:
+    """A struct: a dataclass whose fields are made by `member`."""
+    kinds: dict[str, Kind[Any]] = {
+        field.name: field.metadata["kind"]
+        for field in dataclasses.fields(type_)  # pyright: ignore[reportArgumentType]
+    }
+
+    def parse(literal: str) -> T:
+        given = literals.members(literal)
+        unknown = [name for name in given if name not in kinds]
+        if unknown:
+            raise CaseDataError(f"'{literal}' has a member {unknown[0]}; {type_.__name__} has {', '.join(kinds)}")
+        return type_(**{name: kinds[name].parse(value) for name, value in given.items()})
+
+    def shaped(value: Any) -> Any:
+        named = literals.members_of(value)
+        if named is None and all(hasattr(value, name) for name in kinds):
+            named = {name: getattr(value, name) for name in kinds}
+        if named is None:
+            return value
+        return {name: kind.shaped(named[name]) for name, kind in kinds.items() if name in named}
+
+    return Kind(parse, type_, shaped)

@@ -1,0 +1,193 @@
+"""Values as documents spell them.
+
+Numbers in decimal, `NaN`, `Infinity` and `-Infinity`, `true` and `false`, strings as they are, sequences as
+`[1.0, 2.5]` and structs as `{x: 1.0, y: 2.5}`, with strings inside either in double quotes.
+"""
+
+import dataclasses
+import enum
+import math
+import re
+from collections.abc import Iterable, Mapping
+from fractions import Fraction
+from typing import Any
+
+from sitaf_runtime.errors import CaseDataError
+
+_NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]{1,9})?", re.ASCII)
+_SPECIAL = {
+    **dict.fromkeys(("nan", ".nan"), math.nan),
+    **dict.fromkeys(("infinity", "+infinity", "inf", "+inf", ".inf"), math.inf),
+    **dict.fromkeys(("-infinity", "-inf", "-.inf"), -math.inf),
+}
+# A whole number of more digits fits no type; to write it out would take a while.
+_MOST_DIGITS = 400
+
+
+def real(literal: str) -> float:
+    """A floating-point number."""
+    text = literal.strip()
+    if _NUMBER.fullmatch(text):
+        return float(text)
+    special = _SPECIAL.get(text.lower())
+    if special is None:
+        raise CaseDataError(f"'{literal}' is not a number")
+    return special
+
+
+def exact(literal: str) -> Fraction:
+    """A finite number, exactly as written."""
+    text = literal.strip()
+    if not _NUMBER.fullmatch(text):
+        raise CaseDataError(f"'{literal}' is not a number")
+    _, _, exponent = text.lower().partition("e")
+    if len(text) + abs(int(exponent or "0")) > _MOST_DIGITS:
+        raise CaseDataError(f"'{literal[:60]}' has more digits than any number of a test")
+    return Fraction(text)
+
+
+def whole(literal: str, low: int, high: int) -> int:
+    """A whole number within bounds, both inclusive."""
+    text = literal.strip()
+    try:
+        number = int(text) if text.isascii() and text.isdigit() and len(text) < 30 else _whole(literal)
+    except OverflowError as e:
+        raise CaseDataError(f"'{literal}' is not a whole number") from e
+    if not low <= number <= high:
+        raise CaseDataError(f"{literal} is outside of {low} to {high}")
+    return number
+
+
+def _whole(literal: str) -> int:
+    number = exact(literal)
+    if number.denominator != 1:
+        raise CaseDataError(f"'{literal}' is not a whole number")
+    return number.numerator
+
+
+def truth(literal: str) -> bool:
+    """`true` or `false`."""
+    text = literal.strip()
+    if text in ("true", "1"):
+        return True
+    if text in ("false", "0"):
+        return False
+    raise CaseDataError(f"'{literal}' is neither true nor false")
+
+
+def character(literal: str) -> str:
+    """One character."""
+    if len(literal) != 1:
+        raise CaseDataError(f"'{literal}' is not one character")
+    return literal
+
+
+def elements(literal: str) -> list[str]:
+    """The elements of `[a, b]`; a quoted element may hold commas, brackets and escaped quotes."""
+    return _parts(literal, "[", "]", "a sequence such as [1, 2]")
+
+
+def members(literal: str) -> dict[str, str]:
+    """The members of `{x: 1, y: 2}` by name."""
+    found: dict[str, str] = {}
+    for part in _parts(literal, "{", "}", "a struct such as {x: 1, y: 2}", whole=True):
+        name, colon, value = part.partition(":")
+        if not colon:
+            raise CaseDataError(f"'{literal}' has a member without a name")
+        found[name.strip()] = _unquoted(value.strip())
+    return found
+
+
+def _parts(literal: str, opening: str, closing: str, what: str, *, whole: bool = False) -> list[str]:
+    """Split at the commas that are neither quoted nor in inner brackets; `whole` leaves quotes as they are."""
+    text = literal.strip()
+    if len(text) < 2 or text[0] != opening or text[-1] != closing:
+        raise CaseDataError(f"'{literal}' is not {what}")
+    inner = text[1:-1]
+    parts: list[str] = []
+    start = depth = at = 0
+    quoted = False
+    while at < len(inner):
+        c = inner[at]
+        if quoted and c == "\\":
+            at += 1
+        elif c == '"':
+            quoted = not quoted
+        elif not quoted and c in "[{":
+            depth += 1
+        elif not quoted and c in "]}":
+            depth -= 1
+        elif not quoted and depth == 0 and c == ",":
+            parts.append(inner[start:at])
+            start = at + 1
+        at += 1
+    if quoted:
+        raise CaseDataError(f"'{literal}' has a quote that does not end")
+    if parts or inner[start:].strip():
+        parts.append(inner[start:])
+    return [part.strip() if whole else _unquoted(part.strip()) for part in parts]
+
+
+def _unquoted(part: str) -> str:
+    if len(part) >= 2 and part[0] == part[-1] == '"':
+        return re.sub(r"\\(.)", r"\1", part[1:-1], flags=re.DOTALL)
+    return part
+
+
+def spell(value: Any) -> str:
+    """The spelling of a value that a component gave."""
+    value = plain(value)
+    if value is None:
+        return "null"
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, enum.Enum):
+        return value.name
+    if isinstance(value, float):
+        return _spell_real(value)
+    if isinstance(value, str):
+        return value
+    named = members_of(value)
+    if named is not None:
+        return "{" + ", ".join(f"{name}: {_spell_inside(part)}" for name, part in named.items()) + "}"
+    listed = elements_of(value)
+    if listed is not None:
+        return "[" + ", ".join(map(_spell_inside, listed)) + "]"
+    return str(value)
+
+
+def _spell_real(value: float) -> str:
+    if math.isnan(value):
+        return "NaN"
+    if math.isinf(value):
+        return "Infinity" if value > 0 else "-Infinity"
+    return repr(float(value))
+
+
+def _spell_inside(part: Any) -> str:
+    if isinstance(part, str) and not isinstance(part, enum.Enum):
+        return '"' + part.replace("\\", "\\\\").replace('"', '\\"') + '"'
+    return spell(part)
+
+
+def plain(value: Any) -> Any:
+    """A value of numpy as one of Python; anything else as it is."""
+    return value.tolist() if hasattr(value, "tolist") and hasattr(value, "dtype") else value
+
+
+def members_of(value: Any) -> Mapping[str, Any] | None:
+    """The members of a struct: of a dataclass, a mapping or a named tuple; None for anything else."""
+    if isinstance(value, Mapping):
+        return {str(name): part for name, part in value.items()}
+    if dataclasses.is_dataclass(value) and not isinstance(value, type):
+        return {field.name: getattr(value, field.name) for field in dataclasses.fields(value)}
+    if isinstance(value, tuple) and hasattr(value, "_asdict"):
+        return value._asdict()  # pyright: ignore[reportAttributeAccessIssue]
+    return None
+
+
+def elements_of(value: Any) -> list[Any] | None:
+    """The elements of anything that can be iterated, but no text and no struct; None for that."""
+    if isinstance(value, str) or not isinstance(value, Iterable) or members_of(value) is not None:
+        return None
+    return list(value)

@@ -1,0 +1,52 @@
+"""What stubs answer."""
+
+import pytest
+
+from sitaf_runtime.errors import CaseDataError
+from sitaf_runtime.stopwatch import Stopwatch
+from sitaf_runtime.stub import StubbedMethod, StubCalls, answer
+from sitaf_runtime.suite.kinds import FLOAT64, INT32
+
+
+def test_answers_hold_from_a_call_on():
+    calls = StubCalls()
+    method = StubbedMethod("I.M", Stopwatch(), calls, FLOAT64, {"bearing": FLOAT64})
+    assert method.call(1) == 0.0
+    method.reset()
+    method.answer(1.5)
+    method.answer(2.5, from_call=3)
+    assert [method.call(b) for b in (1, 2, 3, 4)] == [1.5, 1.5, 2.5, 2.5]
+    assert [c.arguments for c in calls.calls][1:] == [{"bearing": f"{b}.0"} for b in (1, 2, 3, 4)]
+
+
+def test_errors_are_raised_and_delays_count_as_the_stubs():
+    watch = Stopwatch()
+    kind = answer(INT32, {"NoEcho": RuntimeError})
+    method = StubbedMethod("I.M", watch, StubCalls(), INT32)
+    method.answer(kind.parse("!error:NoEcho"))
+    with pytest.raises(RuntimeError, match=r"I\.M"):
+        method.call()
+    method.reset()
+    method.answer(kind.parse("!delay:0.01 5"))
+    watch.start()
+    assert method.call() == 5
+    watch.stop()
+    assert watch.stub_us >= 10_000
+    for literal in ("!delay:x", "!error:Unknown", "5.5"):
+        with pytest.raises(CaseDataError):
+            kind.parse(literal)
+
+
+def test_out_parameters_follow_the_return_value():
+    method = StubbedMethod("I.M", Stopwatch(), StubCalls(), INT32, {}, {"left": FLOAT64, "right": FLOAT64})
+    method.answer(1)
+    method.answer(0.5, out="right")
+    assert method.call() == (1, 0.0, 0.5)
+
+
+def test_calls_beyond_the_most_are_counted():
+    calls = StubCalls()
+    method = StubbedMethod("I.M", Stopwatch(), calls, None)
+    for _ in range(StubCalls.MOST + 5):
+        method.call()
+    assert (len(calls.calls), calls.left_out) == (StubCalls.MOST, 5)

@@ -1,0 +1,120 @@
+"""Suites in, results out."""
+
+import xml.etree.ElementTree as ElementTree
+
+import pytest
+
+from sitaf_runtime.errors import CaseDataError
+from sitaf_runtime.suite.kinds import FLOAT64, INT32, STRING
+from sitaf_runtime.suite.reader import SuiteReader
+from sitaf_runtime.suite.result import CaseResult, ResultsFile, Verdict
+from sitaf_runtime.suite.test_case import TestCase
+from sitaf_runtime.suite.tolerance import EXACT
+
+HEAD = '<test_suite_data><case_param_info><param name="a"/><param name="b"/></case_param_info><case_list>'
+CASE = "<case><value>1</value><value>x</value><expected>2</expected></case>"
+
+
+def read(tmp_path, text):
+    file = tmp_path / "suite.xml"
+    file.write_text(text, "utf-8")
+    reader = SuiteReader(file)
+    try:
+        return list(reader)
+    finally:
+        reader.close()
+
+
+def test_cases_are_read_in_order(tmp_path):
+    cases = read(
+        tmp_path,
+        HEAD + CASE + '<case no="7" class="invalid"><value>&lt;2</value><value/><expected name="r"/></case>'
+        "</case_list></test_suite_data>",
+    )
+    assert [(c.no, c.valid, dict(c.values)) for c in cases] == [
+        (1, True, {"a": "1", "b": "x"}),
+        (7, False, {"a": "<2", "b": ""}),
+    ]
+    assert cases[0].read("a", INT32) == 1
+    assert cases[0].expectation("anything") == "2"
+    assert cases[1].expectation("other") is None
+    with pytest.raises(CaseDataError, match="generate the test application anew"):
+        cases[0].read("c", STRING)
+
+
+def test_a_long_suite_is_read_to_its_end(tmp_path):
+    assert len(read(tmp_path, HEAD + CASE * 5000 + "</case_list></test_suite_data>")) == 5000
+
+
+@pytest.mark.parametrize(
+    ("text", "problem"),
+    [
+        ("<!DOCTYPE x [<!ENTITY a 'b'>]>" + HEAD, "DTD"),
+        ("<other/>", "the root is <other>"),
+        ("<test_suite_data/>", "no <case_list>"),
+        (HEAD.replace('"b"', '"a"'), "two parameters are named 'a'"),
+        (HEAD + "<case><value>1</value></case>", "1 values for 2 parameters"),
+        (HEAD + "<case><oops/></case>", "<oops> is unknown"),
+        ("", "no element found"),
+    ],
+)
+def test_what_is_no_suite_is_refused(tmp_path, text, problem):
+    with pytest.raises(CaseDataError, match=problem):
+        read(tmp_path, text)
+
+
+def test_cases_before_a_mistake_are_handed_out_first(tmp_path):
+    file = tmp_path / "suite.xml"
+    file.write_text(HEAD + CASE + CASE + "<case><oops>")
+    reader = SuiteReader(file)
+    seen = []
+    with pytest.raises(CaseDataError):
+        seen.extend(case.no for case in reader)
+    reader.close()
+    assert seen == [1, 2]
+
+
+def test_a_result_is_one_line_of_xml_whatever_is_in_it(tmp_path):
+    nasty = "a\nb\t<c>&\"'\u2028\x85\0\ud800"
+    result = CaseResult(TestCase(3, True, {"a": nasty}, {"": "1"}))
+    result.compare("return", nasty, STRING, EXACT)
+    result.took(1.5, 0.25, 0)
+    line = result.line()
+    assert line.count(b"\n") == 1
+    assert len(line.decode().splitlines()) == 1
+    element = ElementTree.fromstring(line)
+    assert element.findtext("value") == nasty.replace("\0", "\\u0000").replace("\ud800", "\\uD800")
+    assert element.attrib == {"no": "3", "verdict": "FAIL"}
+    assert element.find("processing_time").attrib["hardware"] == "0.250"
+
+
+def test_an_expectation_that_nobody_compares_is_an_error():
+    result = CaseResult(TestCase(1, True, {}, {"x": "1", "return": "2"}))
+    result.compare("return", 2.0, FLOAT64, EXACT)
+    assert b"does not know" in result.line()
+    assert result.verdict == Verdict.ERROR
+
+
+def test_an_expected_error_passes_and_a_value_instead_fails():
+    case = TestCase(1, True, {}, {"": "!error:ValueError"})
+    raised = CaseResult(case)
+    assert raised.raised(ValueError("no"))
+    assert b'PASS"' in raised.line()
+    assert b"<actual>!error:ValueError</actual>" in raised.line()
+    assert not CaseResult(case).raised(KeyError("no"))
+    returned = CaseResult(case)
+    returned.compare("return", 1.0, FLOAT64, EXACT)
+    assert b"expected error ValueError, but it returned 1.0" in returned.line()
+
+
+def test_results_go_on_behind_a_torn_line(tmp_path):
+    file = tmp_path / "results"
+    first = ResultsFile(file, append=False)
+    first.ready()
+    first.close()
+    with file.open("a") as torn:
+        torn.write("<test_result no")
+    again = ResultsFile(file, append=True)
+    again.save(CaseResult(TestCase(1, True, {}, {})))
+    again.close()
+    assert file.read_text().splitlines() == ["", "<test_result no", '<test_result no="1" verdict="PASS"></test_result>']
