@@ -1,5 +1,8 @@
 """Thin names over the generated stubs."""
 
+import json
+import struct
+
 from google.protobuf.duration_pb2 import Duration
 
 from sitaf_bridge.wire import simulation_pb2 as pb
@@ -70,3 +73,66 @@ def folder(path):
 def numbers(message):
     """All numbers of a state as bytes, to compare to the last bit."""
     return message.SerializeToString(deterministic=True)
+
+
+class Gltf:
+    """A binary glTF file, read by what its specification says."""
+
+    def __init__(self, content):
+        magic, version, length = struct.unpack_from("<4sII", content)
+        assert (magic, version, length) == (b"glTF", 2, len(content))
+        size, kind = struct.unpack_from("<I4s", content, 12)
+        assert kind == b"JSON"
+        assert size % 4 == 0
+        self.document = json.loads(content[20 : 20 + size])
+        _, kind = struct.unpack_from("<I4s", content, 20 + size)
+        assert kind == b"BIN\0"
+        self._binary = content[28 + size :]
+        assert len(self._binary) == self.document["buffers"][0]["byteLength"]
+        self.extras = self.document["scenes"][0]["extras"]
+
+    def nodes(self):
+        """By name."""
+        return {node["name"]: node for node in self.document["nodes"] if "name" in node}
+
+    def view(self, index, form="f"):
+        """The numbers of a buffer view."""
+        view = self.document["bufferViews"][index]
+        return struct.unpack_from(f"<{view['byteLength'] // 4}{form}", self._binary, view["byteOffset"])
+
+    def rows(self, index):
+        """The rows of an accessor."""
+        accessor = self.document["accessors"][index]
+        form, width = (
+            {5126: "f", 5125: "I"}[accessor["componentType"]],
+            {"SCALAR": 1, "VEC3": 3, "VEC4": 4}[accessor["type"]],
+        )
+        numbers = self.view(accessor["bufferView"], form)
+        assert len(numbers) == width * accessor["count"]
+        return [numbers[first : first + width] for first in range(0, len(numbers), width)]
+
+    def track(self, body, path):
+        """Seconds and values of what moves."""
+        (animation,) = self.document["animations"]
+        names = [node.get("name") for node in self.document["nodes"]]
+        for channel in animation["channels"]:
+            if (names[channel["target"]["node"]], channel["target"]["path"]) == (body, path):
+                sampler = animation["samplers"][channel["sampler"]]
+                return [time for (time,) in self.rows(sampler["input"])], self.rows(sampler["output"])
+        return None
+
+    def corners(self, body):
+        """All corners of a body's solids, in the frame of the body, where they are not turned."""
+        found = []
+        for child in self.nodes()[body].get("children", []):
+            node = self.document["nodes"][child]
+            if "mesh" in node:
+                (primitive,) = self.document["meshes"][node["mesh"]]["primitives"]
+                corners = self.rows(primitive["attributes"]["POSITION"])
+                triangles = [index for (index,) in self.rows(primitive["indices"])]
+                assert max(triangles) < len(corners)
+                found += [
+                    [c * s + t for c, s, t in zip(corner, node["scale"], node["translation"], strict=True)]
+                    for corner in corners
+                ]
+        return found

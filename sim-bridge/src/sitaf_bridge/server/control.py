@@ -54,6 +54,20 @@ class SimulationControl(pb_grpc.SimulationControlServicer):
         )
 
     @answering
+    def GetStatistics(
+        self, request: pb.GetStatisticsRequest, context: grpc.ServicerContext
+    ) -> pb.GetStatisticsResponse:
+        """What was done in this process."""
+        return pb.GetStatisticsResponse(
+            sessions=len(self._registry),
+            models=self._registry.models(),
+            operations=[
+                pb.OperationStatistics(rpc=rpc, count=took.count, total_ns=took.total_ns, shortest_ns=took.shortest_ns)
+                for rpc, took in self._registry.statistics.seen().items()
+            ],
+        )
+
+    @answering
     def DescribeWorld(
         self, request: pb.DescribeWorldRequest, context: grpc.ServicerContext
     ) -> pb.DescribeWorldResponse:

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from time import perf_counter_ns
 from typing import Any
 
 from google.protobuf.message import DecodeError, Message
@@ -43,6 +44,14 @@ class Operation:
 
 def operate(session: Session, simulation: Simulation, rpc: str, request: Message, wanted: Wanted) -> Any:
     """Carry out one operation, and record it where a recording is under way. Raises BridgeError."""
+    began = perf_counter_ns()
+    try:
+        return _operate(session, simulation, rpc, request, wanted)
+    finally:
+        session.statistics.add(rpc, perf_counter_ns() - began)
+
+
+def _operate(session: Session, simulation: Simulation, rpc: str, request: Message, wanted: Wanted) -> Any:
     operation = OPERATIONS[rpc]
     recorder = session.recorder
     if recorder is None or not operation.changes:
@@ -175,6 +184,24 @@ def _restore(
     return pb.RestoreSnapshotResponse(state=state_message(state))
 
 
+def _scene(_: Session, simulation: Simulation, _request: pb.GetSceneRequest, _wanted: Wanted) -> pb.GetSceneResponse:
+    return pb.GetSceneResponse(gltf=simulation.scene())
+
+
+def _film(
+    _: Session, simulation: Simulation, request: pb.RecordMotionRequest, _wanted: Wanted
+) -> pb.RecordMotionResponse:
+    simulation.record_motion(request.interval_ns, request.max_frames)
+    return pb.RecordMotionResponse()
+
+
+def _motion(
+    _: Session, simulation: Simulation, _request: pb.TakeMotionRequest, _wanted: Wanted
+) -> pb.TakeMotionResponse:
+    gltf, frames = simulation.take_motion()
+    return pb.TakeMotionResponse(gltf=gltf, frames=frames)
+
+
 def _entity(
     _: Session, simulation: Simulation, request: pb.GetEntityStateRequest, _wanted: Wanted
 ) -> pb.GetEntityStateResponse:
@@ -237,6 +264,9 @@ OPERATIONS: dict[str, Operation] = {
     "AdvanceUntil": Operation(_advance, pb.AdvanceUntilRequest, changes=True),
     "TakeSnapshot": Operation(_snapshot, pb.TakeSnapshotRequest, changes=True),
     "RestoreSnapshot": Operation(_restore, pb.RestoreSnapshotRequest, changes=True),
+    "GetScene": Operation(_scene, pb.GetSceneRequest, changes=False),
+    "RecordMotion": Operation(_film, pb.RecordMotionRequest, changes=False),
+    "TakeMotion": Operation(_motion, pb.TakeMotionRequest, changes=False),
     "GetEntityState": Operation(_entity, pb.GetEntityStateRequest, changes=False),
     "SetEntityState": Operation(_put_entity, pb.SetEntityStateRequest, changes=True),
     "SpawnEntity": Operation(_spawn, pb.SpawnEntityRequest, changes=True),

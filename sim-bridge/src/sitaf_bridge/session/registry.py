@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 from sitaf_bridge.errors import InvalidRequest, LimitReached, NoSuchSession
 from sitaf_bridge.session.session import Session
+from sitaf_bridge.session.statistics import Statistics
 from sitaf_bridge.world.world import World
 
 MAX_LEASE_S = 24 * 3600.0
@@ -35,6 +36,7 @@ class Registry:
         self._default_lease_s = default_lease_s
         self._max_sessions = max_sessions
         self._clock = clock
+        self.statistics = Statistics()
         self._entries: dict[str, _Entry] = {}
         # Its lock is reentrant.
         self._changed = threading.Condition()
@@ -52,7 +54,7 @@ class Registry:
         if lease > MAX_LEASE_S:
             raise LimitReached(f"lease: {lease:g} s; the limit is {MAX_LEASE_S:g} s")
         self._refuse_if_full()
-        session = Session(secrets.token_hex(8), world, seed, lease)
+        session = Session(secrets.token_hex(8), world, seed, lease, self.statistics)
         with self._changed:
             self._refuse_if_full()
             self._entries[session.id] = _Entry(session, self._clock() + lease)
@@ -84,6 +86,11 @@ class Registry:
         """How many sessions are open."""
         with self._changed:
             return len(self._entries)
+
+    def models(self) -> int:
+        """How many compiled models the open sessions hold."""
+        with self._changed:
+            return len({entry.session.model_identity for entry in self._entries.values()})
 
     def close(self) -> None:
         """Free all sessions."""

@@ -6,6 +6,7 @@ from contextlib import contextmanager
 
 from sitaf_bridge.errors import Cancelled, InvalidRequest, LimitReached, NoSuchSession, TimeWentBack
 from sitaf_bridge.session.recording import Recorder
+from sitaf_bridge.session.statistics import Statistics
 from sitaf_bridge.world.driving.keeping import Kept
 from sitaf_bridge.world.driving.simulation import Simulation
 from sitaf_bridge.world.world import World
@@ -21,17 +22,25 @@ class Session:
     `seed` is of everything random in the session.
     """
 
-    def __init__(self, session_id: str, world: World, seed: int, lease_s: float) -> None:
+    def __init__(
+        self, session_id: str, world: World, seed: int, lease_s: float, statistics: Statistics | None = None
+    ) -> None:
         self.id = session_id
         self.world = world
         self.seed = seed
         self.lease_s = lease_s
         self.recorder: Recorder | None = None
+        self.statistics = statistics or Statistics()
         self._simulation = Simulation(world, seed)
         self._changed = threading.Condition(threading.Lock())
         self._snapshots: dict[str, Kept] = {}
         self._taken = 0
         self._closed = False
+
+    @property
+    def model_identity(self) -> int:
+        """Equal for sessions that share one compiled model."""
+        return self._simulation.model_identity
 
     @contextmanager
     def simulation(self) -> Iterator[Simulation]:

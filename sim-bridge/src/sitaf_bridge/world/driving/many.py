@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from sitaf_bridge.errors import Cancelled, Diverged, InvalidRequest, UnreachableValue
 from sitaf_bridge.world.devices import KINDS, DeviceDeclaration
 from sitaf_bridge.world.driving.batch import BatchRun, can_batch
+from sitaf_bridge.world.driving.checking import check_values, refuse_unknown, steps_in
 from sitaf_bridge.world.driving.simulation import Simulation
 from sitaf_bridge.world.state import WorldState
 from sitaf_bridge.world.world import World
@@ -49,8 +50,8 @@ def prepare_many(
     Row by row bit-identical to Simulation.prepare. Raises InvalidRequest, LimitReached, UnreachableValue, Cancelled.
     """
     simulation = Simulation(world, seed)
-    steps = simulation.steps_in(cases.settle_ns, "settle_ns")
-    _check(world, simulation, cases)
+    steps = steps_in(world, cases.settle_ns, "settle_ns")
+    _check(world, cases)
     devices = _devices(world, cases.devices)
     columns = tuple(f"{d.name}.{field}" for d in devices for field in KINDS[d.kind].fields(d))
     columns += tuple(world.observations)
@@ -135,12 +136,10 @@ def _devices(world: World, names: Sequence[str]) -> tuple[DeviceDeclaration, ...
     return tuple(devices[name] for name in dict.fromkeys(names))
 
 
-def _check(world: World, simulation: Simulation, cases: Cases) -> None:
-    simulation.check({})
+def _check(world: World, cases: Cases) -> None:
     if len(set(cases.names)) != len(cases.names):
         raise InvalidRequest("parameters: a name is given twice")
-    unknown = dict.fromkeys(cases.names, 0.0)
-    simulation.refuse_unknown(unknown)
+    refuse_unknown(world, cases.names)
     low = np.array([world.description.parameters[name].low for name in cases.names])
     high = np.array([world.description.parameters[name].high for name in cases.names])
     with np.errstate(invalid="ignore"):
@@ -149,6 +148,6 @@ def _check(world: World, simulation: Simulation, cases: Cases) -> None:
         row = int(np.flatnonzero(bad.any(axis=1))[0])
         values = dict(zip(cases.names, cases.values[row].tolist(), strict=True))
         try:
-            simulation.check(values)
+            check_values(world, values)
         except (InvalidRequest, UnreachableValue) as error:
             raise type(error)(f"case {row}: {error}") from error

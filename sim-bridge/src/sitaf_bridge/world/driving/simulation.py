@@ -1,28 +1,29 @@
 """One simulation of a world: the only place where time moves and parameters take effect."""
 
 import copy
-import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 
 import mujoco
 import numpy as np
 
-from sitaf_bridge.errors import Cancelled, Diverged, InvalidRequest, LimitReached, UnreachableValue
+from sitaf_bridge.errors import Cancelled, Diverged, InvalidRequest, NotNow, UnreachableValue
 from sitaf_bridge.world.additions import SpawnedEntity
-from sitaf_bridge.world.devices import KNOBS, Command, Reading
+from sitaf_bridge.world.devices import Command, Reading
 from sitaf_bridge.world.devices.camera import CameraBank, Image
 from sitaf_bridge.world.driving import entities
+from sitaf_bridge.world.driving.checking import check_values, refuse_too_many, refuse_unknown, steps_in
 from sitaf_bridge.world.driving.commanding import give
 from sitaf_bridge.world.driving.conditions import Condition, bind_condition
 from sitaf_bridge.world.driving.entities import Motion
+from sitaf_bridge.world.driving.film import Film
 from sitaf_bridge.world.driving.keeping import Kept, digest_of
 from sitaf_bridge.world.parameters.settings import INTEGRATION, Setting
+from sitaf_bridge.world.scene.drawing import draw
 from sitaf_bridge.world.sensing.faults import Fault
 from sitaf_bridge.world.sensing.sensing import Sensing
 from sitaf_bridge.world.state import ResetScope, WorldState
 from sitaf_bridge.world.world import World, load_world
 
-MAX_STEPS = 10_000_000
 # Steps between two looks at whether the caller is still there.
 CHUNK = 2_000
 FATAL = np.array(
@@ -50,6 +51,7 @@ class Simulation:
         self._values: dict[str, float] = {}
         self._step = 0
         self._frozen: str | None = None
+        self._film: Film | None = None
         self._sensing = Sensing(world, seed)
         self._enter(world)
         self._set_back(self._defaults)
@@ -62,6 +64,11 @@ class Simulation:
         return self._state
 
     @property
+    def model_identity(self) -> int:
+        """Equal for simulations that share one compiled model, as long as both are there."""
+        return id(self._model)
+
+    @property
     def time_ns(self) -> int:
         """Simulation time."""
         return self._step * self.world.timestep_ns
@@ -69,13 +76,13 @@ class Simulation:
     def parameters(self, names: Iterable[str] = ()) -> dict[str, float]:
         """The values as last set; of all parameters if no names are given. Raises InvalidRequest."""
         names = list(names) or list(self._values)
-        self.refuse_unknown(names)
+        refuse_unknown(self._pristine, names)
         return {name: self._values[name] for name in names}
 
     def set(self, values: Mapping[str, float]) -> WorldState:
         """Set parameters without moving time."""
         self._refuse_if_frozen()
-        self.check(values)
+        check_values(self._pristine, values)
         return self._all_or_nothing(lambda: self._apply(values))
 
     def write(self, commands: Sequence[Command]) -> WorldState:
@@ -106,8 +113,8 @@ class Simulation:
         self._refuse_if_frozen()
         if steps < 1:
             raise InvalidRequest("steps: must be at least 1")
-        _refuse_too_many(steps)
-        self.check(values or {})
+        refuse_too_many(steps)
+        check_values(self._pristine, values or {})
 
         def stepped() -> None:
             self._apply(values or {})
@@ -120,8 +127,8 @@ class Simulation:
         self, values: Mapping[str, float], settle_ns: int, wanted: Callable[[], bool] = lambda: True
     ) -> WorldState:
         """Reset everything, set parameters (the others to their defaults), and let time settle."""
-        self.check(values)
-        steps = self.steps_in(settle_ns, "settle_ns")
+        check_values(self._pristine, values)
+        steps = steps_in(self._pristine, settle_ns, "settle_ns")
 
         def prepared() -> None:
             self._set_back({**self._defaults, **values})
@@ -134,7 +141,7 @@ class Simulation:
     ) -> tuple[bool, WorldState]:
         """Step until a condition holds or the limit is reached; gives whether it holds."""
         self._refuse_if_frozen()
-        steps = self.steps_in(limit_ns, "limit_ns")
+        steps = steps_in(self._pristine, limit_ns, "limit_ns")
         if steps < 1:
             raise InvalidRequest("limit_ns: must be above 0")
         judge = bind_condition(condition, self.world, self._model)
@@ -153,6 +160,8 @@ class Simulation:
                 mujoco.mj_forward(self._model, self._data)
                 if self._sensing.keeps_past(self._data):
                     self._read()
+                if self._film is not None and self._film.is_due(self._step):
+                    self._observe()
                 met = judge(self._data, self.time_ns, self._read)
 
         state = self._all_or_nothing(advanced)
@@ -188,6 +197,29 @@ class Simulation:
             raise InvalidRequest(f"devices: {device} is not a camera of this world")
         return bank.look(self._model, self._data, device)
 
+    def scene(self) -> bytes:
+        """What the world looks like at the current step, as a GLB. Raises LimitReached."""
+        self._refuse_if_frozen()
+        return draw(self.world, self._model, self._data)[0].content()
+
+    def record_motion(self, interval_ns: int, most: int) -> None:
+        """Note frames from now on; an interval of 0 ends that. Raises InvalidRequest."""
+        interval = steps_in(self._pristine, interval_ns, "interval_ns")
+        if most == 1:
+            raise InvalidRequest("max_frames: 1 is no motion; 2 at least, or 0 for the default")
+        self._film = Film(interval, most, self.world) if interval else None
+        if self._film is not None and self._frozen is None:
+            self._film.look(self.world, self._data, self._state)
+
+    def take_motion(self) -> tuple[bytes, int]:
+        """What was noted, as a GLB, and the count of its frames. Raises NotNow, LimitReached."""
+        self._refuse_if_frozen()
+        if self._film is None:
+            raise NotNow("no motion is recorded in this session; call RecordMotion first")
+        taken = self._film.take(self.world, self._model, self._data, self._state)
+        self._film.look(self.world, self._data, self._state)
+        return taken
+
     def entity(self, name: str) -> Motion:
         """Where a body is, and how it moves. Raises InvalidRequest."""
         self._refuse_if_frozen()
@@ -218,35 +250,6 @@ class Simulation:
             raise InvalidRequest(f"entity: {name!r} was not spawned; spawned entities: {there}")
         world = load_world(self.world.source, left) if left else self._pristine
         return self._all_or_nothing(lambda: self._move_to(world))
-
-    def steps_in(self, duration_ns: int, shown: str) -> int:
-        """Nanoseconds as steps, rounded up. Raises InvalidRequest, LimitReached."""
-        if duration_ns < 0:
-            raise InvalidRequest(f"{shown}: {duration_ns} is negative")
-        steps = -(-duration_ns // self.world.timestep_ns)
-        _refuse_too_many(steps)
-        return steps
-
-    def check(self, values: Mapping[str, float]) -> None:
-        """Raises InvalidRequest, UnreachableValue for values that cannot be set."""
-        self.refuse_unknown(values)
-        for name, value in values.items():
-            if not math.isfinite(value):
-                raise InvalidRequest(f"parameter {name}: {value} is not a finite number")
-        for name, value in values.items():
-            parameter = self.world.description.parameters[name]
-            if not parameter.low <= value <= parameter.high:
-                raise UnreachableValue(
-                    f"parameter {name}: {value:g} {parameter.unit} is outside its range "
-                    f"[{parameter.low:g}, {parameter.high:g}]"
-                )
-
-    def refuse_unknown(self, names: Iterable[str]) -> None:
-        """Raises InvalidRequest for names that are not parameters."""
-        unknown = [name for name in names if name not in self._defaults]
-        if unknown:
-            known = ", ".join(self._defaults) or "none"
-            raise InvalidRequest(f"unknown parameter {', '.join(unknown)}; parameters of this world: {known}")
 
     def _refuse_if_frozen(self) -> None:
         if self._frozen is not None:
@@ -304,9 +307,11 @@ class Simulation:
             self._enter(self._pristine)
         mujoco.mj_resetData(self._model, self._data)
         self._sensing.reset()
+        if self._film is not None:
+            self._film.restart()
         self._step = 0
         self._frozen = None
-        self._set_knobs()
+        self._sensing.set_knobs(self._model, self._data)
         self._apply(values)
 
     def _set_state_back(self) -> None:
@@ -314,16 +319,8 @@ class Simulation:
         mujoco.mj_resetData(self._model, self._data)
         self._data.time = time
         self._sensing.forget()
-        self._set_knobs()
+        self._sensing.set_knobs(self._model, self._data)
         self._apply(dict(self._values))
-
-    def _set_knobs(self) -> None:
-        """Noise, delay and level of the devices as declared."""
-        for device in self.world.description.devices.values():
-            for knob in KNOBS:
-                value = getattr(device, knob)
-                if value:
-                    self._data.userdata[device.address(self._model, knob)] = value
 
     def _apply(self, values: Mapping[str, float]) -> None:
         """Direct settings first, then the solved ones, which depend on them; each in the order of declaration."""
@@ -342,26 +339,28 @@ class Simulation:
         self._values.update(values)
 
     def _run(self, steps: int, wanted: Callable[[], bool]) -> None:
-        left = steps
+        left, film = steps, self._film
         every = left > 0 and self._sensing.keeps_past(self._data)
-        if every:
-            mujoco.mj_forward(self._model, self._data)
-            self._read()
+        if left > 0 and (every or film is not None):
+            self._observe()
         while left > 0:
             if not wanted():
                 raise Cancelled("the caller went away; the step was undone")
-            for _ in range(min(left, CHUNK)) if every else ():
-                mujoco.mj_step(self._model, self._data)
-                mujoco.mj_forward(self._model, self._data)
-                self._step += 1
-                self._read()
-            chunk = min(left, CHUNK)
-            if not every:
+            chunk = min(left, CHUNK, CHUNK if film is None else film.steps_to_next(self._step))
+            if every:
+                for _ in range(chunk):
+                    mujoco.mj_step(self._model, self._data)
+                    mujoco.mj_forward(self._model, self._data)
+                    self._step += 1
+                    self._read()
+            else:
                 mujoco.mj_step(self._model, self._data, chunk)
                 self._step += chunk
             left -= chunk
             if left > 0 and self._diverged():
                 return
+            if left > 0 and film is not None:
+                self._observe()
 
     def _diverged(self) -> bool:
         return any(self._warnings.take(FATAL).tolist())
@@ -379,18 +378,16 @@ class Simulation:
 
     def _observe(self) -> WorldState:
         mujoco.mj_forward(self._model, self._data)
-        return WorldState(
+        state = WorldState(
             declared=self.world.description,
             step=self._step,
             time_ns=self.time_ns,
             readings=self._read(),
             observations={name: o.measure(self._data) for name, o in self.world.observations.items()},
         )
+        if self._film is not None:
+            self._film.look(self.world, self._data, state)
+        return state
 
     def _read(self) -> tuple[Reading, ...]:
         return self._sensing.read(self._model, self._data, self._step)
-
-
-def _refuse_too_many(steps: int) -> None:
-    if steps > MAX_STEPS:
-        raise LimitReached(f"{steps} steps in one call; the limit is {MAX_STEPS}")

@@ -30,6 +30,14 @@ class Sensing:
         self._faults = {}
         self._past = {}
 
+    def set_knobs(self, model: mujoco.MjModel, data: mujoco.MjData) -> None:
+        """Noise, delay and level of the devices as declared, in data that were reset."""
+        for device in self.world.description.devices.values():
+            for knob in KNOBS:
+                value = getattr(device, knob)
+                if value:
+                    data.userdata[device.address(model, knob)] = value
+
     def forget(self) -> None:
         """Forget past readings, as when time is put back."""
         self._past = {}

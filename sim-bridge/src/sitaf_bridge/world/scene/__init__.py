@@ -1,0 +1,1 @@
+"""Worlds and motions as binary glTF, for others to draw."""
