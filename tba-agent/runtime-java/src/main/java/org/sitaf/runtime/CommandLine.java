@@ -13,14 +13,22 @@ import org.jspecify.annotations.Nullable;
  * @param bridge gRPC target of the simulator; null where the component needs no simulation
  * @param world the world description; null exactly where there is no simulator
  * @param from the number of the first case to run; 0 for all
+ * @param recording where a file of each case goes that shows what moved in it; null for none
  */
 record CommandLine(
-    Path suite, Path results, @Nullable String bridge, @Nullable Path world, long seed, int from) {
+    Path suite,
+    Path results,
+    @Nullable String bridge,
+    @Nullable Path world,
+    long seed,
+    int from,
+    @Nullable Path recording) {
   static final String USAGE =
-      "--suite FILE --results FILE [--bridge TARGET --world FILE.world.yaml] [--seed N] [--from NO]";
+      "--suite FILE --results FILE [--bridge TARGET --world FILE.world.yaml] [--seed N] [--from NO]"
+          + " [--recording FOLDER]";
 
   private static final Set<String> OPTIONS =
-      Set.of("--suite", "--results", "--bridge", "--world", "--seed", "--from");
+      Set.of("--suite", "--results", "--bridge", "--world", "--seed", "--from", "--recording");
   private static final long DEFAULT_SEED = 1;
 
   /**
@@ -48,7 +56,8 @@ record CommandLine(
         given.get("--bridge"),
         world == null ? null : path(given, "--world"),
         number(given, "--seed", DEFAULT_SEED),
-        Math.toIntExact(Math.min(number(given, "--from", 0), Integer.MAX_VALUE)));
+        Math.toIntExact(Math.min(number(given, "--from", 0), Integer.MAX_VALUE)),
+        given.containsKey("--recording") ? path(given, "--recording") : null);
   }
 
   private static Path path(Map<String, String> given, String option) {

@@ -37,6 +37,10 @@ public final class TestRun {
         bridge == null || world == null
             ? null
             : Simulation.open(bridge, world, command.seed(), stopwatch);
+    Path recording = command.recording();
+    if (recording != null && simulation != null) {
+      simulation.record(recording);
+    }
   }
 
   /**
@@ -135,6 +139,9 @@ public final class TestRun {
         results.save(result);
       }
     } finally {
+      if (simulation != null) {
+        closing("recording case " + testCase.no(), () -> simulation.saveMotion(testCase.no()));
+      }
       closing("closing the component after case " + testCase.no(), driver::endCase);
     }
   }

@@ -14,6 +14,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
 import java.util.logging.Level;
 import java.util.logging.Logger;
+import org.jspecify.annotations.Nullable;
 import org.sitaf.runtime.Hardware;
 import org.sitaf.runtime.Stopwatch;
 import org.sitaf.sim.v1.CreateSessionRequest;
@@ -23,10 +24,12 @@ import org.sitaf.sim.v1.DeviceCommand;
 import org.sitaf.sim.v1.PrepareRequest;
 import org.sitaf.sim.v1.ReadDevicesRequest;
 import org.sitaf.sim.v1.Reading;
+import org.sitaf.sim.v1.RecordMotionRequest;
 import org.sitaf.sim.v1.RenewSessionRequest;
 import org.sitaf.sim.v1.SimulationControlGrpc;
 import org.sitaf.sim.v1.SimulationControlGrpc.SimulationControlBlockingStub;
 import org.sitaf.sim.v1.StepSimulationRequest;
+import org.sitaf.sim.v1.TakeMotionRequest;
 import org.sitaf.sim.v1.VirtualHardwareGrpc;
 import org.sitaf.sim.v1.VirtualHardwareGrpc.VirtualHardwareBlockingStub;
 import org.sitaf.sim.v1.WorldState;
@@ -42,6 +45,9 @@ public final class Simulation implements AutoCloseable {
 
   private static final int MAX_MESSAGE_BYTES = 64 << 20;
 
+  /** Simulation time between two frames of a recording: 50 a second. */
+  private static final long FRAME_NANOS = 20_000_000;
+
   /**
    * Netty warns on every Unix socket that it has no keep-alive; the tester's log is not the place
    * for it. The field keeps the logger, which would lose its level when collected.
@@ -55,6 +61,7 @@ public final class Simulation implements AutoCloseable {
   private final SimulatedHardware hardware;
   private final Lease lease;
   private volatile FrozenWorld world;
+  private @Nullable Recording recording;
 
   private Simulation(ManagedChannel channel, CreateSessionResponse created, Stopwatch stopwatch) {
     this.channel = channel;
@@ -166,6 +173,42 @@ public final class Simulation implements AutoCloseable {
           "the world has no observation '" + name + "'; it has " + world.observations().keySet());
     }
     return value;
+  }
+
+  /**
+   * Records from now on what moves, for {@link #saveMotion}.
+   *
+   * @param folder where the files go; it is made
+   * @throws IOException when it cannot be made
+   */
+  public void record(Path folder) throws IOException {
+    recording = new Recording(folder);
+    RecordMotionRequest request =
+        RecordMotionRequest.newBuilder().setSessionId(session).setIntervalNs(FRAME_NANOS).build();
+    ask("recording", () -> stub(channel).recordMotion(request));
+  }
+
+  /**
+   * Saves what moved since the case was prepared, as the file {@code NO.glb} of the folder: binary
+   * glTF, complete in itself. Does nothing where nothing is recorded, the folder holds 64 MiB, or
+   * the simulation diverged.
+   *
+   * @param no number of the case
+   * @throws IOException when it cannot be written
+   */
+  public void saveMotion(int no) throws IOException {
+    Recording films = recording;
+    if (films == null || films.isFull()) {
+      return;
+    }
+    TakeMotionRequest request = TakeMotionRequest.newBuilder().setSessionId(session).build();
+    try {
+      films.save(no, stub(channel).takeMotion(request).getGltf().toByteArray());
+    } catch (StatusRuntimeException e) {
+      if (e.getStatus().getCode() != Status.Code.DATA_LOSS) {
+        throw failure("taking the recording of case " + no, e);
+      }
+    }
   }
 
   /** Frees the session; a simulator that is gone has done so already. */

@@ -3,6 +3,7 @@ package org.sitaf.runtime.simulation;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import com.google.protobuf.ByteString;
 import com.google.protobuf.Duration;
 import io.grpc.Grpc;
 import io.grpc.InsecureServerCredentials;
@@ -39,11 +40,15 @@ import org.sitaf.sim.v1.PrepareRequest;
 import org.sitaf.sim.v1.PrepareResponse;
 import org.sitaf.sim.v1.Range;
 import org.sitaf.sim.v1.Reading;
+import org.sitaf.sim.v1.RecordMotionRequest;
+import org.sitaf.sim.v1.RecordMotionResponse;
 import org.sitaf.sim.v1.RenewSessionRequest;
 import org.sitaf.sim.v1.RenewSessionResponse;
 import org.sitaf.sim.v1.SimulationControlGrpc;
 import org.sitaf.sim.v1.StepSimulationRequest;
 import org.sitaf.sim.v1.StepSimulationResponse;
+import org.sitaf.sim.v1.TakeMotionRequest;
+import org.sitaf.sim.v1.TakeMotionResponse;
 import org.sitaf.sim.v1.WorldDescription;
 import org.sitaf.sim.v1.WorldState;
 
@@ -63,6 +68,7 @@ class SimulationTest {
     final List<String> calls = Collections.synchronizedList(new ArrayList<>());
     volatile CreateSessionRequest created = CreateSessionRequest.getDefaultInstance();
     volatile Status refusal = Status.OK;
+    volatile int motion = 3;
     private double distance = 5;
     private long steps;
 
@@ -97,6 +103,21 @@ class SimulationTest {
         StepSimulationRequest request, StreamObserver<StepSimulationResponse> out) {
       steps += request.getSteps();
       answer(out, StepSimulationResponse.newBuilder().setState(state()).build());
+    }
+
+    @Override
+    public void recordMotion(
+        RecordMotionRequest request, StreamObserver<RecordMotionResponse> out) {
+      calls.add("record every " + request.getIntervalNs());
+      answer(out, RecordMotionResponse.getDefaultInstance());
+    }
+
+    @Override
+    public void takeMotion(TakeMotionRequest request, StreamObserver<TakeMotionResponse> out) {
+      calls.add("take");
+      answer(
+          out,
+          TakeMotionResponse.newBuilder().setGltf(ByteString.copyFrom(new byte[motion])).build());
     }
 
     @Override
@@ -265,6 +286,40 @@ class SimulationTest {
           .isInstanceOf(IllegalArgumentException.class)
           .hasMessage("the robot has no device 'ir8'; it has [cam, ir1]");
       assertThatThrownBy(() -> hardware.rangeSensor("cam")).hasMessageContaining("of kind camera");
+    }
+  }
+
+  @Test
+  void savesTheMotionOfEachCaseUntilTheFolderIsFull() throws IOException {
+    Path films = folder.resolve("films");
+    try (Simulation simulation = open()) {
+      simulation.saveMotion(1);
+      assertThat(films).doesNotExist();
+      simulation.record(films);
+      service.motion = 40 << 20;
+      simulation.saveMotion(2);
+      simulation.saveMotion(3);
+      simulation.saveMotion(4);
+    }
+
+    assertThat(films.resolve("2.glb")).hasSize(40 << 20);
+    assertThat(films).isDirectoryNotContaining(file -> !file.endsWith("2.glb"));
+    assertThat(service.calls).containsOnlyOnce("record every 20000000");
+    assertThat(service.calls.stream().filter("take"::equals)).hasSize(2);
+  }
+
+  @Test
+  void aCaseWhoseSimulationDivergedHasNoMotion() throws IOException {
+    try (Simulation simulation = open()) {
+      simulation.record(folder.resolve("films"));
+      service.refusal = Status.DATA_LOSS.withDescription("it diverged");
+      simulation.saveMotion(1);
+      assertThat(folder.resolve("films")).isEmptyDirectory();
+      service.refusal = Status.UNAVAILABLE;
+      assertThatThrownBy(() -> simulation.saveMotion(2))
+          .isInstanceOf(SimulationException.class)
+          .hasMessageContaining("case 2");
+      service.refusal = Status.OK;
     }
   }
 }
