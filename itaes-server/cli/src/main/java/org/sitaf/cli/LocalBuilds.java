@@ -34,7 +34,7 @@ final class LocalBuilds implements AutoCloseable {
   private final AtomicReference<@Nullable BuildRun> current = new AtomicReference<>();
   private final OnExit onExit = new OnExit(this::cancel);
 
-  LocalBuilds(Installation installation, SandboxMode sandbox) throws IOException {
+  LocalBuilds(Installation installation, SandboxMode sandbox, boolean coverage) throws IOException {
     Sandbox opened = sandbox.open();
     directory = Files.createTempDirectory("sitaf-run-");
     settings =
@@ -42,6 +42,7 @@ final class LocalBuilds implements AutoCloseable {
             Simulator.started(installation.bridgeCommand(), directory.resolve("simulator")),
             new Toolchains(new ToolchainPlaces(installation.runtimes(), installation.cache())),
             opened,
+            coverage,
             "");
   }
 

@@ -82,6 +82,11 @@ final class RunCommand implements Callable<Integer> {
               + " off; default: ${DEFAULT-VALUE}.")
   private SandboxMode sandbox = SandboxMode.AUTO;
 
+  @Option(
+      names = "--no-coverage",
+      description = "Does not record which lines of the component are reached.")
+  private boolean noCoverage;
+
   @Option(names = "--table", description = "Prints every case, not only those that did not pass.")
   private boolean table;
 
@@ -93,7 +98,7 @@ final class RunCommand implements Callable<Integer> {
     Sitaf.print(activity.warnings(), err);
     List<TestResult> results = new ArrayList<>();
     int exitCode = 0;
-    try (LocalBuilds builds = new LocalBuilds(Installation.current(), sandbox)) {
+    try (LocalBuilds builds = new LocalBuilds(Installation.current(), sandbox, !noCoverage)) {
       err.println("sandbox: " + builds.sandbox());
       err.flush();
       for (TestModel model : models(activity)) {

@@ -88,6 +88,11 @@ public final class AgentMain implements Callable<Integer> {
   private SandboxMode sandbox = SandboxMode.AUTO;
 
   @Option(
+      names = "--no-coverage",
+      description = "Builds do not record which lines of the component they reach.")
+  private boolean noCoverage;
+
+  @Option(
       names = "--stop-with-stdin",
       description = "Ends when standard input closes, so that the agent goes with its launcher.")
   private boolean stopWithStdin;
@@ -171,7 +176,8 @@ public final class AgentMain implements Callable<Integer> {
         slots,
         bridge == null ? words(bridgeCommand) : List.of(),
         bridge,
-        sandbox);
+        sandbox,
+        !noCoverage);
   }
 
   /**

@@ -103,6 +103,7 @@ public final class TestRun {
       SuiteReader suite, int from, Function<TestRun, ? extends SuiteDriver<?>> factory)
       throws IOException {
     CurrentHardware.set(hardware().orElse(null));
+    CoverageRecord.begin();
     try (Simulation session = simulation) {
       SuiteDriver<?> driver = factory.apply(this);
       Optional<TestCase> next = suite.next();

@@ -74,7 +74,12 @@ public final class ResultAssembler {
       all.add(result == null ? notExecuted(testCase, missing) : result);
     }
     return new TestResult(
-        model.name(), provenance, Statistics.of(all, model.judges()), suite.parameters(), all);
+        model.name(),
+        provenance,
+        Statistics.of(all, model.judges()),
+        suite.parameters(),
+        all,
+        null);
   }
 
   /** A case of the suite that brought no result. */

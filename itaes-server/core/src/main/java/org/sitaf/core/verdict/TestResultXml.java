@@ -51,13 +51,20 @@ public final class TestResultXml {
         }
       }
     }
+    Coverage coverage = null;
+    try {
+      coverage = CoverageXml.read(root.getCoverageList());
+    } catch (IllegalArgumentException e) {
+      diagnostics.error(file, 0, "coverage_list", String.valueOf(e.getMessage()));
+    }
     diagnostics.throwIfErrors();
     return new TestResult(
         root.getName() == null ? "" : root.getName(),
         read(root.getProvenance()),
         read(root.getSummary(), file),
         TestSuiteXml.read(root.getCaseParamInfo(), file, diagnostics),
-        cases);
+        cases,
+        coverage);
   }
 
   /**
@@ -79,12 +86,18 @@ public final class TestResultXml {
     root.setName(result.name());
     root.setProvenance(write(result.provenance()));
     root.setSummary(write(result.summary()));
+    root.getSummary().setCoverage(CoverageXml.summary(result.coverage()));
+    root.setCoverageList(CoverageXml.write(result.coverage()));
     root.setCaseParamInfo(TestSuiteXml.write(result.parameters()));
     TestResultListType list = new TestResultListType();
     result.cases().forEach(c -> list.getTestResults().add(write(c)));
     root.setTestResultList(list);
     XmlDocuments.write(
-        ROOT, TestResultDocument.class, root, Set.of("test_result", "param", "provenance"), out);
+        ROOT,
+        TestResultDocument.class,
+        root,
+        Set.of("test_result", "param", "provenance", "line"),
+        out);
   }
 
   private static CaseResult read(TestResultType given) {
@@ -216,11 +229,6 @@ public final class TestResultXml {
       time.setStandardDeviation(summary.times().standardDeviation());
     }
     written.setProcessingTime(time);
-    // Empty until a coverage tool fills it, as in Fig. 17 of the paper.
-    SummaryType.Coverage coverage = new SummaryType.Coverage();
-    coverage.setStatement("");
-    coverage.setBranch("");
-    written.setCoverage(coverage);
     return written;
   }
 

@@ -102,9 +102,13 @@ public final class BuildRun {
 
       listener.stage(BuildStage.RUNNING);
       ResultAssembler assembler = new ResultAssembler(application.model(), application.suite());
-      Execution execution = execute(compiled, prepared, assembler, log);
+      ExecutionRequest request = request(compiled, prepared);
+      Execution execution =
+          TestApplicationExecutor.DEFAULT.execute(
+              request, log, result -> announce(assembler.judge(result)));
 
-      return new BuildOutcome.Completed(report(execution, assembler, prepared.bridge(), started));
+      TestResult result = report(execution, assembler, prepared.bridge(), started);
+      return new BuildOutcome.Completed(withCoverage(result, compiled, request, log));
     } catch (CompilationException e) {
       return new BuildOutcome.CompilationFailed(String.valueOf(e.getMessage()), e.diagnostics());
     } catch (InvalidInputException e) {
@@ -194,26 +198,37 @@ public final class BuildRun {
   private CompiledApplication compile()
       throws CompilationException, IOException, InterruptedException {
     Toolchain toolchain = toolchain(application.activity().profile().harness());
-    return new TestApplicationCompiler(toolchain, settings.sandbox())
+    return new TestApplicationCompiler(toolchain, settings.coverage(), settings.sandbox())
         .compile(application, applicationDirectory(), directory.resolve("compilation"));
   }
 
-  private Execution execute(
-      CompiledApplication compiled, Prepared prepared, ResultAssembler assembler, BuildLog log)
-      throws IOException, InterruptedException {
+  private ExecutionRequest request(CompiledApplication compiled, Prepared prepared)
+      throws IOException {
     Path execution = Files.createDirectories(directory.resolve("execution"));
-    ExecutionRequest request =
-        new ExecutionRequest(
-            compiled,
-            settings.sandbox(),
-            applicationDirectory(),
-            application.suite(),
-            applicationDirectory().resolve("suite.xml"),
-            execution,
-            prepared.world(),
-            application.activity().profile().limits());
-    return TestApplicationExecutor.DEFAULT.execute(
-        request, log, result -> announce(assembler.judge(result)));
+    return new ExecutionRequest(
+        compiled,
+        settings.sandbox(),
+        applicationDirectory(),
+        application.suite(),
+        applicationDirectory().resolve("suite.xml"),
+        execution,
+        prepared.world(),
+        application.activity().profile().limits());
+  }
+
+  /** Tells what was reached of the component; a tool that fails costs only this. */
+  private TestResult withCoverage(
+      TestResult result, CompiledApplication compiled, ExecutionRequest request, BuildLog log)
+      throws InterruptedException {
+    if (!compiled.recordsCoverage()) {
+      return result;
+    }
+    try {
+      return compiled.coverage(request.coverage()).map(result::with).orElse(result);
+    } catch (IOException | IllegalArgumentException e) {
+      log.remark("the coverage of the component is not known: " + e.getMessage());
+      return result;
+    }
   }
 
   private CaseResult announce(CaseResult result) {

@@ -10,10 +10,12 @@ import org.sitaf.agent.toolchain.Toolchains;
  *
  * @param simulator shared by the builds; the caller closes it
  * @param sandbox in which tools and test applications run
+ * @param coverage whether builds say which lines of the component they reached, where the
+ *     language's tool is there
  * @param agent name and version of the agent for the provenance; empty for a local run
  */
 public record BuildSettings(
-    Simulator simulator, Toolchains toolchains, Sandbox sandbox, String agent) {
+    Simulator simulator, Toolchains toolchains, Sandbox sandbox, boolean coverage, String agent) {
   public BuildSettings {
     Objects.requireNonNull(simulator);
     Objects.requireNonNull(toolchains);

@@ -14,9 +14,10 @@ import org.sitaf.core.harness.TestApplication;
 /**
  * Compiles test applications with the toolchain of their language.
  *
+ * @param coverage whether processes are to record which lines of the component they reach
  * @param sandbox in which the toolchain's tools run
  */
-public record TestApplicationCompiler(Toolchain toolchain, Sandbox sandbox) {
+public record TestApplicationCompiler(Toolchain toolchain, boolean coverage, Sandbox sandbox) {
   private static final Duration LIMIT = Duration.ofMinutes(2);
 
   /**
@@ -37,6 +38,7 @@ public record TestApplicationCompiler(Toolchain toolchain, Sandbox sandbox) {
             Files.createDirectories(directory.resolve("compiled")),
             Files.createDirectories(directory.resolve("scratch")),
             LIMIT,
+            coverage,
             sandbox);
     toolchain.compile(compilation);
     return toolchain.open(compilation);

@@ -1,5 +1,7 @@
 package org.sitaf.agent.executor;
 
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
@@ -36,6 +38,15 @@ public record ExecutionRequest(
     Objects.requireNonNull(limits);
   }
 
+  /** Where processes leave what they reached of the component, a folder a process. */
+  public Path coverage() {
+    return directory.resolve("coverage");
+  }
+
+  Path newCoverageFolder() throws IOException {
+    return Files.createTempDirectory(Files.createDirectories(coverage()), "process");
+  }
+
   /**
    * The simulation of the activity.
    *
@@ -50,8 +61,8 @@ public record ExecutionRequest(
     /**
      * A gRPC target.
      *
-     * @throws java.io.IOException when no simulator answers and none can be started
+     * @throws IOException when no simulator answers and none can be started
      */
-    String get() throws java.io.IOException, InterruptedException;
+    String get() throws IOException, InterruptedException;
   }
 }

@@ -65,8 +65,9 @@ final class HarnessProcess implements AutoCloseable {
     CompiledApplication application = request.application();
     Path working = Files.createDirectories(request.directory().resolve("run"));
     Path temporary = Files.createDirectories(request.directory().resolve("tmp"));
+    Path coverage = application.recordsCoverage() ? request.newCoverageFolder() : null;
     int memoryMiB = request.limits().memoryMiB();
-    ProcessPlace place = new ProcessPlace(temporary, null, memoryMiB);
+    ProcessPlace place = new ProcessPlace(temporary, coverage, memoryMiB);
     List<String> command = new ArrayList<>(application.command(place));
     World world = request.world();
     SimulatorAddress simulator =
@@ -81,6 +82,9 @@ final class HarnessProcess implements AutoCloseable {
             .reading(application.readable())
             .reading(List.of(request.files()))
             .writing(List.of(results));
+    if (coverage != null) {
+      confinement = confinement.writing(List.of(coverage));
+    }
     if (simulator != null) {
       confinement = simulator.grantedTo(confinement);
     }

@@ -18,6 +18,7 @@ import org.sitaf.agent.sandbox.SandboxMode;
  * @param bridgeCommand starts a simulation bridge of the agent's own; empty for none
  * @param bridge gRPC target of a running bridge; null for none
  * @param sandbox whether components and tools run in one
+ * @param coverage whether builds say which lines of the component they reached
  */
 public record AgentSettings(
     String server,
@@ -27,7 +28,8 @@ public record AgentSettings(
     int slots,
     List<String> bridgeCommand,
     @Nullable String bridge,
-    SandboxMode sandbox) {
+    SandboxMode sandbox,
+    boolean coverage) {
   private static final Pattern NAME = Pattern.compile("[A-Za-z0-9._-]{1,100}");
   private static final int MAX_SLOTS = 256;
 

@@ -61,7 +61,11 @@ public final class TestBuildAgent implements AutoCloseable {
     this.upload = new ResultUpload(directory.spool(), calls);
     BuildSettings builds =
         new BuildSettings(
-            simulator, toolchains, sandbox, settings.name() + " " + settings.version());
+            simulator,
+            toolchains,
+            sandbox,
+            settings.coverage(),
+            settings.name() + " " + settings.version());
     this.attempts =
         new Attempts(
             settings.slots(),

@@ -15,6 +15,7 @@ import org.sitaf.core.harness.TestApplication;
  *     so nothing in it may hold its own path
  * @param scratch a folder for what nobody needs afterwards, absolute
  * @param atMost a compilation that takes longer is given up
+ * @param coverage whether processes are to record which lines of the component they reach
  * @param sandbox in which tools run
  */
 public record Compilation(
@@ -23,6 +24,7 @@ public record Compilation(
     Path output,
     Path scratch,
     Duration atMost,
+    boolean coverage,
     Sandbox sandbox) {
   public Compilation {
     Objects.requireNonNull(application);

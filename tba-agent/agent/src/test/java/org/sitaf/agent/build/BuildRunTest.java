@@ -148,6 +148,7 @@ class BuildRunTest {
             new Toolchains(
                 new ToolchainPlaces(directory.resolve("runtimes"), directory.resolve("cache"))),
             Sandbox.none(),
+            false,
             "");
     BuildOutcome outcome =
         new BuildRun(

@@ -47,7 +47,7 @@ class GeneratedApplicationTest {
 
   private BuildOutcome build(TestApplication application, Simulator simulator) throws IOException {
     BuildSettings settings =
-        new BuildSettings(simulator, EchoActivity.toolchains(), SandboxMode.AUTO.open(), "");
+        new BuildSettings(simulator, EchoActivity.toolchains(), SandboxMode.AUTO.open(), true, "");
     return new BuildRun(application, directory.resolve("build"), settings, recording).run();
   }
 
@@ -115,7 +115,8 @@ class GeneratedApplicationTest {
         };
     try (Simulator simulator = Simulator.started(RealBridge.command(), directory)) {
       BuildSettings settings =
-          new BuildSettings(simulator, EchoActivity.toolchains(), SandboxMode.AUTO.open(), "");
+          new BuildSettings(
+              simulator, EchoActivity.toolchains(), SandboxMode.AUTO.open(), true, "");
       String component = "component/org/sitaf/examples/ir/InfraredSensor.java";
       String source = infrared(Map.of()).activity().files().text(component).orElseThrow();
       TestApplication slow =

@@ -48,7 +48,7 @@ class TestBuildAgentTest {
   private void startAgent() throws IOException {
     AgentSettings settings =
         new AgentSettings(
-            server.address(), "tester", "1", directory, 1, List.of(), null, SandboxMode.AUTO);
+            server.address(), "tester", "1", directory, 1, List.of(), null, SandboxMode.AUTO, true);
     agent = new TestBuildAgent(settings, EchoActivity.toolchains(), version -> {});
   }
 

@@ -156,6 +156,6 @@ public final class EchoActivity {
 
   /** This machine, without a simulator. */
   public static BuildSettings settings(Sandbox sandbox) {
-    return new BuildSettings(Simulator.none(), toolchains(), sandbox, "tester 1");
+    return new BuildSettings(Simulator.none(), toolchains(), sandbox, true, "tester 1");
   }
 }

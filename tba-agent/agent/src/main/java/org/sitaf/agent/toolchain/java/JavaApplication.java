@@ -1,20 +1,25 @@
 package org.sitaf.agent.toolchain.java;
 
 import java.io.File;
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.toolchain.CompiledApplication;
 import org.sitaf.agent.toolchain.ProcessPlace;
+import org.sitaf.core.verdict.Coverage;
 
 /**
  * A test application on a JVM.
  *
  * @param classPath runtime, libraries, and last the folder of classes; absolute
+ * @param recording null where nothing is recorded
  */
-record JavaApplication(List<Path> classPath, String mainClass) implements CompiledApplication {
+record JavaApplication(List<Path> classPath, String mainClass, @Nullable JavaCoverage recording)
+    implements CompiledApplication {
   private static final Path JAVA_HOME = Path.of(System.getProperty("java.home"));
 
   /** Metaspace, code, stacks and the collector's own. */
@@ -40,6 +45,11 @@ record JavaApplication(List<Path> classPath, String mainClass) implements Compil
     command.add("-Dfile.encoding=UTF-8");
     command.add("-Dsun.stdout.encoding=UTF-8");
     command.add("-Dsun.stderr.encoding=UTF-8");
+    if (recording != null && place.coverage() != null) {
+      command.add(recording.flag(place.coverage()));
+      // Tells the runtime to save the record now and then, in case that the process is killed.
+      command.add("-Dsitaf.coverage=true");
+    }
     command.add("-cp");
     command.add(
         classPath.stream().map(Path::toString).collect(Collectors.joining(File.pathSeparator)));
@@ -51,12 +61,25 @@ record JavaApplication(List<Path> classPath, String mainClass) implements Compil
   public List<Path> readable() {
     List<Path> readable = new ArrayList<>(classPath);
     readable.add(JAVA_HOME);
+    if (recording != null) {
+      readable.add(recording.recorder());
+    }
     return readable;
   }
 
   @Override
   public Optional<String> whereItHangs(String stacks) {
     return ThreadDump.componentStack(stacks);
+  }
+
+  @Override
+  public boolean recordsCoverage() {
+    return recording != null;
+  }
+
+  @Override
+  public Optional<Coverage> coverage(Path data) throws IOException {
+    return recording == null ? Optional.empty() : Optional.of(recording.read(data));
   }
 
   @Override

@@ -18,6 +18,7 @@ import javax.tools.JavaCompiler;
 import javax.tools.StandardJavaFileManager;
 import javax.tools.StandardLocation;
 import javax.tools.ToolProvider;
+import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.toolchain.Compilation;
 import org.sitaf.agent.toolchain.CompilationException;
 import org.sitaf.agent.toolchain.CompiledApplication;
@@ -37,9 +38,11 @@ import org.sitaf.core.harness.TestApplication;
  */
 public final class JavaToolchain implements Toolchain {
   private final List<Path> runtimeJars;
+  private final @Nullable Path recorder;
 
-  private JavaToolchain(List<Path> runtimeJars) {
+  private JavaToolchain(List<Path> runtimeJars, @Nullable Path recorder) {
     this.runtimeJars = List.copyOf(runtimeJars);
+    this.recorder = recorder;
   }
 
   /** Looks whether the Java that runs the agent can compile, and whether the runtime is there. */
@@ -53,7 +56,9 @@ public final class JavaToolchain implements Toolchain {
     }
     try {
       return new Found(
-          new JavaToolchain(RuntimeJars.in(places.runtimes().resolve("runtime-java"))));
+          new JavaToolchain(
+              RuntimeJars.in(places.runtimes().resolve("runtime-java")),
+              RuntimeJars.recorder(places.runtimes().resolve("coverage-java")).orElse(null)));
     } catch (IOException e) {
       return new Missing(
           String.valueOf(e.getMessage()), "install the agent with its runtime folders beside it");
@@ -87,7 +92,12 @@ public final class JavaToolchain implements Toolchain {
     List<Path> classPath = new ArrayList<>(runtimeJars);
     classPath.addAll(libraries(compilation.application(), compilation.activity()));
     classPath.add(compilation.output());
-    return new JavaApplication(classPath, compilation.application().entryPoint());
+    JavaCoverage recording =
+        !compilation.coverage() || recorder == null
+            ? null
+            : JavaCoverage.of(compilation.application(), recorder, compilation.output())
+                .orElse(null);
+    return new JavaApplication(classPath, compilation.application().entryPoint(), recording);
   }
 
   @Override

@@ -4,9 +4,10 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 
-/** What Java test applications link against. */
+/** What Java test applications link against, and what watches them. */
 final class RuntimeJars {
   private RuntimeJars() {}
 
@@ -29,5 +30,15 @@ final class RuntimeJars {
     throw new IOException(
         directory
             + " does not hold the runtime of Java test applications (sitaf-runtime-java-*.jar)");
+  }
+
+  /** The jar that records which lines are reached; empty where the folder has none. */
+  static Optional<Path> recorder(Path directory) throws IOException {
+    if (!Files.isDirectory(directory)) {
+      return Optional.empty();
+    }
+    try (Stream<Path> files = Files.list(directory)) {
+      return files.filter(file -> file.toString().endsWith(".jar")).sorted().findFirst();
+    }
   }
 }

@@ -1,0 +1,95 @@
+package org.sitaf.agent.build;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.sitaf.agent.build.BuildOutcome.Completed;
+import org.sitaf.agent.sandbox.SandboxMode;
+import org.sitaf.agent.testing.EchoActivity;
+import org.sitaf.agent.testing.Recording;
+import org.sitaf.core.verdict.Coverage;
+import org.sitaf.core.verdict.Coverage.Line;
+import org.sitaf.core.verdict.TestResult;
+
+/** Which lines of a component were reached is told with the result. */
+class CoverageTest {
+  private static final String BRANCHING =
+      """
+      package demo;
+
+      public class Component {
+        public int echo(int value) {
+          if (value > 3) {
+            return value;
+          }
+          if (value > 99) {
+            return -1;
+          }
+          %s
+          return value;
+        }
+      }
+      """;
+
+  @TempDir private Path directory;
+
+  private TestResult result(EchoActivity activity, boolean generated) throws IOException {
+    return ((Completed)
+            new BuildRun(
+                    generated ? activity.generated() : activity.application(),
+                    directory.resolve("build"),
+                    EchoActivity.settings(SandboxMode.AUTO.open()),
+                    new Recording())
+                .run())
+        .result();
+  }
+
+  @Test
+  void linesAndBranchesAreToldByFile() throws Exception {
+    TestResult result = result(EchoActivity.withComponent(BRANCHING.formatted("")), false);
+
+    Coverage coverage = result.coverage();
+    assertThat(coverage).isNotNull();
+    assertThat(coverage.files()).hasSize(1);
+    assertThat(coverage.files().get(0).path()).isEqualTo("component/demo/Component.java");
+    assertThat(coverage.files().get(0).lines())
+        .contains(
+            new Line(5, true, 2, 2),
+            new Line(6, true, 0, 0),
+            new Line(8, true, 2, 1),
+            new Line(9, false, 0, 0));
+    assertThat(coverage.branch()).hasValue(75);
+    assertThat(coverage.statement().orElseThrow()).isBetween(80.0, 90.0);
+  }
+
+  @Test
+  void aCrashDoesNotLoseWhatWasReachedBeforeAndAfterIt() throws Exception {
+    String crash = "if (value == 2) { Runtime.getRuntime().halt(9); }";
+    TestResult result = result(EchoActivity.withComponent(BRANCHING.formatted(crash)), false);
+
+    assertThat(result.summary().error()).isEqualTo(1);
+    Coverage coverage = result.coverage();
+    assertThat(coverage).isNotNull();
+    assertThat(coverage.files().get(0).lines()).contains(new Line(6, true, 0, 0));
+  }
+
+  @Test
+  void aHangDoesNotLoseWhatItReached() throws Exception {
+    String hang = "if (value == 3) { while (true) { Thread.onSpinWait(); } }";
+    TestResult result =
+        result(
+            EchoActivity.withComponent(BRANCHING.formatted(hang)).cases(3).caseWallSeconds(1),
+            true);
+
+    assertThat(result.summary().error()).isEqualTo(1);
+    Coverage coverage = result.coverage();
+    assertThat(coverage).isNotNull();
+    assertThat(coverage.files().get(0).lines())
+        .filteredOn(line -> line.number() == 11)
+        .allSatisfy(line -> assertThat(line.reached()).isTrue())
+        .hasSize(1);
+  }
+}

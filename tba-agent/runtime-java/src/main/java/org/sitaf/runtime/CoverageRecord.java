@@ -1,0 +1,54 @@
+package org.sitaf.runtime;
+
+import java.lang.reflect.Method;
+
+/**
+ * Saves now and then which lines of the component were reached. The recorder itself does so only
+ * when the JVM ends in good order, and a component may see to it that it does not.
+ */
+final class CoverageRecord implements Runnable {
+  /** Set by whoever started the recorder with this JVM. */
+  private static final String WANTED = "sitaf.coverage";
+
+  private static final long FIRST_MS = 50;
+  private static final long LONGEST_MS = 2000;
+
+  private final Object recorder;
+  private final Method dump;
+
+  private CoverageRecord(Object recorder, Method dump) {
+    this.recorder = recorder;
+    this.dump = dump;
+  }
+
+  /** Begins to save, where a recorder is there. */
+  static void begin() {
+    if (!Boolean.getBoolean(WANTED)) {
+      return;
+    }
+    try {
+      Class<?> entry = Class.forName("org.jacoco.agent.rt.RT");
+      Object recorder = entry.getMethod("getAgent").invoke(null);
+      Method dump = Class.forName("org.jacoco.agent.rt.IAgent").getMethod("dump", boolean.class);
+      Thread thread = new Thread(new CoverageRecord(recorder, dump), "sitaf-coverage");
+      thread.setDaemon(true);
+      thread.start();
+    } catch (ReflectiveOperationException e) {
+      System.err.println("sitaf: coverage is saved only at the end: " + e);
+    }
+  }
+
+  @Override
+  public void run() {
+    try {
+      for (long pause = FIRST_MS; ; pause = Math.min(2 * pause, LONGEST_MS)) {
+        Thread.sleep(pause);
+        dump.invoke(recorder, false);
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    } catch (ReflectiveOperationException e) {
+      System.err.println("sitaf: coverage cannot be saved: " + e.getCause());
+    }
+  }
+}
