@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.stream.Collectors;
 import org.sitaf.core.suite.CaseParameter;
 import org.sitaf.core.verdict.CaseResult;
+import org.sitaf.core.verdict.Coverage;
 import org.sitaf.core.verdict.NamedValue;
 import org.sitaf.core.verdict.Summary;
 import org.sitaf.core.verdict.TestResult;
@@ -77,6 +78,16 @@ public final class ResultTable {
           number(summary.times().max()),
           number(summary.times().average()),
           number(summary.times().standardDeviation()));
+    }
+    Coverage coverage = result.coverage();
+    if (coverage != null && coverage.statement().isPresent()) {
+      out.printf(
+          Locale.ROOT,
+          "coverage of the component: %.1f %% of statements, %s%n",
+          coverage.statement().getAsDouble(),
+          coverage.branch().isPresent()
+              ? String.format(Locale.ROOT, "%.1f %% of branches", coverage.branch().getAsDouble())
+              : "no branches");
     }
     out.flush();
   }
