@@ -5,6 +5,7 @@ import re
 import signal
 import subprocess
 import tempfile
+import urllib.error
 import urllib.request
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
@@ -62,12 +63,18 @@ def test_a_kept_demo_shows_the_portal_and_goes_without_a_trace_when_it_is_stoppe
         address = next(
             found.group(1) for line in kept.stdout if (found := re.search(r"The portal is at (http://\S+)", line))
         )
-        with urllib.request.urlopen(address) as page:
+        link = next(
+            found.group(1) for line in kept.stdout if (found := re.search(r"Open it signed in, once: (\S+)", line))
+        )
+        browser = urllib.request.build_opener(urllib.request.HTTPCookieProcessor())
+        with browser.open(link) as page:
             html = page.read().decode()
         script = re.search(r'<script[^>]* src="([^"]+)"', html).group(1)
-        with urllib.request.urlopen(address + script) as loaded:
+        with browser.open(address + script) as loaded:
             assert "javascript" in loaded.headers["Content-Type"]
-        with urllib.request.urlopen(address + "/api/v1/builds") as builds:
+        with pytest.raises(urllib.error.HTTPError, match="401"):
+            urllib.request.urlopen(address + "/api/v1/builds")
+        with browser.open(address + "/api/v1/builds") as builds:
             states = [build["state"] for build in json.load(builds)["items"]]
         assert states == ["DONE", "DONE"]
     finally:

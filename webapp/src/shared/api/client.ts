@@ -16,6 +16,8 @@ export function createApi(baseUrl: string, connection: Connection): ApiClient {
   return createClient<paths>({
     baseUrl,
     fetch: async (request) => {
+      const token = csrfToken();
+      if (token !== undefined) request.headers.set('X-XSRF-TOKEN', token);
       try {
         const response = await fetch(request, { signal: patience(request) });
         connection.report(!GATEWAY_STATUS.includes(response.status));
@@ -28,6 +30,11 @@ export function createApi(baseUrl: string, connection: Connection): ApiClient {
       }
     },
   });
+}
+
+/** What the server gave this browser, and no other site can read: the proof that the portal asks. */
+function csrfToken(): string | undefined {
+  return /(?:^|; )XSRF-TOKEN=([^;]+)/.exec(document.cookie)?.[1];
 }
 
 /** Uploads may take as long as they need. */

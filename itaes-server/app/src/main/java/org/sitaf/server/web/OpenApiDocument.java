@@ -10,6 +10,8 @@ import io.swagger.v3.oas.models.media.MediaType;
 import io.swagger.v3.oas.models.media.Schema;
 import io.swagger.v3.oas.models.responses.ApiResponse;
 import io.swagger.v3.oas.models.responses.ApiResponses;
+import io.swagger.v3.oas.models.security.SecurityRequirement;
+import io.swagger.v3.oas.models.security.SecurityScheme;
 import io.swagger.v3.oas.models.servers.Server;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -37,7 +39,31 @@ class OpenApiDocument {
                 .title("SITAF")
                 .version("v1")
                 .description(
-                    "Automated interface testing of robot software components. Errors are problem details (RFC 9457)."))
+                    "Automated interface testing of robot software components. Errors are problem details"
+                        + " (RFC 9457): 401 without a session or token, 403 where the role does not"
+                        + " allow it. Looking takes a viewer, changing a tester; users, the audit"
+                        + " log, webhooks and keys of agents an administrator."))
+        .components(
+            new Components()
+                .addSecuritySchemes(
+                    "token",
+                    new SecurityScheme()
+                        .type(SecurityScheme.Type.HTTP)
+                        .scheme("bearer")
+                        .description("for scripts; made in the portal"))
+                .addSecuritySchemes(
+                    "session",
+                    new SecurityScheme()
+                        .type(SecurityScheme.Type.APIKEY)
+                        .in(SecurityScheme.In.COOKIE)
+                        .name("SITAF_SESSION")
+                        .description(
+                            "for browsers; changes also need the value of the cookie XSRF-TOKEN as"
+                                + " the header X-XSRF-TOKEN")))
+        .security(
+            List.of(
+                new SecurityRequirement().addList("token"),
+                new SecurityRequirement().addList("session")))
         .servers(List.of(new Server().url("/")));
   }
 

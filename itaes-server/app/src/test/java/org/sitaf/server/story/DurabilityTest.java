@@ -87,7 +87,11 @@ class DurabilityTest {
               "--spring.grpc.server.port=0",
               "--sitaf.stop-with-stdin=true",
               "--sitaf.data-directory=" + data));
-      process = new ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.INHERIT).start();
+      ProcessBuilder builder =
+          new ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.INHERIT);
+      builder.environment().put("SITAF_ACCESS_LAUNCHERTOKEN", ServerTest.TOKEN);
+      builder.environment().put("SITAF_ACCESS_LAUNCHERENROLMENT", ServerTest.ENROLMENT);
+      process = builder.start();
       BufferedReader output = process.inputReader(StandardCharsets.UTF_8);
       StringBuilder said = new StringBuilder();
       for (String line = output.readLine(); line != null; line = output.readLine()) {

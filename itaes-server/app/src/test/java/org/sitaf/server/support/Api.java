@@ -24,9 +24,21 @@ public final class Api {
   private final HttpClient client =
       HttpClient.newBuilder().version(HttpClient.Version.HTTP_1_1).build();
   private final String root;
+  private final @Nullable String token;
 
+  /** As the one who starts the server. */
   public Api(int port) {
-    root = "http://localhost:" + port;
+    this(port, ServerTest.TOKEN);
+  }
+
+  /**
+   * As somebody.
+   *
+   * @param token null for nobody known
+   */
+  public Api(int port, @Nullable String token) {
+    this.root = "http://localhost:" + port;
+    this.token = token;
   }
 
   /** An answer. */
@@ -90,7 +102,8 @@ public final class Api {
   }
 
   public HttpRequest.Builder request(String path) {
-    return HttpRequest.newBuilder(URI.create(root + path)).timeout(PATIENCE);
+    HttpRequest.Builder request = HttpRequest.newBuilder(URI.create(root + path)).timeout(PATIENCE);
+    return token == null ? request : request.header("Authorization", "Bearer " + token);
   }
 
   /** Uploads an activity; answers its id. */

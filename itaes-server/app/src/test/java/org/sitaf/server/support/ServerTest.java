@@ -22,6 +22,12 @@ import org.springframework.test.context.DynamicPropertySource;
     webEnvironment = WebEnvironment.RANDOM_PORT,
     properties = {"spring.grpc.server.port=0", "sitaf.lease=2s", "sitaf.max-log=64KB"})
 public abstract class ServerTest {
+  /** Of the one who starts the server; an administrator. */
+  public static final String TOKEN = "launcher-token-of-the-tests-0123456789";
+
+  /** Lets agents in. */
+  public static final String ENROLMENT = "launcher-enrolment-of-the-tests-012345";
+
   private static final Path DATA = temporary();
 
   @LocalServerPort private int httpPort;
@@ -32,6 +38,8 @@ public abstract class ServerTest {
   @DynamicPropertySource
   static void dataDirectory(DynamicPropertyRegistry registry) {
     registry.add("sitaf.data-directory", DATA::toString);
+    registry.add("sitaf.access.launcher-token", () -> TOKEN);
+    registry.add("sitaf.access.launcher-enrolment", () -> ENROLMENT);
   }
 
   @BeforeEach

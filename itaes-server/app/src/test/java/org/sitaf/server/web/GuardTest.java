@@ -56,7 +56,7 @@ class GuardTest extends ServerTest {
     api.get("/nothing.js").expect(404);
     api.get("/assets/nothing.js").expect(404);
     api.get("/actuator/health").expect(200);
-    api.get("/actuator/env").expect(404);
+    api.get("/actuator/env").expect(403);
   }
 
   private int statusOf(String host, String header) throws IOException {
@@ -66,7 +66,9 @@ class GuardTest extends ServerTest {
               + host
               + "\r\n"
               + header
-              + "Connection: close\r\n\r\n";
+              + "Authorization: Bearer "
+              + TOKEN
+              + "\r\nConnection: close\r\n\r\n";
       socket.getOutputStream().write(request.getBytes(StandardCharsets.US_ASCII));
       String answer =
           new String(socket.getInputStream().readAllBytes(), StandardCharsets.ISO_8859_1);

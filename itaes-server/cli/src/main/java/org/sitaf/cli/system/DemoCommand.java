@@ -51,8 +51,7 @@ public final class DemoCommand implements Callable<Integer> {
           LocalSystem system = LocalSystem.start(installation, directory, 0, 0, progress)) {
         int exitCode = evaluate(installation, system, progress, out);
         if (keep) {
-          out.println("The portal is at " + system.address() + " until you press Ctrl-C.");
-          out.flush();
+          PortalInvitation.printAndKeep(system, out);
           system.await();
         }
         return exitCode;
@@ -65,7 +64,7 @@ public final class DemoCommand implements Callable<Integer> {
   private int evaluate(
       Installation installation, LocalSystem system, ProgressLine progress, PrintWriter out)
       throws IOException, InterruptedException {
-    ServerClient server = new ServerClient(system.address());
+    ServerClient server = system.client();
     progress.step("Creating the activity from examples/ir-sensor");
     ByteArrayOutputStream zip = new ByteArrayOutputStream();
     ActivityArchive.write(UserFiles.folder(installation.example("ir-sensor")), zip);

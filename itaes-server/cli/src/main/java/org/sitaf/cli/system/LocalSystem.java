@@ -4,9 +4,12 @@ import java.io.IOException;
 import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.security.SecureRandom;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.HexFormat;
 import java.util.List;
+import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.sitaf.cli.Installation;
@@ -20,15 +23,19 @@ final class LocalSystem implements AutoCloseable {
   private static final Duration START_LIMIT = Duration.ofSeconds(60);
   private static final Pattern LISTENING = Pattern.compile("^listening http=(\\d+) grpc=(\\d+)");
   private static final Pattern REGISTERED = Pattern.compile("^registered ");
+  private static final int SECRET_BYTES = 32;
+  private static final SecureRandom RANDOM = new SecureRandom();
 
   private final StartedProcess server;
   private final StartedProcess agent;
   private final URI address;
+  private final String token;
 
-  private LocalSystem(StartedProcess server, StartedProcess agent, URI address) {
+  private LocalSystem(StartedProcess server, StartedProcess agent, URI address, String token) {
     this.server = server;
     this.agent = agent;
     this.address = address;
+    this.token = token;
   }
 
   /**
@@ -49,8 +56,19 @@ final class LocalSystem implements AutoCloseable {
     serverCommand.add("--server.port=" + httpPort);
     serverCommand.add("--spring.grpc.server.port=" + grpcPort);
     serverCommand.add("--sitaf.stop-with-stdin=true");
+    // On the loopback, for one person: who opened the portal once need not be asked for a month.
+    serverCommand.add("--spring.session.timeout=30d");
+    serverCommand.add("--server.servlet.session.cookie.max-age=30d");
+    String token = secret();
+    String enrolment = secret();
     StartedProcess server =
-        new StartedProcess("server", serverCommand, directory.resolve("server.log"), LISTENING);
+        new StartedProcess(
+            "server",
+            serverCommand,
+            Map.of(
+                "SITAF_ACCESS_LAUNCHERTOKEN", token, "SITAF_ACCESS_LAUNCHERENROLMENT", enrolment),
+            directory.resolve("server.log"),
+            LISTENING);
     try {
       Matcher ports = server.awaitReady(START_LIMIT);
       progress.step("Starting an agent");
@@ -63,10 +81,16 @@ final class LocalSystem implements AutoCloseable {
               directory.resolve("agent").toString(),
               "--stop-with-stdin"));
       StartedProcess agent =
-          new StartedProcess("agent", agentCommand, directory.resolve("agent.log"), REGISTERED);
+          new StartedProcess(
+              "agent",
+              agentCommand,
+              Map.of("SITAF_ENROLMENT_TOKEN", enrolment),
+              directory.resolve("agent.log"),
+              REGISTERED);
       try {
         agent.awaitReady(START_LIMIT);
-        return new LocalSystem(server, agent, URI.create("http://localhost:" + ports.group(1)));
+        return new LocalSystem(
+            server, agent, URI.create("http://localhost:" + ports.group(1)), token);
       } catch (IOException | InterruptedException e) {
         agent.close();
         throw e;
@@ -80,6 +104,22 @@ final class LocalSystem implements AutoCloseable {
   /** Where the portal and the REST interface are. */
   URI address() {
     return address;
+  }
+
+  /** The server's interface, for this command. */
+  ServerClient client() {
+    return new ServerClient(address, token);
+  }
+
+  /** An address that opens the portal signed in, once. */
+  URI signInLink() throws IOException, InterruptedException {
+    return address.resolve(client().post("session/link", Map.of()).path("path").asString());
+  }
+
+  private static String secret() {
+    byte[] bytes = new byte[SECRET_BYTES];
+    RANDOM.nextBytes(bytes);
+    return HexFormat.of().formatHex(bytes);
   }
 
   /** Waits until the server ends, by itself or because this command is stopped. */

@@ -26,9 +26,16 @@ final class ServerClient {
       HttpClient.newBuilder().connectTimeout(Duration.ofSeconds(10)).build();
   private final JsonMapper json = JsonMapper.builder().build();
   private final URI api;
+  private final String token;
 
-  ServerClient(URI address) {
+  /**
+   * A client of one server.
+   *
+   * @param token for {@code Authorization: Bearer}
+   */
+  ServerClient(URI address, String token) {
     this.api = address.resolve("/api/v1/");
+    this.token = token;
   }
 
   /**
@@ -61,7 +68,9 @@ final class ServerClient {
   }
 
   private HttpRequest.Builder request(String path) {
-    return HttpRequest.newBuilder(api.resolve(path)).timeout(LIMIT);
+    return HttpRequest.newBuilder(api.resolve(path))
+        .timeout(LIMIT)
+        .header("Authorization", "Bearer " + token);
   }
 
   private JsonNode parse(HttpResponse<byte[]> response) {

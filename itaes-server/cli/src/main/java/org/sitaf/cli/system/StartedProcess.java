@@ -10,6 +10,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
@@ -33,14 +34,20 @@ final class StartedProcess implements AutoCloseable {
   /**
    * Starts a process whose output goes to a log.
    *
+   * @param environment added to this process's own; secrets go this way, for arguments are seen by
+   *     everybody on the machine
    * @param ready found in the line that says that it is ready
    */
-  StartedProcess(String name, List<String> command, Path log, Pattern ready) throws IOException {
+  StartedProcess(
+      String name, List<String> command, Map<String, String> environment, Path log, Pattern ready)
+      throws IOException {
     this.name = name;
     this.log = log;
     File file = log.toFile();
-    this.process =
-        new ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.appendTo(file)).start();
+    ProcessBuilder builder =
+        new ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.appendTo(file));
+    builder.environment().putAll(environment);
+    this.process = builder.start();
     Thread reader = new Thread(() -> read(ready), "sitaf-" + name);
     reader.setDaemon(true);
     reader.start();

@@ -48,8 +48,7 @@ public final class UpCommand implements Callable<Integer> {
         ProgressLine progress = new ProgressLine(System.err);
         LocalSystem system = LocalSystem.start(installation, directory, port, grpcPort, progress)) {
       progress.close();
-      out.println("The portal is at " + system.address() + " until you press Ctrl-C.");
-      out.flush();
+      PortalInvitation.printAndKeep(system, out);
       return system.await();
     }
   }

@@ -1,0 +1,5 @@
+/** Signing in and out. */
+@NullMarked
+package org.sitaf.server.access.session;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,161 @@
+package org.sitaf.server.access.token;
+
+import java.sql.ResultSet;
+import java.sql.SQLException;
+import java.time.Clock;
+import java.time.Duration;
+import java.time.Instant;
+import java.time.OffsetDateTime;
+import java.time.ZoneOffset;
+import java.util.List;
+import java.util.Optional;
+import java.util.UUID;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.server.access.AccessSettings;
+import org.sitaf.server.access.Caller;
+import org.sitaf.server.access.Role;
+import org.sitaf.server.access.Secret;
+import org.sitaf.server.refusal.Refusal;
+import org.springframework.data.domain.PageRequest;
+import org.springframework.jdbc.core.simple.JdbcClient;
+import org.springframework.stereotype.Service;
+
+/** The tokens of scripts. */
+@Service
+public class ApiTokens {
+  private static final String PREFIX = "sitaf_";
+  private static final int LONGEST_NAME = 100;
+
+  /** When a token was last used is told to the minute: not every request should write. */
+  private static final Duration USE_STEP = Duration.ofMinutes(1);
+
+  private static final String COLUMNS =
+      "SELECT t.id, t.name, p.id, p.name, t.role, t.created, t.expires, t.last_used, p.role"
+          + " FROM api_token t JOIN person p ON p.id = t.person_id ";
+
+  private final JdbcClient jdbc;
+  private final AccessSettings settings;
+  private final Clock clock;
+
+  ApiTokens(JdbcClient jdbc, AccessSettings settings, Clock clock) {
+    this.jdbc = jdbc;
+    this.settings = settings;
+    this.clock = clock;
+  }
+
+  /** A token, and its secret: to be shown once. */
+  record WithSecret(ApiToken token, String secret) {}
+
+  private record Use(ApiToken token, Role ownersRole) {}
+
+  /** Who makes a request with this secret; empty when it is no token, or one no more. */
+  public Optional<Caller> caller(String secret) {
+    String launcher = settings.launcherToken();
+    if (launcher != null && Secret.same(secret, launcher)) {
+      return Optional.of(new Caller("launcher", Role.ADMINISTRATOR, Caller.Kind.LAUNCHER, null));
+    }
+    Instant now = clock.instant();
+    return jdbc.sql(COLUMNS + "WHERE t.hash = ? AND t.expires > ? AND p.enabled = TRUE")
+        .params(Secret.hash(secret), utc(now))
+        .query((row, index) -> new Use(token(row, index), Role.valueOf(row.getString(9))))
+        .optional()
+        .map(
+            use -> {
+              noteUse(use.token(), now);
+              return new Caller(
+                  use.token().owner(),
+                  use.token().role().atMost(use.ownersRole()),
+                  Caller.Kind.TOKEN,
+                  use.token().ownerId());
+            });
+  }
+
+  /**
+   * Makes a token for a person.
+   *
+   * @param validFor from now
+   */
+  WithSecret create(String personId, String name, Role role, Duration validFor) {
+    if (name.isBlank() || name.length() > LONGEST_NAME) {
+      throw Refusal.malformed(
+          "name: 1 to " + LONGEST_NAME + " characters that say what it is for.");
+    }
+    String id = UUID.randomUUID().toString();
+    String secret = Secret.fresh(PREFIX);
+    Instant now = clock.instant();
+    jdbc.sql(
+            "INSERT INTO api_token (id, person_id, name, role, hash, created, expires)"
+                + " VALUES (?, ?, ?, ?, ?, ?, ?)")
+        .params(
+            id,
+            personId,
+            name.strip(),
+            role.name(),
+            Secret.hash(secret),
+            utc(now),
+            utc(now.plus(validFor)))
+        .update();
+    return new WithSecret(find(id), secret);
+  }
+
+  ApiToken find(String id) {
+    return jdbc.sql(COLUMNS + "WHERE t.id = ?")
+        .param(id)
+        .query(ApiTokens::token)
+        .optional()
+        .orElseThrow(() -> Refusal.notFound("token", id));
+  }
+
+  /** From now on it is refused. */
+  void revoke(String id) {
+    jdbc.sql("DELETE FROM api_token WHERE id = ?").param(id).update();
+  }
+
+  /**
+   * Tokens, the newest first.
+   *
+   * @param ownerId null for everybody's
+   */
+  List<ApiToken> list(@Nullable String ownerId, PageRequest page) {
+    return jdbc.sql(
+            COLUMNS
+                + "WHERE p.id = COALESCE(?, p.id) ORDER BY t.created DESC, t.id LIMIT ? OFFSET ?")
+        .params(ownerId, page.getPageSize(), page.getOffset())
+        .query(ApiTokens::token)
+        .list();
+  }
+
+  long count(@Nullable String ownerId) {
+    return jdbc.sql("SELECT COUNT(*) FROM api_token WHERE person_id = COALESCE(?, person_id)")
+        .param(ownerId)
+        .query(Long.class)
+        .single();
+  }
+
+  private void noteUse(ApiToken token, Instant now) {
+    boolean known = token.lastUsed().filter(last -> last.plus(USE_STEP).isAfter(now)).isPresent();
+    if (!known) {
+      jdbc.sql("UPDATE api_token SET last_used = ? WHERE id = ?")
+          .params(utc(now), token.id())
+          .update();
+    }
+  }
+
+  private static OffsetDateTime utc(Instant instant) {
+    return instant.atOffset(ZoneOffset.UTC);
+  }
+
+  private static ApiToken token(ResultSet row, int index) throws SQLException {
+    OffsetDateTime lastUsed = row.getObject(8, OffsetDateTime.class);
+    @Nullable Instant last = lastUsed == null ? null : lastUsed.toInstant();
+    return new ApiToken(
+        row.getString(1),
+        row.getString(2),
+        row.getString(3),
+        row.getString(4),
+        Role.valueOf(row.getString(5)),
+        row.getObject(6, OffsetDateTime.class).toInstant(),
+        row.getObject(7, OffsetDateTime.class).toInstant(),
+        last);
+  }
+}

@@ -1,0 +1,5 @@
+/** People who sign in, and their passwords. */
+@NullMarked
+package org.sitaf.server.access.user;
+
+import org.jspecify.annotations.NullMarked;

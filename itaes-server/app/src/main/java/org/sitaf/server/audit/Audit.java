@@ -1,0 +1,107 @@
+package org.sitaf.server.audit;
+
+import java.time.Clock;
+import java.time.Duration;
+import java.time.Instant;
+import java.time.OffsetDateTime;
+import java.time.ZoneOffset;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.springframework.data.domain.PageRequest;
+import org.springframework.jdbc.core.simple.JdbcClient;
+import org.springframework.stereotype.Service;
+
+/** The audit log: who changed what, and who tried. */
+@Service
+public class Audit {
+  /**
+   * The attribute of a request that says what it is about, where its address does not: the name in
+   * an attempt to sign in.
+   */
+  public static final String SUBJECT = Audit.class.getName() + ".subject";
+
+  private static final String WANTED =
+      " FROM audit_event WHERE actor = COALESCE(?, actor) AND action = COALESCE(?, action)";
+
+  private final JdbcClient jdbc;
+  private final Clock clock;
+
+  Audit(JdbcClient jdbc, Clock clock) {
+    this.jdbc = jdbc;
+    this.clock = clock;
+  }
+
+  /**
+   * Something that somebody did or tried.
+   *
+   * @param actor a person, the owner of a token, an agent, or a dash for nobody known
+   * @param action as the interface names it
+   * @param subject to what
+   * @param outcome done, or why not
+   * @param address from where
+   */
+  public record Event(
+      long id,
+      Instant at,
+      String actor,
+      String action,
+      String subject,
+      String outcome,
+      String address) {}
+
+  /** Adds an event. */
+  public void record(String actor, String action, String subject, String outcome, String address) {
+    jdbc.sql(
+            "INSERT INTO audit_event (at_time, actor, action, subject, outcome, address)"
+                + " VALUES (?, ?, ?, ?, ?, ?)")
+        .params(
+            utc(clock.instant()),
+            cut(actor, 100),
+            cut(action, 60),
+            cut(subject, 400),
+            cut(outcome, 200),
+            cut(address, 60))
+        .update();
+  }
+
+  /** Events, the latest first; null for those of every actor or action. */
+  List<Event> list(@Nullable String actor, @Nullable String action, PageRequest page) {
+    return jdbc.sql(
+            "SELECT id, at_time, actor, action, subject, outcome, address"
+                + WANTED
+                + " ORDER BY at_time DESC, id DESC LIMIT ? OFFSET ?")
+        .params(actor, action, page.getPageSize(), page.getOffset())
+        .query(
+            (row, index) ->
+                new Event(
+                    row.getLong(1),
+                    row.getObject(2, OffsetDateTime.class).toInstant(),
+                    row.getString(3),
+                    row.getString(4),
+                    row.getString(5),
+                    row.getString(6),
+                    row.getString(7)))
+        .list();
+  }
+
+  long count(@Nullable String actor, @Nullable String action) {
+    return jdbc.sql("SELECT COUNT(*)" + WANTED).params(actor, action).query(Long.class).single();
+  }
+
+  /** Drops what is older. */
+  public void forget(Duration olderThan) {
+    jdbc.sql("DELETE FROM audit_event WHERE at_time < ?")
+        .param(utc(clock.instant().minus(olderThan)))
+        .update();
+  }
+
+  private static OffsetDateTime utc(Instant instant) {
+    return instant.atOffset(ZoneOffset.UTC);
+  }
+
+  /** Of what strangers send, too; a NUL is no text for PostgreSQL. */
+  private static String cut(String text, int most) {
+    String clean = text.replace('\0', '?');
+    return clean.length() <= most ? clean : clean.substring(0, most);
+  }
+}

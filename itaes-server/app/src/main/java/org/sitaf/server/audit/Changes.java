@@ -1,0 +1,53 @@
+package org.sitaf.server.audit;
+
+import io.swagger.v3.oas.annotations.Operation;
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.security.Principal;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+import org.springframework.context.annotation.Configuration;
+import org.springframework.web.method.HandlerMethod;
+import org.springframework.web.servlet.HandlerInterceptor;
+import org.springframework.web.servlet.config.annotation.InterceptorRegistry;
+import org.springframework.web.servlet.config.annotation.WebMvcConfigurer;
+
+/** Writes each request that changes something, or tried, into the audit log. */
+@Configuration(proxyBeanMethods = false)
+class Changes implements WebMvcConfigurer, HandlerInterceptor {
+  private static final Set<String> LOOKS = Set.of("GET", "HEAD", "OPTIONS", "TRACE");
+  private static final int REFUSED = 400;
+
+  private final Audit audit;
+
+  Changes(Audit audit) {
+    this.audit = audit;
+  }
+
+  @Override
+  public void addInterceptors(InterceptorRegistry registry) {
+    registry.addInterceptor(this).addPathPatterns("/api/**");
+  }
+
+  @Override
+  public void afterCompletion(
+      HttpServletRequest request,
+      HttpServletResponse response,
+      Object handler,
+      @Nullable Exception failure) {
+    if (LOOKS.contains(request.getMethod()) || !(handler instanceof HandlerMethod method)) {
+      return;
+    }
+    Operation operation = method.getMethodAnnotation(Operation.class);
+    Principal actor = request.getUserPrincipal();
+    int status = response.getStatus();
+    audit.record(
+        actor == null ? "-" : actor.getName(),
+        operation == null ? method.getMethod().getName() : operation.operationId(),
+        request.getAttribute(Audit.SUBJECT) instanceof String subject
+            ? subject
+            : request.getRequestURI(),
+        status < REFUSED ? "done" : "refused: " + status,
+        request.getRemoteAddr());
+  }
+}

@@ -1,0 +1,140 @@
+package org.sitaf.server.access;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.net.http.HttpRequest.BodyPublishers;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.sitaf.server.support.Api;
+import org.sitaf.server.support.Browser;
+import org.sitaf.server.support.ServerTest;
+import tools.jackson.databind.JsonNode;
+
+/**
+ * Every operation of the OpenAPI document under every role: let through exactly as the rule here
+ * has it, which knows nothing of how the server decides.
+ */
+@Tag("slow")
+class RolesTest extends ServerTest {
+  private static final String NOBODY = "nobody";
+  private static final List<String> ROLES = List.of("VIEWER", "TESTER", "ADMINISTRATOR");
+  private static final Set<String> METHODS = Set.of("get", "put", "post", "patch", "delete");
+
+  /** Whatever is not named here: looking takes a VIEWER, changing a TESTER. */
+  private static final Map<String, String> EXCEPTIONS =
+      Map.of("signIn", NOBODY, "signOut", "VIEWER", "changePassword", "VIEWER");
+
+  private static final List<String> FOR_ADMINISTRATORS =
+      List.of("/api/v1/users", "/api/v1/audit", "/api/v1/enrolments", "/api/v1/webhooks");
+
+  private record Operation(String method, String path, String id) {
+    String needs() {
+      if (EXCEPTIONS.containsKey(id)) {
+        return EXCEPTIONS.get(id);
+      }
+      boolean looks = method.equals("get");
+      if (FOR_ADMINISTRATORS.stream().anyMatch(path::startsWith)
+          || !looks && path.startsWith("/api/v1/agents")) {
+        return "ADMINISTRATOR";
+      }
+      // A token of one's own is no change of what others see.
+      return looks || path.startsWith("/api/v1/tokens") || path.startsWith("/api/v1/session")
+          ? "VIEWER"
+          : "TESTER";
+    }
+  }
+
+  @Test
+  void everyOperationIsOpenToThoseWhoMayAndToNobodyElse() {
+    List<Operation> operations = operations();
+    assertThat(operations).hasSizeGreaterThan(30);
+    List<String> wrong = new ArrayList<>();
+    for (Operation operation : operations) {
+      int required = ROLES.indexOf(operation.needs());
+      check(operation, NOBODY, new Api(httpPort(), null), required < 0 ? "open" : "401", wrong);
+      for (int role = 0; role < ROLES.size(); role++) {
+        Api api = new Api(httpPort(), tokenOf(ROLES.get(role)));
+        check(operation, ROLES.get(role), api, role >= required ? "open" : "403", wrong);
+      }
+    }
+    assertThat(wrong).isEmpty();
+  }
+
+  private static void check(
+      Operation operation, String role, Api api, String wanted, List<String> wrong) {
+    Api.Answer answer = api.send(request(api, operation));
+    boolean refused =
+        answer.status() == 403 && answer.text().contains("Your role does not allow this")
+            || answer.status() == 401 && !answer.text().contains("Name or password are wrong");
+    String got = refused ? Integer.toString(answer.status()) : "open";
+    if (!got.equals(wanted) || answer.status() >= 500) {
+      wrong.add(operation + " as " + role + ": " + answer.status() + ", wanted " + wanted);
+    }
+  }
+
+  /** Names things that do not exist, so that what is let through changes nothing. */
+  private static java.net.http.HttpRequest.Builder request(Api api, Operation operation) {
+    String path = operation.path().replaceAll("\\{[^}]*}", "none");
+    return api.request(path)
+        .timeout(Duration.ofSeconds(30))
+        .header("Content-Type", "application/json")
+        .method(
+            operation.method().toUpperCase(java.util.Locale.ROOT),
+            operation.method().equals("get")
+                ? BodyPublishers.noBody()
+                : BodyPublishers.ofString("{\"name\":\"\",\"password\":\"\"}"));
+  }
+
+  private List<Operation> operations() {
+    List<Operation> operations = new ArrayList<>();
+    JsonNode document = api.get("/v3/api-docs").expect(200).json();
+    document
+        .get("paths")
+        .properties()
+        .forEach(
+            path ->
+                path.getValue()
+                    .properties()
+                    .forEach(
+                        method -> {
+                          if (METHODS.contains(method.getKey())) {
+                            operations.add(
+                                new Operation(
+                                    method.getKey(),
+                                    path.getKey(),
+                                    method.getValue().get("operationId").asString()));
+                          }
+                        }));
+    return operations;
+  }
+
+  private final Map<String, String> tokens = new java.util.HashMap<>();
+
+  private String tokenOf(String role) {
+    return tokens.computeIfAbsent(
+        role,
+        r -> {
+          String name = "matrix-" + r.toLowerCase(java.util.Locale.ROOT);
+          JsonNode made =
+              api.post("/api/v1/users", "{\"name\":\"%s\",\"role\":\"%s\"}".formatted(name, r))
+                  .expect(201)
+                  .json();
+          Browser browser = new Browser(httpPort());
+          browser.signIn(name, made.get("password").asString()).expect(200);
+          return browser
+              .send(
+                  "POST",
+                  "/api/v1/tokens",
+                  "{\"name\":\"matrix\",\"role\":\"%s\",\"days\":1}".formatted(r))
+              .expect(201)
+              .json()
+              .get("secret")
+              .asString();
+        });
+  }
+}
