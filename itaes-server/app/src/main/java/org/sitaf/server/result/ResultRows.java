@@ -7,6 +7,7 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.NamedValue;
+import org.sitaf.core.verdict.StubCalls;
 import org.sitaf.core.verdict.TestResult;
 import org.sitaf.core.verdict.Verdict;
 import org.springframework.data.domain.Page;
@@ -132,6 +133,7 @@ class ResultRows {
         outcome.values().stream().limit(MAX_TEXT / 10).map(ResultRows::cut).toList(),
         outcome.expected().stream().limit(MAX_TEXT / 10).map(ResultRows::cut).toList(),
         outcome.actual().stream().limit(MAX_TEXT / 10).map(ResultRows::cut).toList(),
+        new StubCalls(List.of(), outcome.calls().recorded().size() + outcome.calls().leftOut()),
         outcome.time(),
         cut(outcome.message()));
   }

@@ -51,7 +51,9 @@ final class ActivityReader {
         interfaces(profile.required(), "required", profile.name());
     WorldDescription world = world(profile.world());
     List<TestModel> models =
-        models(profile.models()).stream().map(m -> InterfaceTypes.resolve(m, provided)).toList();
+        models(profile.models()).stream()
+            .map(m -> InterfaceTypes.resolve(m, provided, required))
+            .toList();
     ComponentFiles.verify(profile, files, PROFILE, diagnostics);
     if (!diagnostics.hasErrors()) {
       for (TestModel model : models) {

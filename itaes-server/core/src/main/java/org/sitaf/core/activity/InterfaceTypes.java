@@ -2,45 +2,97 @@ package org.sitaf.core.activity;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.InterfaceDescription;
 import org.sitaf.core.description.MemberPath;
 import org.sitaf.core.description.Method;
 import org.sitaf.core.description.Parameter;
 import org.sitaf.core.model.InputElement;
-import org.sitaf.core.model.InputKind;
+import org.sitaf.core.model.OutputElement;
+import org.sitaf.core.model.OutputKind;
 import org.sitaf.core.model.TestModel;
 
 /**
- * Gives a model what only the interfaces know: the literals of the enumerations that its elements
- * are of.
+ * Gives a model what only the interfaces know: the literals of the enumerations and the members of
+ * the structs that its elements are of.
  */
 final class InterfaceTypes {
-  private InterfaceTypes() {}
+  private static final Pattern STUB_NAME =
+      Pattern.compile("([^.#]+)\\.([^.#]+)(?:\\.([^.#]+))?(?:#\\d+)?");
 
-  /**
-   * The model with its elements' enumerations resolved; as it was where its target is not found.
-   */
-  static TestModel resolve(TestModel model, List<InterfaceDescription> provided) {
-    Method method;
+  private final List<InterfaceDescription> required;
+  private final Method method;
+
+  private InterfaceTypes(List<InterfaceDescription> required, Method method) {
+    this.required = required;
+    this.method = method;
+  }
+
+  /** The model with its elements' types resolved; as it was where its target is not found. */
+  static TestModel resolve(
+      TestModel model, List<InterfaceDescription> provided, List<InterfaceDescription> required) {
     try {
-      method = TargetMethod.find(model, provided).method();
+      var types = new InterfaceTypes(required, TargetMethod.find(model, provided).method());
+      return model
+          .withInputs(model.inputs().stream().map(types::resolve).toList())
+          .withOutputs(model.outputs().stream().map(types::resolve).toList());
     } catch (IllegalArgumentException e) {
       // Told where the model is verified against the activity.
       return model;
     }
-    return model.withInputs(model.inputs().stream().map(input -> resolve(input, method)).toList());
   }
 
-  private static InputElement resolve(InputElement input, Method method) {
+  private InputElement resolve(InputElement input) {
     Optional<DataType> type =
-        input.kind() == InputKind.TDI
-            ? method.parameters().stream()
-                .filter(p -> p.name().equals(MemberPath.root(input.name())))
-                .findFirst()
-                .map(Parameter::type)
-                .flatMap(t -> MemberPath.resolve(t, input.name()))
-            : Optional.empty();
-    return type.filter(DataType.Enumeration.class::isInstance).map(input::withType).orElse(input);
+        switch (input.kind()) {
+          case TDI -> parameter(method, input.name());
+          case TDTS -> answer(input.name());
+          case TDSD -> Optional.empty();
+        };
+    return type.filter(t -> isKnownOnlyTo(t, input.type())).map(input::withType).orElse(input);
+  }
+
+  private OutputElement resolve(OutputElement output) {
+    Optional<DataType> type =
+        output.kind() == OutputKind.RETURN
+            ? MemberPath.resolve(method.returnType(), output.name())
+            : output.kind() == OutputKind.OUT ? parameter(method, output.name()) : Optional.empty();
+    return type.filter(t -> isKnownOnlyTo(t, output.type())).map(output::withType).orElse(output);
+  }
+
+  private Optional<DataType> answer(String name) {
+    Matcher parts = STUB_NAME.matcher(name);
+    if (!parts.matches()) {
+      return Optional.empty();
+    }
+    Optional<Method> called =
+        required.stream()
+            .filter(i -> i.name().equals(parts.group(1)))
+            .flatMap(i -> i.methodsNamed(parts.group(2)).stream())
+            .findFirst();
+    return parts.group(3) == null
+        ? called.map(Method::returnType)
+        : called.flatMap(m -> parameter(m, parts.group(3)));
+  }
+
+  private static Optional<DataType> parameter(Method method, String name) {
+    return method.parameters().stream()
+        .filter(p -> p.name().equals(MemberPath.root(name)))
+        .findFirst()
+        .map(Parameter::type)
+        .flatMap(t -> MemberPath.resolve(t, name));
+  }
+
+  /** A model spells scalars itself, and may spell them otherwise than the interface. */
+  private static boolean isKnownOnlyTo(DataType inInterface, DataType inModel) {
+    return inInterface instanceof DataType.Enumeration
+        || (holdsUnknown(inModel) && !(inInterface instanceof DataType.Scalar));
+  }
+
+  private static boolean holdsUnknown(DataType type) {
+    return type instanceof DataType.Unknown
+        || type.parts().stream().anyMatch(InterfaceTypes::holdsUnknown);
   }
 }

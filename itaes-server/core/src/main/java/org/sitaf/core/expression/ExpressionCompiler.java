@@ -4,6 +4,9 @@ import dev.cel.common.CelAbstractSyntaxTree;
 import dev.cel.common.CelIssue;
 import dev.cel.common.CelOptions;
 import dev.cel.common.CelValidationException;
+import dev.cel.common.types.CelType;
+import dev.cel.common.types.ListType;
+import dev.cel.common.types.MapType;
 import dev.cel.common.types.SimpleType;
 import dev.cel.compiler.CelCompiler;
 import dev.cel.compiler.CelCompilerBuilder;
@@ -22,16 +25,24 @@ public final class ExpressionCompiler {
   private static final CelOptions OPTIONS =
       CelOptions.current().enableHeterogeneousNumericComparisons(true).build();
 
+  /** Lists by name: with less said, CEL takes what has a size for a string. */
+  private static final CelType CALLS =
+      MapType.create(SimpleType.STRING, ListType.create(SimpleType.DYN));
+
   private final CelCompiler compiler;
   private final CelRuntime runtime;
 
-  /** Every variable may hold any value: its type shows when the expression is evaluated. */
+  /**
+   * Every variable but the record of calls may hold any value: its type shows when the expression
+   * is evaluated.
+   */
   public ExpressionCompiler(Collection<String> variables) {
     CelCompilerBuilder builder =
         CelCompilerFactory.standardCelCompilerBuilder()
             .setOptions(OPTIONS)
             .setStandardMacros(dev.cel.parser.CelStandardMacro.STANDARD_MACROS);
-    variables.forEach(name -> builder.addVar(name, SimpleType.DYN));
+    variables.forEach(
+        name -> builder.addVar(name, name.equals(Variables.CALLS) ? CALLS : SimpleType.DYN));
     compiler = builder.build();
     runtime = CelRuntimeFactory.standardCelRuntimeBuilder().setOptions(OPTIONS).build();
   }

@@ -11,6 +11,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.sitaf.core.description.DataType;
 import org.sitaf.core.model.Value;
 
 /**
@@ -20,6 +21,9 @@ import org.sitaf.core.model.Value;
 public final class Variables {
   /** True in a case without an invalid value. */
   public static final String VALID = "valid";
+
+  /** The calls of required interfaces: lists by {@code Interface.Method}. */
+  public static final String CALLS = "calls";
 
   private static final Pattern STEP =
       Pattern.compile("([A-Za-z_]\\w*)|\\.([A-Za-z_]\\w*)|\\[(\\d{1,6})]");
@@ -43,11 +47,16 @@ public final class Variables {
     return roots;
   }
 
-  /** Adds the value of an input. */
-  public Variables put(String name, Value value) {
+  /** Adds the value of an input of a type; sequences and structs have their parts. */
+  public Variables put(String name, Value value, DataType type) {
+    return put(name, value.literal(), type);
+  }
+
+  /** Adds a value by its literal; members and elements are reached through the whole. */
+  public Variables put(String name, String literal, DataType type) {
     List<Object> path = path(name);
     if (!path.isEmpty()) {
-      put(values, path, plain(value));
+      put(values, path, plain(literal, type));
     }
     return this;
   }
@@ -75,6 +84,18 @@ public final class Variables {
       return real.number();
     }
     return value instanceof Value.Truth truth ? (Object) truth.value() : value.literal();
+  }
+
+  /**
+   * A literal as CEL has it: as {@link #plain(Value)}, and List or Map for a sequence or a struct.
+   * The name of an error, where a value of the type should be, stays a text.
+   *
+   * @throws IllegalArgumentException when the type cannot hold it
+   */
+  public static Object plain(String literal, DataType type) {
+    return literal.startsWith(Value.MARK_OF_ERROR) || literal.startsWith(Value.MARK_OF_DELAY)
+        ? literal
+        : StructuredLiteral.plain(literal, type);
   }
 
   private static List<Object> path(String name) {

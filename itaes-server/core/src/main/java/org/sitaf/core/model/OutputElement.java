@@ -32,4 +32,10 @@ public record OutputElement(
     Objects.requireNonNull(description);
     Objects.requireNonNull(tolerance);
   }
+
+  /** The same element with the type that an interface gives it. */
+  public OutputElement withType(DataType resolved) {
+    return new OutputElement(
+        name, kind, realType, resolved, description, expected, tolerance, line);
+  }
 }

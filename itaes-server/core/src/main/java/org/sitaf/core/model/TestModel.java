@@ -54,6 +54,23 @@ public record TestModel(
         source);
   }
 
+  /** The same model with other output elements. */
+  public TestModel withOutputs(List<OutputElement> replaced) {
+    return new TestModel(
+        name,
+        description,
+        target,
+        preConditions,
+        inputs,
+        replaced,
+        postConditions,
+        invalidValues,
+        strength,
+        mixedStrengths,
+        keptCases,
+        source);
+  }
+
   /** The output of a name; an empty name means the only one. */
   public Optional<OutputElement> output(String outputName) {
     if (outputName.isEmpty()) {

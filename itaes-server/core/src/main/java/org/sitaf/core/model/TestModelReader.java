@@ -114,7 +114,13 @@ final class TestModelReader {
     List<Value> userValues = new ArrayList<>();
     if (element.getUserValueList() != null) {
       for (String literal : element.getUserValueList().getValue()) {
-        attempt(line, where + "/user_value_list", () -> Value.parse(literal, type))
+        attempt(
+                line,
+                where + "/user_value_list",
+                () ->
+                    kind.equals(Optional.of(InputKind.TDTS))
+                        ? Value.parseAnswer(literal, type)
+                        : Value.parse(literal, type))
             .ifPresent(userValues::add);
       }
     }
@@ -156,7 +162,11 @@ final class TestModelReader {
           attempt(
                   line,
                   where + "/tolerance",
-                  () -> new Tolerance(number(given.getAbsolute()), number(given.getRelative())))
+                  () ->
+                      new Tolerance(
+                          number(given.getAbsolute()),
+                          number(given.getRelative()),
+                          number(given.getUlp())))
               .orElse(Tolerance.EXACT);
     }
     if (name(element).isEmpty() || kind.isEmpty()) {
@@ -318,7 +328,13 @@ final class TestModelReader {
       for (int i = 0; i < inputs.size(); i++) {
         InputElement element = inputs.get(i);
         String literal = kase.getValues().get(i);
-        attempt(line, where + "/" + element.name(), () -> Value.parse(literal, element.type()))
+        attempt(
+                line,
+                where + "/" + element.name(),
+                () ->
+                    element.kind() == InputKind.TDTS
+                        ? Value.parseAnswer(literal, element.type())
+                        : Value.parse(literal, element.type()))
             .ifPresent(values::add);
       }
       kept.add(new KeptCase(kase.getNo() == null ? 0 : kase.getNo(), values, line));

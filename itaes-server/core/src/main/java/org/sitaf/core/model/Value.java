@@ -9,6 +9,12 @@ import org.sitaf.core.description.ScalarType;
 /** A value of a test element; its literal is what documents hold. */
 public sealed interface Value {
 
+  /** Begins an error that is thrown or expected where a value could be: {@code !error:NoEcho}. */
+  String MARK_OF_ERROR = "!error:";
+
+  /** Begins a delay of an answer of the test stub: {@code !delay:0.5}, in seconds. */
+  String MARK_OF_DELAY = "!delay:";
+
   /** The spelling in documents: {@code 7}, {@code 9.5}, {@code true}, or the text itself. */
   String literal();
 
@@ -53,6 +59,17 @@ public sealed interface Value {
     public String literal() {
       return text;
     }
+  }
+
+  /**
+   * Reads an answer of the test stub: a value of its type, an error or a delay.
+   *
+   * @throws IllegalArgumentException when it is neither; the message says what was expected
+   */
+  static Value parseAnswer(String literal, DataType type) {
+    return literal.startsWith(MARK_OF_ERROR) || literal.startsWith(MARK_OF_DELAY)
+        ? new Text(literal)
+        : parse(literal, type);
   }
 
   /**

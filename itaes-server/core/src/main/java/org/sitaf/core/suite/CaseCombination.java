@@ -21,6 +21,7 @@ import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.expression.EvaluationException;
 import org.sitaf.core.expression.Expression;
 import org.sitaf.core.expression.Variables;
+import org.sitaf.core.model.InputElement;
 import org.sitaf.core.model.MixedStrength;
 import org.sitaf.core.model.Strength;
 import org.sitaf.core.model.TestModel;
@@ -221,7 +222,8 @@ final class CaseCombination {
           boolean allValid = true;
           for (int i = 0; i < parameters.length; i++) {
             TestValue value = candidates.get(parameters[i]).get(tuple[i]);
-            variables.put(model.inputs().get(parameters[i]).name(), value.value());
+            InputElement input = model.inputs().get(parameters[i]);
+            variables.put(input.name(), value.value(), input.type());
             allValid &= value.valid();
           }
           variables.put(Variables.VALID, valid == null ? allValid : valid);

@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.regex.Pattern;
 import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.expression.Expression;
 import org.sitaf.core.expression.ExpressionCompiler;
@@ -15,6 +16,7 @@ import org.sitaf.core.model.Condition;
 import org.sitaf.core.model.InputElement;
 import org.sitaf.core.model.OutputElement;
 import org.sitaf.core.model.TestModel;
+import org.sitaf.core.model.Value;
 
 /**
  * What a model says in CEL, compiled.
@@ -24,6 +26,8 @@ import org.sitaf.core.model.TestModel;
  * @param post in the order of the model
  */
 record Conditions(List<Expression> pre, Map<String, Expression> expected, List<Expression> post) {
+  private static final Pattern ERROR = Pattern.compile(Pattern.quote(Value.MARK_OF_ERROR) + "\\w+");
+
   Conditions {
     pre = List.copyOf(pre);
     expected = Map.copyOf(expected);
@@ -37,6 +41,7 @@ record Conditions(List<Expression> pre, Map<String, Expression> expected, List<E
     before.add(Variables.VALID);
     Set<String> after = new TreeSet<>(before);
     after.add("actual");
+    after.add(Variables.CALLS);
     model.outputs().forEach(o -> after.add("actual_" + o.name()));
     ExpressionCompiler beforeCall = new ExpressionCompiler(before);
     Compilation compilation = new Compilation(model.source(), diagnostics);
@@ -48,7 +53,7 @@ record Conditions(List<Expression> pre, Map<String, Expression> expected, List<E
         compilation
             .one(
                 beforeCall,
-                new Condition(output.expected(), output.line()),
+                new Condition(expression(output.expected()), output.line()),
                 "test_element " + output.name() + "/expected")
             .ifPresent(e -> expected.put(output.name(), e));
       }
@@ -61,6 +66,11 @@ record Conditions(List<Expression> pre, Map<String, Expression> expected, List<E
                 model.postConditions(),
                 "post_condition_spec_list");
     return new Conditions(pre, expected, post);
+  }
+
+  /** The name of an error stands for itself. */
+  private static String expression(String expected) {
+    return ERROR.matcher(expected.strip()).matches() ? '"' + expected.strip() + '"' : expected;
   }
 
   private record Compilation(String source, Diagnostics diagnostics) {

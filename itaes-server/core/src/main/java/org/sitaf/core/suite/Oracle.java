@@ -2,6 +2,7 @@ package org.sitaf.core.suite;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.sitaf.core.description.DataType;
@@ -35,7 +36,7 @@ final class Oracle {
   List<ExpectedValue> expect(int no, boolean valid, List<Value> values) {
     Variables variables = new Variables().put(Variables.VALID, valid);
     for (int i = 0; i < values.size(); i++) {
-      variables.put(model.inputs().get(i).name(), values.get(i));
+      variables.put(model.inputs().get(i).name(), values.get(i), model.inputs().get(i).type());
     }
     List<ExpectedValue> expected = new ArrayList<>();
     for (OutputElement output : model.outputs()) {
@@ -77,15 +78,38 @@ final class Oracle {
    * -1.0}.
    */
   private static String literal(Object result, DataType type) {
+    if (result instanceof String text && text.startsWith(Value.MARK_OF_ERROR)) {
+      return text;
+    }
+    if (result instanceof Map<?, ?> map) {
+      return map.entrySet().stream()
+          .map(e -> e.getKey() + ": " + nested(e.getValue(), member(type, e.getKey())))
+          .collect(Collectors.joining(", ", "{", "}"));
+    }
     if (result instanceof List<?> list) {
       DataType element =
           type instanceof DataType.Sequence sequence
               ? sequence.element()
               : type instanceof DataType.FixedArray array ? array.element() : type;
-      return list.stream()
-          .map(e -> literal(e, element))
-          .collect(Collectors.joining(", ", "[", "]"));
+      return list.stream().map(e -> nested(e, element)).collect(Collectors.joining(", ", "[", "]"));
     }
     return Value.parse(String.valueOf(result), type).literal();
+  }
+
+  /** Texts within a list or a map are quoted, so that a comma in them separates nothing. */
+  private static String nested(Object result, DataType type) {
+    return result instanceof String text && !(type instanceof DataType.Enumeration)
+        ? '"' + text.replace("\\", "\\\\").replace("\"", "\\\"") + '"'
+        : literal(result, type);
+  }
+
+  private static DataType member(DataType type, Object name) {
+    return type instanceof DataType.Struct struct
+        ? struct.members().stream()
+            .filter(m -> m.name().equals(name))
+            .map(DataType.Member::type)
+            .findFirst()
+            .orElse(new DataType.Unknown(""))
+        : new DataType.Unknown("");
   }
 }

@@ -18,12 +18,14 @@ import org.sitaf.core.model.Value;
  * 0.3.
  */
 final class NumberValues {
-  /** Order of numbers, false before true; NaN last. */
+  /** Order of numbers, false before true; NaN after them, what is no number last. */
   static final Comparator<Value> ASCENDING =
-      (one, other) ->
-          one instanceof Value.Whole a && other instanceof Value.Whole b
-              ? a.number().compareTo(b.number())
-              : Double.compare(asDouble(one), asDouble(other));
+      Comparator.<Value, Boolean>comparing(Value.Text.class::isInstance)
+          .thenComparing(
+              (one, other) ->
+                  one instanceof Value.Whole a && other instanceof Value.Whole b
+                      ? a.number().compareTo(b.number())
+                      : Double.compare(asDouble(one), asDouble(other)));
 
   private static final BigDecimal TWO = BigDecimal.valueOf(2);
 

@@ -8,6 +8,7 @@ import org.jspecify.annotations.Nullable;
  * What became of one case.
  *
  * @param values literals in the order of the suite's parameters
+ * @param calls of required interfaces
  * @param time null where the component was not called to its end
  * @param message why the verdict is not PASS; empty otherwise
  */
@@ -17,6 +18,7 @@ public record CaseResult(
     List<String> values,
     List<NamedValue> expected,
     List<NamedValue> actual,
+    StubCalls calls,
     @Nullable ProcessingTime time,
     String message) {
   public CaseResult {
@@ -25,6 +27,19 @@ public record CaseResult(
     values = List.copyOf(values);
     expected = List.copyOf(expected);
     actual = List.copyOf(actual);
+    Objects.requireNonNull(calls);
+  }
+
+  /** A result of a case in which the component called no required interface. */
+  public CaseResult(
+      int no,
+      Verdict verdict,
+      List<String> values,
+      List<NamedValue> expected,
+      List<NamedValue> actual,
+      @Nullable ProcessingTime time,
+      String message) {
+    this(no, verdict, values, expected, actual, StubCalls.NONE, time, message);
   }
 
   /** This result with another verdict and the reason for it. */
@@ -35,6 +50,7 @@ public record CaseResult(
         values,
         expected,
         actual,
+        calls,
         time,
         message.isEmpty() ? reason : message + "; " + reason);
   }

@@ -5,13 +5,15 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import org.sitaf.core.description.DataType;
+import org.sitaf.core.description.InterfaceDescription;
+import org.sitaf.core.description.MemberPath;
 import org.sitaf.core.expression.EvaluationException;
 import org.sitaf.core.expression.Expression;
 import org.sitaf.core.expression.Variables;
 import org.sitaf.core.model.InputElement;
 import org.sitaf.core.model.OutputElement;
 import org.sitaf.core.model.TestModel;
-import org.sitaf.core.model.Value;
 import org.sitaf.core.suite.PostConditions;
 import org.sitaf.core.suite.TestCase;
 import org.sitaf.core.suite.TestSuite;
@@ -24,10 +26,21 @@ public final class ResultAssembler {
   private final TestModel model;
   private final TestSuite suite;
   private final List<Expression> postConditions;
+  private final CallRecord calls;
   private final Map<Integer, TestCase> cases = new HashMap<>();
 
-  /** For the cases of a suite of this model. */
+  /** For the cases of a suite of this model, whose component requires no interface. */
   public ResultAssembler(TestModel model, TestSuite suite) {
+    this(model, suite, List.of());
+  }
+
+  /**
+   * For the cases of a suite of this model.
+   *
+   * @param required the interfaces whose calls the test stub records
+   */
+  public ResultAssembler(TestModel model, TestSuite suite, List<InterfaceDescription> required) {
+    this.calls = new CallRecord(required);
     this.model = Objects.requireNonNull(model);
     this.suite = Objects.requireNonNull(suite);
     this.postConditions = PostConditions.of(model);
@@ -42,6 +55,19 @@ public final class ResultAssembler {
     }
     CaseResult judged = result;
     for (Expression condition : postConditions) {
+      if (condition.mentions(Variables.CALLS) && result.calls().leftOut() > 0) {
+        judged =
+            judged.judged(
+                Verdict.ERROR,
+                "post-condition cannot be judged: "
+                    + condition.text()
+                    + ": of "
+                    + (result.calls().recorded().size() + result.calls().leftOut())
+                    + " calls only the first "
+                    + result.calls().recorded().size()
+                    + " were recorded");
+        continue;
+      }
       try {
         if (!condition.isTrue(variables(testCase, result))) {
           judged =
@@ -107,20 +133,22 @@ public final class ResultAssembler {
     Variables variables = new Variables().put(Variables.VALID, testCase.valid());
     for (int i = 0; i < model.inputs().size(); i++) {
       InputElement input = model.inputs().get(i);
-      variables.put(input.name(), Value.parse(testCase.values().get(i), input.type()));
+      variables.put(input.name(), testCase.values().get(i), input.type());
     }
     for (NamedValue actual : result.actual()) {
       OutputElement output = model.output(actual.output()).orElse(null);
       if (output != null) {
-        Object plain = Variables.plain(Value.parse(actual.literal(), output.type()));
-        variables.put("actual_" + output.name(), plain);
-        if (output.name().equals(OutputElement.RETURN_NAME)) {
-          variables.put("actual", plain);
+        variables.put("actual_" + output.name(), actual.literal(), output.type());
+        if (MemberPath.root(output.name()).equals(OutputElement.RETURN_NAME)) {
+          String part = output.name().substring(OutputElement.RETURN_NAME.length());
+          variables.put("actual" + part, actual.literal(), output.type());
         }
       } else if (actual.output().isEmpty() || actual.output().equals(OutputElement.RETURN_NAME)) {
-        variables.put("actual", actual.literal());
+        variables.put(
+            "actual", (Object) Variables.plain(actual.literal(), new DataType.Unknown("")));
       }
     }
+    variables.put(Variables.CALLS, (Object) calls.of(result.calls()));
     return variables.map();
   }
 }

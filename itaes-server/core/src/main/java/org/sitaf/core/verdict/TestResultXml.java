@@ -10,6 +10,7 @@ import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.document.XmlDocuments;
 import org.sitaf.core.suite.TestSuiteXml;
+import org.sitaf.schemas.CallType;
 import org.sitaf.schemas.CaseTimeType;
 import org.sitaf.schemas.NamedValueType;
 import org.sitaf.schemas.ProvenanceType;
@@ -115,6 +116,14 @@ public final class TestResultXml {
         given.getValues(),
         read(given.getExpected()),
         read(given.getActual()),
+        new StubCalls(
+            given.getCall().stream()
+                .map(
+                    c ->
+                        new StubCalls.Call(
+                            c.getMethod() == null ? "" : c.getMethod(), read(c.getArgument())))
+                .toList(),
+            given.getCallsLeftOut() == null ? 0 : given.getCallsLeftOut()),
         time == null
             ? null
             : new CaseResult.ProcessingTime(
@@ -175,6 +184,13 @@ public final class TestResultXml {
     written.getValues().addAll(result.values());
     written.getExpected().addAll(write(result.expected()));
     written.getActual().addAll(write(result.actual()));
+    for (StubCalls.Call call : result.calls().recorded()) {
+      CallType writtenCall = new CallType();
+      writtenCall.setMethod(call.method());
+      writtenCall.getArgument().addAll(write(call.arguments()));
+      written.getCall().add(writtenCall);
+    }
+    written.setCallsLeftOut(result.calls().leftOut() == 0 ? null : result.calls().leftOut());
     if (result.time() != null) {
       CaseTimeType time = new CaseTimeType();
       time.setUnit(MICROSECONDS);

@@ -101,7 +101,9 @@ public final class BuildRun {
       CompiledApplication compiled = compile();
 
       listener.stage(BuildStage.RUNNING);
-      ResultAssembler assembler = new ResultAssembler(application.model(), application.suite());
+      ResultAssembler assembler =
+          new ResultAssembler(
+              application.model(), application.suite(), application.activity().required());
       ExecutionRequest request = request(compiled, prepared);
       Execution execution =
           TestApplicationExecutor.DEFAULT.execute(

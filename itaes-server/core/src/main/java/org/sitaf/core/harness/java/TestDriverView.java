@@ -181,7 +181,12 @@ record TestDriverView(
     String within =
         tolerance.equals(Tolerance.EXACT)
             ? "Tolerance.EXACT"
-            : "new Tolerance(" + tolerance.absolute() + ", " + tolerance.relative() + ")";
+            : "new Tolerance("
+                + tolerance.absolute()
+                + ", "
+                + tolerance.relative()
+                + (tolerance.ulp() == 0 ? "" : ", " + tolerance.ulp())
+                + ")";
     return JavaText.call(4, "", "result.compare", List.of(name, output.expression(), within));
   }
 }

@@ -1,0 +1,64 @@
+package org.sitaf.core.verdict;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.sitaf.core.description.DataType;
+import org.sitaf.core.description.InterfaceDescription;
+import org.sitaf.core.description.Method;
+import org.sitaf.core.description.Parameter;
+import org.sitaf.core.expression.Variables;
+
+/** The record of the test stub as post-conditions see it: {@code calls["Interface.Method"]}. */
+final class CallRecord {
+  /** The key of the names of all methods, in the order of the calls. */
+  private static final String IN_ORDER = "";
+
+  private final Map<String, List<Method>> methods = new LinkedHashMap<>();
+
+  CallRecord(List<InterfaceDescription> required) {
+    for (InterfaceDescription description : required) {
+      for (Method method : description.methods()) {
+        methods
+            .computeIfAbsent(description.name() + "." + method.name(), n -> new ArrayList<>())
+            .add(method);
+      }
+    }
+  }
+
+  /** Lists of calls by method; every required method is a key. */
+  Map<String, Object> of(StubCalls calls) {
+    List<Object> order = new ArrayList<>();
+    Map<String, List<Object>> byMethod = new LinkedHashMap<>();
+    methods.keySet().forEach(name -> byMethod.put(name, new ArrayList<>()));
+    for (StubCalls.Call call : calls.recorded()) {
+      order.add(call.method());
+      byMethod.computeIfAbsent(call.method(), n -> new ArrayList<>()).add(arguments(call));
+    }
+    Map<String, Object> record = new LinkedHashMap<>(byMethod);
+    record.put(IN_ORDER, order);
+    return record;
+  }
+
+  private Map<String, Object> arguments(StubCalls.Call call) {
+    Map<String, Object> arguments = new LinkedHashMap<>();
+    for (NamedValue argument : call.arguments()) {
+      arguments.put(
+          argument.output(), Variables.plain(argument.literal(), type(call, argument.output())));
+    }
+    return arguments;
+  }
+
+  /** An overload is known by its arguments; where that does not tell, the spelling decides. */
+  private DataType type(StubCalls.Call call, String argument) {
+    List<DataType> types =
+        methods.getOrDefault(call.method(), List.of()).stream()
+            .flatMap(m -> m.parameters().stream())
+            .filter(p -> p.name().equals(argument))
+            .map(Parameter::type)
+            .distinct()
+            .toList();
+    return types.size() == 1 ? types.get(0) : new DataType.Unknown(argument);
+  }
+}
