@@ -101,6 +101,9 @@ install_java() {
   rm -rf "$trial"
   java -XX:ArchiveClassesAtExit="$state/dist/cli/cli.jsa" -XX:TieredStopAtLevel=1 -jar "$state/dist/cli/cli.jar" \
     generate "$home/examples/ir-sensor/GetInfraredData.xml"
+  # What each Java test application loads before its first case; it may end as it likes, what it loaded counts.
+  java -XX:ArchiveClassesAtExit="$state/dist/agent/runtime-java.jsa" -XX:TieredStopAtLevel=1 -XX:+UseSerialGC \
+    -cp "$(printf '%s\n' "$state"/dist/agent/runtime-java/*.jar | LC_ALL=C sort | paste -sd:)" org.sitaf.runtime.Rehearsal
   java -XX:ArchiveClassesAtExit="$state/dist/agent/agent.jsa" -XX:TieredStopAtLevel=1 -jar "$state/dist/agent/agent.jar" --help
 }
 

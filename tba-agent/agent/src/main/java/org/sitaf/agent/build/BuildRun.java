@@ -14,6 +14,7 @@ import org.sitaf.agent.compiler.TestApplicationCompiler;
 import org.sitaf.agent.executor.Execution;
 import org.sitaf.agent.executor.ExecutionRequest;
 import org.sitaf.agent.executor.ExecutionRequest.World;
+import org.sitaf.agent.executor.ParallelExecutor;
 import org.sitaf.agent.executor.SimulatorAddress;
 import org.sitaf.agent.executor.TestApplicationExecutor;
 import org.sitaf.agent.sandbox.Sandbox;
@@ -26,6 +27,7 @@ import org.sitaf.agent.toolchain.Toolchain;
 import org.sitaf.core.activity.ActivityProfile;
 import org.sitaf.core.activity.ActivityProfile.Component;
 import org.sitaf.core.activity.ActivityProfile.Language;
+import org.sitaf.core.activity.ActivityProfile.LifeCycle;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.harness.TestApplication;
@@ -106,8 +108,8 @@ public final class BuildRun {
               application.model(), application.suite(), application.activity().required());
       ExecutionRequest request = request(compiled, prepared);
       Execution execution =
-          TestApplicationExecutor.DEFAULT.execute(
-              request, log, result -> announce(assembler.judge(result)));
+          new ParallelExecutor(TestApplicationExecutor.DEFAULT, sessions())
+              .execute(request, log, result -> announce(assembler.judge(result)));
 
       TestResult result = report(execution, assembler, prepared.bridge(), started);
       return new BuildOutcome.Completed(withCoverage(result, compiled, request, log));
@@ -200,7 +202,8 @@ public final class BuildRun {
   private CompiledApplication compile()
       throws CompilationException, IOException, InterruptedException {
     Toolchain toolchain = toolchain(application.activity().profile().harness());
-    return new TestApplicationCompiler(toolchain, settings.coverage(), settings.sandbox())
+    return new TestApplicationCompiler(
+            toolchain, settings.toolchains().compiled(), settings.coverage(), settings.sandbox())
         .compile(application, applicationDirectory(), directory.resolve("compilation"));
   }
 
@@ -214,8 +217,20 @@ public final class BuildRun {
         application.suite(),
         applicationDirectory().resolve("suite.xml"),
         execution,
+        execution.resolve("coverage"),
         prepared.world(),
         application.activity().profile().limits());
+  }
+
+  /**
+   * In how many simulations at once the cases run. A component that lives as long as the suite sees
+   * all of its cases in one.
+   */
+  private int sessions() {
+    ActivityProfile profile = application.activity().profile();
+    return profile.parallel() && profile.component().lifeCycle() == LifeCycle.CASE
+        ? Runtime.getRuntime().availableProcessors()
+        : 1;
   }
 
   /** Tells what was reached of the component; a tool that fails costs only this. */

@@ -12,12 +12,16 @@ import org.sitaf.agent.toolchain.Toolchain;
 import org.sitaf.core.harness.TestApplication;
 
 /**
- * Compiles test applications with the toolchain of their language.
+ * Compiles test applications with the toolchain of their language; what was compiled before is
+ * taken from a cache.
  *
+ * @param cache a folder that several builds and processes may share
  * @param coverage whether processes are to record which lines of the component they reach
  * @param sandbox in which the toolchain's tools run
  */
-public record TestApplicationCompiler(Toolchain toolchain, boolean coverage, Sandbox sandbox) {
+public record TestApplicationCompiler(
+    Toolchain toolchain, Path cache, boolean coverage, Sandbox sandbox) {
+  private static final long CACHE_BYTES = 1L << 30;
   private static final Duration LIMIT = Duration.ofMinutes(2);
 
   /**
@@ -40,7 +44,12 @@ public record TestApplicationCompiler(Toolchain toolchain, boolean coverage, San
             LIMIT,
             coverage,
             sandbox);
-    toolchain.compile(compilation);
+    CompileCache compiled = new CompileCache(cache, CACHE_BYTES);
+    String key = CompileKey.of(application, toolchain, coverage);
+    if (!compiled.restore(key, compilation.output())) {
+      toolchain.compile(compilation);
+      compiled.keep(key, compilation.output());
+    }
     return toolchain.open(compilation);
   }
 }

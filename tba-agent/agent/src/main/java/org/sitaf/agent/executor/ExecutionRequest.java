@@ -1,14 +1,19 @@
 package org.sitaf.agent.executor;
 
+import java.io.BufferedOutputStream;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.agent.toolchain.CompiledApplication;
 import org.sitaf.core.activity.ActivityProfile.Limits;
+import org.sitaf.core.suite.TestCase;
 import org.sitaf.core.suite.TestSuite;
+import org.sitaf.core.suite.TestSuiteXml;
 
 /**
  * What to execute.
@@ -17,6 +22,8 @@ import org.sitaf.core.suite.TestSuite;
  * @param suiteFile the suite as a document, for the test application
  * @param directory the executor's own, for the results file and the working folder of the test
  *     application; created
+ * @param coverage where processes leave what they reached of the component, a folder a process;
+ *     created when it is needed
  * @param world null where the activity has none
  */
 public record ExecutionRequest(
@@ -26,6 +33,7 @@ public record ExecutionRequest(
     TestSuite suite,
     Path suiteFile,
     Path directory,
+    Path coverage,
     @Nullable World world,
     Limits limits) {
   public ExecutionRequest {
@@ -35,16 +43,35 @@ public record ExecutionRequest(
     Objects.requireNonNull(suite);
     Objects.requireNonNull(suiteFile);
     Objects.requireNonNull(directory);
+    Objects.requireNonNull(coverage);
     Objects.requireNonNull(limits);
   }
 
-  /** Where processes leave what they reached of the component, a folder a process. */
-  public Path coverage() {
-    return directory.resolve("coverage");
+  /**
+   * A part of the cases, in a folder of its own.
+   *
+   * @param number from 1
+   */
+  ExecutionRequest part(int number, List<TestCase> cases) throws IOException {
+    Path own = Files.createDirectories(directory.resolve("part-" + number));
+    TestSuite part =
+        new TestSuite(
+            suite.name(),
+            suite.description(),
+            suite.modelName(),
+            suite.generation(),
+            suite.parameters(),
+            cases);
+    Path file = own.resolve("suite.xml");
+    try (OutputStream out = new BufferedOutputStream(Files.newOutputStream(file))) {
+      TestSuiteXml.write(part, out);
+    }
+    return new ExecutionRequest(
+        application, sandbox, files, part, file, own, coverage, world, limits);
   }
 
   Path newCoverageFolder() throws IOException {
-    return Files.createTempDirectory(Files.createDirectories(coverage()), "process");
+    return Files.createTempDirectory(Files.createDirectories(coverage), "process");
   }
 
   /**

@@ -80,7 +80,7 @@ final class HarnessProcess implements AutoCloseable {
         Confinement.of(command, working, temporary, limits)
             .withEnvironment(application.environment(place))
             .reading(application.readable())
-            .reading(List.of(request.files()))
+            .reading(List.of(request.files(), request.suiteFile()))
             .writing(List.of(results));
     if (coverage != null) {
       confinement = confinement.writing(List.of(coverage));

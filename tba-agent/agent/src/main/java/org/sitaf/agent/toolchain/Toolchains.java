@@ -1,5 +1,6 @@
 package org.sitaf.agent.toolchain;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
@@ -31,6 +32,11 @@ public final class Toolchains {
 
   private synchronized ToolchainLookup lookup(Language language) {
     return looked.computeIfAbsent(language, this::look);
+  }
+
+  /** Where what was compiled is kept for the next builds. */
+  public Path compiled() {
+    return places.cache().resolve("compiled");
   }
 
   /** The toolchain of a language. */

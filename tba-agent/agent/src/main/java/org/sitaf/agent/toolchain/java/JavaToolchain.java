@@ -38,10 +38,12 @@ import org.sitaf.core.harness.TestApplication;
  */
 public final class JavaToolchain implements Toolchain {
   private final List<Path> runtimeJars;
+  private final @Nullable Path archive;
   private final @Nullable Path recorder;
 
-  private JavaToolchain(List<Path> runtimeJars, @Nullable Path recorder) {
+  private JavaToolchain(List<Path> runtimeJars, @Nullable Path archive, @Nullable Path recorder) {
     this.runtimeJars = List.copyOf(runtimeJars);
+    this.archive = archive;
     this.recorder = recorder;
   }
 
@@ -58,6 +60,7 @@ public final class JavaToolchain implements Toolchain {
       return new Found(
           new JavaToolchain(
               RuntimeJars.in(places.runtimes().resolve("runtime-java")),
+              RuntimeJars.archive(places.runtimes().resolve("runtime-java.jsa")).orElse(null),
               RuntimeJars.recorder(places.runtimes().resolve("coverage-java")).orElse(null)));
     } catch (IOException e) {
       return new Missing(
@@ -97,7 +100,8 @@ public final class JavaToolchain implements Toolchain {
             ? null
             : JavaCoverage.of(compilation.application(), recorder, compilation.output())
                 .orElse(null);
-    return new JavaApplication(classPath, compilation.application().entryPoint(), recording);
+    return new JavaApplication(
+        classPath, compilation.application().entryPoint(), archive, recording);
   }
 
   @Override

@@ -32,6 +32,11 @@ final class RuntimeJars {
             + " does not hold the runtime of Java test applications (sitaf-runtime-java-*.jar)");
   }
 
+  /** The archive of classes that the installation has made of the jars. */
+  static Optional<Path> archive(Path file) {
+    return Files.isRegularFile(file) ? Optional.of(file) : Optional.empty();
+  }
+
   /** The jar that records which lines are reached; empty where the folder has none. */
   static Optional<Path> recorder(Path directory) throws IOException {
     if (!Files.isDirectory(directory)) {

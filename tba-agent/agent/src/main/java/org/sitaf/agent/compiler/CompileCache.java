@@ -1,0 +1,140 @@
+package org.sitaf.agent.compiler;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.FileSystemException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.attribute.FileTime;
+import java.time.Instant;
+import java.util.Comparator;
+import java.util.List;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+
+/**
+ * What was compiled, a folder for each key. An entry is there whole or not at all, and several
+ * agents and commands may share the cache: they add by renaming and remove by renaming.
+ *
+ * @param directory created when it is needed
+ * @param limitBytes what all entries together may hold
+ */
+record CompileCache(Path directory, long limitBytes) {
+  private static final Pattern KEY = Pattern.compile("[0-9a-f]{64}");
+  private static final int MOST_ENTRIES = 500;
+
+  /** Copies what was compiled into an empty folder; false where the key is not known. */
+  boolean restore(String key, Path output) throws IOException {
+    Path entry = entry(key);
+    if (!Files.isDirectory(entry)) {
+      return false;
+    }
+    try {
+      Files.setLastModifiedTime(entry, FileTime.from(Instant.now()));
+      copy(entry, output);
+      return true;
+    } catch (IOException | UncheckedIOException e) {
+      // Somebody removed it meanwhile: it is compiled as if it had never been there.
+      empty(output);
+      return false;
+    }
+  }
+
+  /** Takes a copy of what was compiled, and lets go of what was used longest ago. */
+  void keep(String key, Path output) throws IOException {
+    Path entry = entry(key);
+    Files.createDirectories(directory);
+    Path work = Files.createTempDirectory(directory, "new");
+    try {
+      copy(output, work);
+      Files.move(work, entry, StandardCopyOption.ATOMIC_MOVE);
+    } catch (FileSystemException e) {
+      if (!Files.isDirectory(entry)) {
+        throw e;
+      }
+      // Somebody else compiled the same meanwhile.
+    } finally {
+      delete(work);
+    }
+    shrink();
+  }
+
+  private void shrink() throws IOException {
+    List<Path> newestFirst;
+    try (Stream<Path> entries = Files.list(directory)) {
+      newestFirst =
+          entries
+              .filter(entry -> KEY.matcher(entry.getFileName().toString()).matches())
+              .sorted(Comparator.comparing(CompileCache::used).reversed())
+              .toList();
+    }
+    long bytes = 0;
+    int count = 0;
+    for (Path entry : newestFirst) {
+      bytes += size(entry);
+      // What was just added stays, however large it is.
+      if (++count > 1 && (bytes > limitBytes || count > MOST_ENTRIES)) {
+        Path gone = Files.createTempDirectory(directory, "old").resolve("entry");
+        try {
+          Files.move(entry, gone, StandardCopyOption.ATOMIC_MOVE);
+        } catch (IOException e) {
+          // Somebody else was faster.
+        }
+        delete(gone.getParent());
+      }
+    }
+  }
+
+  private Path entry(String key) {
+    if (!KEY.matcher(key).matches()) {
+      throw new IllegalArgumentException("'" + key + "' is no key");
+    }
+    return directory.resolve(key);
+  }
+
+  private static FileTime used(Path entry) {
+    try {
+      return Files.getLastModifiedTime(entry);
+    } catch (IOException e) {
+      return FileTime.from(Instant.EPOCH);
+    }
+  }
+
+  private static long size(Path entry) {
+    try (Stream<Path> files = Files.walk(entry)) {
+      return files.filter(Files::isRegularFile).mapToLong(file -> file.toFile().length()).sum();
+    } catch (IOException | UncheckedIOException e) {
+      return 0;
+    }
+  }
+
+  private static void copy(Path from, Path to) throws IOException {
+    try (Stream<Path> files = Files.walk(from)) {
+      for (Path file : files.toList()) {
+        Path target = to.resolve(from.relativize(file).toString());
+        if (Files.isDirectory(file)) {
+          Files.createDirectories(target);
+        } else {
+          Files.copy(file, target, StandardCopyOption.COPY_ATTRIBUTES);
+        }
+      }
+    }
+  }
+
+  private static void empty(Path folder) throws IOException {
+    delete(folder);
+    Files.createDirectories(folder);
+  }
+
+  private static void delete(Path folder) throws IOException {
+    if (!Files.exists(folder)) {
+      return;
+    }
+    try (Stream<Path> files = Files.walk(folder)) {
+      for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
+        Files.deleteIfExists(file);
+      }
+    }
+  }
+}

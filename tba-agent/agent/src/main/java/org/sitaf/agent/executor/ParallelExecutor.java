@@ -1,0 +1,106 @@
+package org.sitaf.agent.executor;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.function.UnaryOperator;
+import org.sitaf.core.suite.TestCase;
+import org.sitaf.core.verdict.CaseResult;
+
+/**
+ * Executes a suite in several simulations at once, each with a run of cases that follow each other.
+ * The results are those of one simulation, in the order of the suite.
+ *
+ * @param each executes one part
+ * @param sessions at most so many parts
+ */
+public record ParallelExecutor(TestApplicationExecutor each, int sessions) {
+  /** Fewer cases than this do not pay the start of a process. */
+  private static final int FEWEST_CASES = 10;
+
+  public ParallelExecutor {
+    Objects.requireNonNull(each);
+    if (sessions < 1) {
+      throw new IllegalArgumentException("sessions must be at least 1");
+    }
+  }
+
+  /**
+   * Runs the cases; see {@link TestApplicationExecutor#execute}.
+   *
+   * @param onResult is told one result at a time, though from several threads
+   */
+  public Execution execute(
+      ExecutionRequest request, OutputSink sink, UnaryOperator<CaseResult> onResult)
+      throws IOException, InterruptedException {
+    List<TestCase> cases = request.suite().cases();
+    int parts = Math.min(sessions, cases.size() / FEWEST_CASES);
+    if (parts < 2) {
+      return each.execute(request, sink, onResult);
+    }
+    sink.remark("the cases run in " + parts + " simulations at once");
+    Object oneAtATime = new Object();
+    UnaryOperator<CaseResult> inTurn =
+        result -> {
+          synchronized (oneAtATime) {
+            return onResult.apply(result);
+          }
+        };
+    List<Future<Execution>> running = new ArrayList<>();
+    ExecutorService threads = Executors.newFixedThreadPool(parts);
+    try {
+      for (int i = 0; i < parts; i++) {
+        List<TestCase> some =
+            cases.subList(cases.size() * i / parts, cases.size() * (i + 1) / parts);
+        ExecutionRequest part = request.part(i + 1, some);
+        running.add(threads.submit(() -> each.execute(part, sink, inTurn)));
+      }
+      return joined(running);
+    } finally {
+      // Parts that still run, because another failed or the build was cancelled, end their
+      // processes.
+      threads.shutdownNow();
+      while (!threads.isTerminated()) {
+        awaitEnd(threads);
+      }
+    }
+  }
+
+  private static Execution joined(List<Future<Execution>> running)
+      throws IOException, InterruptedException {
+    List<CaseResult> results = new ArrayList<>();
+    String reason = "";
+    for (Future<Execution> part : running) {
+      try {
+        Execution execution = part.get();
+        results.addAll(execution.results());
+        if (reason.isEmpty()) {
+          reason = execution.reasonOfRest();
+        }
+      } catch (ExecutionException e) {
+        if (e.getCause() instanceof IOException failure) {
+          throw failure;
+        }
+        throw new IllegalStateException("a part of the suite failed", e.getCause());
+      }
+    }
+    return new Execution(results, reason);
+  }
+
+  private static void awaitEnd(ExecutorService threads) {
+    boolean interrupted = false;
+    try {
+      threads.awaitTermination(1, java.util.concurrent.TimeUnit.SECONDS);
+    } catch (InterruptedException e) {
+      interrupted = true;
+    }
+    if (interrupted) {
+      Thread.currentThread().interrupt();
+    }
+  }
+}
