@@ -246,7 +246,7 @@ observations:
         "w.world.yaml:9: parameters.F.bind: set: joint.nojoint.pos: the MJCF has no joint 'nojoint'",
         "w.world.yaml:10: parameters.G.bind: set: body.ball.mass: cannot be less than 1e-15",
         "w.world.yaml:12: devices.ir.sensor: the MJCF has no sensor 'nosensor'",
-        "w.world.yaml:14: observations.o.entity: the MJCF has no body 'noentity'",
+        "w.world.yaml:14: observations.o: the MJCF has no body 'noentity'",
     ):
         assert words in message, message
 

@@ -103,7 +103,7 @@ def _print_world(world: World) -> None:
     for d in description.devices.values():
         print(f"device       {d.name}: {d.kind}")
     for o in description.observations.values():
-        print(f"observation  {o.name} [{o.unit}]: {o.axis} of {o.entity}")
+        print(f"observation  {o.name} [{o.unit}]: {o.text}")
 
 
 def _version() -> str:

@@ -1,34 +1,114 @@
-"""Observations: coordinates of bodies that no device of the robot measures."""
+"""Observations, found in a model."""
 
 import math
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import mujoco
+import numpy as np
 
-from sitaf_bridge.world.description.declaration import AXES, Observation
+from sitaf_bridge.world.description.declaration import Description
+from sitaf_bridge.world.description.observation import (
+    AXES,
+    LINES,
+    QUATERNION,
+    Coordinate,
+    DeviceNumber,
+    Distance,
+    Observation,
+    Orientation,
+    Touch,
+    Velocity,
+)
+from sitaf_bridge.world.devices import KINDS, Reading
 from sitaf_bridge.world.parameters.settings import name_to_id
+
+BODY, GEOM = mujoco.mjtObj.mjOBJ_BODY, mujoco.mjtObj.mjOBJ_GEOM
+Measure = Callable[[mujoco.MjModel, mujoco.MjData, Sequence[Reading]], float]
 
 
 @dataclass(frozen=True)
 class BoundObservation:
-    """A coordinate of one body in the world's frame."""
+    """How to measure an observation; `place` is body and axis where it is a plain number of `xpos`."""
 
-    body: int
-    axis: int
-
-    def measure(self, data: mujoco.MjData) -> float:
-        """Metres for x, y, z; radians for roll, pitch, yaw (REP-103: fixed axes x, y, z)."""
-        if self.axis < 3:
-            return float(data.xpos[self.body, self.axis])
-        m = data.xmat[self.body]
-        if self.axis == 3:
-            return math.atan2(m[7], m[8])
-        if self.axis == 4:
-            return math.asin(max(-1.0, min(1.0, -m[6])))
-        return math.atan2(m[3], m[0])
+    measure: Measure
+    place: tuple[int, int] | None = None
 
 
-def find_observation(model: mujoco.MjModel, observation: Observation) -> BoundObservation:
+def find_observation(model: mujoco.MjModel, description: Description, observation: Observation) -> BoundObservation:
     """Bind a declared observation to a model. Raises NoSuchSetting."""
-    body = name_to_id(model, mujoco.mjtObj.mjOBJ_BODY, "body", observation.entity)
-    return BoundObservation(body, AXES.index(observation.axis))
+    match observation.sight:
+        case Coordinate(entity, axis):
+            return _coordinate(_body(model, entity), AXES.index(axis))
+        case Velocity(entity, axis):
+            return BoundObservation(_velocity(_body(model, entity), AXES.index(axis)))
+        case Orientation(entity, part):
+            return BoundObservation(_orientation(_body(model, entity), QUATERNION.index(part)))
+        case DeviceNumber(device, index, _):
+            names = [d.name for d in description.devices.values() if not KINDS[d.kind].image]
+            position = names.index(device)
+            return BoundObservation(lambda _model, _data, readings: readings[position].values[index])
+        case Touch(first, second):
+            return BoundObservation(_touch(*(name_to_id(model, GEOM, "geom", name) for name in (first, second))))
+        case Distance(first, second):
+            return BoundObservation(_distance(_body(model, first), _body(model, second)))
+
+
+def touching(data: mujoco.MjData, pair: Sequence[int]) -> bool:
+    """Whether two geoms touch, whose ids are in ascending order."""
+    if not data.ncon:
+        return False
+    contact = data.contact
+    same = (np.sort(contact.geom, axis=1) == pair).all(axis=1)
+    return bool((same & (contact.dist <= 0)).any())
+
+
+def _body(model: mujoco.MjModel, name: str) -> int:
+    return name_to_id(model, BODY, "body", name)
+
+
+def _coordinate(body: int, axis: int) -> BoundObservation:
+    if axis < len(LINES):
+        return BoundObservation(lambda _model, data, _readings: data.xpos.item(body, axis), (body, axis))
+
+    def angle(_model: mujoco.MjModel, data: mujoco.MjData, _readings: Sequence[Reading]) -> float:
+        m = data.xmat[body].tolist()
+        match AXES[axis]:
+            case "roll":
+                return math.atan2(m[7], m[8])
+            case "pitch":
+                return math.asin(max(-1.0, min(1.0, -m[6])))
+            case _:
+                return math.atan2(m[3], m[0])
+
+    return BoundObservation(angle)
+
+
+def _velocity(body: int, axis: int) -> Measure:
+    # MuJoCo puts the turning first.
+    index = axis + 3 if axis < len(LINES) else axis - 3
+
+    def measure(model: mujoco.MjModel, data: mujoco.MjData, _readings: Sequence[Reading]) -> float:
+        velocity = np.empty(6)
+        mujoco.mj_objectVelocity(model, data, mujoco.mjtObj.mjOBJ_XBODY, body, velocity, 0)
+        return velocity.item(index)
+
+    return measure
+
+
+def _orientation(body: int, part: int) -> Measure:
+    def measure(_model: mujoco.MjModel, data: mujoco.MjData, _readings: Sequence[Reading]) -> float:
+        w, x, y, z = data.xquat[body].tolist()
+        # Both signs are the same orientation.
+        return math.copysign(1.0, w) * (x, y, z, w)[part]
+
+    return measure
+
+
+def _touch(first: int, second: int) -> Measure:
+    pair = sorted((first, second))
+    return lambda _model, data, _readings: float(touching(data, pair))
+
+
+def _distance(first: int, second: int) -> Measure:
+    return lambda _model, data, _readings: float(np.linalg.norm(data.xpos[first] - data.xpos[second]))

@@ -139,7 +139,7 @@ def _observations(model: mujoco.MjModel, description: Description, problems: Pro
     found: dict[str, BoundObservation] = {}
     for name, observation in description.observations.items():
         try:
-            found[name] = find_observation(model, observation)
+            found[name] = find_observation(model, description, observation)
         except NoSuchSetting as error:
-            problems.add(observation.line, f"observations.{name}.entity: {error}")
+            problems.add(observation.line, f"observations.{name}: {error}")
     return found

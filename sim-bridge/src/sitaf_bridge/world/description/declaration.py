@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 
+from sitaf_bridge.world.description.observation import Observation, read_observation
 from sitaf_bridge.world.description.robot import Robot, read_robot
 from sitaf_bridge.world.description.source import WorldSource, unsafe_path
 from sitaf_bridge.world.description.yaml_block import Block, Problems, parse
@@ -10,7 +11,6 @@ from sitaf_bridge.world.devices import KINDS, DeviceDeclaration
 
 # What the past readings of a device may cost in memory is bounded by it.
 MAX_DELAY_S = 10.0
-AXES = ("x", "y", "z", "roll", "pitch", "yaw")
 
 
 @dataclass(frozen=True)
@@ -42,21 +42,6 @@ class Parameter:
     binds: tuple[Bind, ...]
 
 
-@dataclass(frozen=True)
-class Observation:
-    """A coordinate of a body that a test may look at: metres for x, y, z, radians for roll, pitch, yaw."""
-
-    name: str
-    entity: str
-    axis: str
-    line: int
-
-    @property
-    def unit(self) -> str:
-        """The SI unit."""
-        return "m" if self.axis in ("x", "y", "z") else "rad"
-
-
 @dataclass(frozen=True, eq=False)
 class Description:
     """A world description that is well formed; whether the MJCF has what it names is not known yet.
@@ -80,7 +65,7 @@ def read_description(source: WorldSource) -> Description:
     parameters = {name: _parameter(name, block) for name, block in top.named_blocks("parameters")}
     robots = {name: read_robot(name, block) for name, block in top.named_blocks("robots")}
     devices = {name: _device(name, block) for name, block in top.named_blocks("devices")}
-    observations = {name: _observation(name, block) for name, block in top.named_blocks("observations")}
+    observations = {name: read_observation(name, block, devices) for name, block in top.named_blocks("observations")}
     top.finish()
     _refuse_shared_paths(parameters.values(), problems)
     problems.raise_if_any()
@@ -157,16 +142,6 @@ def _device(name: str, block: Block) -> DeviceDeclaration | None:
         block.problem(f"{block.path}: noise must not be negative, and delay be 0 to {MAX_DELAY_S:g} s")
         return None
     return replace(declaration, noise=noise, delay=delay)
-
-
-def _observation(name: str, block: Block) -> Observation | None:
-    entity = block.text("entity")
-    axis = block.text("axis")
-    block.finish()
-    if axis is not None and axis not in AXES:
-        block.problem(f"{block.path}.axis: {axis!r} is not one of {', '.join(AXES)}", "axis")
-        return None
-    return None if entity is None or axis is None else Observation(name, entity, axis, block.line)
 
 
 def _refuse_shared_paths(parameters: Iterable[Parameter | None], problems: Problems) -> None:

@@ -69,6 +69,10 @@ class Block:
         """The path of a key."""
         return f"{self.path}.{key}" if self.path else key
 
+    def has(self, key: str) -> bool:
+        """Whether a key is given."""
+        return key in self._entries
+
     def text(self, key: str) -> str | None:
         """A required text; None after noting what is wrong with it."""
         node = self._take(key, required=True)

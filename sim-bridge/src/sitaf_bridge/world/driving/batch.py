@@ -24,8 +24,6 @@ SECANT_STEPS = 2
 # Cases that are cheaper done one by one than by another pass over all.
 FEW = 0.02
 FIRST = np.zeros(1, np.intp)
-# Observations of x, y, z are single numbers of the data.
-PLAIN_AXES = 3
 
 
 def can_batch(world: World, devices: Sequence[DeviceDeclaration]) -> bool:
@@ -37,7 +35,7 @@ def can_batch(world: World, devices: Sequence[DeviceDeclaration]) -> bool:
     bank = world.banks.get("range")
     if isinstance(bank, RangeBank) and not bank.native:
         return False
-    if any(observation.axis >= PLAIN_AXES for observation in world.observations.values()):
+    if any(observation.place is None for observation in world.observations.values()):
         return False
     binds = [bind for bound in world.binds.values() for bind in bound]
     return all(
@@ -169,5 +167,7 @@ class BatchRun:
                     filled += 1
         positions = self._batch.bind("xpos")
         for observation in self._world.observations.values():
-            out[:, filled] = positions[:count, observation.body, observation.axis]
+            assert observation.place is not None  # noqa: S101  # by can_batch
+            body, axis = observation.place
+            out[:, filled] = positions[:count, body, axis]
             filled += 1

@@ -8,6 +8,7 @@ import numpy as np
 
 from sitaf_bridge.errors import InvalidRequest
 from sitaf_bridge.world.devices import KINDS, Reading
+from sitaf_bridge.world.observing import touching
 from sitaf_bridge.world.parameters.settings import NoSuchSetting, name_to_id
 from sitaf_bridge.world.world import World
 
@@ -70,14 +71,7 @@ def _touching(condition: Touching, model: mujoco.MjModel) -> Judge:
     kind = mujoco.mjtObj.mjOBJ_GEOM
     pair = sorted(name_to_id(model, kind, "geom", name) for name in (condition.geom1, condition.geom2))
 
-    def judge(data: mujoco.MjData, _now: int, _read: Callable[[], Sequence[Reading]]) -> bool:
-        if not data.ncon:
-            return False
-        contact = data.contact
-        same = (np.sort(contact.geom, axis=1) == pair).all(axis=1)
-        return bool((same & (contact.dist <= 0)).any())
-
-    return judge
+    return lambda data, _now, _read: touching(data, pair)
 
 
 def _near(condition: Near, model: mujoco.MjModel) -> Judge:

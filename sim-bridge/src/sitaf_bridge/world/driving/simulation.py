@@ -378,12 +378,15 @@ class Simulation:
 
     def _observe(self) -> WorldState:
         mujoco.mj_forward(self._model, self._data)
+        readings = self._read()
         state = WorldState(
             declared=self.world.description,
             step=self._step,
             time_ns=self.time_ns,
-            readings=self._read(),
-            observations={name: o.measure(self._data) for name, o in self.world.observations.items()},
+            readings=readings,
+            observations={
+                name: o.measure(self._model, self._data, readings) for name, o in self.world.observations.items()
+            },
         )
         if self._film is not None:
             self._film.look(self.world, self._data, state)
