@@ -4,25 +4,36 @@ import os
 import signal
 import sys
 import threading
+import time
 from collections.abc import Callable
+from queue import SimpleQueue
 
 PARENT_POLL_S = 0.5
 
 
 class Ending:
-    """An event that signals, the parent's end and the end of stdin set."""
+    """What signals, the parent's end and the end of stdin bring about.
+
+    A queue, since a handler may interrupt the very thread that waits: an Event's lock is then held, and the two would
+    wait for each other for ever.
+    """
 
     def __init__(self) -> None:
-        self._event = threading.Event()
+        self._ended: SimpleQueue[None] = SimpleQueue()
 
     def on_signals(self) -> None:
         """End on SIGTERM and SIGINT. Call from the main thread."""
         for number in (signal.SIGTERM, signal.SIGINT):
-            signal.signal(number, lambda *_: self._event.set())
+            signal.signal(number, lambda *_: self._ended.put(None))
 
     def with_parent(self, pid: int) -> None:
         """End when the process `pid` is gone."""
-        self._watch(lambda: self._wait_for(pid), "parent-watch")
+
+        def poll() -> None:
+            while _is_alive(pid):
+                time.sleep(PARENT_POLL_S)
+
+        self._watch(poll, "parent-watch")
 
     def with_stdin(self) -> None:
         """End when stdin does: the pipe of a parent that died closes by itself."""
@@ -35,18 +46,14 @@ class Ending:
 
     def wait(self) -> None:
         """Until one of these happened."""
-        self._event.wait()
+        self._ended.get()
 
     def _watch(self, wait: Callable[[], None], name: str) -> None:
         def watch() -> None:
             wait()
-            self._event.set()
+            self._ended.put(None)
 
         threading.Thread(target=watch, name=name, daemon=True).start()
-
-    def _wait_for(self, pid: int) -> None:
-        while _is_alive(pid) and not self._event.wait(PARENT_POLL_S):
-            pass
 
 
 def _is_alive(pid: int) -> bool:
