@@ -40,6 +40,24 @@ def test_serve_prints_its_address_first_and_then_its_versions() -> None:
         process.terminate()
 
 
+def test_serve_lists_the_worlds_that_it_is_given(tmp_path: Path) -> None:
+    (tmp_path / "bad.world.yaml").write_text("mjcf: nothing.xml\n", "utf-8")
+    with serve(str(IR_WORLD.parent), str(tmp_path)) as process:
+        first_lines(process)
+        assert process.stdout is not None
+        good, bad, count = (process.stdout.readline().rstrip("\n") for _ in range(3))
+        assert good == f"world {IR_WORLD}/ir.world.yaml: 1 parameters, 7 devices, 1 observations"
+        assert bad.startswith(f"world {tmp_path}/bad.world.yaml: cannot be served: bad.world.yaml:1: ")
+        assert count.startswith("2 worlds")
+        process.terminate()
+
+
+def test_serve_refuses_a_world_that_is_not_there() -> None:
+    ran = run("serve", "nowhere/at/all")
+    assert ran.returncode == 2
+    assert "nowhere/at/all: no such file or folder" in ran.stderr
+
+
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT])
 def test_serve_ends_cleanly_on_a_signal(number: signal.Signals) -> None:
     with serve() as process:

@@ -319,34 +319,44 @@ def robot_world(client, worlds, name):
         raise
 
 
-def test_an_arm_grasps_a_block_and_feels_its_weight(client, worlds):
-    with robot_world(client, worlds, "arm") as arm:
-        pose = (0, 0.1, 0, -2.2, 0, 2.3, 0.785)
+# Joint angles with the fingers around the block, and 0.15 m above.
+AT_BLOCK = (0, 0.4265, 0, -2.3591, 0, 2.7856, 0.7854)
+ABOVE = (0, 0.0459, 0, -2.3763, 0, 2.4222, 0.7854)
 
-        def move(width, seconds):
+
+def test_an_arm_grasps_a_block_lifts_it_and_feels_its_weight(client, worlds):
+    with robot_world(client, worlds, "arm") as arm:
+
+        def move(pose, width, seconds):
             joints = enumerate(pose, 1)
             commands = [pb.DeviceCommand(device=f"motor{i}", joint=pb.JointCommand(position=q)) for i, q in joints]
             commands.append(pb.DeviceCommand(device="gripper", gripper=pb.GripperCommand(width_m=width)))
-            return {o.name: o.value for o in arm.step(round(seconds * 500), commands=commands).observations}
+            state = arm.step(round(seconds * 10**9 / arm.timestep_ns), commands=commands)
+            return {o.name: o.value for o in state.observations}
 
         def weight():
             force = arm.read("wrist").force
             return math.hypot(force.x, force.y, force.z)
 
         arm.prepare(BlockMass=0.3)
-        move(0.08, 3)
+        move(ABOVE, 0.08, 2)
         positions = [arm.read(f"encoder{i}").position for i in range(1, 8)]
-        assert positions == pytest.approx(pose, abs=0.05)
+        assert positions == pytest.approx(ABOVE, abs=0.05)
         empty = weight()
-        # Put the block between the open fingers, and close them.
-        place = arm.read("grasp")
-        arm("SetEntityState", entity="block", state=pb.EntityState(pose=place, twist=pb.Twist(linear=pb.Vector3())))
-        held = move(0.0, 2)
-        # The fingers' collision shapes stand in from where the width is measured.
-        assert 0.01 < arm.read("gripper").width_m < 0.05
-        assert held["block_z"] > 0.15
-        assert move(0.0, 1)["block_z"] == pytest.approx(held["block_z"], abs=0.002)
-        assert weight() - empty == pytest.approx(0.3 * G, abs=0.15)
+        lying = move(AT_BLOCK, 0.08, 2)
+        assert (lying["block_z"], lying["block_on_table"], lying["block_held"]) == (pytest.approx(0.025, abs=1e-3), 1, 0)
+        move(AT_BLOCK, 0.0, 1)
+        # The block is 40 mm wide; contacts are soft.
+        assert arm.read("gripper").width_m == pytest.approx(0.04, abs=0.001)
+        for part in range(1, 11):
+            lifted = move([a + (b - a) * part / 10 for a, b in zip(AT_BLOCK, ABOVE, strict=True)], 0.0, 0.2)
+        assert lifted["block_z"] > 0.16
+        assert (lifted["block_on_table"], lifted["block_held"]) == (0, 1)
+        move(ABOVE, 0.0, 2)
+        held = move(ABOVE, 0.0, 1)
+        assert move(ABOVE, 0.0, 3)["block_z"] == pytest.approx(held["block_z"], abs=0.0005)
+        assert arm.read("gripper").width_m == pytest.approx(0.04, abs=0.001)
+        assert weight() - empty == pytest.approx(0.3 * G, abs=0.05)
 
 
 def test_a_quadruped_stands_and_its_imu_reads_gravity(client, worlds):

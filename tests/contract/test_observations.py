@@ -12,7 +12,7 @@ MJCF = """
 <worldbody>
   <geom name="floor" type="plane" size="0 0 0.1"/>
   <body name="base" pos="0 3 0.5"/>
-  <body name="top" pos="0 0 4"><freejoint/><geom name="top" type="sphere" size="0.5" mass="1"/></body>
+  <body name="ball" pos="0 0 4"><freejoint/><geom name="top" type="sphere" size="0.5" mass="1"/></body>
   <body name="wheel" pos="5 0 1"><joint name="wheel" axis="0 0 1"/><geom type="box" size="0.2 0.1 0.1" contype="0"/>
     <site name="eye" quat="0.5 0.5 0.5 0.5"/></body>
 </worldbody>
@@ -25,10 +25,10 @@ devices:
   wheel: {kind: joint_encoder, joint: wheel}
   eye: {kind: range, sensor: eye, min: 0, max: 10}
 observations:
-  x: {entity: top, axis: x}
-  sink: {entity: top, velocity: z}
-  drift: {entity: top, velocity: x}
-  spin: {entity: top, velocity: yaw}
+  x: {entity: ball, axis: x}
+  sink: {entity: ball, velocity: z}
+  drift: {entity: ball, velocity: x}
+  spin: {entity: ball, velocity: yaw}
   turn: {entity: wheel, axis: yaw}
   turn_z: {entity: wheel, orientation: z}
   turn_w: {entity: wheel, orientation: w}
@@ -36,7 +36,8 @@ observations:
   seen: {device: eye, unit: m}
   lit: {device: lamp}
   landed: {contact: [top, floor]}
-  apart: {distance: [top, base]}
+  rests: {contact: [floor, ball]}
+  apart: {distance: [ball, base]}
 """
 
 
@@ -52,7 +53,7 @@ def observed(state):
 
 def test_velocities_are_those_of_the_body_in_the_world(session):
     twist = pb.Twist(linear=pb.Vector3(x=2), angular=pb.Vector3(z=3))
-    seen = observed(session("SetEntityState", entity="top", state=pb.EntityState(twist=twist)).state)
+    seen = observed(session("SetEntityState", entity="ball", state=pb.EntityState(twist=twist)).state)
     assert (seen["drift"], seen["spin"], seen["sink"]) == pytest.approx((2, 3, 0))
     seen = observed(session.step(500))
     assert (seen["drift"], seen["spin"], seen["sink"]) == pytest.approx((2, 3, -G / 2))
@@ -78,7 +79,9 @@ def test_a_reading_is_observed_as_the_component_sees_it(session):
 def test_a_contact_is_observed_while_it_lasts(session):
     fall = math.sqrt(2 * 3.5 / G)
     assert observed(session.step(int(fall * 1000) - 5))["landed"] == 0
-    assert observed(session.step(10))["landed"] == 1
+    seen = observed(session.step(10))
+    # By its geom, and by its body.
+    assert (seen["landed"], seen["rests"]) == (1, 1)
 
 
 def test_a_distance_is_that_of_the_origins(session):
@@ -108,18 +111,18 @@ def test_units_are_told_and_bulk_cases_and_films_have_the_same_numbers(session):
 @pytest.mark.parametrize(
     ("entry", "words"),
     [
-        ("{entity: top, axis: x, velocity: y}", "axis and velocity"),
-        ("{entity: top, orientation: roll}", "'roll' is not one of x, y, z, w"),
-        ("{entity: top}", "axis is missing"),
+        ("{entity: ball, axis: x, velocity: y}", "axis and velocity"),
+        ("{entity: ball, orientation: roll}", "'roll' is not one of x, y, z, w"),
+        ("{entity: ball}", "axis is missing"),
         ("{}", "entity is missing"),
         ("{device: nobody}", "no device 'nobody'"),
         ("{device: wheel}", "position, velocity"),
         ("{device: wheel, field: colour}", "'colour' is not a number of wheel"),
         ("{device: eye, contact: [top, floor]}", "device and contact"),
         ("{contact: [top]}", "list of two"),
-        ("{contact: [top, ceiling]}", "no geom 'ceiling'"),
-        ("{distance: [top, nobody]}", "no body 'nobody'"),
-        ("{entity: top, axis: x, colour: red}", "colour is not known here"),
+        ("{contact: [top, ceiling]}", "neither a geom nor a body 'ceiling'"),
+        ("{distance: [ball, nobody]}", "no body 'nobody'"),
+        ("{entity: ball, axis: x, colour: red}", "colour is not known here"),
     ],
 )
 def test_a_bad_observation_is_refused_with_its_line(client, refused, entry, words):

@@ -3,6 +3,7 @@
 import argparse
 import gc
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 
 from sitaf_bridge import __version__
@@ -11,7 +12,8 @@ from sitaf_bridge.server.address import BadAddress, parse_address, read_guard
 from sitaf_bridge.server.ending import Ending
 from sitaf_bridge.server.serving import Settings, serving
 from sitaf_bridge.world.catalog import Catalog
-from sitaf_bridge.world.description.source import read_world
+from sitaf_bridge.world.description.source import DESCRIPTION_SUFFIX, read_world
+from sitaf_bridge.world.devices import KINDS
 from sitaf_bridge.world.engine import DEVICE_KINDS, ENGINE, ENGINE_VERSION
 from sitaf_bridge.world.world import World
 
@@ -19,6 +21,8 @@ from sitaf_bridge.world.world import World
 OK = 0
 CANNOT_LISTEN = 1
 BAD_INPUT = 2
+# Numbers of a device to name; a laser scan has hundreds.
+MOST_SHOWN = 16
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -52,6 +56,13 @@ def _parser() -> argparse.ArgumentParser:
     serve.add_argument("--threads", type=_positive_int, default=16, help="calls at work at once; default %(default)s")
     serve.add_argument("--parent-pid", type=_positive_int, metavar="PID", help="end when this process ends")
     serve.add_argument("--stop-with-stdin", action="store_true", help="end when stdin is closed")
+    serve.add_argument(
+        "worlds",
+        nargs="*",
+        type=Path,
+        metavar="WORLD",
+        help="a *.world.yaml, or a folder with some below: compiled ahead, and listed; clients may bring others",
+    )
     describe = commands.add_parser("describe", help="print what a world declares, or what is wrong with it")
     describe.add_argument("world", type=Path, metavar="WORLD.world.yaml")
     return parser
@@ -60,6 +71,10 @@ def _parser() -> argparse.ArgumentParser:
 def _serve(options: argparse.Namespace) -> int:
     ending = Ending()
     ending.on_signals()
+    missing = [str(path) for path in options.worlds if not path.exists()]
+    if missing:
+        print(f"sitaf_bridge serve: {', '.join(missing)}: no such file or folder", file=sys.stderr)
+        return BAD_INPUT
     try:
         guard = read_guard(options.tls_cert, options.tls_key, options.token_file)
         address = parse_address(options.listen, guard)
@@ -68,18 +83,39 @@ def _serve(options: argparse.Namespace) -> int:
         gc.collect()
         gc.freeze()
         gc.set_threshold(100_000, 20, 20)
-        with serving(settings) as target:
+        catalog = Catalog()
+        with serving(settings, catalog) as target:
             print(f"listening {target}", flush=True)
             print(_version(), flush=True)
             if options.parent_pid is not None:
                 ending.with_parent(options.parent_pid)
             if options.stop_with_stdin:
                 ending.with_stdin()
+            _list_worlds(options.worlds, catalog)
             ending.wait()
     except BadAddress as error:
         print(f"sitaf_bridge serve: {error}", file=sys.stderr)
         return CANNOT_LISTEN
     return OK
+
+
+def _list_worlds(places: Sequence[Path], catalog: Catalog) -> None:
+    """Compile the worlds in some places, and print a line for each."""
+    found = [
+        f for place in places for f in (sorted(place.rglob(f"*{DESCRIPTION_SUFFIX}")) if place.is_dir() else [place])
+    ]
+    for path in found:
+        try:
+            world = catalog.world(read_world(path))
+        except BridgeError as error:
+            reason = str(error).partition("\n")[0]
+            print(f"world {path}: cannot be served: {reason}", flush=True)
+            continue
+        d = world.description
+        counts = f"{len(d.parameters)} parameters, {len(d.devices)} devices, {len(d.observations)} observations"
+        print(f"world {path}: {counts}", flush=True)
+    if found:
+        print(f"{len(found)} worlds; `describe` tells what is in one", flush=True)
 
 
 def _describe(path: Path) -> int:
@@ -101,7 +137,8 @@ def _print_world(world: World) -> None:
         bound = ", ".join(b.path + (f" by gap {b.gap.site}..{b.gap.geom}" if b.gap else "") for b in p.binds)
         print(f"parameter    {p.name} [{p.unit}] {p.low:g}..{p.high:g}, default {p.default:g}: sets {bound}")
     for d in description.devices.values():
-        print(f"device       {d.name}: {d.kind}")
+        numbers = ", ".join(KINDS[d.kind].fields(d)[:MOST_SHOWN])
+        print(f"device       {d.name}: {d.kind}" + (f" ({numbers})" if numbers else ""))
     for o in description.observations.values():
         print(f"observation  {o.name} [{o.unit}]: {o.text}")
 

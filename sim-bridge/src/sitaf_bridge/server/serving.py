@@ -31,7 +31,7 @@ class Settings:
 
 
 @contextlib.contextmanager
-def serving(settings: Settings) -> Iterator[str]:
+def serving(settings: Settings, catalog: Catalog) -> Iterator[str]:
     """Serve until the end of the block; gives the target that clients connect to. Raises BadAddress."""
     registry = Registry(default_lease_s=settings.default_lease_s, max_sessions=settings.max_sessions)
     pool = ThreadPoolExecutor(settings.threads, thread_name_prefix="call")
@@ -43,7 +43,7 @@ def serving(settings: Settings) -> Iterator[str]:
     guard = settings.guard
     checks: list[grpc.ServerInterceptor] = [] if guard is None else [TokenCheck(guard.token)]
     server = grpc.server(pool, options=options, interceptors=checks)
-    pb_grpc.add_SimulationControlServicer_to_server(SimulationControl(Catalog(), registry), server)
+    pb_grpc.add_SimulationControlServicer_to_server(SimulationControl(catalog, registry), server)
     pb_grpc.add_VirtualHardwareServicer_to_server(VirtualHardware(registry, max(1, settings.threads // 2)), server)
     try:
         try:

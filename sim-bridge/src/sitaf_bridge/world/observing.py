@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import mujoco
 import numpy as np
+from numpy.typing import NDArray
 
 from sitaf_bridge.world.description.declaration import Description
 from sitaf_bridge.world.description.observation import (
@@ -21,7 +22,7 @@ from sitaf_bridge.world.description.observation import (
     Velocity,
 )
 from sitaf_bridge.world.devices import KINDS, Reading
-from sitaf_bridge.world.parameters.settings import name_to_id
+from sitaf_bridge.world.parameters.settings import NoSuchSetting, name_to_id
 
 BODY, GEOM = mujoco.mjtObj.mjOBJ_BODY, mujoco.mjtObj.mjOBJ_GEOM
 Measure = Callable[[mujoco.MjModel, mujoco.MjData, Sequence[Reading]], float]
@@ -49,18 +50,31 @@ def find_observation(model: mujoco.MjModel, description: Description, observatio
             position = names.index(device)
             return BoundObservation(lambda _model, _data, readings: readings[position].values[index])
         case Touch(first, second):
-            return BoundObservation(_touch(*(name_to_id(model, GEOM, "geom", name) for name in (first, second))))
+            return BoundObservation(_touch(find_solids(model, first), find_solids(model, second)))
         case Distance(first, second):
             return BoundObservation(_distance(_body(model, first), _body(model, second)))
 
 
-def touching(data: mujoco.MjData, pair: Sequence[int]) -> bool:
-    """Whether two geoms touch, whose ids are in ascending order."""
+def find_solids(model: mujoco.MjModel, name: str) -> NDArray[np.intp]:
+    """The ids of the geom of a name or, where there is none, of all geoms of the body of that name.
+
+    Geoms of robots from packages often have no names. Raises NoSuchSetting.
+    """
+    if mujoco.mj_name2id(model, GEOM, name) >= 0:
+        return np.array([name_to_id(model, GEOM, "geom", name)])
+    if mujoco.mj_name2id(model, BODY, name) < 0:
+        raise NoSuchSetting(f"the MJCF has neither a geom nor a body {name!r}")
+    return np.flatnonzero(model.geom_bodyid == name_to_id(model, BODY, "body", name))
+
+
+def touching(data: mujoco.MjData, first: NDArray[np.intp], second: NDArray[np.intp]) -> bool:
+    """Whether any of some geoms touches any of others."""
     if not data.ncon:
         return False
     contact = data.contact
-    same = (np.sort(contact.geom, axis=1) == pair).all(axis=1)
-    return bool((same & (contact.dist <= 0)).any())
+    one, other = contact.geom.T
+    ways = (np.isin(one, first) & np.isin(other, second)) | (np.isin(one, second) & np.isin(other, first))
+    return bool((ways & (contact.dist <= 0)).any())
 
 
 def _body(model: mujoco.MjModel, name: str) -> int:
@@ -105,9 +119,8 @@ def _orientation(body: int, part: int) -> Measure:
     return measure
 
 
-def _touch(first: int, second: int) -> Measure:
-    pair = sorted((first, second))
-    return lambda _model, data, _readings: float(touching(data, pair))
+def _touch(first: NDArray[np.intp], second: NDArray[np.intp]) -> Measure:
+    return lambda _model, data, _readings: float(touching(data, first, second))
 
 
 def _distance(first: int, second: int) -> Measure:

@@ -47,10 +47,10 @@ class DeviceNumber:
 
 @dataclass(frozen=True)
 class Touch:
-    """1 while two geoms touch, else 0."""
+    """1 while two geoms, or geoms of bodies, touch, else 0."""
 
-    geom1: str
-    geom2: str
+    first: str
+    second: str
 
 
 @dataclass(frozen=True)

@@ -8,14 +8,14 @@ import numpy as np
 
 from sitaf_bridge.errors import InvalidRequest
 from sitaf_bridge.world.devices import KINDS, Reading
-from sitaf_bridge.world.observing import touching
+from sitaf_bridge.world.observing import find_solids, touching
 from sitaf_bridge.world.parameters.settings import NoSuchSetting, name_to_id
 from sitaf_bridge.world.world import World
 
 
 @dataclass(frozen=True)
 class Touching:
-    """Two geoms touch."""
+    """Two geoms, or the geoms of bodies, touch."""
 
     geom1: str
     geom2: str
@@ -68,10 +68,8 @@ def bind_condition(condition: Condition, world: World, model: mujoco.MjModel) ->
 
 
 def _touching(condition: Touching, model: mujoco.MjModel) -> Judge:
-    kind = mujoco.mjtObj.mjOBJ_GEOM
-    pair = sorted(name_to_id(model, kind, "geom", name) for name in (condition.geom1, condition.geom2))
-
-    return lambda data, _now, _read: touching(data, pair)
+    first, second = (find_solids(model, name) for name in (condition.geom1, condition.geom2))
+    return lambda data, _now, _read: touching(data, first, second)
 
 
 def _near(condition: Near, model: mujoco.MjModel) -> Judge:
