@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 import mujoco
 
@@ -34,8 +34,7 @@ class DeviceDeclaration:
         return int(model.nuserdata) - len(KNOBS) * self.slot + KNOBS.index(knob)
 
 
-@dataclass(frozen=True, slots=True)
-class Reading:
+class Reading(NamedTuple):
     """What one device reads at the current step: the numbers that its kind names, truth values as 0 and 1."""
 
     device: DeviceDeclaration
