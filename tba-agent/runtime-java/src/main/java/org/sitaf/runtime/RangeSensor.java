@@ -4,11 +4,7 @@ package org.sitaf.runtime;
  * A sensor that measures the distance to the nearest surface along its ray; shape of {@code
  * sensor_msgs/Range}.
  */
-public interface RangeSensor {
-
-  /** The device's name in the world description. */
-  String name();
-
+public interface RangeSensor extends Device {
   /**
    * The distance at the current step in metres. As REP-117 has it: positive infinity when nothing
    * is within {@link #maxRange()}, negative infinity when something is nearer than {@link

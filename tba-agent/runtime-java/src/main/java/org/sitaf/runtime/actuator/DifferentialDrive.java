@@ -1,10 +1,9 @@
 package org.sitaf.runtime.actuator;
 
-/** A base on two driven wheels. */
-public interface DifferentialDrive {
-  /** The device's name in the world description. */
-  String name();
+import org.sitaf.runtime.Device;
 
+/** A base on two driven wheels. */
+public interface DifferentialDrive extends Device {
   /** Measured speed in metres per second, forward. */
   double linear();
 

@@ -1,10 +1,9 @@
 package org.sitaf.runtime.actuator;
 
-/** A digital input or output. */
-public interface DigitalLine {
-  /** The device's name in the world description. */
-  String name();
+import org.sitaf.runtime.Device;
 
+/** A digital input or output. */
+public interface DigitalLine extends Device {
   /** Its level. */
   boolean isHigh();
 

@@ -1,10 +1,9 @@
 package org.sitaf.runtime.actuator;
 
-/** A gripper with two fingers. */
-public interface Gripper {
-  /** The device's name in the world description. */
-  String name();
+import org.sitaf.runtime.Device;
 
+/** A gripper with two fingers. */
+public interface Gripper extends Device {
   /** Measured distance between the fingers in metres. */
   double width();
 

@@ -1,10 +1,9 @@
 package org.sitaf.runtime.sensor;
 
-/** A battery; shape of {@code sensor_msgs/BatteryState}. */
-public interface Battery {
-  /** The device's name in the world description. */
-  String name();
+import org.sitaf.runtime.Device;
 
+/** A battery; shape of {@code sensor_msgs/BatteryState}. */
+public interface Battery extends Device {
   /** Volts. */
   double voltage();
 

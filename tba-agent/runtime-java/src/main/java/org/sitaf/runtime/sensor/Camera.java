@@ -1,15 +1,13 @@
 package org.sitaf.runtime.sensor;
 
 import java.nio.ByteBuffer;
+import org.sitaf.runtime.Device;
 
 /**
  * A camera; shape of {@code sensor_msgs/Image}. Unlike all others it is read from the simulator at
  * each call.
  */
-public interface Camera {
-  /** The device's name in the world description. */
-  String name();
-
+public interface Camera extends Device {
   /** The picture at the current step. */
   Image image();
 

@@ -1,10 +1,9 @@
 package org.sitaf.runtime.sensor;
 
-/** A bumper. */
-public interface ContactSensor {
-  /** The device's name in the world description. */
-  String name();
+import org.sitaf.runtime.Device;
 
+/** A bumper. */
+public interface ContactSensor extends Device {
   /** Whether anything presses on it. */
   boolean isPressed();
 

@@ -1,13 +1,11 @@
 package org.sitaf.runtime.sensor;
 
+import org.sitaf.runtime.Device;
 import org.sitaf.runtime.geometry.Quaternion;
 import org.sitaf.runtime.geometry.Vector;
 
 /** An inertial unit; shape of {@code sensor_msgs/Imu}, in its own frame. */
-public interface ImuSensor {
-  /** The device's name in the world description. */
-  String name();
-
+public interface ImuSensor extends Device {
   /** Its orientation in the world. */
   Quaternion orientation();
 

@@ -1,10 +1,9 @@
 package org.sitaf.runtime.sensor;
 
-/** What is measured at a joint. */
-public interface JointEncoder {
-  /** The device's name in the world description. */
-  String name();
+import org.sitaf.runtime.Device;
 
+/** What is measured at a joint. */
+public interface JointEncoder extends Device {
   /** Radians, or metres for a slide. */
   double position();
 

@@ -1,10 +1,9 @@
 package org.sitaf.runtime.sensor;
 
-/** A laser scanner; shape of {@code sensor_msgs/LaserScan}. */
-public interface LaserScanner {
-  /** The device's name in the world description. */
-  String name();
+import org.sitaf.runtime.Device;
 
+/** A laser scanner; shape of {@code sensor_msgs/LaserScan}. */
+public interface LaserScanner extends Device {
   /** Angle of the first ray in radians, counterclockwise from straight ahead. */
   double angleMin();
 

@@ -1,13 +1,11 @@
 package org.sitaf.runtime.sensor;
 
+import org.sitaf.runtime.Device;
 import org.sitaf.runtime.geometry.Quaternion;
 import org.sitaf.runtime.geometry.Vector;
 
 /** A sensor of position and orientation in the world. */
-public interface PoseSensor {
-  /** The device's name in the world description. */
-  String name();
-
+public interface PoseSensor extends Device {
   /** Metres. */
   Vector position();
 

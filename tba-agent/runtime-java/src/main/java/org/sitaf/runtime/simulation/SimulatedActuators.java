@@ -14,21 +14,7 @@ import org.sitaf.sim.v1.JointCommand;
 final class SimulatedActuators {
   private SimulatedActuators() {}
 
-  record Motor(Access access) implements JointMotor {
-    @Override
-    public String name() {
-      return access.name();
-    }
-
-    @Override
-    public double position() {
-      return access.read(reading -> reading.getJoint().getPosition());
-    }
-
-    @Override
-    public double velocity() {
-      return access.read(reading -> reading.getJoint().getVelocity());
-    }
+  record Motor(Access access) implements SimulatedJoint, JointMotor {
 
     @Override
     public double effort() {
@@ -54,12 +40,7 @@ final class SimulatedActuators {
     }
   }
 
-  record Drive(Access access) implements DifferentialDrive {
-    @Override
-    public String name() {
-      return access.name();
-    }
-
+  record Drive(Access access) implements SimulatedDevice, DifferentialDrive {
     @Override
     public double linear() {
       return access.read(reading -> reading.getDrive().getLinear());
@@ -88,12 +69,7 @@ final class SimulatedActuators {
     }
   }
 
-  record Hand(Access access) implements Gripper {
-    @Override
-    public String name() {
-      return access.name();
-    }
-
+  record Hand(Access access) implements SimulatedDevice, Gripper {
     @Override
     public double width() {
       return access.read(reading -> reading.getGripper().getWidthM());
@@ -111,12 +87,7 @@ final class SimulatedActuators {
     }
   }
 
-  record Line(Access access) implements DigitalLine {
-    @Override
-    public String name() {
-      return access.name();
-    }
-
+  record Line(Access access) implements SimulatedDevice, DigitalLine {
     @Override
     public boolean isHigh() {
       return access.read(reading -> reading.getLevel());

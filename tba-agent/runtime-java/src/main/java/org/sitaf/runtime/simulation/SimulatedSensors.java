@@ -8,7 +8,6 @@ import org.sitaf.runtime.sensor.Camera;
 import org.sitaf.runtime.sensor.ContactSensor;
 import org.sitaf.runtime.sensor.ForceTorqueSensor;
 import org.sitaf.runtime.sensor.ImuSensor;
-import org.sitaf.runtime.sensor.JointEncoder;
 import org.sitaf.runtime.sensor.LaserScanner;
 import org.sitaf.runtime.sensor.Magnetometer;
 import org.sitaf.runtime.sensor.PoseSensor;
@@ -20,12 +19,7 @@ import org.sitaf.sim.v1.Vector3;
 final class SimulatedSensors {
   private SimulatedSensors() {}
 
-  record Range(Access access) implements RangeSensor {
-    @Override
-    public String name() {
-      return access.name();
-    }
-
+  record Range(Access access) implements SimulatedDevice, RangeSensor {
     @Override
     public double range() {
       return access.read(
@@ -45,12 +39,7 @@ final class SimulatedSensors {
     }
   }
 
-  record Scanner(Access access) implements LaserScanner {
-    @Override
-    public String name() {
-      return access.name();
-    }
-
+  record Scanner(Access access) implements SimulatedDevice, LaserScanner {
     @Override
     public double angleMin() {
       return access.read(reading -> reading.getLaserScan().getAngleMin());
@@ -86,12 +75,7 @@ final class SimulatedSensors {
     }
   }
 
-  record Imu(Access access) implements ImuSensor {
-    @Override
-    public String name() {
-      return access.name();
-    }
-
+  record Imu(Access access) implements SimulatedDevice, ImuSensor {
     @Override
     public Quaternion orientation() {
       return access.read(reading -> rotation(reading.getImu().getOrientation()));
@@ -108,29 +92,9 @@ final class SimulatedSensors {
     }
   }
 
-  record Encoder(Access access) implements JointEncoder {
-    @Override
-    public String name() {
-      return access.name();
-    }
+  record Encoder(Access access) implements SimulatedJoint {}
 
-    @Override
-    public double position() {
-      return access.read(reading -> reading.getJoint().getPosition());
-    }
-
-    @Override
-    public double velocity() {
-      return access.read(reading -> reading.getJoint().getVelocity());
-    }
-  }
-
-  record Pose(Access access) implements PoseSensor {
-    @Override
-    public String name() {
-      return access.name();
-    }
-
+  record Pose(Access access) implements SimulatedDevice, PoseSensor {
     @Override
     public Vector position() {
       return access.read(reading -> vector(reading.getPose().getPosition()));
@@ -142,12 +106,7 @@ final class SimulatedSensors {
     }
   }
 
-  record Force(Access access) implements ForceTorqueSensor {
-    @Override
-    public String name() {
-      return access.name();
-    }
-
+  record Force(Access access) implements SimulatedDevice, ForceTorqueSensor {
     @Override
     public Vector force() {
       return access.read(reading -> vector(reading.getWrench().getForce()));
@@ -159,12 +118,7 @@ final class SimulatedSensors {
     }
   }
 
-  record Bumper(Access access) implements ContactSensor {
-    @Override
-    public String name() {
-      return access.name();
-    }
-
+  record Bumper(Access access) implements SimulatedDevice, ContactSensor {
     @Override
     public boolean isPressed() {
       return access.read(reading -> reading.getContact().getPressed());
@@ -176,24 +130,14 @@ final class SimulatedSensors {
     }
   }
 
-  record Compass(Access access) implements Magnetometer {
-    @Override
-    public String name() {
-      return access.name();
-    }
-
+  record Compass(Access access) implements SimulatedDevice, Magnetometer {
     @Override
     public Vector field() {
       return access.read(reading -> vector(reading.getMagneticField().getField()));
     }
   }
 
-  record Accumulator(Access access) implements Battery {
-    @Override
-    public String name() {
-      return access.name();
-    }
-
+  record Accumulator(Access access) implements SimulatedDevice, Battery {
     @Override
     public double voltage() {
       return access.read(reading -> reading.getBattery().getVoltageV());
@@ -215,12 +159,7 @@ final class SimulatedSensors {
     }
   }
 
-  record Eye(Access access) implements Camera {
-    @Override
-    public String name() {
-      return access.name();
-    }
-
+  record Eye(Access access) implements SimulatedDevice, Camera {
     @Override
     public Image image() {
       Reading reading = access.look();

@@ -1,0 +1,16 @@
+package org.sitaf.runtime.simulation;
+
+import org.sitaf.runtime.sensor.JointEncoder;
+
+/** What an encoder and a motor measure alike. */
+interface SimulatedJoint extends SimulatedDevice, JointEncoder {
+  @Override
+  default double position() {
+    return access().read(reading -> reading.getJoint().getPosition());
+  }
+
+  @Override
+  default double velocity() {
+    return access().read(reading -> reading.getJoint().getVelocity());
+  }
+}
