@@ -81,6 +81,23 @@ public final class TestResultXml {
     }
   }
 
+  /**
+   * Reads the lines of several cases; faster than each by itself.
+   *
+   * @throws InvalidInputException when any is not a {@code test_result} element
+   */
+  public static List<CaseResult> readCases(List<String> lines) {
+    try {
+      List<CaseResult> results = new ArrayList<>();
+      for (TestResultType line : XmlDocuments.readLines(lines, "results", TestResultType.class)) {
+        results.add(read(line));
+      }
+      return results;
+    } catch (IllegalArgumentException e) {
+      throw InvalidInputException.of("results", String.valueOf(e.getMessage()));
+    }
+  }
+
   /** Writes a result; the same result gives the same bytes. */
   public static void write(TestResult result, OutputStream out) {
     TestResultDocument root = new TestResultDocument();

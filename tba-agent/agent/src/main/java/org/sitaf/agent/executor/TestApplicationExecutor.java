@@ -191,12 +191,11 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow) {
      */
     private boolean drain() throws IOException {
       List<String> lines = results.newLines();
-      for (String line : lines) {
-        // An empty line says that the test application is ready to begin its first case.
-        ready = true;
-        if (!line.isBlank()) {
-          progress.acceptLine(line);
-        }
+      // An empty line says that the test application is ready to begin its first case.
+      ready |= !lines.isEmpty();
+      List<String> told = lines.stream().filter(line -> !line.isBlank()).toList();
+      if (!told.isEmpty()) {
+        progress.acceptLines(told);
       }
       return !lines.isEmpty();
     }

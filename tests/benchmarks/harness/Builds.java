@@ -1,0 +1,120 @@
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import org.sitaf.agent.build.BuildListener;
+import org.sitaf.agent.build.BuildOutcome;
+import org.sitaf.agent.build.BuildRun;
+import org.sitaf.agent.build.BuildSettings;
+import org.sitaf.agent.build.BuildStage;
+import org.sitaf.agent.sandbox.Sandbox;
+import org.sitaf.agent.simulation.Simulator;
+import org.sitaf.agent.toolchain.Toolchains;
+import org.sitaf.core.activity.Activity;
+import org.sitaf.core.activity.FileTree;
+import org.sitaf.core.harness.InterfaceTestApplicationGenerator;
+import org.sitaf.core.model.TestModel;
+import org.sitaf.core.suite.GenerationOptions;
+import org.sitaf.core.suite.TestCase;
+import org.sitaf.core.suite.TestCaseGenerator;
+import org.sitaf.core.suite.TestSuite;
+import org.sitaf.core.verdict.CaseResult;
+import org.sitaf.core.verdict.TestResult;
+
+/** Whole builds of activities, as an agent runs them. */
+record Builds(Simulator simulator, Toolchains toolchains, Sandbox sandbox, Path directory) {
+
+  /**
+   * How a build went.
+   *
+   * @param firstCaseSeconds from the activity's files to the first result
+   * @param casesMicros from the first result to the last
+   */
+  record Run(int cases, double firstCaseSeconds, double casesMicros, double medianComponentMicros) {}
+
+  /**
+   * Runs the cases of an activity's first model.
+   *
+   * @param atLeast so many cases, by repeating them
+   * @param change a remark that is added to each source of the component; empty for none
+   */
+  Run run(Path activityFolder, int atLeast, String change) throws Exception {
+    long began = System.nanoTime();
+    Activity activity = Activity.read(files(activityFolder, change));
+    TestModel model = activity.models().get(0);
+    TestSuite suite =
+        repeated(TestCaseGenerator.generate(model, GenerationOptions.DEFAULT).suite(), atLeast);
+    List<Long> ends = new ArrayList<>();
+    BuildSettings settings = new BuildSettings(simulator, toolchains, sandbox, false, "benchmark");
+    Path folder = Files.createTempDirectory(directory, "build");
+    BuildOutcome outcome =
+        new BuildRun(
+                InterfaceTestApplicationGenerator.generate(activity, model, suite),
+                folder,
+                settings,
+                new BuildListener() {
+                  @Override
+                  public void stage(BuildStage stage) {}
+
+                  @Override
+                  public void log(byte[] utf8) {}
+
+                  @Override
+                  public void caseFinished(CaseResult result) {
+                    ends.add(System.nanoTime());
+                  }
+                })
+            .run();
+    if (!(outcome instanceof BuildOutcome.Completed completed)) {
+      throw new IllegalStateException(activityFolder + ": " + outcome);
+    }
+    TestResult result = completed.result();
+    if (result.summary().pass() != suite.cases().size()) {
+      throw new IllegalStateException(activityFolder + ": not every case passed: " + result.summary());
+    }
+    List<Double> component =
+        result.cases().stream().map(c -> c.time() == null ? 0 : c.time().total()).sorted().toList();
+    return new Run(
+        suite.cases().size(),
+        (ends.get(0) - began) / 1e9,
+        (ends.get(ends.size() - 1) - ends.get(0)) / 1e3,
+        component.get(component.size() / 2));
+  }
+
+  private static FileTree files(Path folder, String change) throws Exception {
+    Map<String, byte[]> files = new HashMap<>();
+    try (Stream<Path> paths = Files.walk(folder)) {
+      for (Path file : paths.filter(Files::isRegularFile).toList()) {
+        String path = folder.relativize(file).toString();
+        byte[] content = Files.readAllBytes(file);
+        if (!change.isEmpty() && path.startsWith("component/")) {
+          content = changed(path, content, change);
+        }
+        files.put(path, content);
+      }
+    }
+    return FileTree.of(files);
+  }
+
+  private static byte[] changed(String path, byte[] content, String change) {
+    String mark = path.endsWith(".py") ? "# " : "// ";
+    return path.matches(".*\\.(java|cpp|hpp|h|py)")
+        ? (new String(content, StandardCharsets.UTF_8) + "\n" + mark + change + "\n")
+            .getBytes(StandardCharsets.UTF_8)
+        : content;
+  }
+
+  private static TestSuite repeated(TestSuite suite, int atLeast) {
+    List<TestCase> cases = new ArrayList<>(suite.cases());
+    while (cases.size() < atLeast) {
+      TestCase again = cases.get(cases.size() % suite.cases().size());
+      cases.add(new TestCase(cases.size() + 1, again.valid(), again.values(), again.expected()));
+    }
+    return new TestSuite(
+        suite.name(), suite.description(), suite.modelName(), suite.generation(), suite.parameters(), cases);
+  }
+}
