@@ -125,6 +125,8 @@ class Surroundings:
         self._geoms = np.concatenate([group.geoms for group in self._groups] or empty)
         self._planes = next((group.pairs for group in self._groups if group.kind == PLANE), None)
         self._plane_geoms = self._geoms[self._planes] if self._planes is not None else empty[0]
+        self._model = model
+        self._reach = self._reach_in(model)
 
     def __call__(
         self, model: mujoco.MjModel, data: mujoco.MjData
@@ -137,8 +139,8 @@ class Surroundings:
         # A point outside of the sphere around a geom is not inside of the geom: that rules out most at little cost.
         # `take` costs a third of an index by an array.
         relative = data.site_xpos.take(self._sites, 0) - data.geom_xpos.take(self._geoms, 0)
-        reach = model.geom_rbound.take(self._geoms) + TOUCH
-        near = np.einsum("ij,ij->i", relative, relative) <= reach * reach
+        reach = self._reach if model is self._model else self._reach_in(model)
+        near = np.einsum("ij,ij->i", relative, relative) <= reach
         if self._planes is not None:
             normals = data.geom_xmat.take(self._plane_geoms, 0)[:, 2::3]
             near[self._planes] = np.einsum("ij,ij->i", relative[self._planes], normals) <= 2 * TOUCH
@@ -160,6 +162,11 @@ class Surroundings:
             if touches.any():
                 touching += zip(askers[touches].tolist(), geoms[touches].tolist(), strict=True)
         return inside, touching
+
+    def _reach_in(self, model: mujoco.MjModel) -> Vector:
+        """The square of how far each site may be from its geom to touch it; an edited model may have other sizes."""
+        reach = model.geom_rbound.take(self._geoms) + TOUCH
+        return reach * reach
 
     def many(self, model: mujoco.MjModel, batch: Any, count: int) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
         """For the first simulations of a `mujoco.batch.Batch`: who is inside, (count, sites); where any touches."""
