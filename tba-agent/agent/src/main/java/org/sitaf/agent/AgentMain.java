@@ -7,6 +7,7 @@ import java.net.UnknownHostException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicBoolean;
@@ -53,6 +54,21 @@ public final class AgentMain implements Callable<Integer> {
       defaultValue = "1",
       description = "Builds that may run at the same time; default ${DEFAULT-VALUE}.")
   private int slots;
+
+  @Option(
+      names = "--label",
+      paramLabel = "LABEL",
+      description =
+          "What this agent is called by, such as real-hardware; builds can ask for it. Repeatable.")
+  private List<String> labels = List.of();
+
+  @Option(
+      names = "--min-free-mib",
+      paramLabel = "MIB",
+      defaultValue = "200",
+      description =
+          "Takes no new build while less is free on the disk of --directory; default ${DEFAULT-VALUE}.")
+  private long minFreeMib;
 
   @Option(
       names = "--bridge-command",
@@ -177,7 +193,9 @@ public final class AgentMain implements Callable<Integer> {
         bridge == null ? words(bridgeCommand) : List.of(),
         bridge,
         sandbox,
-        !noCoverage);
+        !noCoverage,
+        Set.copyOf(labels),
+        minFreeMib << 20);
   }
 
   /**

@@ -11,6 +11,7 @@ import jakarta.persistence.SequenceGenerator;
 import java.time.Instant;
 import org.hibernate.annotations.DynamicUpdate;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.server.refusal.Refusal;
 
 /**
  * One try of an agent at a build. Its identity is its fencing token: tokens grow for ever, so that
@@ -41,6 +42,7 @@ class Attempt {
   private Instant leaseUntil;
   private @Nullable Instant finished;
   private long logStart;
+  private long nextBatch;
 
   @Column(name = "result_sha256")
   private @Nullable String resultSha256;
@@ -67,10 +69,31 @@ class Attempt {
     this.leased = now;
     this.leaseUntil = leaseUntil;
     this.logStart = logStart;
+    this.nextBatch = 1;
   }
 
   void advance(BuildState to) {
     state = to;
+  }
+
+  /**
+   * Whether a batch of cases is new; 0 does not count.
+   *
+   * @throws Refusal when one before it is missing
+   */
+  boolean takesBatch(long batch) {
+    if (batch > nextBatch) {
+      throw Refusal.malformed("sequence: batch " + nextBatch + " is expected, not " + batch + ".");
+    }
+    if (batch == nextBatch) {
+      nextBatch++;
+      return true;
+    }
+    return batch == 0;
+  }
+
+  long nextBatch() {
+    return nextBatch;
   }
 
   void end(BuildState how, Instant now) {

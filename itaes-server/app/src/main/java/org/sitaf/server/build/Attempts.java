@@ -1,6 +1,7 @@
 package org.sitaf.server.build;
 
 import java.time.Clock;
+import java.time.Duration;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
 import java.util.Collection;
@@ -14,7 +15,6 @@ import org.sitaf.server.refusal.Refusal;
 import org.sitaf.server.result.Results;
 import org.sitaf.server.settings.SitafSettings;
 import org.springframework.context.ApplicationEventPublisher;
-import org.springframework.data.domain.Limit;
 import org.springframework.jdbc.core.simple.JdbcClient;
 import org.springframework.stereotype.Service;
 import org.springframework.transaction.annotation.Transactional;
@@ -27,10 +27,11 @@ import org.springframework.transaction.annotation.Transactional;
 @Service
 @Transactional
 public class Attempts {
-  private static final int QUEUE_WINDOW = 100;
+  private static final Duration LONGEST_PAUSE = Duration.ofMinutes(1);
 
   private final BuildRepository builds;
   private final AttemptRepository attempts;
+  private final BuildQueue queue;
   private final Results results;
   private final JdbcClient jdbc;
   private final ApplicationEventPublisher events;
@@ -40,6 +41,7 @@ public class Attempts {
   Attempts(
       BuildRepository builds,
       AttemptRepository attempts,
+      BuildQueue queue,
       Results results,
       JdbcClient jdbc,
       ApplicationEventPublisher events,
@@ -47,6 +49,7 @@ public class Attempts {
       Clock clock) {
     this.builds = builds;
     this.attempts = attempts;
+    this.queue = queue;
     this.results = results;
     this.jdbc = jdbc;
     this.events = events;
@@ -72,24 +75,12 @@ public class Attempts {
     GIVEN_UP
   }
 
-  /** The oldest builds that wait for one of these languages. */
-  @Transactional(readOnly = true)
-  public List<String> waiting(Collection<String> languages) {
-    return languages.isEmpty() ? List.of() : builds.findQueued(languages, Limit.of(QUEUE_WINDOW));
-  }
-
-  /** What a waiting build needs to be dispatched. */
-  @Transactional(readOnly = true)
-  public Optional<String> languageOf(String buildId) {
-    return builds.findById(buildId).map(Build::language);
-  }
-
   /** Gives a build to an agent; empty when it does not wait any more. */
   public Optional<Assignment> lease(String buildId, String agent) {
-    Build build = builds.findForChange(buildId).orElse(null);
-    if (build == null || build.state() != BuildState.QUEUED) {
+    if (!queue.claim(buildId)) {
       return Optional.empty();
     }
+    Build build = builds.findForChange(buildId).orElseThrow();
     Instant now = now();
     long logStart =
         jdbc.sql("SELECT log_length FROM build WHERE id = ?")
@@ -158,6 +149,31 @@ public class Attempts {
     }
   }
 
+  /**
+   * Gives up what an agent had and does not have any more, because it was started anew.
+   *
+   * @param running what it says it works on
+   */
+  public void giveUpAllBut(String agent, Collection<AttemptKey> running) {
+    Set<Long> kept = running.stream().map(AttemptKey::token).collect(Collectors.toSet());
+    for (AttemptKey key : attempts.findLiveOf(agent)) {
+      if (!kept.contains(key.token())) {
+        giveUp(key, "agent " + agent + " was started anew and knows nothing of it");
+      }
+    }
+  }
+
+  /** Takes an agent's attempts away from it. */
+  public void giveUpAll(String agent, String why) {
+    attempts.findLiveOf(agent).forEach(key -> giveUp(key, why));
+  }
+
+  /** Which of these attempts are over. */
+  @Transactional(readOnly = true)
+  public Set<Long> over(Collection<Long> tokens) {
+    return tokens.isEmpty() ? Set.of() : Set.copyOf(attempts.findOver(tokens));
+  }
+
   /** Gives up an attempt that its agent did not even get to know of. */
   public void giveUp(AttemptKey key, String why) {
     Optional<Build> build = builds.findForChange(key.buildId());
@@ -176,18 +192,33 @@ public class Attempts {
     changed(build);
   }
 
-  /** Notes cases that have ended. */
-  public void noteCases(AttemptKey key, Collection<Integer> numbers) {
+  /**
+   * Notes cases that have ended.
+   *
+   * @param batch counts from 1 in an attempt; a batch that came before changes nothing; 0 does not
+   *     count
+   * @return the batch that is expected next
+   */
+  public long noteCases(AttemptKey key, long batch, Collection<Integer> numbers) {
     Build build = lock(key);
-    live(key);
-    build.noteCases(numbers);
-    changed(build);
+    Attempt attempt = live(key);
+    if (attempt.takesBatch(batch)) {
+      build.noteCases(numbers);
+      changed(build);
+    }
+    return attempt.nextBatch();
   }
 
   /** Where the log of a live attempt begins in the log of its build, in bytes. */
   @Transactional(readOnly = true)
   public long logStart(AttemptKey key) {
     return live(key).logStart();
+  }
+
+  /** Where the log of an attempt begins in the log of its build, in bytes. */
+  @Transactional(readOnly = true)
+  public long logBegin(AttemptKey key) {
+    return known(key).logStart();
   }
 
   /**
@@ -243,7 +274,7 @@ public class Attempts {
     requireLive(attempt);
     attempt.end(BuildState.FAILED, now());
     events.publishEvent(new BuildEvent.Delivered(key, attempt.agent()));
-    tryAgain(build, failure);
+    tryAgain(build, failure, pauseAfter(build));
   }
 
   /**
@@ -262,22 +293,31 @@ public class Attempts {
     changed(build);
   }
 
-  private void tryAgain(Build build, BuildFailure failure) {
+  /** A failure that an agent reports may last: the build waits the longer, the more there were. */
+  private void tryAgain(Build build, BuildFailure failure, Duration pause) {
     boolean again =
         failure.category() == BuildFailure.Category.INFRASTRUCTURE
-            && build.attempt() < settings.maxAttempts();
+            && build.attempt() < build.maxAttempts();
     if (again) {
-      build.queueAgain(failure.message(), now());
+      build.queueAgain(failure.message(), now().plus(pause), now());
     } else {
       build.fail(failure, now());
     }
     changed(build);
   }
 
+  private Duration pauseAfter(Build build) {
+    Duration doubled = settings.retryDelay().multipliedBy(1L << Math.min(build.attempt() - 1, 20));
+    return doubled.compareTo(LONGEST_PAUSE) < 0 ? doubled : LONGEST_PAUSE;
+  }
+
   private void giveUp(Build build, Attempt attempt, String why) {
     attempt.end(BuildState.FAILED, now());
     events.publishEvent(new BuildEvent.Stopped(attempt.key(), attempt.agent(), why));
-    tryAgain(build, new BuildFailure(BuildFailure.Category.INFRASTRUCTURE, why, List.of()));
+    tryAgain(
+        build,
+        new BuildFailure(BuildFailure.Category.INFRASTRUCTURE, why, List.of()),
+        Duration.ZERO);
   }
 
   /** A late result is kept for people; what counts is decided already. */
@@ -318,7 +358,7 @@ public class Attempts {
   }
 
   private void changed(Build build) {
-    events.publishEvent(new BuildEvent.Changed(build.id(), build.state()));
+    events.publishEvent(BuildEvent.Changed.of(build));
   }
 
   private Instant now() {

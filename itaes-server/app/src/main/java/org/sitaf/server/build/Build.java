@@ -22,6 +22,9 @@ import java.util.Optional;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.verdict.Summary;
+import org.sitaf.server.build.request.BuildOptions;
+import org.sitaf.server.build.request.Requirements;
+import org.sitaf.server.build.request.Reservation;
 import org.sitaf.server.file.StoredFile;
 import org.sitaf.server.refusal.Refusal;
 import org.sitaf.server.suite.SuiteOrigin;
@@ -54,7 +57,16 @@ public class Build {
   /** Null until it is stored, which is how the persistence provider knows that it is new. */
   @Version private @Nullable Long version;
 
+  private int priority;
+  private int maxAttempts;
+  private @Nullable Instant notBefore;
+  private String requirements;
+  private @Nullable String parentId;
+  private int part;
+  private int parts;
+
   private int casesTotal;
+  private int lastCase;
   private byte[] casesSeen;
   private int casesDone;
 
@@ -88,24 +100,25 @@ public class Build {
     suiteId = "";
     model = "";
     language = "";
+    requirements = "";
     state = BuildState.QUEUED;
     created = Instant.EPOCH;
     casesSeen = new byte[0];
   }
 
   /**
-   * A build that waits for an agent.
+   * A build that waits.
    *
-   * @param language that an agent must be able to compile and run
-   * @param files of the test application
+   * @param application what will be executed, frozen with the request
+   * @param maxAttempts how often it is tried while only the infrastructure fails
    * @param reservation null for a build at once
    */
   Build(
       String id,
       SuiteOrigin origin,
-      String language,
-      Collection<StoredFile> files,
-      int casesTotal,
+      FrozenApplication application,
+      BuildOptions options,
+      int maxAttempts,
       @Nullable Reservation reservation,
       Instant now) {
     this();
@@ -114,15 +127,42 @@ public class Build {
     this.activityName = origin.activityName();
     this.suiteId = origin.suiteId();
     this.model = origin.model();
-    this.language = language;
-    this.files.addAll(files);
-    this.casesTotal = casesTotal;
+    this.priority = options.priority();
+    this.maxAttempts = maxAttempts;
     this.created = now;
+    freeze(application);
     if (reservation != null) {
       this.scheduleId = reservation.scheduleId();
       this.fireTime = reservation.fireTime();
     }
     move(BuildState.QUEUED, now, reservation == null ? "requested" : "reserved time reached");
+  }
+
+  /** A part of this build: some of its cases, as a build of its own. */
+  Build part(String partId, int no, FrozenApplication application, Instant now) {
+    Build made = new Build();
+    made.id = partId;
+    made.activityId = activityId;
+    made.activityName = activityName;
+    made.suiteId = suiteId;
+    made.model = model;
+    made.priority = priority;
+    made.maxAttempts = maxAttempts;
+    made.created = now;
+    made.parentId = id;
+    made.part = no;
+    made.freeze(application);
+    made.move(BuildState.QUEUED, now, "part " + no + " of build " + id);
+    parts++;
+    return made;
+  }
+
+  private void freeze(FrozenApplication application) {
+    language = application.language();
+    requirements = application.requirements().text();
+    files.addAll(application.files());
+    casesTotal = application.cases();
+    lastCase = application.lastCase();
   }
 
   /** Gives it to an agent. */
@@ -151,9 +191,9 @@ public class Build {
   void noteCases(Collection<Integer> numbers) {
     require(state.isActive(), "worked on");
     BitSet seen = BitSet.valueOf(casesSeen);
-    numbers.stream().filter(no -> no >= 1 && no <= casesTotal).forEach(seen::set);
+    numbers.stream().filter(no -> no >= 1 && no <= lastCase).forEach(seen::set);
     casesSeen = seen.toByteArray();
-    casesDone = seen.cardinality();
+    casesDone = Math.min(seen.cardinality(), casesTotal);
   }
 
   /** The result is accepted. */
@@ -183,11 +223,25 @@ public class Build {
     move(BuildState.CANCELLED, now, cause);
   }
 
-  /** The attempt failed for a reason outside the build: another one may succeed. */
-  void queueAgain(String cause, Instant now) {
+  /**
+   * The attempt failed for a reason outside the build: another one may succeed.
+   *
+   * @param earliest when it may be given to an agent again
+   */
+  void queueAgain(String cause, Instant earliest, Instant now) {
     require(state.isActive(), "queued again");
     agent = null;
+    notBefore = earliest;
     move(BuildState.QUEUED, now, cause);
+  }
+
+  /** Follows its parts: the first that begins has it begin, and their cases are its cases. */
+  void followParts(int casesOfParts, Instant now) {
+    if (state == BuildState.QUEUED) {
+      started = now;
+      move(BuildState.RUNNING, now, "the first of its " + parts + " parts was given to an agent");
+    }
+    casesDone = casesOfParts;
   }
 
   private void move(BuildState to, Instant now, String cause) {
@@ -223,6 +277,39 @@ public class Build {
 
   public String language() {
     return language;
+  }
+
+  /** What an agent must have for it. */
+  public Requirements requirements() {
+    return Requirements.parse(requirements);
+  }
+
+  public int priority() {
+    return priority;
+  }
+
+  /** When it may be given to an agent at the earliest; empty for at once. */
+  public Optional<Instant> notBefore() {
+    return Optional.ofNullable(notBefore);
+  }
+
+  int maxAttempts() {
+    return maxAttempts;
+  }
+
+  /** The build that this one is a part of. */
+  public Optional<String> parentId() {
+    return Optional.ofNullable(parentId);
+  }
+
+  /** Which part of its parent it is, from 1; 0 for a whole build. */
+  public int part() {
+    return part;
+  }
+
+  /** Over how many parts its cases are spread; 0 for a build that one agent executes. */
+  public int parts() {
+    return parts;
   }
 
   public BuildState state() {
@@ -316,7 +403,4 @@ public class Build {
       cause = BuildFailure.cut(cause, MAX_CAUSE);
     }
   }
-
-  /** Which fire time of which schedule asked for a build; at most one build comes of it. */
-  public record Reservation(String scheduleId, Instant fireTime) {}
 }

@@ -2,10 +2,8 @@ package org.sitaf.server.build;
 
 import jakarta.persistence.LockModeType;
 import java.time.Instant;
-import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
-import org.springframework.data.domain.Limit;
 import org.springframework.data.jpa.repository.JpaSpecificationExecutor;
 import org.springframework.data.jpa.repository.Lock;
 import org.springframework.data.jpa.repository.Query;
@@ -19,12 +17,14 @@ interface BuildRepository extends Repository<Build, String>, JpaSpecificationExe
   @Query("select b from Build b where b.id = :id")
   Optional<Build> findForChange(String id);
 
-  @Query(
-      "select b.id from Build b where b.state = org.sitaf.server.build.BuildState.QUEUED"
-          + " and b.language in :languages order by b.created, b.id")
-  List<String> findQueued(Collection<String> languages, Limit limit);
-
   List<Build> findByActivityId(String activityId);
+
+  List<Build> findByParentIdOrderByPart(String parentId);
+
+  @Query(
+      "select b.id from Build b where b.parts > 0 and b.state in"
+          + " (org.sitaf.server.build.BuildState.QUEUED, org.sitaf.server.build.BuildState.RUNNING)")
+  List<String> findUnfinishedWithParts();
 
   boolean existsByScheduleIdAndFireTime(String scheduleId, Instant fireTime);
 

@@ -3,6 +3,7 @@ package org.sitaf.server.build;
 import java.time.Clock;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.UUID;
@@ -12,11 +13,14 @@ import org.sitaf.core.diagnostic.Diagnostic;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.harness.TestApplication;
 import org.sitaf.server.activity.ActivityDeletion;
-import org.sitaf.server.build.Build.Reservation;
 import org.sitaf.server.build.BuildFailure.SourceProblem;
+import org.sitaf.server.build.request.BuildOptions;
+import org.sitaf.server.build.request.Requirements;
+import org.sitaf.server.build.request.Reservation;
 import org.sitaf.server.file.StoredFile;
 import org.sitaf.server.file.StoredFiles;
 import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.settings.SitafSettings;
 import org.sitaf.server.suite.SuiteOrigin;
 import org.sitaf.server.suite.Suites;
 import org.springframework.context.ApplicationEventPublisher;
@@ -37,6 +41,7 @@ public class Builds {
   private final StoredFiles contents;
   private final TransactionTemplate transaction;
   private final ApplicationEventPublisher events;
+  private final SitafSettings settings;
   private final Clock clock;
 
   Builds(
@@ -46,6 +51,7 @@ public class Builds {
       StoredFiles contents,
       TransactionTemplate transaction,
       ApplicationEventPublisher events,
+      SitafSettings settings,
       Clock clock) {
     this.builds = builds;
     this.attempts = attempts;
@@ -53,6 +59,7 @@ public class Builds {
     this.contents = contents;
     this.transaction = transaction;
     this.events = events;
+    this.settings = settings;
     this.clock = clock;
   }
 
@@ -62,25 +69,25 @@ public class Builds {
    * @return its id
    * @throws InvalidInputException when no test application can be made of the suite
    */
-  public String request(String suiteId) {
-    return queue(suites.origin(suiteId), suites.application(suiteId), null);
+  public String request(String suiteId, BuildOptions options) {
+    return queue(suites.origin(suiteId), suites.application(suiteId), options, null);
   }
 
   /**
    * Requests the build of a reservation, unless that was done before. A suite that does not make a
    * test application any more gives a build that failed, so that people see why nothing ran.
    */
-  public void requestReserved(String suiteId, Reservation reservation) {
+  public void requestReserved(String suiteId, BuildOptions options, Reservation reservation) {
     if (isMade(reservation)) {
       return;
     }
     SuiteOrigin origin = suites.origin(suiteId);
     try {
-      queue(origin, suites.application(suiteId), reservation);
+      queue(origin, suites.application(suiteId), options, reservation);
     } catch (InvalidInputException e) {
-      failed(origin, reservation, "The suite makes no test application.", e.diagnostics());
+      failed(origin, options, reservation, "The suite makes no test application.", e.diagnostics());
     } catch (Refusal e) {
-      failed(origin, reservation, String.valueOf(e.getMessage()), List.of());
+      failed(origin, options, reservation, String.valueOf(e.getMessage()), List.of());
     } catch (DataIntegrityViolationException e) {
       // Another server was faster; the database lets only one of them in.
       if (!isMade(reservation)) {
@@ -88,6 +95,17 @@ public class Builds {
       }
     }
   }
+
+  /**
+   * Which builds; null is any.
+   *
+   * @param parentId whose parts; null for whole builds only
+   */
+  public record Filter(
+      @Nullable String activityId,
+      @Nullable BuildState state,
+      @Nullable String scheduleId,
+      @Nullable String parentId) {}
 
   /** Views a build, within a transaction. */
   public <T> T inspect(String id, Function<Build, T> view) {
@@ -97,22 +115,23 @@ public class Builds {
                 view.apply(builds.findById(id).orElseThrow(() -> Refusal.notFound("build", id)))));
   }
 
-  /**
-   * A page of the builds of an activity and state, or of all where these are null; each viewed
-   * within the transaction.
-   */
-  public <T> Page<T> list(
-      @Nullable String activityId,
-      @Nullable BuildState state,
-      Pageable page,
-      Function<Build, T> view) {
+  /** A page of the builds that fit; each viewed within the transaction. */
+  public <T> Page<T> list(Filter filter, Pageable page, Function<Build, T> view) {
     Specification<Build> wanted =
         (build, query, is) ->
             is.and(
-                activityId == null
+                filter.activityId() == null
                     ? is.conjunction()
-                    : is.equal(build.get("activityId"), activityId),
-                state == null ? is.conjunction() : is.equal(build.get("state"), state));
+                    : is.equal(build.get("activityId"), filter.activityId()),
+                filter.state() == null
+                    ? is.conjunction()
+                    : is.equal(build.get("state"), filter.state()),
+                filter.scheduleId() == null
+                    ? is.conjunction()
+                    : is.equal(build.get("scheduleId"), filter.scheduleId()),
+                filter.parentId() == null
+                    ? is.isNull(build.get("parentId"))
+                    : is.equal(build.get("parentId"), filter.parentId()));
     return required(transaction.execute(status -> builds.findAll(wanted, page).map(view)));
   }
 
@@ -121,7 +140,7 @@ public class Builds {
     transaction.executeWithoutResult(
         status -> {
           Build build = builds.findForChange(id).orElseThrow(() -> Refusal.notFound("build", id));
-          boolean active = build.state().isActive();
+          boolean active = build.state().isActive() && build.parts() == 0;
           Instant now = now();
           build.cancel(cause, now);
           if (active) {
@@ -152,23 +171,48 @@ public class Builds {
   }
 
   private String queue(
-      SuiteOrigin origin, TestApplication application, @Nullable Reservation reservation) {
+      SuiteOrigin origin,
+      TestApplication application,
+      BuildOptions options,
+      @Nullable Reservation reservation) {
+    Requirements requirements = Requirements.of(application, options.agent());
     List<StoredFile> files = contents.store(application.files());
-    return insert(
-        new Build(
-            UUID.randomUUID().toString(),
-            origin,
-            application.activity().profile().harness().spelling(),
-            files,
-            application.suite().cases().size(),
-            reservation,
-            now()));
+    Build build =
+        make(origin, FrozenApplication.of(application, requirements, files), options, reservation);
+    List<Build> all = new ArrayList<>(List.of(build));
+    List<TestApplication> parts = Parts.split(application, options.parts());
+    for (int no = 1; no <= parts.size(); no++) {
+      TestApplication part = parts.get(no - 1);
+      List<StoredFile> partFiles = contents.store(part.files());
+      FrozenApplication frozen = FrozenApplication.of(part, requirements, partFiles);
+      all.add(build.part(UUID.randomUUID().toString(), no, frozen, now()));
+    }
+    return insert(all);
+  }
+
+  private Build make(
+      SuiteOrigin origin,
+      FrozenApplication application,
+      BuildOptions options,
+      @Nullable Reservation reservation) {
+    Integer retries = options.retries();
+    return new Build(
+        UUID.randomUUID().toString(),
+        origin,
+        application,
+        options,
+        retries == null ? settings.maxAttempts() : retries + 1,
+        reservation,
+        now());
   }
 
   private void failed(
-      SuiteOrigin origin, Reservation reservation, String message, List<Diagnostic> diagnostics) {
-    Build build =
-        new Build(UUID.randomUUID().toString(), origin, "", List.of(), 0, reservation, now());
+      SuiteOrigin origin,
+      BuildOptions options,
+      Reservation reservation,
+      String message,
+      List<Diagnostic> diagnostics) {
+    Build build = make(origin, FrozenApplication.NONE, options, reservation);
     build.fail(
         new BuildFailure(
             BuildFailure.Category.INPUT,
@@ -184,16 +228,19 @@ public class Builds {
                             false))
                 .toList()),
         now());
-    insert(build);
+    insert(List.of(build));
   }
 
-  private String insert(Build build) {
+  /** All at once: nobody sees a build without its parts. */
+  private String insert(List<Build> all) {
     transaction.executeWithoutResult(
-        status -> {
-          builds.saveAndFlush(build);
-          changed(build);
-        });
-    return build.id();
+        status ->
+            all.forEach(
+                build -> {
+                  builds.saveAndFlush(build);
+                  changed(build);
+                }));
+    return all.get(0).id();
   }
 
   private boolean isMade(Reservation reservation) {
@@ -201,7 +248,7 @@ public class Builds {
   }
 
   private void changed(Build build) {
-    events.publishEvent(new BuildEvent.Changed(build.id(), build.state()));
+    events.publishEvent(BuildEvent.Changed.of(build));
   }
 
   private Instant now() {

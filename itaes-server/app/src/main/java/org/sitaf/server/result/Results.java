@@ -51,7 +51,12 @@ public class Results {
     return rows.overview(buildId).orElseThrow(() -> noResult(buildId));
   }
 
-  byte[] document(String buildId) {
+  /**
+   * The document of an accepted result, as it came.
+   *
+   * @throws Refusal when there is none
+   */
+  public byte[] document(String buildId) {
     return rows.document(buildId).orElseThrow(() -> noResult(buildId));
   }
 

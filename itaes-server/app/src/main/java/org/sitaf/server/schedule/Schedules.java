@@ -13,8 +13,9 @@ import org.quartz.SchedulerException;
 import org.quartz.SimpleScheduleBuilder;
 import org.quartz.TriggerBuilder;
 import org.quartz.TriggerKey;
-import org.sitaf.server.build.Build.Reservation;
 import org.sitaf.server.build.Builds;
+import org.sitaf.server.build.request.BuildOptions;
+import org.sitaf.server.build.request.Reservation;
 import org.sitaf.server.refusal.Refusal;
 import org.sitaf.server.suite.Suites;
 import org.slf4j.Logger;
@@ -110,7 +111,9 @@ class Schedules {
       return;
     }
     builds.requestReserved(
-        schedule.suiteId(), new Reservation(id, fireTime.truncatedTo(ChronoUnit.MICROS)));
+        schedule.suiteId(),
+        BuildOptions.DEFAULT,
+        new Reservation(id, fireTime.truncatedTo(ChronoUnit.MICROS)));
     transaction.executeWithoutResult(
         status -> schedules.findById(id).ifPresent(s -> s.markFired(now())));
   }

@@ -8,6 +8,7 @@ import java.time.Duration;
 import java.util.List;
 import org.hibernate.validator.constraints.time.DurationMax;
 import org.hibernate.validator.constraints.time.DurationMin;
+import org.jspecify.annotations.Nullable;
 import org.springframework.boot.context.properties.ConfigurationProperties;
 import org.springframework.boot.context.properties.bind.DefaultValue;
 import org.springframework.util.unit.DataSize;
@@ -18,9 +19,13 @@ import org.springframework.validation.annotation.Validated;
  *
  * @param dataDirectory where the database, the logs of builds and {@code ports.properties} lie;
  *     absolute, or beginning with {@code ./}
+ * @param logDirectory logs of builds; null for {@code logs} in the data directory; several servers
+ *     with one database share it
  * @param publicHosts host names, besides those of the loopback, under which people reach the server
  * @param lease an agent from which nothing is heard for so long is taken for lost
  * @param maxAttempts how often a build is tried while only the infrastructure fails
+ * @param retryDelay how long a build waits after its first failure of the infrastructure; twice as
+ *     long after each further one, up to a minute
  * @param maxUpload largest body of a request
  * @param maxLog largest log of a build; what goes beyond is dropped, with a note
  * @param stopWithStdin whether the server ends when its standard input does, so that it never
@@ -30,13 +35,20 @@ import org.springframework.validation.annotation.Validated;
 @ConfigurationProperties("sitaf")
 public record SitafSettings(
     @NotNull Path dataDirectory,
+    @Nullable Path logDirectory,
     @DefaultValue List<String> publicHosts,
     @DurationMin(seconds = 1) @DurationMax(minutes = 60) @DefaultValue("15s") Duration lease,
     @Min(1) @Max(100) @DefaultValue("3") int maxAttempts,
+    @DurationMin(millis = 0) @DurationMax(minutes = 10) @DefaultValue("1s") Duration retryDelay,
     @DefaultValue("256MB") DataSize maxUpload,
     @DefaultValue("64MB") DataSize maxLog,
     @DefaultValue("false") boolean stopWithStdin) {
   public SitafSettings {
     publicHosts = List.copyOf(publicHosts);
+  }
+
+  /** Where the logs of builds lie. */
+  public Path logs() {
+    return logDirectory == null ? dataDirectory.resolve("logs") : logDirectory;
   }
 }

@@ -7,8 +7,6 @@ import io.grpc.Status;
 import io.grpc.StatusRuntimeException;
 import java.util.List;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.sitaf.agent.v1.Assignment;
 import org.sitaf.agent.v1.AttemptRef;
@@ -18,31 +16,10 @@ import org.sitaf.agent.v1.Diagnostic;
 import org.sitaf.core.harness.TestApplication;
 import org.sitaf.server.support.Activities;
 import org.sitaf.server.support.RimAgent;
-import org.sitaf.server.support.ServerTest;
 import tools.jackson.databind.JsonNode;
 
 /** Builds from request to result, with an agent at the rim. Each database runs all of it. */
-abstract class BuildStory extends ServerTest {
-  private String activityId = "";
-  private String suiteId = "";
-
-  @BeforeEach
-  void makeSuite() {
-    activityId = api.upload(Activities.zip());
-    suiteId = api.suite(activityId);
-  }
-
-  /** The tests of a database share a server: what others have left waiting would come first. */
-  @BeforeEach
-  @AfterEach
-  void cancelWhatIsLeft() {
-    for (JsonNode build : api.get("/api/v1/builds?size=500").json().get("items")) {
-      if (!build.has("finished")) {
-        api.post("/api/v1/builds/" + build.get("id").asString() + "/cancel", "");
-      }
-    }
-  }
-
+abstract class BuildStory extends DispatchStory {
   @Test
   void aBuildGoesFromRequestToResult() {
     String id = api.build(suiteId);
@@ -314,24 +291,11 @@ abstract class BuildStory extends ServerTest {
         .until(() -> agentNamed("listed").get("state").asString().equals("OFFLINE"));
   }
 
-  private JsonNode agentNamed(String name) {
-    for (JsonNode agent : api.get("/api/v1/agents").expect(200).json()) {
-      if (agent.get("name").asString().equals(name)) {
-        return agent;
-      }
-    }
-    throw new AssertionError("no agent " + name);
-  }
-
   /** The server may take a moment to see that the former connection is gone. */
   private RimAgent reconnect(String name, AttemptRef running) {
     return org.awaitility.Awaitility.await()
         .ignoreExceptionsMatching(AssertionError.class::isInstance)
         .until(() -> RimAgent.register(grpcPort(), name, "java", running), a -> true);
-  }
-
-  private JsonNode build(String id) {
-    return api.get("/api/v1/builds/" + id).expect(200).json();
   }
 
   private static BuildFailure failure(BuildFailure.Category category, String message) {

@@ -83,8 +83,19 @@ public final class RimAgent implements AutoCloseable {
 
   /** Connects, registers with one slot, and waits for the server's answer. */
   public static RimAgent register(int port, String name, String language, AttemptRef... running) {
+    return register(port, name, 1, List.of(), language, running);
+  }
+
+  /** Connects, registers, and waits for the server's answer. */
+  public static RimAgent register(
+      int port,
+      String name,
+      int slots,
+      List<String> labels,
+      String language,
+      AttemptRef... running) {
     RimAgent agent = dial(port);
-    agent.sendRegister(name, language, running);
+    agent.sendRegister(name, slots, labels, language, running);
     if (!agent.next().hasRegistered()) {
       throw new AssertionError("not registered");
     }
@@ -92,16 +103,29 @@ public final class RimAgent implements AutoCloseable {
   }
 
   public void sendRegister(String name, String language, AttemptRef... running) {
+    sendRegister(name, 1, List.of(), language, running);
+  }
+
+  public void sendRegister(
+      String name, int slots, List<String> labels, String language, AttemptRef... running) {
     stream.onNext(
         AgentMessage.newBuilder()
             .setRegister(
                 Register.newBuilder()
                     .setName(name)
                     .setVersion("test")
-                    .setSlots(1)
+                    .setSlots(slots)
+                    .setSimulation(true)
+                    .addAllLabels(labels)
                     .addToolchains(Toolchain.newBuilder().setLanguage(language).setVersion("test"))
                     .addAllRunning(List.of(running)))
             .build());
+  }
+
+  /** A heartbeat that says why no new build is taken. */
+  public void refuse(String why) {
+    stream.onNext(
+        AgentMessage.newBuilder().setHeartbeat(Heartbeat.newBuilder().setRefuses(why)).build());
   }
 
   public void heartbeat(AttemptRef... running) {

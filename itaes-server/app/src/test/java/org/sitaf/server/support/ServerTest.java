@@ -20,7 +20,12 @@ import org.springframework.test.context.DynamicPropertySource;
 @SpringBootTest(
     classes = SitafServer.class,
     webEnvironment = WebEnvironment.RANDOM_PORT,
-    properties = {"spring.grpc.server.port=0", "sitaf.lease=2s", "sitaf.max-log=64KB"})
+    properties = {
+      "spring.grpc.server.port=0",
+      "sitaf.lease=2s",
+      "sitaf.retry-delay=50ms",
+      "sitaf.max-log=64KB"
+    })
 public abstract class ServerTest {
   /** Of the one who starts the server; an administrator. */
   public static final String TOKEN = "launcher-token-of-the-tests-0123456789";

@@ -3,6 +3,7 @@ package org.sitaf.agent.manager;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Objects;
+import java.util.Set;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.sandbox.SandboxMode;
@@ -19,6 +20,8 @@ import org.sitaf.agent.sandbox.SandboxMode;
  * @param bridge gRPC target of a running bridge; null for none
  * @param sandbox whether components and tools run in one
  * @param coverage whether builds say which lines of the component they reached
+ * @param labels what its owner calls it by, such as {@code real-hardware}
+ * @param minFreeBytes below which no new build is taken; what is there already is never dropped
  */
 public record AgentSettings(
     String server,
@@ -29,8 +32,12 @@ public record AgentSettings(
     List<String> bridgeCommand,
     @Nullable String bridge,
     SandboxMode sandbox,
-    boolean coverage) {
+    boolean coverage,
+    Set<String> labels,
+    long minFreeBytes) {
   private static final Pattern NAME = Pattern.compile("[A-Za-z0-9._-]{1,100}");
+  private static final Pattern LABEL = Pattern.compile("[A-Za-z0-9._-]{1,50}");
+  private static final int MAX_LABELS = 20;
   private static final int MAX_SLOTS = 256;
 
   public AgentSettings {
@@ -46,6 +53,11 @@ public record AgentSettings(
     require(
         bridgeCommand.isEmpty() || bridge == null,
         "--bridge-command and --bridge exclude each other");
+    labels = Set.copyOf(labels);
+    require(
+        labels.size() <= MAX_LABELS && labels.stream().allMatch(l -> LABEL.matcher(l).matches()),
+        "--label: at most 20, each 1 to 50 letters, digits, '.', '_', '-'");
+    require(minFreeBytes >= 0, "--min-free-mib must not be negative");
   }
 
   private static void require(boolean condition, String message) {

@@ -31,6 +31,7 @@ final class Attempts {
   private final ServerCalls calls;
   private final FileCache cache;
   private final ResultUpload upload;
+  private final FreeSpace disk;
   private final Map<String, AttemptRun> running = new HashMap<>();
   private final List<Thread> threads = new ArrayList<>();
   private boolean stopping;
@@ -41,13 +42,15 @@ final class Attempts {
       BuildSettings settings,
       ServerCalls calls,
       FileCache cache,
-      ResultUpload upload) {
+      ResultUpload upload,
+      FreeSpace disk) {
     this.slots = slots;
     this.builds = builds;
     this.settings = settings;
     this.calls = calls;
     this.cache = cache;
     this.upload = upload;
+    this.disk = disk;
   }
 
   /**
@@ -56,7 +59,13 @@ final class Attempts {
    */
   void begin(Assignment assignment) {
     Attempt attempt = Attempt.of(assignment.getAttempt());
-    if (!upload.owes(attempt) && !takeSlot(attempt, assignment)) {
+    if (upload.owes(attempt)) {
+      return;
+    }
+    String full = disk.whyFull();
+    if (!full.isEmpty()) {
+      owe(attempt, SubmitMessages.infrastructure(attempt, "the agent is full: " + full), null);
+    } else if (!takeSlot(attempt, assignment)) {
       owe(attempt, SubmitMessages.infrastructure(attempt, "the agent has no free slot"), null);
     }
   }

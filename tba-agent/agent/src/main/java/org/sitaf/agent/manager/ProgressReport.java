@@ -40,6 +40,9 @@ final class ProgressReport implements BuildListener, AutoCloseable {
   /** Only the reporting thread's. */
   private long logOffset;
 
+  private long nextBatch = 1;
+  private List<CaseOutcome> batch = List.of();
+
   /**
    * Begins to report.
    *
@@ -121,6 +124,7 @@ final class ProgressReport implements BuildListener, AutoCloseable {
       cases.clear();
       logGrew = false;
     }
+    batch = List.of();
     if (e.getStatus().getCode() == Status.Code.OUT_OF_RANGE) {
       logOffset = 0;
     }
@@ -150,10 +154,11 @@ final class ProgressReport implements BuildListener, AutoCloseable {
 
   private void tell() throws IOException {
     AttemptState newState;
-    List<CaseOutcome> newCases;
     synchronized (this) {
       newState = state;
-      newCases = List.copyOf(cases.subList(0, Math.min(cases.size(), CASES_PER_MESSAGE)));
+      if (batch.isEmpty()) {
+        batch = List.copyOf(cases.subList(0, Math.min(cases.size(), CASES_PER_MESSAGE)));
+      }
       logGrew = false;
     }
     if (newState != null) {
@@ -162,11 +167,14 @@ final class ProgressReport implements BuildListener, AutoCloseable {
         state = state == newState ? null : state;
       }
     }
-    if (!newCases.isEmpty()) {
-      calls.reportCases(attempt, newCases);
+    if (!batch.isEmpty()) {
+      // A batch that was not answered is sent again as it was, under its number.
+      calls.reportCases(attempt, nextBatch, batch);
       synchronized (this) {
-        cases.subList(0, newCases.size()).clear();
+        cases.subList(0, batch.size()).clear();
       }
+      batch = List.of();
+      nextBatch++;
     }
     try {
       tellLog();

@@ -15,6 +15,7 @@ import org.sitaf.agent.spool.Spool;
 import org.sitaf.agent.v1.AttemptRef;
 import org.sitaf.agent.v1.AttemptState;
 import org.sitaf.agent.v1.SubmitResultRequest;
+import org.sitaf.agent.v1.SubmitResultResponse;
 
 /**
  * Brings what is in the spool to the server, for as long as it takes. An entry is deleted only when
@@ -120,9 +121,16 @@ final class ResultUpload implements AutoCloseable {
     Attempt attempt = Attempt.of(message.getAttempt());
     try {
       uploadLog(attempt, entry);
-      boolean accepted = calls.submit(message);
+      SubmitResultResponse answer = calls.submit(message);
+      if (!confirms(answer, message)) {
+        LOGGER.log(
+            System.Logger.Level.WARNING,
+            attempt + ": the server confirms something else than it was sent; sending it again");
+        return false;
+      }
       LOGGER.log(
-          System.Logger.Level.INFO, attempt + (accepted ? ": accepted" : ": was superseded"));
+          System.Logger.Level.INFO,
+          attempt + (answer.getAccepted() ? ": accepted" : ": was superseded"));
       forget(entry);
       return true;
     } catch (StatusRuntimeException e) {
@@ -138,6 +146,12 @@ final class ResultUpload implements AutoCloseable {
         case REFUSED -> refused(entry, attempt, message, e);
       };
     }
+  }
+
+  /** Only what the server has whole, by its size and digest, may be deleted here. */
+  private static boolean confirms(SubmitResultResponse answer, SubmitResultRequest sent) {
+    return answer.getSha256().equals(sent.getSha256())
+        && answer.getSize() == sent.getResultDescriptor().size();
   }
 
   /**

@@ -20,6 +20,7 @@ import org.sitaf.agent.v1.DownloadFileResponse;
 import org.sitaf.agent.v1.ReportCasesRequest;
 import org.sitaf.agent.v1.ReportStateRequest;
 import org.sitaf.agent.v1.SubmitResultRequest;
+import org.sitaf.agent.v1.SubmitResultResponse;
 
 /**
  * The calls about an attempt, each with a deadline, so that a server that hangs is one that is
@@ -88,18 +89,24 @@ final class ServerCalls {
         .getNextOffset();
   }
 
-  void reportCases(Attempt attempt, List<CaseOutcome> outcomes) {
+  /**
+   * Reports a batch of cases.
+   *
+   * @param sequence counts the batches of an attempt, from 1
+   */
+  void reportCases(Attempt attempt, long sequence, List<CaseOutcome> outcomes) {
     stub(DEADLINE_S)
         .reportCases(
             ReportCasesRequest.newBuilder()
                 .setAttempt(attempt.ref())
+                .setSequence(sequence)
                 .addAllOutcomes(outcomes)
                 .build());
   }
 
-  /** Whether the result counts; either way it need not be kept any longer. */
-  boolean submit(SubmitResultRequest request) {
-    return stub(TRANSFER_DEADLINE_S).submitResult(request).getAccepted();
+  /** What the server has of the attempt now, and whether it counts. */
+  SubmitResultResponse submit(SubmitResultRequest request) {
+    return stub(TRANSFER_DEADLINE_S).submitResult(request);
   }
 
   /** Writes a file of the attempt's test application, at most so many bytes of it. */

@@ -32,6 +32,7 @@ final class ServerConnection implements AutoCloseable {
   private final ManagedChannel channel;
   private final Supplier<Register> registration;
   private final Supplier<List<AttemptRef>> running;
+  private final Supplier<String> refuses;
   private final Listener listener;
   private final CountDownLatch closing = new CountDownLatch(1);
   private final Thread thread = new Thread(this::work, "sitaf-heartbeat");
@@ -49,10 +50,12 @@ final class ServerConnection implements AutoCloseable {
       ManagedChannel channel,
       Supplier<Register> registration,
       Supplier<List<AttemptRef>> running,
+      Supplier<String> refuses,
       Listener listener) {
     this.channel = channel;
     this.registration = registration;
     this.running = running;
+    this.refuses = refuses;
     this.listener = listener;
     thread.setDaemon(true);
   }
@@ -123,7 +126,11 @@ final class ServerConnection implements AutoCloseable {
             break;
           }
           if (registered()) {
-            Heartbeat heartbeat = Heartbeat.newBuilder().addAllRunning(running.get()).build();
+            Heartbeat heartbeat =
+                Heartbeat.newBuilder()
+                    .addAllRunning(running.get())
+                    .setRefuses(refuses.get())
+                    .build();
             sender.onNext(AgentMessage.newBuilder().setHeartbeat(heartbeat).build());
           } else if (System.nanoTime() - registrationEnd > 0) {
             status = Status.DEADLINE_EXCEEDED.withDescription("the server does not register");

@@ -33,6 +33,7 @@ public final class TestBuildAgent implements AutoCloseable {
   private final Simulator simulator;
   private final ManagedChannel channel;
   private final ResultUpload upload;
+  private final FreeSpace disk;
   private final Attempts attempts;
   private final ServerConnection connection;
 
@@ -66,6 +67,7 @@ public final class TestBuildAgent implements AutoCloseable {
             sandbox,
             settings.coverage(),
             settings.name() + " " + settings.version());
+    this.disk = new FreeSpace(directory.path(), settings.minFreeBytes());
     this.attempts =
         new Attempts(
             settings.slots(),
@@ -73,9 +75,11 @@ public final class TestBuildAgent implements AutoCloseable {
             builds,
             calls,
             directory.fileCache(),
-            upload);
+            upload,
+            disk);
     this.connection =
-        new ServerConnection(channel, this::registration, attempts::refs, new FromServer());
+        new ServerConnection(
+            channel, this::registration, attempts::refs, disk::whyFull, new FromServer());
     connection.start();
   }
 
@@ -106,6 +110,9 @@ public final class TestBuildAgent implements AutoCloseable {
             .setName(settings.name())
             .setVersion(settings.version())
             .setSlots(settings.slots())
+            .addAllLabels(settings.labels())
+            .setSimulation(settings.bridge() != null || !settings.bridgeCommand().isEmpty())
+            .setRefuses(disk.whyFull())
             .addAllRunning(attempts.refs());
     toolchains
         .found()

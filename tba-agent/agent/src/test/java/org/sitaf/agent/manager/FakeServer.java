@@ -314,7 +314,13 @@ final class FakeServer extends AgentServiceGrpc.AgentServiceImplBase implements 
       return;
     }
     submitted.add(request);
-    answer(responses, SubmitResultResponse.newBuilder().setAccepted(!superseded).build());
+    answer(
+        responses,
+        SubmitResultResponse.newBuilder()
+            .setAccepted(!superseded)
+            .setSha256(request.getSha256())
+            .setSize(request.getResultDescriptor().size())
+            .build());
   }
 
   private boolean refused(StreamObserver<?> responses) {

@@ -10,6 +10,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Set;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
@@ -48,7 +49,17 @@ class TestBuildAgentTest {
   private void startAgent() throws IOException {
     AgentSettings settings =
         new AgentSettings(
-            server.address(), "tester", "1", directory, 1, List.of(), null, SandboxMode.AUTO, true);
+            server.address(),
+            "tester",
+            "1",
+            directory,
+            1,
+            List.of(),
+            null,
+            SandboxMode.AUTO,
+            true,
+            Set.of(),
+            0);
     agent = new TestBuildAgent(settings, EchoActivity.toolchains(), version -> {});
   }
 

@@ -6,8 +6,19 @@ import io.swagger.v3.oas.annotations.tags.Tag;
 import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.server.build.agent.KnownAgent.Standing;
+import org.sitaf.server.refusal.Refusal;
+import org.springframework.http.HttpStatus;
+import org.springframework.web.bind.annotation.DeleteMapping;
 import org.springframework.web.bind.annotation.GetMapping;
+import org.springframework.web.bind.annotation.PathVariable;
+import org.springframework.web.bind.annotation.PutMapping;
+import org.springframework.web.bind.annotation.RequestBody;
 import org.springframework.web.bind.annotation.RequestMapping;
+import org.springframework.web.bind.annotation.ResponseStatus;
 import org.springframework.web.bind.annotation.RestController;
 
 @RestController
@@ -15,9 +26,11 @@ import org.springframework.web.bind.annotation.RestController;
 @Tag(name = "agents")
 class AgentController {
   private final Agents agents;
+  private final Dispatcher dispatcher;
 
-  AgentController(Agents agents) {
+  AgentController(Agents agents, Dispatcher dispatcher) {
     this.agents = agents;
+    this.dispatcher = dispatcher;
   }
 
   /** Whether there is a stream. */
@@ -35,10 +48,21 @@ class AgentController {
       String name,
       String version,
       State state,
+      @Schema(
+              description =
+                  "DRAINING finishes what it has and is given nothing more; DISABLED also loses what it had")
+          Standing standing,
       @Schema(description = "builds that may run at the same time") int slots,
       @Schema(description = "slots that are taken") int busy,
       List<ToolchainView> toolchains,
+      @Schema(description = "whether it can simulate worlds") boolean simulation,
+      Set<String> labels,
+      @Schema(description = "why it takes no builds at present, such as a full disk")
+          @Nullable String refuses,
       Instant lastSeen) {}
+
+  @Schema(name = "AgentStanding")
+  record StandingRequest(Standing standing) {}
 
   @GetMapping
   @Operation(
@@ -48,15 +72,45 @@ class AgentController {
     return agents.all().stream().map(this::view).toList();
   }
 
+  @PutMapping("/{name}/standing")
+  @Operation(
+      operationId = "setAgentStanding",
+      summary = "Has an agent take builds (ACTIVE), drain or be disabled")
+  AgentView stand(@PathVariable String name, @RequestBody StandingRequest request) {
+    if (request.standing() == null) {
+      throw Refusal.malformed("standing is missing; it is ACTIVE, DRAINING or DISABLED.");
+    }
+    agents.stand(name, request.standing());
+    dispatcher.wake();
+    return view(agents.find(name));
+  }
+
+  @DeleteMapping("/{name}")
+  @Operation(
+      operationId = "forgetAgent",
+      summary = "Forgets an agent",
+      description = "Refused (409) while it is connected.")
+  @ResponseStatus(HttpStatus.NO_CONTENT)
+  void forget(@PathVariable String name) {
+    agents.forget(name);
+  }
+
   private AgentView view(KnownAgent agent) {
     Optional<AgentSession> session = agents.session(agent.name()).filter(AgentSession::isOpen);
+    String refuses = session.map(AgentSession::refuses).orElse("");
     return new AgentView(
         agent.name(),
         agent.version(),
-        session.isPresent() ? State.ONLINE : State.OFFLINE,
+        agents.isOnline(agent) ? State.ONLINE : State.OFFLINE,
+        agent.standing(),
         agent.slots(),
         session.map(AgentSession::busy).orElse(0),
-        agent.toolchains().stream().map(t -> new ToolchainView(t.language(), t.version())).toList(),
+        agent.offers().toolchains().stream()
+            .map(t -> new ToolchainView(t.language(), t.version()))
+            .toList(),
+        agent.offers().simulation(),
+        new TreeSet<>(agent.offers().labels()),
+        refuses.isEmpty() ? null : refuses,
         session.map(AgentSession::lastHeard).orElse(agent.lastSeen()));
   }
 }

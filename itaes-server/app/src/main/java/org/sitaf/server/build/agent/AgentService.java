@@ -112,10 +112,12 @@ class AgentService extends AgentServiceGrpc.AgentServiceImplBase {
     answer(
         answers,
         () -> {
-          attempts.noteCases(
-              Messages.toKey(request.getAttempt()),
-              request.getOutcomesList().stream().map(CaseOutcome::getNo).toList());
-          return ReportCasesResponse.getDefaultInstance();
+          long next =
+              attempts.noteCases(
+                  Messages.toKey(request.getAttempt()),
+                  request.getSequence(),
+                  request.getOutcomesList().stream().map(CaseOutcome::getNo).toList());
+          return ReportCasesResponse.newBuilder().setNextSequence(next).build();
         });
   }
 
@@ -134,7 +136,12 @@ class AgentService extends AgentServiceGrpc.AgentServiceImplBase {
                 case OUTCOME_NOT_SET ->
                     throw Refusal.malformed("outcome: must be a result_descriptor or a failure.");
               };
-          return SubmitResultResponse.newBuilder().setAccepted(accepted).build();
+          return SubmitResultResponse.newBuilder()
+              .setAccepted(accepted)
+              .setSha256(request.getSha256())
+              .setSize(request.getResultDescriptor().size())
+              .setLogSize(logs.size(key))
+              .build();
         });
   }
 

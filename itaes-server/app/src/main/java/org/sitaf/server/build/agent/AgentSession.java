@@ -5,24 +5,24 @@ import io.grpc.stub.StreamObserver;
 import java.time.Instant;
 import java.util.Collection;
 import java.util.HashSet;
-import java.util.List;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.v1.ServerMessage;
 import org.sitaf.server.build.AttemptKey;
-import org.sitaf.server.build.agent.KnownAgent.Toolchain;
+import org.sitaf.server.build.request.Capabilities;
 
 /** The stream of a connected agent, and the slots that its builds occupy. */
 final class AgentSession {
   private final String name;
   private final int slots;
-  private final List<Toolchain> toolchains;
+  private final Capabilities offers;
   private final StreamObserver<ServerMessage> stream;
   private final Set<Long> occupied = new HashSet<>();
   private final Set<Long> stopped = new HashSet<>();
   private Instant lastHeard;
   private boolean open = true;
   private boolean welcomed;
+  private String refuses = "";
 
   /**
    * A session that begins.
@@ -32,13 +32,13 @@ final class AgentSession {
   AgentSession(
       String name,
       int slots,
-      List<Toolchain> toolchains,
+      Capabilities offers,
       StreamObserver<ServerMessage> stream,
       Collection<AttemptKey> running,
       Instant now) {
     this.name = name;
     this.slots = slots;
-    this.toolchains = List.copyOf(toolchains);
+    this.offers = offers;
     this.stream = stream;
     this.lastHeard = now;
     running.forEach(key -> occupied.add(key.token()));
@@ -52,16 +52,40 @@ final class AgentSession {
     return slots;
   }
 
-  boolean offers(String language) {
-    return toolchains.stream().anyMatch(t -> t.language().equals(language));
-  }
-
-  List<String> languages() {
-    return toolchains.stream().map(Toolchain::language).distinct().toList();
+  Capabilities offers() {
+    return offers;
   }
 
   synchronized boolean hasFreeSlot() {
-    return open && welcomed && occupied.size() < slots;
+    return open && welcomed && refuses.isEmpty() && occupied.size() < slots;
+  }
+
+  synchronized int freeSlots() {
+    return hasFreeSlot() ? slots - occupied.size() : 0;
+  }
+
+  /** Why it takes no builds, as it says; empty where it does. */
+  synchronized String refuses() {
+    return refuses;
+  }
+
+  synchronized void refuse(String why) {
+    refuses = why;
+  }
+
+  /**
+   * Slots that are taken by attempts which the agent does not speak of, in case they are over:
+   * their end may have been told to another server.
+   */
+  synchronized Set<Long> unspokenOf(Collection<AttemptKey> running) {
+    Set<Long> unspoken = new HashSet<>(occupied);
+    running.forEach(key -> unspoken.remove(key.token()));
+    return unspoken;
+  }
+
+  synchronized void free(Collection<Long> tokens) {
+    occupied.removeAll(tokens);
+    stopped.removeAll(tokens);
   }
 
   synchronized int busy() {

@@ -7,6 +7,7 @@ import java.time.Clock;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.v1.AgentMessage;
+import org.sitaf.agent.v1.Heartbeat;
 import org.sitaf.agent.v1.Register;
 import org.sitaf.agent.v1.Registered;
 import org.sitaf.agent.v1.ServerMessage;
@@ -44,7 +45,7 @@ final class AgentStream implements StreamObserver<AgentMessage> {
     try {
       switch (message.getMessageCase()) {
         case REGISTER -> register(message.getRegister());
-        case HEARTBEAT -> heartbeat(Messages.toKeys(message.getHeartbeat().getRunningList()));
+        case HEARTBEAT -> heartbeat(message.getHeartbeat());
         case MESSAGE_NOT_SET -> throw invalid("message: must be Register or Heartbeat");
       }
     } catch (RuntimeException e) {
@@ -57,15 +58,17 @@ final class AgentStream implements StreamObserver<AgentMessage> {
       throw invalid("register: the agent is registered already");
     }
     Messages.verify(register);
+    Releases.requireNear(register.getVersion(), version());
     List<AttemptKey> running = Messages.toKeys(register.getRunningList());
     AgentSession made =
         new AgentSession(
             register.getName(),
             register.getSlots(),
-            Agents.toolchains(register),
+            Messages.toCapabilities(register),
             answers,
             running,
             clock.instant());
+    made.refuse(register.getRefuses());
     if (!agents.add(made, register)) {
       throw Status.ALREADY_EXISTS
           .withDescription("an agent named " + register.getName() + " is connected")
@@ -79,18 +82,19 @@ final class AgentStream implements StreamObserver<AgentMessage> {
                     .setServerVersion(version())
                     .setLease(Duration.newBuilder().setSeconds(settings.lease().toSeconds())))
             .build());
-    agents.heard(made, running);
-    log.info(
-        "Agent {} is connected, with {} slots for {}", made.name(), made.slots(), made.languages());
+    agents.came(made, running);
+    log.info("Agent {} is connected, with {} slots", made.name(), made.slots());
     dispatcher.wake();
   }
 
-  private void heartbeat(List<AttemptKey> running) {
+  private void heartbeat(Heartbeat heartbeat) {
+    List<AttemptKey> running = Messages.toKeys(heartbeat.getRunningList());
     AgentSession present = session;
     if (present == null) {
       throw invalid("heartbeat: register first");
     }
     boolean wasFull = !present.hasFreeSlot();
+    present.refuse(Messages.toReason(heartbeat.getRefuses()));
     agents.heard(present, running);
     if (wasFull && present.hasFreeSlot()) {
       dispatcher.wake();

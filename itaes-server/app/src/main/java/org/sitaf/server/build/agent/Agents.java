@@ -16,7 +16,9 @@ import org.sitaf.agent.v1.ServerMessage;
 import org.sitaf.server.build.AttemptKey;
 import org.sitaf.server.build.Attempts;
 import org.sitaf.server.build.BuildEvent;
-import org.sitaf.server.build.agent.KnownAgent.Toolchain;
+import org.sitaf.server.build.agent.KnownAgent.Standing;
+import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.settings.Database;
 import org.sitaf.server.settings.SitafSettings;
 import org.springframework.stereotype.Component;
 import org.springframework.transaction.event.TransactionalEventListener;
@@ -29,6 +31,7 @@ class Agents {
   private final KnownAgentRepository known;
   private final Attempts attempts;
   private final TransactionTemplate transaction;
+  private final Database database;
   private final SitafSettings settings;
   private final Clock clock;
 
@@ -36,11 +39,13 @@ class Agents {
       KnownAgentRepository known,
       Attempts attempts,
       TransactionTemplate transaction,
+      Database database,
       SitafSettings settings,
       Clock clock) {
     this.known = known;
     this.attempts = attempts;
     this.transaction = transaction;
+    this.database = database;
     this.settings = settings;
     this.clock = clock;
   }
@@ -72,7 +77,12 @@ class Agents {
     transaction.executeWithoutResult(
         status -> {
           KnownAgent agent = known.findById(name).orElseGet(() -> new KnownAgent(name));
-          agent.register(register.getVersion(), register.getSlots(), toolchains(register), now());
+          agent.register(
+              register.getVersion(),
+              register.getSlots(),
+              Messages.toCapabilities(register),
+              register.getRefuses(),
+              now());
           known.save(agent);
         });
   }
@@ -87,11 +97,20 @@ class Agents {
   }
 
   /**
+   * An agent has come: what it had and does not know of is lost, and need not wait for its lease.
+   */
+  void came(AgentSession session, Collection<AttemptKey> running) {
+    attempts.giveUpAllBut(session.name(), running);
+    heard(session, running);
+  }
+
+  /**
    * A sign of life of an agent: renews its leases, and stops what it should not work on any more.
    */
   void heard(AgentSession session, Collection<AttemptKey> running) {
     Set<AttemptKey> outdated = attempts.renew(session.name(), running);
     session.heard(running, now());
+    session.free(attempts.over(session.unspokenOf(running)));
     outdated.forEach(
         key -> {
           session.stopped(key);
@@ -135,10 +154,58 @@ class Agents {
     return known.findAllByOrderByName();
   }
 
-  static List<Toolchain> toolchains(Register register) {
-    return register.getToolchainsList().stream()
-        .map(t -> new Toolchain(t.getLanguage(), t.getVersion()))
-        .toList();
+  KnownAgent find(String name) {
+    return known.findById(name).orElseThrow(() -> Refusal.notFound("agent", name));
+  }
+
+  /** Agents that people do not want to be given builds. */
+  Set<String> toSpare() {
+    return known.findNamesToSpare();
+  }
+
+  /** What people decide about an agent; one that is disabled loses what it works on to others. */
+  void stand(String name, Standing standing) {
+    transaction.executeWithoutResult(
+        status -> {
+          KnownAgent agent = find(name);
+          agent.stand(standing);
+          known.save(agent);
+        });
+    if (standing == Standing.DISABLED) {
+      attempts.giveUpAll(name, "agent " + name + " was disabled");
+    }
+  }
+
+  /** Forgets an agent that is not connected. */
+  void forget(String name) {
+    transaction.executeWithoutResult(
+        status -> {
+          KnownAgent agent = find(name);
+          if (isOnline(agent)) {
+            throw Refusal.conflict(
+                "Agent '" + name + "' is connected; stop it first, or disable it.");
+          }
+          known.delete(agent);
+        });
+  }
+
+  /** Connected to this server, or heard of by another one not long ago. */
+  boolean isOnline(KnownAgent agent) {
+    return session(agent.name()).map(AgentSession::isOpen).orElse(false)
+        || (database.isShared() && !agent.lastSeen().plus(settings.lease()).isBefore(now()));
+  }
+
+  /** Tells other servers with the same database who is connected here. */
+  void noteConnected() {
+    if (database.isShared() && !sessions.isEmpty()) {
+      Instant now = now();
+      List<String> heard =
+          sessions.values().stream()
+              .filter(session -> session.isOpen() && !isSilent(session))
+              .map(AgentSession::name)
+              .toList();
+      transaction.executeWithoutResult(status -> known.noteSeen(heard, now));
+    }
   }
 
   @TransactionalEventListener

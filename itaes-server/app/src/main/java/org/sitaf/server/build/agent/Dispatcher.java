@@ -1,13 +1,25 @@
 package org.sitaf.server.build.agent;
 
+import java.time.Clock;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.ExecutorService;
+import java.util.Set;
 import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.sitaf.agent.v1.ServerMessage;
 import org.sitaf.server.build.Attempts;
 import org.sitaf.server.build.BuildEvent;
+import org.sitaf.server.build.BuildQueue;
+import org.sitaf.server.build.BuildQueue.Waiting;
+import org.sitaf.server.build.request.Requirements;
+import org.sitaf.server.settings.Database;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.springframework.context.SmartLifecycle;
@@ -15,22 +27,33 @@ import org.springframework.stereotype.Component;
 import org.springframework.transaction.event.TransactionalEventListener;
 
 /**
- * Gives waiting builds to agents that can execute them, the oldest first. Works when something has
- * changed, and sleeps otherwise.
+ * Gives waiting builds to agents that meet their requirements: the highest priority first, among
+ * equals the activity that agents work least on, and of it the oldest. Works when something has
+ * changed, when a build that was put off is due, and, where other servers share the database, a few
+ * times a second.
  */
 @Component
-public class Dispatcher implements SmartLifecycle {
+class Dispatcher implements SmartLifecycle {
   private static final Logger log = LoggerFactory.getLogger(Dispatcher.class);
+  private static final int MAX_WINDOW = 200;
+  private static final Duration SHARED_LOOK = Duration.ofMillis(300);
 
   private final Attempts attempts;
+  private final BuildQueue queue;
   private final Agents agents;
+  private final Database database;
+  private final Clock clock;
   private final AtomicBoolean due = new AtomicBoolean();
   private volatile boolean running;
-  private ExecutorService thread = newThread();
+  private ScheduledExecutorService thread = newThread();
+  private Instant wakesAt = Instant.MAX;
 
-  Dispatcher(Attempts attempts, Agents agents) {
+  Dispatcher(Attempts attempts, BuildQueue queue, Agents agents, Database database, Clock clock) {
     this.attempts = attempts;
+    this.queue = queue;
     this.agents = agents;
+    this.database = database;
+    this.clock = clock;
   }
 
   /** Has the queue looked at, soon and once for many calls. */
@@ -38,24 +61,6 @@ public class Dispatcher implements SmartLifecycle {
     if (running && due.compareAndSet(false, true)) {
       thread.execute(this::dispatch);
     }
-  }
-
-  /** Why a build of that language waits, for people. */
-  public String whyWaiting(String language) {
-    List<AgentSession> connected = List.copyOf(agents.connected());
-    int offline = agents.all().size() - connected.size();
-    String others = offline <= 0 ? "" : "; " + agentsAre(offline, "offline");
-    long able = connected.stream().filter(a -> a.offers(language)).count();
-    if (connected.isEmpty()) {
-      return "no agent is connected" + others;
-    }
-    if (able == 0) {
-      return "no agent offers " + language + others;
-    }
-    boolean free = connected.stream().anyMatch(a -> a.offers(language) && a.hasFreeSlot());
-    return free
-        ? "about to be given to an agent"
-        : agentsAre(able, "busy with other builds") + others;
   }
 
   @TransactionalEventListener
@@ -66,15 +71,20 @@ public class Dispatcher implements SmartLifecycle {
   private void dispatch() {
     due.set(false);
     try {
-      List<String> languages =
-          agents.connected().stream()
-              .filter(AgentSession::hasFreeSlot)
-              .flatMap(a -> a.languages().stream())
-              .distinct()
-              .toList();
-      for (String buildId : attempts.waiting(languages)) {
-        attempts.languageOf(buildId).ifPresent(language -> give(buildId, language));
+      List<AgentSession> free = free();
+      List<Requirements> met =
+          free.isEmpty()
+              ? List.of()
+              : queue.requirements().stream()
+                  .filter(r -> free.stream().anyMatch(a -> r.areMetBy(a.offers())))
+                  .toList();
+      if (!met.isEmpty()) {
+        int slots = free.stream().mapToInt(AgentSession::freeSlots).sum();
+        List<Waiting> waiting =
+            new ArrayList<>(queue.first(met, Math.min(Math.max(slots, 1), MAX_WINDOW)));
+        give(waiting, free, queue.active());
       }
+      queue.nextPutOff().ifPresent(this::wakeAt);
     } catch (RuntimeException e) {
       // A build that could not be given now is looked at again with the next change.
       if (running) {
@@ -83,13 +93,41 @@ public class Dispatcher implements SmartLifecycle {
     }
   }
 
-  private void give(String buildId, String language) {
-    Optional<AgentSession> free =
-        agents.connected().stream()
-            .filter(a -> a.offers(language) && a.hasFreeSlot())
-            .min(java.util.Comparator.comparingInt(AgentSession::busy));
-    free.flatMap(agent -> attempts.lease(buildId, agent.name()))
-        .ifPresent(assignment -> send(free.orElseThrow(), assignment));
+  private List<AgentSession> free() {
+    List<AgentSession> able =
+        agents.connected().stream().filter(AgentSession::hasFreeSlot).toList();
+    if (able.isEmpty()) {
+      return able;
+    }
+    Set<String> spared = agents.toSpare();
+    return able.stream().filter(a -> !spared.contains(a.name())).toList();
+  }
+
+  private void give(List<Waiting> waiting, List<AgentSession> free, Map<String, Integer> active) {
+    Comparator<Waiting> order =
+        Comparator.comparingInt((Waiting w) -> -w.priority())
+            .thenComparingInt(w -> active.getOrDefault(w.activityId(), 0))
+            .thenComparing(Waiting::created)
+            .thenComparing(Waiting::id);
+    while (running && !waiting.isEmpty()) {
+      Waiting next = waiting.stream().min(order).orElseThrow();
+      waiting.remove(next);
+      Optional<AgentSession> agent =
+          free.stream()
+              .filter(a -> a.hasFreeSlot() && next.requirements().areMetBy(a.offers()))
+              .min(Comparator.comparingInt(AgentSession::busy));
+      if (agent.isPresent() && give(next.id(), agent.get())) {
+        active.merge(next.activityId(), 1, Integer::sum);
+      } else if (agent.isEmpty()) {
+        waiting.removeIf(w -> w.requirements().equals(next.requirements()));
+      }
+    }
+  }
+
+  private boolean give(String buildId, AgentSession agent) {
+    Optional<Attempts.Assignment> assignment = attempts.lease(buildId, agent.name());
+    assignment.ifPresent(given -> send(agent, given));
+    return assignment.isPresent();
   }
 
   private void send(AgentSession agent, Attempts.Assignment assignment) {
@@ -109,6 +147,15 @@ public class Dispatcher implements SmartLifecycle {
     }
   }
 
+  private void wakeAt(Instant when) {
+    Instant now = clock.instant();
+    if (wakesAt.isBefore(now) || when.isBefore(wakesAt)) {
+      wakesAt = when;
+      long delayMs = Math.max(0, Duration.between(now, when).toMillis()) + 1;
+      var unused = thread.schedule(this::wake, delayMs, TimeUnit.MILLISECONDS);
+    }
+  }
+
   @Override
   public void start() {
     if (thread.isShutdown()) {
@@ -116,6 +163,11 @@ public class Dispatcher implements SmartLifecycle {
     }
     running = true;
     wake();
+    if (database.isShared()) {
+      long everyMs = SHARED_LOOK.toMillis();
+      var unused =
+          thread.scheduleWithFixedDelay(this::wake, everyMs, everyMs, TimeUnit.MILLISECONDS);
+    }
   }
 
   @Override
@@ -130,12 +182,8 @@ public class Dispatcher implements SmartLifecycle {
     return running;
   }
 
-  private static String agentsAre(long count, String what) {
-    return count == 1 ? "1 agent is " + what : count + " agents are " + what;
-  }
-
-  private static ExecutorService newThread() {
-    return Executors.newSingleThreadExecutor(
+  private static ScheduledExecutorService newThread() {
+    return Executors.newSingleThreadScheduledExecutor(
         task -> {
           Thread made = new Thread(task, "dispatcher");
           made.setDaemon(true);

@@ -4,6 +4,8 @@ import jakarta.persistence.CollectionTable;
 import jakarta.persistence.ElementCollection;
 import jakarta.persistence.Embeddable;
 import jakarta.persistence.Entity;
+import jakarta.persistence.EnumType;
+import jakarta.persistence.Enumerated;
 import jakarta.persistence.FetchType;
 import jakarta.persistence.Id;
 import jakarta.persistence.JoinColumn;
@@ -12,6 +14,9 @@ import jakarta.persistence.Table;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import org.sitaf.server.build.request.Capabilities;
 
 /** An agent that registered once, connected or not. */
 @Entity
@@ -27,12 +32,25 @@ class KnownAgent {
   @OrderColumn(name = "position")
   private List<Toolchain> toolchains = new ArrayList<>();
 
-  /**
-   * A language that an agent can compile and run.
-   *
-   * @param language java, cpp or python
-   * @param version such as {@code javac 17.0.15}
-   */
+  private String labels;
+  private boolean simulation;
+
+  @Enumerated(EnumType.STRING)
+  private Standing standing = Standing.ACTIVE;
+
+  /** Why it takes no builds, as it says itself; empty where it does. */
+  private String refuses;
+
+  /** What people have decided about an agent. */
+  enum Standing {
+    ACTIVE,
+    /** Finishes what it has and is given nothing more. */
+    DRAINING,
+    /** Is given nothing, and what it had was given to others. */
+    DISABLED
+  }
+
+  /** As in {@link Capabilities.Toolchain}. */
   @Embeddable
   record Toolchain(String language, String version) {}
 
@@ -40,6 +58,8 @@ class KnownAgent {
   protected KnownAgent() {
     name = "";
     version = "";
+    labels = "";
+    refuses = "";
     lastSeen = Instant.EPOCH;
   }
 
@@ -49,16 +69,41 @@ class KnownAgent {
   }
 
   /** Takes over what the agent says of itself. */
-  void register(String newVersion, int newSlots, List<Toolchain> newToolchains, Instant now) {
+  void register(
+      String newVersion, int newSlots, Capabilities offers, String refusesNow, Instant now) {
     version = newVersion;
     slots = newSlots;
     toolchains.clear();
-    toolchains.addAll(newToolchains);
+    offers.toolchains().forEach(t -> toolchains.add(new Toolchain(t.language(), t.version())));
+    labels = String.join(",", new TreeSet<>(offers.labels()));
+    simulation = offers.simulation();
+    refuses = refusesNow;
     lastSeen = now;
   }
 
   void seen(Instant when) {
     lastSeen = when;
+  }
+
+  void stand(Standing decided) {
+    standing = decided;
+  }
+
+  Standing standing() {
+    return standing;
+  }
+
+  String refuses() {
+    return refuses;
+  }
+
+  Capabilities offers() {
+    return new Capabilities(
+        toolchains.stream()
+            .map(t -> new Capabilities.Toolchain(t.language(), t.version()))
+            .toList(),
+        simulation,
+        labels.isEmpty() ? Set.of() : Set.of(labels.split(",")));
   }
 
   String name() {
@@ -75,9 +120,5 @@ class KnownAgent {
 
   Instant lastSeen() {
     return lastSeen;
-  }
-
-  List<Toolchain> toolchains() {
-    return List.copyOf(toolchains);
   }
 }

@@ -16,7 +16,8 @@ import org.springframework.stereotype.Component;
 
 /**
  * Finds agents that are lost. It looks again when the next lease can end at the earliest: at the
- * deadline that is next now, or a lease from now, because no lease that begins later ends before.
+ * deadline that is next now, or a part of a lease from now, because no lease that begins later ends
+ * before.
  */
 @Component
 class LeaseWatch implements SmartLifecycle {
@@ -37,9 +38,11 @@ class LeaseWatch implements SmartLifecycle {
   }
 
   private void look() {
-    Instant next = clock.instant().plus(settings.lease());
+    // Other servers hear of our agents three times a lease.
+    Instant next = clock.instant().plus(settings.lease().dividedBy(3));
     try {
       agents.closeSilent();
+      agents.noteConnected();
       for (AttemptKey key : attempts.overdue()) {
         log.warn("Build {}: attempt {} has lost its agent", key.buildId(), key.no());
         attempts.expire(key);

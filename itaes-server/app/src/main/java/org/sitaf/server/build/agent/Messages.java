@@ -1,6 +1,7 @@
 package org.sitaf.server.build.agent;
 
 import java.util.List;
+import java.util.Set;
 import java.util.regex.Pattern;
 import org.sitaf.agent.v1.ApplicationFile;
 import org.sitaf.agent.v1.Assignment;
@@ -12,6 +13,8 @@ import org.sitaf.server.build.Attempts;
 import org.sitaf.server.build.BuildFailure;
 import org.sitaf.server.build.BuildFailure.SourceProblem;
 import org.sitaf.server.build.BuildState;
+import org.sitaf.server.build.request.AgentWishes;
+import org.sitaf.server.build.request.Capabilities;
 import org.sitaf.server.refusal.Refusal;
 
 /**
@@ -23,6 +26,7 @@ final class Messages {
   private static final Pattern LANGUAGE = Pattern.compile("[a-z]{1,20}");
   private static final int MAX_SLOTS = 1000;
   private static final int MAX_TOOLCHAINS = 50;
+  private static final int MAX_REASON = 500;
 
   private Messages() {}
 
@@ -93,7 +97,24 @@ final class Messages {
             .toList());
   }
 
+  static Capabilities toCapabilities(Register register) {
+    return new Capabilities(
+        register.getToolchainsList().stream()
+            .map(t -> new Capabilities.Toolchain(t.getLanguage(), t.getVersion()))
+            .toList(),
+        register.getSimulation(),
+        Set.copyOf(register.getLabelsList()));
+  }
+
+  static String toReason(String text) {
+    return text.length() <= MAX_REASON ? text : text.substring(0, MAX_REASON);
+  }
+
   static void verify(Register register) {
+    AgentWishes.requireLabels(Set.copyOf(register.getLabelsList()));
+    if (register.getRefuses().length() > MAX_REASON) {
+      throw Refusal.malformed("refuses: must be at most " + MAX_REASON + " characters.");
+    }
     if (!AGENT_NAME.matcher(register.getName()).matches()) {
       throw Refusal.malformed(
           "name: must be 1 to 100 letters, digits, '.', '_' or '-', not '"

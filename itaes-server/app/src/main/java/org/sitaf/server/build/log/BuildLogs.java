@@ -15,6 +15,7 @@ import org.sitaf.server.refusal.Refusal;
 import org.sitaf.server.settings.SitafSettings;
 import org.springframework.jdbc.core.simple.JdbcClient;
 import org.springframework.stereotype.Component;
+import org.springframework.transaction.annotation.Propagation;
 import org.springframework.transaction.annotation.Transactional;
 import org.springframework.transaction.event.TransactionalEventListener;
 
@@ -28,13 +29,15 @@ public class BuildLogs {
       "\n[the log is cut here: it is larger than this server keeps]\n"
           .getBytes(StandardCharsets.UTF_8);
 
+  private static final int CONCATENATED_AT_ONCE = 1 << 20;
+
   private final Path directory;
   private final long limit;
   private final Attempts attempts;
   private final JdbcClient jdbc;
 
   BuildLogs(SitafSettings settings, Attempts attempts, JdbcClient jdbc) {
-    this.directory = settings.dataDirectory().resolve("logs");
+    this.directory = settings.logs();
     this.limit = settings.maxLog().toBytes();
     this.attempts = attempts;
     this.jdbc = jdbc;
@@ -82,6 +85,12 @@ public class BuildLogs {
     return newEnd - start;
   }
 
+  /** How much of the log came of an attempt, the latest of its build, in bytes. */
+  @Transactional(readOnly = true)
+  public long size(AttemptKey key) {
+    return Math.max(0, length(key.buildId(), "") - attempts.logBegin(key));
+  }
+
   /**
    * Reads at most so many bytes.
    *
@@ -105,6 +114,31 @@ public class BuildLogs {
       }
     }
     return new Excerpt(java.util.Arrays.copyOf(bytes.array(), bytes.position()), end);
+  }
+
+  /** The log of a build that was spread over parts is theirs, one after the other. */
+  @TransactionalEventListener
+  @Transactional(propagation = Propagation.REQUIRES_NEW)
+  public void on(BuildEvent.PartsEnded ended) {
+    long at = 0;
+    int no = 0;
+    for (String part : ended.partIds()) {
+      no++;
+      String title = "== shard %d of %d\n".formatted(no, ended.partIds().size());
+      at = put(ended.buildId(), at, title.getBytes(StandardCharsets.UTF_8));
+      Excerpt excerpt = read(part, 0, CONCATENATED_AT_ONCE);
+      for (long read = 0; excerpt.bytes().length > 0; ) {
+        at = put(ended.buildId(), at, excerpt.bytes());
+        read += excerpt.bytes().length;
+        excerpt = read(part, read, CONCATENATED_AT_ONCE);
+      }
+    }
+    jdbc.sql("UPDATE build SET log_length = ? WHERE id = ?").params(at, ended.buildId()).update();
+  }
+
+  private long put(String buildId, long at, byte[] bytes) {
+    write(buildId, at, ByteBuffer.wrap(bytes));
+    return at + bytes.length;
   }
 
   @TransactionalEventListener

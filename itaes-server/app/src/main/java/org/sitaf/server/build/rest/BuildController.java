@@ -1,6 +1,7 @@
 package org.sitaf.server.build.rest;
 
 import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.Parameter;
 import io.swagger.v3.oas.annotations.media.Content;
 import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.responses.ApiResponse;
@@ -12,7 +13,7 @@ import org.jspecify.annotations.Nullable;
 import org.sitaf.server.build.Build;
 import org.sitaf.server.build.BuildState;
 import org.sitaf.server.build.Builds;
-import org.sitaf.server.build.agent.Dispatcher;
+import org.sitaf.server.build.agent.WaitingReason;
 import org.sitaf.server.build.log.BuildLogs;
 import org.sitaf.server.refusal.Refusal;
 import org.sitaf.server.web.Listing;
@@ -40,17 +41,14 @@ class BuildController {
   private final Builds builds;
   private final BuildLogs logs;
   private final BuildWaiters waiters;
-  private final Dispatcher dispatcher;
+  private final WaitingReason waiting;
 
-  BuildController(Builds builds, BuildLogs logs, BuildWaiters waiters, Dispatcher dispatcher) {
+  BuildController(Builds builds, BuildLogs logs, BuildWaiters waiters, WaitingReason waiting) {
     this.builds = builds;
     this.logs = logs;
     this.waiters = waiters;
-    this.dispatcher = dispatcher;
+    this.waiting = waiting;
   }
-
-  @Schema(name = "BuildRequest")
-  record BuildRequest(String suiteId) {}
 
   @PostMapping
   @Operation(
@@ -62,7 +60,7 @@ class BuildController {
     if (request.suiteId() == null) {
       throw Refusal.malformed("suiteId is missing; it says which suite to execute.");
     }
-    String id = builds.request(request.suiteId());
+    String id = builds.request(request.suiteId(), request.options());
     return ResponseEntity.created(URI.create("/api/v1/builds/" + id)).body(view(id));
   }
 
@@ -71,13 +69,20 @@ class BuildController {
   Listing<BuildView> list(
       @RequestParam(required = false) @Nullable String activityId,
       @RequestParam(required = false) BuildView.@Nullable State state,
+      @RequestParam(required = false) @Nullable String scheduleId,
+      @Parameter(description = "whose shards; without it whole builds only")
+          @RequestParam(required = false)
+          @Nullable String parentId,
       @RequestParam(defaultValue = "0") int page,
       @RequestParam(defaultValue = "50") int size) {
     Sort newestFirst = Sort.by("created").descending().and(Sort.by("id"));
     return Listing.of(
         builds.list(
-            activityId,
-            state == null ? null : BuildState.valueOf(state.name()),
+            new Builds.Filter(
+                activityId,
+                state == null ? null : BuildState.valueOf(state.name()),
+                scheduleId,
+                parentId),
             Listing.request(page, size, newestFirst),
             this::view),
         view -> view);
@@ -160,7 +165,6 @@ class BuildController {
   }
 
   private BuildView view(Build build) {
-    return BuildView.of(
-        build, build.state() == BuildState.QUEUED ? dispatcher.whyWaiting(build.language()) : null);
+    return BuildView.of(build, build.state() == BuildState.QUEUED ? waiting.of(build) : null);
   }
 }

@@ -7,6 +7,8 @@ import org.jspecify.annotations.Nullable;
 import org.sitaf.server.build.Build;
 import org.sitaf.server.build.BuildFailure;
 import org.sitaf.server.build.BuildState;
+import org.sitaf.server.build.request.Requirement;
+import org.sitaf.server.build.request.Reservation;
 
 /** A build as people and programs see it. */
 @Schema(name = "Build")
@@ -28,7 +30,17 @@ record BuildView(
     @Schema(description = "why it waits; only while QUEUED") @Nullable String waitingFor,
     @Schema(description = "only when FAILED") @Nullable FailureView failure,
     @Schema(description = "only when DONE") @Nullable CountsView summary,
-    @Schema(description = "that reserved it") @Nullable String scheduleId) {
+    @Schema(description = "that reserved it") @Nullable String scheduleId,
+    @Schema(description = "-100 to 100; higher ones are given to agents first") int priority,
+    @Schema(description = "what an agent must have for it, in words") List<String> requirements,
+    @Schema(description = "when it may be given to an agent again after a failure of one")
+        @Nullable Instant notBefore,
+    @Schema(description = "over how many builds its cases are spread; absent for one")
+        @Nullable Integer shards,
+    @Schema(description = "which of the shards of its parent it is, from 1")
+        @Nullable Integer shard,
+    @Schema(description = "build whose cases are spread over it and others")
+        @Nullable String parentId) {
 
   /** As {@link BuildState}, without what only attempts can be. */
   enum State {
@@ -125,6 +137,12 @@ record BuildView(
         waitingFor,
         build.failure().map(FailureView::of).orElse(null),
         build.counts().map(CountsView::of).orElse(null),
-        build.reservation().map(Build.Reservation::scheduleId).orElse(null));
+        build.reservation().map(Reservation::scheduleId).orElse(null),
+        build.priority(),
+        build.requirements().all().stream().map(Requirement::words).toList(),
+        build.notBefore().filter(t -> build.state() == BuildState.QUEUED).orElse(null),
+        build.parts() == 0 ? null : build.parts(),
+        build.part() == 0 ? null : build.part(),
+        build.parentId().orElse(null));
   }
 }

@@ -1,0 +1,40 @@
+package org.sitaf.server.build;
+
+import java.util.Collection;
+import java.util.List;
+import org.sitaf.core.harness.TestApplication;
+import org.sitaf.core.suite.TestCase;
+import org.sitaf.server.build.request.Requirements;
+import org.sitaf.server.file.StoredFile;
+
+/**
+ * A test application as it is stored with a build.
+ *
+ * @param language of the harness
+ * @param cases how many there are
+ * @param lastCase the highest number of a case
+ */
+record FrozenApplication(
+    String language,
+    Requirements requirements,
+    Collection<StoredFile> files,
+    int cases,
+    int lastCase) {
+  /** Of a build for which no application could be made. */
+  static final FrozenApplication NONE =
+      new FrozenApplication("", new Requirements(List.of()), List.of(), 0, 0);
+
+  FrozenApplication {
+    files = List.copyOf(files);
+  }
+
+  static FrozenApplication of(
+      TestApplication application, Requirements requirements, Collection<StoredFile> files) {
+    return new FrozenApplication(
+        application.activity().profile().harness().spelling(),
+        requirements,
+        files,
+        application.suite().cases().size(),
+        application.suite().cases().stream().mapToInt(TestCase::no).max().orElse(0));
+  }
+}

@@ -1,0 +1,40 @@
+package org.sitaf.server.build.agent;
+
+import io.grpc.Status;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/** Agents and servers understand each other when they are at most one release apart. */
+final class Releases {
+  private static final Pattern RELEASE = Pattern.compile("(\\d{1,6})\\.(\\d{1,6})(\\..*)?");
+
+  private Releases() {}
+
+  /**
+   * Makes sure of it, as far as both say which release they are.
+   *
+   * @throws io.grpc.StatusRuntimeException FAILED_PRECONDITION when they are further apart
+   */
+  static void requireNear(String agent, String server) {
+    Matcher ofAgent = RELEASE.matcher(agent);
+    Matcher ofServer = RELEASE.matcher(server);
+    if (!ofAgent.matches() || !ofServer.matches()) {
+      return;
+    }
+    int majors = Integer.parseInt(ofAgent.group(1)) - Integer.parseInt(ofServer.group(1));
+    int minors = Integer.parseInt(ofAgent.group(2)) - Integer.parseInt(ofServer.group(2));
+    if (majors != 0 || Math.abs(minors) > 1) {
+      boolean agentIsOlder = majors < 0 || (majors == 0 && minors < 0);
+      throw Status.FAILED_PRECONDITION
+          .withDescription(
+              "the agent is release "
+                  + agent
+                  + ", the server "
+                  + server
+                  + ": at most one release apart; bring the "
+                  + (agentIsOlder ? "agent" : "server")
+                  + " up to date")
+          .asRuntimeException();
+    }
+  }
+}

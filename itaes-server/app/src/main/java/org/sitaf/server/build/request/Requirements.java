@@ -1,0 +1,105 @@
+package org.sitaf.server.build.request;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Predicate;
+import java.util.stream.Stream;
+import org.sitaf.core.activity.ActivityProfile;
+import org.sitaf.core.harness.TestApplication;
+import org.sitaf.server.build.request.Requirement.Label;
+import org.sitaf.server.build.request.Requirement.Language;
+import org.sitaf.server.build.request.Requirement.Simulation;
+import org.sitaf.server.build.request.Requirement.Version;
+
+/** Everything that an agent must have for a build, each once and in a stable order. */
+public record Requirements(List<Requirement> all) {
+  private static final String LANGUAGE = "language ";
+  private static final String VERSION = "version ";
+  private static final String LABEL = "label ";
+  private static final String SIMULATION = "simulation";
+  private static final String SEPARATOR = ", ";
+
+  public Requirements {
+    all = all.stream().distinct().sorted(Comparator.comparing(Requirements::spelling)).toList();
+  }
+
+  /** What the files of a test application need, and what its requester wants besides. */
+  public static Requirements of(TestApplication application, AgentWishes wishes) {
+    ActivityProfile profile = application.activity().profile();
+    List<Requirement> found = new ArrayList<>();
+    found.add(new Language(profile.harness().spelling()));
+    found.add(new Language(profile.component().language().spelling()));
+    if (profile.world() != null) {
+      found.add(new Simulation());
+    }
+    if (!wishes.toolchain().isEmpty()) {
+      found.add(new Version(profile.component().language().spelling(), wishes.toolchain()));
+    }
+    wishes.labels().forEach(label -> found.add(new Label(label)));
+    return new Requirements(found);
+  }
+
+  /** Reads {@link #text()} back. */
+  public static Requirements parse(String text) {
+    return new Requirements(
+        Stream.of(text.split(SEPARATOR))
+            .filter(Predicate.not(String::isEmpty))
+            .map(Requirements::parseOne)
+            .toList());
+  }
+
+  /** Whether an agent has all of it. */
+  public boolean areMetBy(Capabilities agent) {
+    return all.stream().allMatch(r -> r.isMetBy(agent));
+  }
+
+  /** The first that none of the agents has, as words. */
+  public Optional<String> metByNone(List<Capabilities> agents) {
+    return all.stream()
+        .filter(r -> agents.stream().noneMatch(r::isMetBy))
+        .map(Requirement::words)
+        .findFirst();
+  }
+
+  /** All of them for people. */
+  public String words() {
+    return String.join(" with ", all.stream().map(Requirement::words).toList());
+  }
+
+  /** As the database keeps them; equal requirements have equal texts. */
+  public String text() {
+    return String.join(SEPARATOR, all.stream().map(Requirements::spelling).toList());
+  }
+
+  private static String spelling(Requirement requirement) {
+    if (requirement instanceof Language language) {
+      return LANGUAGE + language.name();
+    }
+    if (requirement instanceof Version version) {
+      return VERSION + version.language() + " " + version.version();
+    }
+    if (requirement instanceof Label label) {
+      return LABEL + label.name();
+    }
+    return SIMULATION;
+  }
+
+  private static Requirement parseOne(String text) {
+    if (text.startsWith(LANGUAGE)) {
+      return new Language(text.substring(LANGUAGE.length()));
+    }
+    if (text.startsWith(VERSION)) {
+      String[] words = text.substring(VERSION.length()).split(" ", 2);
+      return new Version(words[0], words[1]);
+    }
+    if (text.startsWith(LABEL)) {
+      return new Label(text.substring(LABEL.length()));
+    }
+    if (text.equals(SIMULATION)) {
+      return new Simulation();
+    }
+    throw new IllegalArgumentException("'" + text + "' is no requirement");
+  }
+}

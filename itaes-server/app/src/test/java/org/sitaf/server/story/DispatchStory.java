@@ -1,0 +1,213 @@
+package org.sitaf.server.story;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.awaitility.Awaitility.await;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.sitaf.agent.v1.Assignment;
+import org.sitaf.agent.v1.AttemptRef;
+import org.sitaf.core.harness.TestApplication;
+import org.sitaf.server.support.Activities;
+import org.sitaf.server.support.RimAgent;
+import org.sitaf.server.support.ServerTest;
+import tools.jackson.databind.JsonNode;
+
+/** Which build goes to which agent, and builds that are spread over several. */
+abstract class DispatchStory extends ServerTest {
+  protected String activityId = "";
+  protected String suiteId = "";
+
+  @BeforeEach
+  void makeSuite() {
+    activityId = api.upload(Activities.zip());
+    suiteId = api.suite(activityId);
+  }
+
+  /** The tests of a database share a server: what others have left waiting would come first. */
+  @BeforeEach
+  @AfterEach
+  void cancelWhatIsLeft() {
+    for (JsonNode build : api.get("/api/v1/builds?size=500").json().get("items")) {
+      if (!build.has("finished")) {
+        api.post("/api/v1/builds/" + build.get("id").asString() + "/cancel", "");
+      }
+    }
+  }
+
+  @Test
+  void aHigherPriorityGoesFirstAndThenTheActivityThatIsWorkedOnLeast() {
+    String otherSuite = api.suite(api.upload(Activities.zip()));
+    String first = api.build(suiteId);
+    String second = api.build(suiteId);
+    String other = api.build(otherSuite);
+    String urgent = request("\"priority\": 5");
+    try (RimAgent agent = RimAgent.register(grpcPort(), "fair", 3, List.of(), "java")) {
+      List<String> order = new ArrayList<>();
+      for (int i = 0; i < 3; i++) {
+        order.add(agent.nextAssignment().getAttempt().getBuildId());
+      }
+      assertThat(order).containsExactly(urgent, other, first);
+      assertThat(build(second).get("waitingFor").asString()).contains("busy");
+    }
+  }
+
+  @Test
+  void aBuildWaitsForAnAgentWithItsLabelAndItsTools() throws Exception {
+    String build = request("\"labels\": [\"real-hardware\"], \"toolchain\": \"17\"");
+    try (RimAgent plain = RimAgent.register(grpcPort(), "plain", "java")) {
+      assertThat(plain.hearsNothingFor(300)).isTrue();
+      assertThat(build(build).get("waitingFor").asString())
+          .startsWith("no agent offers the label real-hardware");
+      try (RimAgent labelled =
+          RimAgent.register(grpcPort(), "labelled", 1, List.of("real-hardware"), "java")) {
+        assertThat(labelled.hearsNothingFor(300)).isTrue();
+        assertThat(build(build).get("waitingFor").asString()).startsWith("no agent offers java 17");
+      }
+    }
+    String other = request("\"labels\": [\"real-hardware\"], \"toolchain\": \"test\"");
+    try (RimAgent labelled =
+        RimAgent.register(grpcPort(), "labelled-2", 1, List.of("real-hardware"), "java")) {
+      assertThat(labelled.nextAssignment().getAttempt().getBuildId()).isEqualTo(other);
+      assertThat(agentNamed("labelled-2").get("labels").get(0).asString())
+          .isEqualTo("real-hardware");
+    }
+    api.post("/api/v1/builds", "{\"suiteId\":\"" + suiteId + "\",\"labels\":[\"no good\"]}")
+        .expect(400);
+  }
+
+  @Test
+  void anAgentThatDrainsFinishesAndOneThatIsDisabledLosesWhatItHad() throws Exception {
+    String id = api.build(suiteId);
+    try (RimAgent agent = RimAgent.register(grpcPort(), "drained", "java")) {
+      Assignment assignment = agent.nextAssignment();
+      TestApplication application = agent.download(assignment);
+      stand("drained", "DRAINING");
+      agent.submit(assignment.getAttempt(), RimAgent.result(application, List.of()));
+      assertThat(build(id).get("state").asString()).isEqualTo("DONE");
+      String waiting = api.build(suiteId);
+      agent.heartbeat();
+      assertThat(agent.hearsNothingFor(300)).isTrue();
+      assertThat(build(waiting).get("waitingFor").asString()).contains("draining");
+      stand("drained", "ACTIVE");
+      AttemptRef attempt = agent.nextAssignment().getAttempt();
+      stand("drained", "DISABLED");
+      assertThat(agent.next().getCancellation().getAttempt()).isEqualTo(attempt);
+      assertThat(build(waiting).get("state").asString()).isEqualTo("QUEUED");
+      api.delete("/api/v1/agents/drained").expect(409);
+    }
+    await().until(() -> agentNamed("drained").get("state").asString().equals("OFFLINE"));
+    api.delete("/api/v1/agents/drained").expect(204);
+    api.delete("/api/v1/agents/drained").expect(404);
+  }
+
+  @Test
+  void anAgentWithAFullDiskIsGivenNothing() throws Exception {
+    try (RimAgent agent = RimAgent.register(grpcPort(), "full", "java")) {
+      agent.refuse("its disk has only 3 MiB left");
+      await().until(() -> agentNamed("full").has("refuses"));
+      String id = api.build(suiteId);
+      assertThat(agent.hearsNothingFor(300)).isTrue();
+      assertThat(build(id).get("waitingFor").asString()).contains("3 MiB");
+      agent.heartbeat();
+      assertThat(agent.nextAssignment().getAttempt().getBuildId()).isEqualTo(id);
+    }
+  }
+
+  @Test
+  void whatAnAgentDoesNotKnowOfAfterItsStartIsGivenAwayAtOnce() {
+    String id = api.build(suiteId);
+    RimAgent before = RimAgent.register(grpcPort(), "forgetful", "java");
+    AttemptRef lost = before.nextAssignment().getAttempt();
+    before.close();
+    await().until(() -> agentNamed("forgetful").get("state").asString().equals("OFFLINE"));
+    try (RimAgent after = RimAgent.register(grpcPort(), "forgetful", "java")) {
+      assertThat(after.next().getCancellation().getAttempt()).isEqualTo(lost);
+      AttemptRef attempt = after.nextAssignment().getAttempt();
+      assertThat(attempt.getBuildId()).isEqualTo(id);
+      assertThat(attempt.getAttempt()).isEqualTo(2);
+    }
+  }
+
+  @Test
+  void aSuiteIsSpreadOverAgentsAndBecomesOneResult() {
+    String id = request("\"shards\": 2");
+    assertThat(build(id).get("shards").asInt()).isEqualTo(2);
+    try (RimAgent one = RimAgent.register(grpcPort(), "shard-one", "java");
+        RimAgent two = RimAgent.register(grpcPort(), "shard-two", "java")) {
+      Assignment first = one.nextAssignment();
+      Assignment second = two.nextAssignment();
+      TestApplication firstPart = one.download(first);
+      TestApplication secondPart = two.download(second);
+      assertThat(firstPart.suite().cases().size() + secondPart.suite().cases().size())
+          .isEqualTo(55);
+      one.reportCases(first.getAttempt(), firstPart.suite().cases().get(0).no());
+      api.await(id, b -> b.get("casesDone").asInt() == 1);
+      one.appendLog(first.getAttempt(), 0, "log of one\n");
+      two.appendLog(second.getAttempt(), 0, "log of two\n");
+      one.submit(first.getAttempt(), RimAgent.result(firstPart, List.of(7)));
+      assertThat(build(id).get("state").asString()).isEqualTo("RUNNING");
+      two.submit(second.getAttempt(), RimAgent.result(secondPart, List.of()));
+    }
+    JsonNode done = api.awaitState(id, "DONE");
+    assertThat(done.get("summary").get("total").asInt()).isEqualTo(55);
+    JsonNode cases = api.get("/api/v1/builds/" + id + "/result/cases?size=100").json().get("items");
+    assertThat(cases)
+        .extracting(c -> c.get("no").asInt())
+        .containsExactlyElementsOf(java.util.stream.IntStream.rangeClosed(1, 55).boxed().toList());
+    await()
+        .untilAsserted(
+            () ->
+                assertThat(api.get("/api/v1/builds/" + id + "/log").text())
+                    .contains("== shard 1 of 2\n", "log of one\n", "log of two\n"));
+    assertThat(api.get("/api/v1/builds?parentId=" + id).json().get("total").asInt()).isEqualTo(2);
+  }
+
+  @Test
+  void aCancelledBuildTakesItsShardsAlong() {
+    String id = request("\"shards\": 3");
+    try (RimAgent agent = RimAgent.register(grpcPort(), "shard-cancel", "java")) {
+      AttemptRef attempt = agent.nextAssignment().getAttempt();
+      api.post("/api/v1/builds/" + id + "/cancel", "").expect(200);
+      assertThat(agent.next().getCancellation().getAttempt()).isEqualTo(attempt);
+      await()
+          .untilAsserted(
+              () ->
+                  assertThat(api.get("/api/v1/builds?parentId=" + id).json().get("items"))
+                      .allSatisfy(
+                          b -> assertThat(b.get("state").asString()).isEqualTo("CANCELLED")));
+    }
+  }
+
+  protected String request(String options) {
+    return api.post("/api/v1/builds", "{\"suiteId\":\"" + suiteId + "\"," + options + "}")
+        .expect(201)
+        .id();
+  }
+
+  protected JsonNode build(String id) {
+    return api.get("/api/v1/builds/" + id).expect(200).json();
+  }
+
+  private void stand(String agent, String standing) {
+    api.put(
+            "/api/v1/agents/" + agent + "/standing",
+            "application/json",
+            ("{\"standing\":\"" + standing + "\"}")
+                .getBytes(java.nio.charset.StandardCharsets.UTF_8),
+            null)
+        .expect(200);
+  }
+
+  protected JsonNode agentNamed(String name) {
+    for (JsonNode agent : api.get("/api/v1/agents").expect(200).json()) {
+      if (agent.get("name").asString().equals(name)) {
+        return agent;
+      }
+    }
+    throw new AssertionError("no agent " + name);
+  }
+}
