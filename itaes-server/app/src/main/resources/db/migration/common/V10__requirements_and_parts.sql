@@ -18,6 +18,7 @@ ALTER TABLE agent ADD COLUMN labels VARCHAR(2000) NOT NULL DEFAULT '';
 ALTER TABLE agent ADD COLUMN simulation BOOLEAN NOT NULL DEFAULT TRUE;
 ALTER TABLE agent ADD COLUMN standing VARCHAR(20) NOT NULL DEFAULT 'ACTIVE';
 ALTER TABLE agent ADD COLUMN refuses VARCHAR(500) NOT NULL DEFAULT '';
+ALTER TABLE agent ADD COLUMN connected BOOLEAN NOT NULL DEFAULT FALSE;
 CREATE INDEX attempt_by_agent ON attempt (agent, finished);
 
 -- Contents that nothing refers to are collected once nobody can be about to refer to them.

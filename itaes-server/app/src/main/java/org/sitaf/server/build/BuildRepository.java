@@ -26,7 +26,8 @@ interface BuildRepository extends Repository<Build, String>, JpaSpecificationExe
           + " (org.sitaf.server.build.BuildState.QUEUED, org.sitaf.server.build.BuildState.RUNNING)")
   List<String> findUnfinishedWithParts();
 
-  boolean existsByScheduleIdAndFireTime(String scheduleId, Instant fireTime);
+  @Query("select b.id from Build b where b.scheduleId = :scheduleId and b.fireTime = :fireTime")
+  Optional<String> findIdByReservation(String scheduleId, Instant fireTime);
 
   Build saveAndFlush(Build build);
 }

@@ -76,23 +76,25 @@ public class Builds {
   /**
    * Requests the build of a reservation, unless that was done before. A suite that does not make a
    * test application any more gives a build that failed, so that people see why nothing ran.
+   *
+   * @return the id of the one build of this reservation
    */
-  public void requestReserved(String suiteId, BuildOptions options, Reservation reservation) {
-    if (isMade(reservation)) {
-      return;
+  public String requestReserved(String suiteId, BuildOptions options, Reservation reservation) {
+    Optional<String> made = made(reservation);
+    if (made.isPresent()) {
+      return made.get();
     }
     SuiteOrigin origin = suites.origin(suiteId);
     try {
-      queue(origin, suites.application(suiteId), options, reservation);
+      return queue(origin, suites.application(suiteId), options, reservation);
     } catch (InvalidInputException e) {
-      failed(origin, options, reservation, "The suite makes no test application.", e.diagnostics());
+      return failed(
+          origin, options, reservation, "The suite makes no test application.", e.diagnostics());
     } catch (Refusal e) {
-      failed(origin, options, reservation, String.valueOf(e.getMessage()), List.of());
+      return failed(origin, options, reservation, String.valueOf(e.getMessage()), List.of());
     } catch (DataIntegrityViolationException e) {
       // Another server was faster; the database lets only one of them in.
-      if (!isMade(reservation)) {
-        throw e;
-      }
+      return made(reservation).orElseThrow(() -> e);
     }
   }
 
@@ -206,7 +208,7 @@ public class Builds {
         now());
   }
 
-  private void failed(
+  private String failed(
       SuiteOrigin origin,
       BuildOptions options,
       Reservation reservation,
@@ -228,7 +230,7 @@ public class Builds {
                             false))
                 .toList()),
         now());
-    insert(List.of(build));
+    return insert(List.of(build));
   }
 
   /** All at once: nobody sees a build without its parts. */
@@ -243,8 +245,8 @@ public class Builds {
     return all.get(0).id();
   }
 
-  private boolean isMade(Reservation reservation) {
-    return builds.existsByScheduleIdAndFireTime(reservation.scheduleId(), reservation.fireTime());
+  private Optional<String> made(Reservation reservation) {
+    return builds.findIdByReservation(reservation.scheduleId(), reservation.fireTime());
   }
 
   private void changed(Build build) {

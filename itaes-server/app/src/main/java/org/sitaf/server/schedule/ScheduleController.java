@@ -1,13 +1,15 @@
 package org.sitaf.server.schedule;
 
 import io.swagger.v3.oas.annotations.Operation;
-import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.net.URI;
+import java.time.Clock;
 import java.time.Instant;
-import java.time.OffsetDateTime;
+import java.time.ZoneOffset;
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.schedule.ScheduleView.FireView;
 import org.sitaf.server.web.Listing;
 import org.springframework.data.domain.Sort;
 import org.springframework.http.HttpStatus;
@@ -26,65 +28,107 @@ import org.springframework.web.bind.annotation.RestController;
 @RequestMapping("/api/v1/schedules")
 @Tag(name = "schedules")
 class ScheduleController {
+  private static final int MAX_TIMES = 100;
+
   private final Schedules schedules;
+  private final Clockwork clockwork;
+  private final Clock clock;
 
-  ScheduleController(Schedules schedules) {
+  ScheduleController(Schedules schedules, Clockwork clockwork, Clock clock) {
     this.schedules = schedules;
-  }
-
-  @Schema(name = "ScheduleRequest")
-  record ScheduleRequest(
-      String suiteId,
-      @Schema(description = "date and time with zone, such as 2026-12-01T22:00:00+09:00")
-          OffsetDateTime at) {}
-
-  @Schema(name = "Schedule")
-  record ScheduleView(
-      String id,
-      String suiteId,
-      @Schema(description = "in the zone in which it was given") OffsetDateTime at,
-      Instant created,
-      @Schema(description = "when the build was requested; absent before")
-          @Nullable Instant fired) {
-    static ScheduleView of(Schedule schedule) {
-      return new ScheduleView(
-          schedule.id(),
-          schedule.suiteId(),
-          schedule.at(),
-          schedule.created(),
-          schedule.fired().orElse(null));
-    }
+    this.clockwork = clockwork;
+    this.clock = clock;
   }
 
   @PostMapping
-  @Operation(operationId = "reserveBuild", summary = "Reserves a build at a time to come")
+  @Operation(
+      operationId = "makeSchedule",
+      summary = "Schedules builds: once at a time to come, or periodically")
   @ResponseStatus(HttpStatus.CREATED)
-  ResponseEntity<ScheduleView> reserve(@RequestBody ScheduleRequest request) {
-    if (request.suiteId() == null || request.at() == null) {
-      throw Refusal.malformed("suiteId and at must be given.");
-    }
-    String id = schedules.reserve(request.suiteId(), request.at());
+  ResponseEntity<ScheduleView> make(@RequestBody ScheduleRequest request) {
+    String id =
+        schedules.make(
+            request.nameOrNone(),
+            request.subject(schedules),
+            request.timing(clock.instant().atOffset(ZoneOffset.UTC)),
+            request.misfireOrDefault(),
+            request.leaveOutOrNone(),
+            request.options());
     return ResponseEntity.created(URI.create("/api/v1/schedules/" + id)).body(get(id));
   }
 
   @GetMapping
-  @Operation(operationId = "listSchedules", summary = "Reserved builds, the latest time first")
+  @Operation(operationId = "listSchedules", summary = "Schedules, the newest first")
   Listing<ScheduleView> list(
-      @RequestParam(defaultValue = "0") int page, @RequestParam(defaultValue = "50") int size) {
-    Sort latestFirst = Sort.by("fireAt").descending().and(Sort.by("id"));
-    return Listing.of(schedules.list(Listing.request(page, size, latestFirst)), ScheduleView::of);
+      @RequestParam(required = false) @Nullable String activityId,
+      @RequestParam(defaultValue = "0") int page,
+      @RequestParam(defaultValue = "50") int size) {
+    Sort newestFirst = Sort.by("created").descending().and(Sort.by("id"));
+    return Listing.of(
+        schedules.list(activityId, Listing.request(page, size, newestFirst)), this::view);
   }
 
   @GetMapping("/{id}")
-  @Operation(operationId = "getSchedule", summary = "A reserved build")
+  @Operation(operationId = "getSchedule", summary = "A schedule")
   ScheduleView get(@PathVariable String id) {
-    return ScheduleView.of(schedules.find(id));
+    return view(schedules.find(id));
   }
 
   @DeleteMapping("/{id}")
-  @Operation(operationId = "deleteSchedule", summary = "Gives a reservation up")
+  @Operation(operationId = "deleteSchedule", summary = "Gives a schedule up; its builds stay")
   @ResponseStatus(HttpStatus.NO_CONTENT)
   void delete(@PathVariable String id) {
     schedules.delete(id);
+  }
+
+  @PostMapping("/{id}/pause")
+  @Operation(operationId = "pauseSchedule", summary = "Has a schedule not fire until it is resumed")
+  ScheduleView pause(@PathVariable String id) {
+    schedules.pause(id);
+    return get(id);
+  }
+
+  @PostMapping("/{id}/resume")
+  @Operation(
+      operationId = "resumeSchedule",
+      summary = "Has a paused schedule fire again",
+      description = "What it missed meanwhile is dealt with as its misfire says.")
+  ScheduleView resume(@PathVariable String id) {
+    schedules.resume(id);
+    return get(id);
+  }
+
+  @PostMapping("/{id}/run")
+  @Operation(
+      operationId = "runSchedule",
+      summary = "Requests a build of a schedule now, beside its times")
+  FireView run(@PathVariable String id) {
+    return FireView.of(schedules.runNow(id));
+  }
+
+  @GetMapping("/{id}/fire-times")
+  @Operation(operationId = "listFireTimes", summary = "The next times of a schedule")
+  List<Instant> fireTimes(@PathVariable String id, @RequestParam(defaultValue = "10") int count) {
+    if (count < 1 || count > MAX_TIMES) {
+      throw Refusal.malformed("count: must be 1 to " + MAX_TIMES + ".");
+    }
+    return schedules.next(id, count);
+  }
+
+  @GetMapping("/{id}/history")
+  @Operation(
+      operationId = "getScheduleHistory",
+      summary = "What came of the times of a schedule, the latest first")
+  Listing<FireView> history(
+      @PathVariable String id,
+      @RequestParam(defaultValue = "0") int page,
+      @RequestParam(defaultValue = "50") int size) {
+    return Listing.of(
+        schedules.history(id, Listing.request(page, size, Sort.unsorted())), FireView::of);
+  }
+
+  private ScheduleView view(Schedule schedule) {
+    return ScheduleView.of(
+        schedule, schedule.paused() ? null : clockwork.next(schedule.id()).orElse(null));
   }
 }

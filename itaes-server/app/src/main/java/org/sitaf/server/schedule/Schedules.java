@@ -2,141 +2,230 @@ package org.sitaf.server.schedule;
 
 import java.time.Clock;
 import java.time.Instant;
-import java.time.OffsetDateTime;
 import java.time.temporal.ChronoUnit;
-import java.util.Date;
+import java.util.List;
+import java.util.Objects;
+import java.util.Set;
 import java.util.UUID;
-import org.quartz.JobBuilder;
-import org.quartz.JobKey;
-import org.quartz.Scheduler;
-import org.quartz.SchedulerException;
-import org.quartz.SimpleScheduleBuilder;
-import org.quartz.TriggerBuilder;
-import org.quartz.TriggerKey;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.server.build.Builds;
 import org.sitaf.server.build.request.BuildOptions;
 import org.sitaf.server.build.request.Reservation;
 import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.schedule.Schedule.Subject;
+import org.sitaf.server.schedule.timing.Misfire;
+import org.sitaf.server.schedule.timing.Timing;
+import org.sitaf.server.suite.SuiteOrigin;
 import org.sitaf.server.suite.Suites;
-import org.slf4j.Logger;
-import org.slf4j.LoggerFactory;
 import org.springframework.data.domain.Page;
 import org.springframework.data.domain.Pageable;
 import org.springframework.stereotype.Service;
-import org.springframework.transaction.annotation.Transactional;
 import org.springframework.transaction.support.TransactionTemplate;
 
-/** Reserved builds. Quartz keeps the time; its tables and ours change in one transaction. */
+/** Schedules: what is to be built at which times, and what came of it. */
 @Service
 class Schedules {
-  private static final Logger log = LoggerFactory.getLogger(Schedules.class);
-  private static final String GROUP = "reserved-builds";
-
   private final ScheduleRepository schedules;
+  private final Calendars calendars;
+  private final Fires fires;
+  private final Clockwork clockwork;
   private final Suites suites;
   private final Builds builds;
-  private final Scheduler quartz;
   private final TransactionTemplate transaction;
   private final Clock clock;
 
   Schedules(
       ScheduleRepository schedules,
+      Calendars calendars,
+      Fires fires,
+      Clockwork clockwork,
       Suites suites,
       Builds builds,
-      Scheduler quartz,
       TransactionTemplate transaction,
       Clock clock) {
     this.schedules = schedules;
+    this.calendars = calendars;
+    this.fires = fires;
+    this.clockwork = clockwork;
     this.suites = suites;
     this.builds = builds;
-    this.quartz = quartz;
     this.transaction = transaction;
     this.clock = clock;
   }
 
-  /** Reserves a build. A time that passes while the server is down counts when it is up again. */
-  String reserve(String suiteId, OffsetDateTime at) {
-    suites.origin(suiteId);
-    if (!at.toInstant().isAfter(now())) {
+  /** What a suite that is built as it is belongs to. */
+  Subject frozen(String suiteId) {
+    SuiteOrigin origin = suites.origin(suiteId);
+    return new Subject(origin.activityId(), origin.model(), suiteId, null);
+  }
+
+  /** A model of an activity, whose suite is made anew each time. */
+  Subject anew(String activityId, String model, @Nullable Long seed) {
+    suites.requireModel(activityId, model);
+    return new Subject(activityId, model, null, seed);
+  }
+
+  /**
+   * Makes a schedule; times that pass while no server is up are dealt with as {@code misfire} says.
+   *
+   * @param leaveOut names of calendars
+   * @return its id
+   */
+  String make(
+      String name,
+      Subject subject,
+      Timing timing,
+      Misfire misfire,
+      Set<String> leaveOut,
+      BuildOptions options) {
+    if (timing instanceof Timing.Reserved reserved && !reserved.at().toInstant().isAfter(now())) {
       throw Refusal.malformed(
-          "at: " + at + " is past; give a time to come, or request a build at once.");
+          "at: " + reserved.at() + " is past; give a time to come, or request a build at once.");
     }
     String id = UUID.randomUUID().toString();
     transaction.executeWithoutResult(
         status -> {
-          schedules.save(new Schedule(id, suiteId, at, now()));
-          arm(id, at.toInstant());
+          schedules.save(
+              new Schedule(id, name, subject, timing, misfire, leaveOut, options, now()));
+          if (!clockwork.arm(id, timing, misfire, calendars.union(leaveOut))) {
+            throw Refusal.malformed("The schedule would never fire; look at its times and days.");
+          }
         });
-    wakeQuartz(id);
+    clockwork.wake(id);
     return id;
   }
 
-  private void arm(String id, Instant at) {
-    try {
-      quartz.scheduleJob(
-          JobBuilder.newJob(ReservedBuildJob.class)
-              .withIdentity(id, GROUP)
-              .requestRecovery()
-              .build(),
-          TriggerBuilder.newTrigger()
-              .withIdentity(id, GROUP)
-              .startAt(Date.from(at))
-              .withSchedule(
-                  SimpleScheduleBuilder.simpleSchedule().withMisfireHandlingInstructionFireNow())
-              .build());
-    } catch (SchedulerException e) {
-      throw new IllegalStateException("Quartz refused the reservation", e);
-    }
-  }
-
   /**
-   * Quartz looked for new triggers before our transaction ended, saw none, and would look again
-   * half a minute later. To resume a trigger that is not paused changes nothing, but has it look
-   * now.
-   */
-  private void wakeQuartz(String id) {
-    try {
-      quartz.resumeTrigger(new TriggerKey(id, GROUP));
-    } catch (SchedulerException e) {
-      log.warn("Reservation {} may be up to 30 s late", id, e);
-    }
-  }
-
-  /**
-   * Requests the build of a reservation whose time has come; doing so again makes no second one.
+   * Requests the build of a fire time; doing so again makes no second one. A schedule that is gone
+   * fires no more.
    */
   void fire(String id, Instant fireTime) {
     Schedule schedule = schedules.findById(id).orElse(null);
     if (schedule == null) {
+      transaction.executeWithoutResult(status -> clockwork.disarm(id));
       return;
     }
-    builds.requestReserved(
-        schedule.suiteId(),
-        BuildOptions.DEFAULT,
-        new Reservation(id, fireTime.truncatedTo(ChronoUnit.MICROS)));
-    transaction.executeWithoutResult(
-        status -> schedules.findById(id).ifPresent(s -> s.markFired(now())));
+    Instant time = fireTime.truncatedTo(ChronoUnit.MICROS);
+    if (!fires.isNoted(id, time)) {
+      request(schedule, time);
+    }
   }
 
-  Page<Schedule> list(Pageable page) {
-    return schedules.findAll(page);
+  /** Requests a build now, beside the times of the schedule. */
+  Fires.Fire runNow(String id) {
+    Instant now = now();
+    request(find(id), now);
+    return fires.of(id, Pageable.ofSize(500)).stream()
+        .filter(fire -> fire.fireTime().equals(now))
+        .findFirst()
+        .orElseThrow();
+  }
+
+  private void request(Schedule schedule, Instant time) {
+    Subject subject = schedule.subject();
+    @Nullable String buildId = null;
+    String message = "";
+    try {
+      String suiteId = subject.suiteId();
+      if (suiteId == null) {
+        suiteId = suites.generateAnew(subject.activityId(), subject.model(), subject.seed());
+      }
+      buildId =
+          builds.requestReserved(suiteId, schedule.options(), new Reservation(schedule.id(), time));
+    } catch (InvalidInputException e) {
+      message = "The model gives no suite: " + e.diagnostics().get(0);
+    } catch (Refusal e) {
+      message = String.valueOf(e.getMessage());
+    }
+    fires.note(schedule.id(), time, now(), buildId, message);
+    transaction.executeWithoutResult(
+        status -> schedules.findById(schedule.id()).ifPresent(s -> s.markFired(now())));
+  }
+
+  void pause(String id) {
+    change(id, true);
+  }
+
+  void resume(String id) {
+    change(id, false);
+    clockwork.wake(id);
+  }
+
+  private void change(String id, boolean pause) {
+    transaction.executeWithoutResult(
+        status -> {
+          Schedule schedule = find(id);
+          schedule.pause(pause);
+          schedules.save(schedule);
+          if (pause) {
+            clockwork.pause(id);
+          } else {
+            clockwork.resume(id);
+          }
+        });
+  }
+
+  List<Instant> next(String id, int count) {
+    return clockwork.next(find(id).id(), count);
+  }
+
+  Page<Fires.Fire> history(String id, Pageable page) {
+    return fires.of(find(id).id(), page);
+  }
+
+  /** Of an activity, or of all where it is null. */
+  Page<Schedule> list(@Nullable String activityId, Pageable page) {
+    return activityId == null
+        ? schedules.findAll(page)
+        : schedules.findByActivityId(activityId, page);
   }
 
   Schedule find(String id) {
     return schedules.findById(id).orElseThrow(() -> Refusal.notFound("schedule", id));
   }
 
-  @Transactional
-  public void delete(String id) {
-    schedules.delete(find(id));
-    try {
-      quartz.deleteJob(new JobKey(id, GROUP));
-    } catch (SchedulerException e) {
-      throw new IllegalStateException("Quartz did not let go of the reservation", e);
-    }
+  void delete(String id) {
+    transaction.executeWithoutResult(
+        status -> {
+          schedules.delete(find(id));
+          clockwork.disarm(id);
+        });
+  }
+
+  /** Puts a calendar in place, and has all schedules follow it that leave its days out. */
+  void saveCalendar(String name, org.sitaf.server.schedule.timing.LeftOutDays days) {
+    transaction.executeWithoutResult(
+        status -> {
+          calendars.save(name, days);
+          for (Schedule schedule : using(name)) {
+            clockwork.leaveOut(
+                schedule.id(), calendars.union(schedule.leaveOut()), schedule.timing().zone());
+          }
+        });
+  }
+
+  void deleteCalendar(String name) {
+    transaction.executeWithoutResult(
+        status -> {
+          List<Schedule> users = using(name);
+          if (!users.isEmpty()) {
+            throw Refusal.conflict(
+                users.size() + " schedules leave the days of calendar '" + name + "' out.");
+          }
+          if (!calendars.delete(name)) {
+            throw Refusal.notFound("calendar", name);
+          }
+        });
+  }
+
+  private List<Schedule> using(String calendar) {
+    return schedules.findByLeaveOutContaining(calendar).stream()
+        .filter(schedule -> schedule.leaveOut().contains(calendar))
+        .toList();
   }
 
   private Instant now() {
-    return clock.instant().truncatedTo(ChronoUnit.MICROS);
+    return Objects.requireNonNull(clock.instant()).truncatedTo(ChronoUnit.MICROS);
   }
 }

@@ -1,4 +1,4 @@
-/** Reserved builds, by Quartz. */
+/** Schedules: builds at reserved times and periodically; Quartz keeps the time. */
 @NullMarked
 package org.sitaf.server.schedule;
 

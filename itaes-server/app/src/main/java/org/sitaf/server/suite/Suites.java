@@ -67,6 +67,26 @@ public class Suites {
         stored.activityId(), workspaces.name(stored.activityId()), stored.id(), stored.model());
   }
 
+  /**
+   * Makes sure that an activity has a model.
+   *
+   * @throws Refusal when it has not
+   */
+  public void requireModel(String activityId, String modelName) {
+    Workspaces.model(workspaces.activity(activityId), modelName);
+  }
+
+  /**
+   * Makes a suite from the present state of a model.
+   *
+   * @param seed null as a suite is generated without one
+   * @return its id
+   * @throws org.sitaf.core.diagnostic.InvalidInputException when the model gives none
+   */
+  public String generateAnew(String activityId, String modelName, @Nullable Long seed) {
+    return generate(activityId, modelName, new SuiteOptions(seed, null, null).toGeneration());
+  }
+
   String generate(String activityId, String modelName, GenerationOptions options) {
     TestModel model = Workspaces.model(workspaces.activity(activityId), modelName);
     GeneratedSuite generated = TestCaseGenerator.generate(model, options);

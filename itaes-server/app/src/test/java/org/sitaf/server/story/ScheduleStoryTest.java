@@ -3,8 +3,14 @@ package org.sitaf.server.story;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
 
+import java.nio.charset.StandardCharsets;
+import java.time.DayOfWeek;
+import java.time.Instant;
+import java.time.LocalTime;
 import java.time.OffsetDateTime;
+import java.time.ZoneId;
 import java.time.ZoneOffset;
+import java.time.ZonedDateTime;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.quartz.JobKey;
@@ -15,9 +21,11 @@ import org.sitaf.server.support.ServerTest;
 import org.springframework.beans.factory.annotation.Autowired;
 import tools.jackson.databind.JsonNode;
 
-/** Reserved builds. */
+/** Reserved and periodic builds. */
 @Tag("slow")
 class ScheduleStoryTest extends ServerTest {
+  private static final String JSON = "application/json";
+
   @Autowired private Scheduler quartz;
 
   @Test
@@ -70,6 +78,110 @@ class ScheduleStoryTest extends ServerTest {
         .expect(400);
     api.post("/api/v1/schedules", "{\"suiteId\":\"none\",\"at\":\"2099-01-01T00:00:00Z\"}")
         .expect(404);
+  }
+
+  @Test
+  void aPeriodicScheduleSaysWhenItFiresAndIsPausedAndResumed() {
+    String activityId = api.upload(Activities.zip());
+    api.put("/api/v1/calendars/holidays", JSON, bytes("{\"weekdays\":[\"SUNDAY\"]}"), null)
+        .expect(200);
+    JsonNode schedule =
+        api.post(
+                "/api/v1/schedules",
+                """
+                {"name": "nightly", "activityId": "%s", "model": "GetInfraredData", "seed": 7,
+                 "cron": "30 3 * * 0,1", "zone": "Asia/Seoul", "leaveOut": ["holidays"],
+                 "misfire": "SKIP", "priority": 3, "shards": 2, "retries": 1}
+                """
+                    .formatted(activityId))
+            .expect(201)
+            .json();
+    String path = "/api/v1/schedules/" + schedule.get("id").asString();
+    JsonNode times = api.get(path + "/fire-times").expect(200).json();
+    assertThat(times).hasSize(10);
+    assertThat(times)
+        .allSatisfy(
+            time -> {
+              ZonedDateTime there = Instant.parse(time.asString()).atZone(ZoneId.of("Asia/Seoul"));
+              assertThat(there.getDayOfWeek()).isEqualTo(DayOfWeek.MONDAY);
+              assertThat(there.toLocalTime()).isEqualTo(LocalTime.of(3, 30));
+            });
+    assertThat(schedule.get("next").asString()).isEqualTo(times.get(0).asString());
+    api.delete("/api/v1/calendars/holidays").expect(409);
+    api.put("/api/v1/calendars/holidays", JSON, bytes("{}"), null).expect(200);
+    assertThat(api.get(path + "/fire-times").json())
+        .anySatisfy(
+            time ->
+                assertThat(
+                        Instant.parse(time.asString())
+                            .atZone(ZoneId.of("Asia/Seoul"))
+                            .getDayOfWeek())
+                    .isEqualTo(DayOfWeek.SUNDAY));
+    assertThat(api.post(path + "/pause", "").expect(200).json().has("next")).isFalse();
+    assertThat(api.post(path + "/resume", "").expect(200).json().has("next")).isTrue();
+
+    JsonNode fire = api.post(path + "/run", "").expect(200).json();
+    JsonNode build = api.get("/api/v1/builds/" + fire.get("buildId").asString()).json();
+    assertThat(build.get("priority").asInt()).isEqualTo(3);
+    assertThat(build.get("shards").asInt()).isEqualTo(2);
+    JsonNode suite = api.get("/api/v1/suites/" + build.get("suiteId").asString()).json();
+    assertThat(suite.get("seed").asLong()).isEqualTo(7);
+    assertThat(api.get(path + "/history").json().get("items").get(0).get("buildState").asString())
+        .isEqualTo("QUEUED");
+    assertThat(api.get("/api/v1/schedules?activityId=" + activityId).json().get("total").asInt())
+        .isEqualTo(1);
+    api.post("/api/v1/builds/" + build.get("id").asString() + "/cancel", "").expect(200);
+    api.delete(path).expect(204);
+    api.delete("/api/v1/calendars/holidays").expect(204);
+  }
+
+  @Test
+  void anIntervalFiresEachTimeOnceAndAModelThatGivesNoSuiteIsSaidInTheHistory() {
+    String activityId = api.upload(Activities.zip());
+    String at = OffsetDateTime.now(ZoneOffset.UTC).plusSeconds(1).toString();
+    String path =
+        "/api/v1/schedules/"
+            + api.post(
+                    "/api/v1/schedules",
+                    """
+                    {"activityId": "%s", "model": "GetInfraredData", "everyMinutes": 1, "at": "%s"}
+                    """
+                        .formatted(activityId, at))
+                .expect(201)
+                .id();
+    await().until(() -> api.get(path + "/history").json().get("total").asInt() == 1);
+    assertThat(api.get(path + "/history").json().get("items").get(0).has("buildId")).isTrue();
+    assertThat(builds(activityId)).hasSize(1);
+    api.delete(path).expect(204);
+    for (JsonNode build : builds(activityId)) {
+      api.post("/api/v1/builds/" + build.get("id").asString() + "/cancel", "").expect(200);
+    }
+  }
+
+  @Test
+  void whatIsNoScheduleIsRefused() {
+    String suiteId = api.suite(api.upload(Activities.zip()));
+    for (String rest :
+        new String[] {
+          "\"cron\": \"every day\"",
+          "\"cron\": \"0 0 1 * 1\"",
+          "\"cron\": \"* * * * *\", \"everyMinutes\": 5",
+          "\"everyMinutes\": 0",
+          "\"cron\": \"0 0 * * *\", \"zone\": \"Nowhere\"",
+          "\"cron\": \"0 0 30 2 *\"",
+          "\"everyMinutes\": 5, \"shards\": 0",
+          "\"everyMinutes\": 5, \"activityId\": \"x\""
+        }) {
+      api.post("/api/v1/schedules", "{\"suiteId\":\"" + suiteId + "\", " + rest + "}").expect(400);
+    }
+    api.post(
+            "/api/v1/schedules",
+            "{\"suiteId\":\"" + suiteId + "\", \"everyMinutes\": 5, \"leaveOut\": [\"none\"]}")
+        .expect(404);
+  }
+
+  private static byte[] bytes(String text) {
+    return text.getBytes(StandardCharsets.UTF_8);
   }
 
   private JsonNode builds(String activityId) {

@@ -92,7 +92,8 @@ class Agents {
     session.close(null);
     if (sessions.remove(session.name(), session)) {
       transaction.executeWithoutResult(
-          status -> known.findById(session.name()).ifPresent(a -> a.seen(session.lastHeard())));
+          status ->
+              known.findById(session.name()).ifPresent(a -> a.disconnect(session.lastHeard())));
     }
   }
 
@@ -192,7 +193,7 @@ class Agents {
   /** Connected to this server, or heard of by another one not long ago. */
   boolean isOnline(KnownAgent agent) {
     return session(agent.name()).map(AgentSession::isOpen).orElse(false)
-        || (database.isShared() && !agent.lastSeen().plus(settings.lease()).isBefore(now()));
+        || (database.isShared() && agent.isConnected(now().minus(settings.lease())));
   }
 
   /** Tells other servers with the same database who is connected here. */

@@ -27,6 +27,9 @@ class KnownAgent {
   private int slots;
   private Instant lastSeen;
 
+  /** Whether it has a stream to some server, as far as that server lives. */
+  private boolean connected;
+
   @ElementCollection(fetch = FetchType.EAGER)
   @CollectionTable(name = "agent_toolchain", joinColumns = @JoinColumn(name = "agent_name"))
   @OrderColumn(name = "position")
@@ -79,10 +82,17 @@ class KnownAgent {
     simulation = offers.simulation();
     refuses = refusesNow;
     lastSeen = now;
+    connected = true;
   }
 
-  void seen(Instant when) {
+  void disconnect(Instant when) {
     lastSeen = when;
+    connected = false;
+  }
+
+  /** Whether a server said so lately. */
+  boolean isConnected(Instant since) {
+    return connected && !lastSeen.isBefore(since);
   }
 
   void stand(Standing decided) {

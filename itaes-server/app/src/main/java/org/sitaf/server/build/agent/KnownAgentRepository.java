@@ -20,7 +20,7 @@ interface KnownAgentRepository extends Repository<KnownAgent, String> {
   Set<String> findNamesToSpare();
 
   @Modifying
-  @Query("update KnownAgent a set a.lastSeen = :when where a.name in :names")
+  @Query("update KnownAgent a set a.lastSeen = :when, a.connected = true where a.name in :names")
   void noteSeen(Collection<String> names, Instant when);
 
   void delete(KnownAgent agent);

@@ -1,0 +1,5 @@
+/** When schedules fire. */
+@NullMarked
+package org.sitaf.server.schedule.timing;
+
+import org.jspecify.annotations.NullMarked;
