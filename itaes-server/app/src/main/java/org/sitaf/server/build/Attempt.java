@@ -35,8 +35,6 @@ class Attempt {
   @Enumerated(EnumType.STRING)
   private BuildState state;
 
-  /** For people who look into the database. */
-  @SuppressWarnings("UnusedVariable")
   private Instant leased;
 
   private Instant leaseUntil;
@@ -117,6 +115,10 @@ class Attempt {
       throw new IllegalStateException("attempt " + token + " is not given up");
     }
     state = BuildState.SUPERSEDED;
+  }
+
+  Attempts.Past view() {
+    return new Attempts.Past(no, agent, state, leased, finished);
   }
 
   AttemptKey key() {

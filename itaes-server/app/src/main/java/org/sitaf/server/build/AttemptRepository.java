@@ -13,6 +13,8 @@ interface AttemptRepository extends Repository<Attempt, Long> {
 
   Optional<Attempt> findByBuildIdAndNo(String buildId, int no);
 
+  List<Attempt> findByBuildIdOrderByNo(String buildId);
+
   Attempt saveAndFlush(Attempt attempt);
 
   @Query(

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
 import org.sitaf.core.verdict.TestResult;
 import org.sitaf.server.file.StoredFile;
 import org.sitaf.server.refusal.Refusal;
@@ -64,6 +65,14 @@ public class Attempts {
    */
   public record Assignment(
       AttemptKey key, String activity, String model, String language, List<StoredFile> files) {}
+
+  /**
+   * An attempt as people see it.
+   *
+   * @param finished null while an agent works on it
+   */
+  public record Past(
+      int no, String agent, BuildState state, Instant leased, @Nullable Instant finished) {}
 
   /** What becomes of a result. */
   public enum Delivery {
@@ -166,6 +175,15 @@ public class Attempts {
   /** Takes an agent's attempts away from it. */
   public void giveUpAll(String agent, String why) {
     attempts.findLiveOf(agent).forEach(key -> giveUp(key, why));
+  }
+
+  /** The attempts at a build, the first first. */
+  @Transactional(readOnly = true)
+  public List<Past> of(String buildId) {
+    if (builds.findById(buildId).isEmpty()) {
+      throw Refusal.notFound("build", buildId);
+    }
+    return attempts.findByBuildIdOrderByNo(buildId).stream().map(Attempt::view).toList();
   }
 
   /** Which of these attempts are over. */

@@ -45,7 +45,7 @@ final class Parts {
             suite.parameters(),
             cases),
         application.harness(),
-        application.mainClass());
+        application.entryPoint());
   }
 
   /** One result of the whole application; each case has exactly one part that executed it. */

@@ -2,12 +2,18 @@ package org.sitaf.server.file;
 
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
+import java.time.Clock;
+import java.time.Duration;
+import java.time.Instant;
+import java.time.OffsetDateTime;
+import java.time.ZoneOffset;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.HashMap;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.sitaf.core.activity.FileTree;
 import org.springframework.dao.DuplicateKeyException;
 import org.springframework.jdbc.core.simple.JdbcClient;
@@ -20,10 +26,15 @@ import org.springframework.stereotype.Repository;
  */
 @Repository
 public class StoredFiles {
-  private final JdbcClient jdbc;
+  private static final Duration KEPT = Duration.ofHours(1);
+  private static final OffsetDateTime NEVER = Instant.EPOCH.atOffset(ZoneOffset.UTC);
 
-  StoredFiles(JdbcClient jdbc) {
+  private final JdbcClient jdbc;
+  private final Clock clock;
+
+  StoredFiles(JdbcClient jdbc, Clock clock) {
     this.jdbc = jdbc;
+    this.clock = clock;
   }
 
   /** Stores the files of a tree. Not to be called within a transaction. */
@@ -64,16 +75,10 @@ public class StoredFiles {
 
   private String store(byte[] content) {
     String sha256 = sha256(content);
-    boolean known =
-        jdbc.sql("SELECT COUNT(*) FROM file_content WHERE sha256 = ?")
-                .param(sha256)
-                .query(Integer.class)
-                .single()
-            > 0;
-    if (!known) {
+    if (!keep(sha256)) {
       try {
-        jdbc.sql("INSERT INTO file_content (sha256, size, content) VALUES (?, ?, ?)")
-            .params(sha256, (long) content.length, content)
+        jdbc.sql("INSERT INTO file_content (sha256, size, content, stored) VALUES (?, ?, ?, ?)")
+            .params(sha256, (long) content.length, content, now())
             .update();
       } catch (DuplicateKeyException e) {
         // Somebody stored the same content between the two statements: it is there, which is all
@@ -82,5 +87,48 @@ public class StoredFiles {
       }
     }
     return sha256;
+  }
+
+  /**
+   * Makes sure that a content which is there is not collected soon.
+   *
+   * @return false when it is not there
+   */
+  private boolean keep(String sha256) {
+    Optional<OffsetDateTime> stored =
+        jdbc.sql("SELECT COALESCE(stored, :never) FROM file_content WHERE sha256 = :sha256")
+            .param("never", NEVER)
+            .param("sha256", sha256)
+            .query((row, index) -> row.getObject(1, OffsetDateTime.class))
+            .optional();
+    if (stored.isPresent() && stored.get().isAfter(now().minus(KEPT.dividedBy(2)))) {
+      return true;
+    }
+    return stored.isPresent()
+        && jdbc.sql("UPDATE file_content SET stored = ? WHERE sha256 = ?")
+                .params(now(), sha256)
+                .update()
+            == 1;
+  }
+
+  /**
+   * Deletes contents that nothing refers to, and that nobody can be about to refer to because they
+   * were stored a while ago.
+   *
+   * @return how many
+   */
+  public int collect() {
+    return jdbc.sql(
+            "DELETE FROM file_content WHERE (stored IS NULL OR stored < ?)"
+                + " AND NOT EXISTS (SELECT 1 FROM workspace_file w"
+                + " WHERE w.sha256 = file_content.sha256)"
+                + " AND NOT EXISTS (SELECT 1 FROM build_file b"
+                + " WHERE b.sha256 = file_content.sha256)")
+        .param(now().minus(KEPT))
+        .update();
+  }
+
+  private OffsetDateTime now() {
+    return clock.instant().atOffset(ZoneOffset.UTC);
   }
 }

@@ -91,7 +91,11 @@ abstract class DispatchStory extends ServerTest {
       String waiting = api.build(suiteId);
       agent.heartbeat();
       assertThat(agent.hearsNothingFor(300)).isTrue();
-      assertThat(build(waiting).get("waitingFor").asString()).contains("draining");
+      agent.heartbeat();
+      await()
+          .untilAsserted(
+              () -> assertThat(build(waiting).get("waitingFor").asString()).contains("draining"));
+      agent.heartbeat();
       stand("drained", "ACTIVE");
       AttemptRef attempt = agent.nextAssignment().getAttempt();
       stand("drained", "DISABLED");

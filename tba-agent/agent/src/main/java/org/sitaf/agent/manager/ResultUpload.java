@@ -155,7 +155,8 @@ final class ResultUpload implements AutoCloseable {
   }
 
   /**
-   * The log first: the result ends the attempt. A log that is refused does not hold up the result.
+   * The log first: the result ends the attempt. A log that is refused, or comes too late, does not
+   * hold up the result: the server keeps late results for people.
    */
   private void uploadLog(Attempt attempt, Spool.Entry entry) throws IOException {
     try {
@@ -167,7 +168,7 @@ final class ResultUpload implements AutoCloseable {
         chunk = LogFile.chunk(entry.log(), offset);
       }
     } catch (StatusRuntimeException e) {
-      if (ServerCalls.meaningOf(e) != ServerCalls.Failure.REFUSED) {
+      if (ServerCalls.meaningOf(e) == ServerCalls.Failure.LATER) {
         throw e;
       }
       LOGGER.log(

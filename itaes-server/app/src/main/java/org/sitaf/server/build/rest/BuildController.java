@@ -10,6 +10,7 @@ import java.net.URI;
 import java.time.Duration;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.server.build.Attempts;
 import org.sitaf.server.build.Build;
 import org.sitaf.server.build.BuildState;
 import org.sitaf.server.build.Builds;
@@ -39,12 +40,19 @@ class BuildController {
   private static final int LOG_EXCERPT = 1 << 20;
 
   private final Builds builds;
+  private final Attempts attempts;
   private final BuildLogs logs;
   private final BuildWaiters waiters;
   private final WaitingReason waiting;
 
-  BuildController(Builds builds, BuildLogs logs, BuildWaiters waiters, WaitingReason waiting) {
+  BuildController(
+      Builds builds,
+      Attempts attempts,
+      BuildLogs logs,
+      BuildWaiters waiters,
+      WaitingReason waiting) {
     this.builds = builds;
+    this.attempts = attempts;
     this.logs = logs;
     this.waiters = waiters;
     this.waiting = waiting;
@@ -130,6 +138,16 @@ class BuildController {
   List<BuildView.TransitionView> history(@PathVariable String id) {
     return builds.inspect(
         id, build -> build.transitions().stream().map(BuildView.TransitionView::of).toList());
+  }
+
+  @GetMapping("/{id}/attempts")
+  @Operation(
+      operationId = "listBuildAttempts",
+      summary = "Attempts at a build, the first first",
+      description =
+          "SUPERSEDED: a result came after the attempt was given up; it is kept and counts nowhere.")
+  List<BuildView.AttemptView> attempts(@PathVariable String id) {
+    return attempts.of(id).stream().map(BuildView.AttemptView::of).toList();
   }
 
   @PostMapping("/{id}/cancel")

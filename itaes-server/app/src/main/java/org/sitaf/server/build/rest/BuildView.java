@@ -4,6 +4,7 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import java.time.Instant;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.server.build.Attempts;
 import org.sitaf.server.build.Build;
 import org.sitaf.server.build.BuildFailure;
 import org.sitaf.server.build.BuildState;
@@ -110,6 +111,19 @@ record BuildView(
           State.valueOf(transition.state().name()),
           transition.atTime(),
           transition.cause());
+    }
+  }
+
+  @Schema(name = "BuildAttempt")
+  record AttemptView(
+      @Schema(description = "from 1") int no,
+      String agent,
+      BuildState state,
+      Instant leased,
+      @Nullable Instant finished) {
+    static AttemptView of(Attempts.Past attempt) {
+      return new AttemptView(
+          attempt.no(), attempt.agent(), attempt.state(), attempt.leased(), attempt.finished());
     }
   }
 

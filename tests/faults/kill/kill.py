@@ -1,0 +1,142 @@
+"""Kills server, agents, simulations and test applications at random while builds run, and looks for what was lost."""
+
+import argparse
+import hashlib
+import random
+import re
+import sys
+import tempfile
+import threading
+import time
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent.parent))
+from system import OVER, Refused, Table, agent, await_true, kill_process, own_bridge, processes_of, server
+
+LEASE_S = 15
+OPEN_BUILDS = 3
+CASES = 55
+ACCEPTED = re.compile(r"build ([0-9a-f-]{36}), attempt (\d+): accepted")
+
+
+class Client:
+    """Requests builds for as long as it may, and notes the digest of each result when it first sees it."""
+
+    def __init__(self, api, suite):
+        self.api, self.suite = api, suite
+        self.requested, self.digests, self.changed = set(), {}, []
+        self.going_on = True
+        self.thread = threading.Thread(target=self.work, daemon=True)
+
+    def work(self):
+        while self.going_on:
+            try:
+                self.look()
+            except (OSError, Refused, ValueError):
+                pass  # The server is dead at the moment; what it answered before is what counts.
+            time.sleep(0.5)
+
+    def look(self):
+        builds = self.api.builds()
+        for build in builds:
+            if build["state"] == "DONE" and build["id"] not in self.digests:
+                self.note(build["id"])
+        if self.going_on and sum(b["state"] not in OVER for b in builds) < OPEN_BUILDS:
+            self.requested.add(self.api.build(self.suite))
+
+    def note(self, build):
+        digest = hashlib.sha256(self.api.get(f"/api/v1/builds/{build}/result/document")).hexdigest()
+        if self.digests.setdefault(build, digest) != digest:
+            self.changed.append(build)
+
+
+def strike(dice, main, agents):
+    """Kills one process, starts again what nobody else starts, and says what it was."""
+    kind = dice.choice(["server", "agent", "simulation", "harness"])
+    if kind in ("simulation", "harness"):
+        word = "sitaf_bridge" if kind == "simulation" else "execution"
+        victims = [pid for a in agents for pid in processes_of(a.directory, word)]
+        if victims and kill_process(dice.choice(victims)):
+            return kind
+        return None
+    part = main if kind == "server" else dice.choice(agents)
+    part.kill()
+    time.sleep(dice.uniform(0, 1))
+    part.start(wait=kind == "server")
+    return kind
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--kills", type=int, default=200)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--pause-ms", type=int, default=30, help="of the component in each of the 55 cases")
+    given = parser.parse_args()
+    dice, table = random.Random(given.seed), Table("kill")
+    counts = {}
+    with tempfile.TemporaryDirectory(prefix="sitaf-kill-") as folder:
+        folder = Path(folder)
+        central = server(folder, f"--sitaf.lease={LEASE_S}s", "--sitaf.retry-delay=200ms").start()
+        agents = [agent(folder, f"agent-{i}", central.grpc, *own_bridge()) for i in (1, 2)]
+        try:
+            for part in agents:
+                part.start()
+            client = Client(central.api, central.api.suite(given.pause_ms))
+            client.thread.start()
+            began = time.monotonic()
+            while sum(counts.values()) < given.kills:
+                time.sleep(dice.uniform(0.2, 1.5))
+                kind = strike(dice, central, agents)
+                if kind:
+                    counts[kind] = counts.get(kind, 0) + 1
+            last = time.monotonic()
+            client.going_on = False
+            client.thread.join(40)
+            for part in agents:
+                if part.process.poll() is not None:
+                    part.start(wait=False)
+            ended = await_true(lambda: all(b["state"] in OVER for b in central.api.builds()), 2 * LEASE_S)
+            took = time.monotonic() - last
+            report(table, client, agents, counts, ended, took, last - began)
+        finally:
+            for part in [*agents, central]:
+                part.stop()
+    return table.end()
+
+
+def report(table, client, agents, counts, ended, took, struck_s):
+    builds = {b["id"]: b for b in client.api.builds()}
+    acknowledged = {m[0] for a in agents for m in ACCEPTED.findall(a.log.read_text(errors="replace"))}
+    lost_results, twice = [], []
+    for build in builds.values():
+        history = client.api.get(f"/api/v1/builds/{build['id']}/history")
+        dones = sum(t["state"] == "DONE" for t in history)
+        if build["state"] == "DONE":
+            client.note(build["id"])
+            cases = client.api.get(f"/api/v1/builds/{build['id']}/result/cases?size=500")
+            numbers = [c["no"] for c in cases["items"]]
+            if dones != 1 or len(set(numbers)) != len(numbers):
+                twice.append(build["id"])
+            if cases["total"] != CASES:
+                lost_results.append(build["id"])
+        elif build["id"] in acknowledged or build["id"] in client.digests:
+            lost_results.append(build["id"])
+    done = sum(b["state"] == "DONE" for b in builds.values())
+    attempts = sum(b["attempt"] for b in builds.values())
+    table.row("kills", sum(counts.values()), " ".join(f"{k} {n}" for k, n in sorted(counts.items())), True)
+    table.row("seconds of kills", struck_s, "", True)
+    table.row("builds requested and acknowledged", len(client.requested), "", len(client.requested) > 0)
+    table.row("of them lost", len(client.requested - builds.keys()), "0", client.requested <= builds.keys())
+    table.row("builds with a result", done, "> 0", done > 0)
+    table.row("attempts", attempts, "", True)
+    table.row("results that agents were acknowledged", len(acknowledged), "", True)
+    table.row("acknowledged results lost", len(lost_results), "0", not lost_results)
+    table.row("results accepted twice", len(twice), "0", not twice)
+    table.row("results changed after they were seen", len(client.changed), "0", not client.changed)
+    stuck = [b["id"] for b in builds.values() if b["state"] not in OVER]
+    table.row("builds stuck", len(stuck), "0", not stuck)
+    table.row("s from the last kill to the end of all builds", took, f"<= {2 * LEASE_S}", ended)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,76 @@
+"""Stops an agent for twice its lease and lets it go on: its late result changes nothing."""
+
+import argparse
+import hashlib
+import signal
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent.parent))
+from system import Bridge, Table, agent, await_true, server
+
+CASES = 55
+NEARLY_DONE = 50
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--lease-s", type=int, default=15)
+    given = parser.parse_args()
+    table = Table("lease")
+    with tempfile.TemporaryDirectory(prefix="sitaf-lease-") as folder, Bridge() as bridge:
+        folder = Path(folder)
+        central = server(folder, f"--sitaf.lease={given.lease_s}s").start()
+        api = central.api
+        options = ("--bridge", bridge.target)
+        first = agent(folder, "first", central.grpc, *options)
+        second = agent(folder, "second", central.grpc, *options)
+        try:
+            suite = api.suite(100)
+            first.start()
+            build = api.build(suite)
+
+            def now():
+                return api.get(f"/api/v1/builds/{build}")
+
+            table.row("the first agent works on it", now()["casesDone"],
+                      f">= {NEARLY_DONE}", await_true(lambda: now()["casesDone"] >= NEARLY_DONE, 60, 0.05))
+            # Its test application goes on and finishes meanwhile; only the agent itself is stopped.
+            first.signal(signal.SIGSTOP)
+            stopped = time.monotonic()
+            second.start()
+            given_on = await_true(lambda: now().get("agent") == "second", 2 * given.lease_s)
+            table.row("s until the build was given to the second agent", time.monotonic() - stopped,
+                      f"<= {2 * given.lease_s}", given_on)
+            done = await_true(lambda: now()["state"] == "DONE", 60)
+            table.row("the second agent's result is accepted", now()["state"], "DONE", done)
+            result = api.get(f"/api/v1/builds/{build}/result/document")
+            history = api.get(f"/api/v1/builds/{build}/history")
+            time.sleep(max(0, stopped + 2 * given.lease_s - time.monotonic()))
+            first.signal(signal.SIGCONT)
+
+            def attempts():
+                return {a["no"]: a["state"] for a in api.get(f"/api/v1/builds/{build}/attempts")}
+
+            superseded = await_true(lambda: attempts()[1] == "SUPERSEDED", 40)
+            table.row("the first agent's late result", attempts()[1], "SUPERSEDED", superseded)
+            after = api.get(f"/api/v1/builds/{build}/result/document")
+            table.row("the result is the same bytes as before", hashlib.sha256(after).hexdigest()[:12],
+                      hashlib.sha256(result).hexdigest()[:12], after == result)
+            table.row("changes of the build after its end",
+                      len(api.get(f"/api/v1/builds/{build}/history")) - len(history), "0",
+                      api.get(f"/api/v1/builds/{build}/history") == history)
+            again = api.build(suite)
+            table.row("the first agent works on after that", "",
+                      "a build", await_true(lambda: api.get(f"/api/v1/builds/{again}")["state"] == "DONE", 60))
+        finally:
+            first.signal(signal.SIGCONT)
+            for part in (first, second, central):
+                part.stop()
+    return table.end()
+
+
+if __name__ == "__main__":
+    sys.exit(main())
