@@ -200,6 +200,24 @@ class Bridge:
         self.process.wait(20)
 
 
+class Postgres:
+    """A PostgreSQL server of this run alone."""
+
+    def __enter__(self):
+        command = ["java", "-Xmx64m", "-cp", os.environ["SITAF_POSTGRES_CLASSPATH"], "Postgres"]
+        self.process = subprocess.Popen(
+            command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True
+        )
+        self.url = self.process.stdout.readline().strip()
+        if not self.url.startswith("jdbc:"):
+            raise RuntimeError("PostgreSQL did not start")
+        return self
+
+    def __exit__(self, *_):
+        self.process.stdin.close()
+        self.process.wait(30)
+
+
 def processes_of(directory, word):
     """Processes below an agent's folder whose command line holds a word, by id."""
     found = []

@@ -35,7 +35,9 @@ public final class AgentMain implements Callable<Integer> {
       names = "--server",
       paramLabel = "HOST:PORT",
       defaultValue = "localhost:9090",
-      description = "The server's gRPC address; default ${DEFAULT-VALUE}.")
+      description =
+          "The server's gRPC address, or those of several with one database, joined by commas;"
+              + " default ${DEFAULT-VALUE}.")
   private String server = "";
 
   @Option(

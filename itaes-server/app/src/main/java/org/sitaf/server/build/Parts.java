@@ -2,11 +2,15 @@ package org.sitaf.server.build;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
 import java.util.TreeSet;
+import org.jspecify.annotations.Nullable;
 import org.sitaf.core.harness.TestApplication;
 import org.sitaf.core.suite.TestCase;
 import org.sitaf.core.suite.TestSuite;
 import org.sitaf.core.verdict.CaseResult;
+import org.sitaf.core.verdict.Coverage;
 import org.sitaf.core.verdict.Provenance;
 import org.sitaf.core.verdict.ResultAssembler;
 import org.sitaf.core.verdict.TestResult;
@@ -51,8 +55,47 @@ final class Parts {
   /** One result of the whole application; each case has exactly one part that executed it. */
   static TestResult join(TestApplication application, List<TestResult> parts) {
     List<CaseResult> cases = parts.stream().flatMap(part -> part.cases().stream()).toList();
-    return new ResultAssembler(application.model(), application.suite())
-        .assemble(cases, "no shard executed it", provenance(application, parts));
+    TestResult joined =
+        new ResultAssembler(application.model(), application.suite())
+            .assemble(cases, "no shard executed it", provenance(application, parts));
+    return new TestResult(
+        joined.name(),
+        joined.provenance(),
+        joined.summary(),
+        joined.parameters(),
+        joined.cases(),
+        coverage(parts));
+  }
+
+  /**
+   * What any part reached. Of branches nobody says which were gone, only how many: the most that
+   * one part went is the least that all together did.
+   */
+  private static @Nullable Coverage coverage(List<TestResult> parts) {
+    Map<String, Map<Integer, Coverage.Line>> files = new TreeMap<>();
+    for (TestResult part : parts) {
+      Coverage coverage = part.coverage();
+      if (coverage == null) {
+        return null;
+      }
+      for (Coverage.File file : coverage.files()) {
+        Map<Integer, Coverage.Line> lines =
+            files.computeIfAbsent(file.path(), path -> new TreeMap<>());
+        file.lines().forEach(line -> lines.merge(line.number(), line, Parts::together));
+      }
+    }
+    return new Coverage(
+        files.entrySet().stream()
+            .map(e -> new Coverage.File(e.getKey(), List.copyOf(e.getValue().values())))
+            .toList());
+  }
+
+  private static Coverage.Line together(Coverage.Line one, Coverage.Line other) {
+    return new Coverage.Line(
+        one.number(),
+        one.reached() || other.reached(),
+        Math.max(one.branches(), other.branches()),
+        Math.max(one.taken(), other.taken()));
   }
 
   private static Provenance provenance(TestApplication application, List<TestResult> parts) {

@@ -170,7 +170,7 @@ abstract class BuildStory extends DispatchStory {
     String id = api.build(suiteId);
     try (RimAgent agent = RimAgent.register(grpcPort(), "alive", "java")) {
       AttemptRef attempt = agent.nextAssignment().getAttempt();
-      for (int i = 0; i < 8; i++) {
+      for (int i = 0; i < 14; i++) {
         Thread.sleep(400);
         agent.heartbeat(attempt);
       }

@@ -22,7 +22,7 @@ import org.springframework.test.context.DynamicPropertySource;
     webEnvironment = WebEnvironment.RANDOM_PORT,
     properties = {
       "spring.grpc.server.port=0",
-      "sitaf.lease=2s",
+      "sitaf.lease=4s",
       "sitaf.retry-delay=50ms",
       "sitaf.max-log=64KB"
     })

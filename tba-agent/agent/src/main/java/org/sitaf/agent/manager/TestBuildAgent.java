@@ -85,7 +85,7 @@ public final class TestBuildAgent implements AutoCloseable {
 
   private static ManagedChannel channelTo(String server) {
     NettyChannelBuilder builder =
-        NettyChannelBuilder.forTarget(server)
+        NettyChannelBuilder.forTarget(ServerAddresses.target(server))
             .usePlaintext()
             .maxInboundMessageSize(MAX_MESSAGE_BYTES);
     if (Epoll.isAvailable()) {

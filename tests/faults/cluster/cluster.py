@@ -1,0 +1,107 @@
+"""Two servers with one database, killed in turns at random: every fire time comes to exactly one build."""
+
+import argparse
+import datetime
+import random
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent.parent))
+from system import Postgres, Refused, Table, agent, await_true, server
+
+SCHEDULES = 5
+EVERY_S = 5
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--kills", type=int, default=10)
+    parser.add_argument("--seed", type=int, default=1)
+    given = parser.parse_args()
+    dice, table = random.Random(given.seed), Table("cluster")
+    with tempfile.TemporaryDirectory(prefix="sitaf-cluster-") as folder, Postgres() as database:
+        folder = Path(folder)
+        logs = f"--sitaf.log-directory={folder / 'logs'}"
+        servers = [server(folder, logs, name=f"server-{i}", database=database.url) for i in (1, 2)]
+        target = ",".join(f"127.0.0.1:{s.grpc}" for s in servers)
+        worker = agent(folder, "worker", target)
+        try:
+            for part in servers:
+                part.start()
+            api = servers[0].api
+            suite = api.suite()
+            # Nobody offers the label: the builds wait, and what is counted is that each was requested once.
+            request = {"suiteId": suite, "cron": f"*/{EVERY_S} * * * * ?", "misfire": "ALL", "labels": ["nowhere"]}
+            schedules = [api.post("/api/v1/schedules", request)["id"] for _ in range(SCHEDULES)]
+            began = datetime.datetime.now(datetime.UTC)
+            for kill in range(given.kills):
+                time.sleep(dice.uniform(2, 6))
+                victim = servers[kill % 2] if dice.random() < 0.8 else dice.choice(servers)
+                victim.kill()
+                time.sleep(dice.uniform(1, 4))
+                victim.start()
+            # The last fire times may be made up for by the server that took over.
+            time.sleep(3 * EVERY_S)
+            for schedule in schedules:
+                await_true(lambda s=schedule: pause(api, s), 30)
+            ended = datetime.datetime.now(datetime.UTC) - datetime.timedelta(seconds=2 * EVERY_S)
+            expected, missing, twice = 0, [], []
+            for schedule in schedules:
+                fires = history(api, schedule)
+                times = [datetime.datetime.fromisoformat(f["fireTime"]) for f in fires]
+                wanted = every(began, ended)
+                expected += len(wanted)
+                missing += [t for t in wanted if t not in times]
+                builds = api.get(f"/api/v1/builds?scheduleId={schedule}&size=500")["total"]
+                if len(set(times)) != len(times) or builds != len(times):
+                    twice.append(schedule)
+            table.row("servers killed", given.kills, "", True)
+            table.row("fire times while servers died", expected, "> 0", expected > 0)
+            table.row("of them without a build", len(missing), "0", not missing)
+            table.row("schedules with a time that gave two builds", len(twice), "0", not twice)
+            table.row("an agent works with whichever server lives", *works(servers, worker, suite))
+        finally:
+            for part in (worker, *servers):
+                part.stop()
+    return table.end()
+
+
+def pause(api, schedule):
+    try:
+        return api.post(f"/api/v1/schedules/{schedule}/pause", {})["paused"]
+    except (OSError, Refused):
+        return False
+
+
+def history(api, schedule):
+    return api.get(f"/api/v1/schedules/{schedule}/history?size=500")["items"]
+
+
+def every(began, ended):
+    first = began.replace(second=0, microsecond=0)
+    times = []
+    for step in range(int((ended - first).total_seconds() // EVERY_S) + 1):
+        time_ = first + datetime.timedelta(seconds=step * EVERY_S)
+        if began + datetime.timedelta(seconds=1) < time_ <= ended:
+            times.append(time_)
+    return times
+
+
+def works(servers, worker, suite):
+    """Kills the server that the agent is connected to, and has the other one give it a build."""
+    worker.start()
+    other = servers[1]
+    servers[0].kill()
+    api = other.api
+
+    def online():
+        return [a["name"] for a in api.get("/api/v1/agents") if a["state"] == "ONLINE"]
+
+    back = await_true(lambda: online() == ["worker"], 60)
+    return ", ".join(online()), "worker", back
+
+
+if __name__ == "__main__":
+    sys.exit(main())
