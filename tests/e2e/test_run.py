@@ -1,6 +1,7 @@
 """`./sitaf run`: one activity from files to verdict, without a server."""
 
 import re
+import shutil
 import xml.etree.ElementTree as ElementTree
 
 
@@ -16,6 +17,25 @@ def test_the_infrared_sensor_passes(sitaf, tmp_path):
     assert "GetInfraredData: 55 cases, 55 PASS" in run.stdout
     root = ElementTree.parse(tmp_path / "results" / "GetInfraredData.xml").getroot()
     assert root.find("summary").attrib["total"] == "55"
+
+
+def test_what_was_reached_of_the_component_is_told(sitaf, tmp_path):
+    run = sitaf("run", "examples/ir-sensor", "--model", "GetInfraredData", "--result", tmp_path / "result.xml")
+    assert re.search(r"coverage of the component: [\d.]+ % of statements, [\d.]+ % of branches", run.stdout)
+    root = ElementTree.parse(tmp_path / "result.xml").getroot()
+    assert 50 < float(root.find("summary/coverage").attrib["statement"]) <= 100
+    (file,) = root.findall("coverage_list/file")
+    assert file.attrib["path"] == "component/org/sitaf/examples/ir/InfraredSensor.java"
+    assert {line.attrib["reached"] for line in file} == {"true", "false"}
+
+
+def test_without_a_sandbox_nothing_runs_that_requires_one(sitaf, tmp_path):
+    for tool in ("bash", "java", "javac", "dirname", "readlink", "flock", "mkdir", "find", "touch", "python3", "mvn", "npm"):
+        if found := shutil.which(tool):
+            (tmp_path / tool).symlink_to(found)
+    run = sitaf("run", "examples/ir-sensor", "--sandbox", "required", env={"PATH": str(tmp_path)})
+    assert run.returncode == 2
+    assert "bubblewrap is not installed; install it with: apt-get install bubblewrap" in run.stderr
 
 
 def test_the_faulty_sensor_fails_exactly_the_cases_that_the_fault_touches(sitaf, tmp_path):

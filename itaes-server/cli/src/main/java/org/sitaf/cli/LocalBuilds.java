@@ -15,7 +15,6 @@ import org.sitaf.agent.build.BuildRun;
 import org.sitaf.agent.build.BuildSettings;
 import org.sitaf.agent.build.BuildStage;
 import org.sitaf.agent.sandbox.Sandbox;
-import org.sitaf.agent.sandbox.SandboxMode;
 import org.sitaf.agent.simulation.Simulator;
 import org.sitaf.agent.toolchain.ToolchainPlaces;
 import org.sitaf.agent.toolchain.Toolchains;
@@ -34,14 +33,13 @@ final class LocalBuilds implements AutoCloseable {
   private final AtomicReference<@Nullable BuildRun> current = new AtomicReference<>();
   private final OnExit onExit = new OnExit(this::cancel);
 
-  LocalBuilds(Installation installation, SandboxMode sandbox, boolean coverage) throws IOException {
-    Sandbox opened = sandbox.open();
+  LocalBuilds(Installation installation, Sandbox sandbox, boolean coverage) throws IOException {
     directory = Files.createTempDirectory("sitaf-run-");
     settings =
         new BuildSettings(
             Simulator.started(installation.bridgeCommand(), directory.resolve("simulator")),
             new Toolchains(new ToolchainPlaces(installation.runtimes(), installation.cache())),
-            opened,
+            sandbox,
             coverage,
             "");
   }

@@ -98,7 +98,8 @@ final class RunCommand implements Callable<Integer> {
     Sitaf.print(activity.warnings(), err);
     List<TestResult> results = new ArrayList<>();
     int exitCode = 0;
-    try (LocalBuilds builds = new LocalBuilds(Installation.current(), sandbox, !noCoverage)) {
+    try (LocalBuilds builds =
+        new LocalBuilds(Installation.current(), sandbox.open(), !noCoverage)) {
       err.println("sandbox: " + builds.sandbox());
       err.flush();
       for (TestModel model : models(activity)) {
