@@ -102,7 +102,8 @@ public final class AgentMain implements Callable<Integer> {
       defaultValue = "auto",
       description =
           "Components and their compilers run in a sandbox (bubblewrap): required, auto (where it is"
-              + " installed) or off; default ${DEFAULT-VALUE}.")
+              + " installed) or off; default ${DEFAULT-VALUE}. An agent that has one carries the label"
+              + " 'sandbox'.")
   private SandboxMode sandbox = SandboxMode.AUTO;
 
   @Option(

@@ -188,7 +188,7 @@ public final class BuildRun {
   /** A simulator on the network leaves the whole network open to the component. */
   private void requireWayInto(String target, BuildLog log) throws IOException {
     Sandbox sandbox = settings.sandbox();
-    if (new SimulatorAddress(target).socket().isPresent() || sandbox.kind().equals("none")) {
+    if (new SimulatorAddress(target).socket().isPresent() || sandbox.kind().equals(Sandbox.NONE)) {
       return;
     }
     String why =

@@ -21,6 +21,10 @@ import org.sitaf.agent.v1.Toolchain;
 /** A test build agent at work, from its start to {@link #close()}. */
 public final class TestBuildAgent implements AutoCloseable {
   private static final System.Logger LOGGER = System.getLogger("org.sitaf.agent");
+
+  /** By this label a build can ask for an agent that keeps components in a sandbox. */
+  private static final String SANDBOXED = "sandbox";
+
   private static final int MAX_MESSAGE_BYTES = 16 << 20;
   private static final Duration UNACKNOWLEDGED = Duration.ofSeconds(20);
   private static final Duration STOP = Duration.ofSeconds(5);
@@ -114,6 +118,9 @@ public final class TestBuildAgent implements AutoCloseable {
             .setSimulation(settings.bridge() != null || !settings.bridgeCommand().isEmpty())
             .setRefuses(disk.whyFull())
             .addAllRunning(attempts.refs());
+    if (!sandbox.kind().equals(Sandbox.NONE) && !settings.labels().contains(SANDBOXED)) {
+      register.addLabels(SANDBOXED);
+    }
     toolchains
         .found()
         .forEach(

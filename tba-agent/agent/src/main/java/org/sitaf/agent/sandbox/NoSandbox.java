@@ -10,7 +10,7 @@ import java.io.IOException;
 record NoSandbox(String reason) implements Sandbox {
   @Override
   public String kind() {
-    return "none";
+    return NONE;
   }
 
   @Override

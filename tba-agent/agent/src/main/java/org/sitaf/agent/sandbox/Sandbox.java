@@ -6,7 +6,12 @@ import java.time.Duration;
 /** A way to start processes of other people's code on this machine. Safe to use from threads. */
 public sealed interface Sandbox permits NoSandbox, Bubblewrap {
 
-  /** What it is, for the agent's capabilities, such as {@code bubblewrap 0.8.0} or {@code none}. */
+  /** The kind of no sandbox at all. */
+  String NONE = "none";
+
+  /**
+   * What it is, for the agent's capabilities, such as {@code bubblewrap 0.8.0} or {@link #NONE}.
+   */
   String kind();
 
   /** What it is and why, for logs. */
