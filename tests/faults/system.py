@@ -101,7 +101,7 @@ class Part:
         self.name, self.command, self.log, self.environment, self.ready = name, command, log, environment, ready
         self.process = None
 
-    def start(self, wait=True, limit_s=120):
+    def start(self, wait=True, limit_s=300):
         began = self.log.stat().st_size if self.log.exists() else 0
         with self.log.open("ab") as out:
             self.process = subprocess.Popen(
