@@ -13,6 +13,7 @@ import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.agent.simulation.Simulator;
 import org.sitaf.agent.spool.AgentDirectory;
 import org.sitaf.agent.toolchain.Toolchains;
+import org.sitaf.agent.v1.Cancellation;
 import org.sitaf.agent.v1.Register;
 import org.sitaf.agent.v1.Registered;
 import org.sitaf.agent.v1.ServerMessage;
@@ -27,6 +28,8 @@ public final class TestBuildAgent implements AutoCloseable {
 
   private static final int MAX_MESSAGE_BYTES = 16 << 20;
   private static final Duration UNACKNOWLEDGED = Duration.ofSeconds(20);
+  private static final Duration JUST_REGISTERED = Duration.ofMillis(500);
+  private static final Duration NEARLY_READY = Duration.ofSeconds(2);
   private static final Duration STOP = Duration.ofSeconds(5);
 
   private final AgentSettings settings;
@@ -133,8 +136,11 @@ public final class TestBuildAgent implements AutoCloseable {
   }
 
   private final class FromServer implements ServerConnection.Listener {
+    private volatile long registeredAt = System.nanoTime();
+
     @Override
     public void registered(Registered registered) {
+      registeredAt = System.nanoTime();
       upload.wake();
       onRegistered.accept(registered.getServerVersion());
     }
@@ -143,11 +149,36 @@ public final class TestBuildAgent implements AutoCloseable {
     public void message(ServerMessage message) {
       switch (message.getMessageCase()) {
         case ASSIGNMENT -> attempts.begin(message.getAssignment());
-        case CANCELLATION -> attempts.cancel(message.getCancellation());
+        case CANCELLATION -> cancel(message.getCancellation());
         default -> {
           // A message of a later release; the builds do not depend on it.
         }
       }
+    }
+
+    /**
+     * What the server calls off right after a reconnection was given up while nothing was heard of
+     * this agent. A result that is as good as ready has a moment to be: the server keeps late ones
+     * for people.
+     */
+    private void cancel(Cancellation cancellation) {
+      if (System.nanoTime() - registeredAt > JUST_REGISTERED.toNanos()) {
+        attempts.cancel(cancellation);
+        return;
+      }
+      Thread later =
+          new Thread(
+              () -> {
+                try {
+                  Thread.sleep(NEARLY_READY.toMillis());
+                } catch (InterruptedException e) {
+                  Thread.currentThread().interrupt();
+                }
+                attempts.cancel(cancellation);
+              },
+              "sitaf-late-cancellation");
+      later.setDaemon(true);
+      later.start();
     }
   }
 
