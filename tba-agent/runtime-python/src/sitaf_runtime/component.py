@@ -233,10 +233,28 @@ def call_with_outs(method: Callable[..., Any], *arguments: Any, returns: bool) -
 
 
 def part_of(value: Any, *path: str | int) -> Any:
-    """A member of a struct, an element of a sequence, or a member of that: `part_of(pose, "position", "x")`."""
+    """A member of a struct, an element of a sequence, or a member of that: `part_of(pose, "position", "x")`.
+
+    None where the value has no such part.
+    """
     for step in path:
-        value = value[step] if isinstance(step, int) or isinstance(value, dict) else getattr(value, step)
+        try:
+            value = value[step] if isinstance(step, int) or isinstance(value, dict) else getattr(value, step)
+        except (LookupError, TypeError, AttributeError):
+            return None
     return value
+
+
+def port_of(component: object, name: str) -> Any:
+    """What a component last sent through an output data port: an attribute, or a method without arguments.
+
+    Raises CannotRunError when the class has neither.
+    """
+    for spelling in (name, snake_case(name)):
+        if hasattr(component, spelling):
+            value = getattr(component, spelling)
+            return value() if callable(value) else value
+    raise CannotRunError(f"{_named(type(component))} has no attribute {name} or {snake_case(name)} for the data port")
 
 
 def _named(type_: type) -> str:

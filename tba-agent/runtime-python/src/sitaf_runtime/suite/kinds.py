@@ -16,17 +16,23 @@ class Kind(Generic[T]):
     """A type of an interface.
 
     `parse` reads a literal and raises CaseDataError when the type cannot hold it; `zero` makes the value that nobody
-    has set; `shaped` gives a component's value the type's own form where it has one, and anything else as it is.
+    has set; `shaped` gives a component's value the type's own form where it has one, and anything else as it is;
+    `part` is the kind of a member or an element, where it has any.
     """
 
-    __slots__ = ("parse", "shaped", "zero")
+    __slots__ = ("parse", "part", "shaped", "zero")
 
     def __init__(
-        self, parse: Callable[[str], T], zero: Callable[[], T], shaped: Callable[[Any], Any] = literals.plain
+        self,
+        parse: Callable[[str], T],
+        zero: Callable[[], T],
+        shaped: Callable[[Any], Any] = literals.plain,
+        part: Callable[[str | int], "Kind[Any]"] | None = None,
     ) -> None:
         self.parse = parse
         self.zero = zero
         self.shaped = shaped
+        self.part = part
 
 
 def _integer(bits: int, *, signed: bool) -> Kind[int]:
@@ -91,7 +97,7 @@ def sequence(element: Kind[T], length: int = 0) -> Kind[list[T]]:
         listed = literals.elements_of(literals.plain(value))
         return value if listed is None else [element.shaped(part) for part in listed]
 
-    return Kind(parse, lambda: [element.zero() for _ in range(length)], shaped)
+    return Kind(parse, lambda: [element.zero() for _ in range(length)], shaped, lambda _: element)
 
 
 E = TypeVar("E", bound=enum.Enum)
@@ -124,8 +130,14 @@ def member(kind: Kind[T]) -> T:
     return dataclasses.field(default_factory=kind.zero, metadata={"kind": kind})
 
 
+_STRUCTS: dict[type, Kind[Any]] = {}
+
+
 def struct(type_: type[T]) -> Kind[T]:
     """A struct: a dataclass whose fields are made by `member`."""
+    known = _STRUCTS.get(type_)
+    if known is not None:
+        return known
     kinds: dict[str, Kind[Any]] = {
         field.name: field.metadata["kind"]
         for field in dataclasses.fields(type_)  # pyright: ignore[reportArgumentType]
@@ -146,4 +158,6 @@ def struct(type_: type[T]) -> Kind[T]:
             return value
         return {name: kind.shaped(named[name]) for name, kind in kinds.items() if name in named}
 
-    return Kind(parse, type_, shaped)
+    kind = Kind(parse, type_, shaped, lambda name: kinds[str(name)])
+    _STRUCTS[type_] = kind
+    return kind

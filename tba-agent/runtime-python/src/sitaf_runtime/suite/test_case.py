@@ -1,7 +1,7 @@
 """One test case."""
 
-from collections.abc import Mapping
-from typing import TypeVar
+from collections.abc import Callable, Mapping
+from typing import Any, TypeVar
 
 from sitaf_runtime.errors import CaseDataError
 from sitaf_runtime.suite.kinds import Kind
@@ -33,6 +33,17 @@ class TestCase:
         except CaseDataError as e:
             raise CaseDataError(f"{parameter}: {e}") from e
 
+    def assemble(self, kind: Kind[T], parts: Mapping[str, tuple[str | int, ...]]) -> T:
+        """A value of parts that have parameters of their own, each with its way into the value.
+
+        `assemble(struct(Pose), {"pose.x": ("x",)})`; what no parameter sets has the zero of its type. Raises
+        CaseDataError as `read` does.
+        """
+        whole = kind.zero()
+        for parameter, path in parts.items():
+            _put(whole, kind, path, lambda leaf, parameter=parameter: self.read(parameter, leaf))
+        return whole
+
     def literal(self, parameter: str) -> str:
         """A value as the suite spells it. Raises CaseDataError when there is none."""
         try:
@@ -47,3 +58,22 @@ class TestCase:
         """What is expected of an output; None when nothing is."""
         named = self.expected.get(output)
         return named if named is not None else self.expected.get("")
+
+
+def _put(whole: Any, kind: Kind[Any], path: tuple[str | int, ...], read: Callable[[Kind[Any]], Any]) -> None:
+    """Put a value into a part of another; a sequence grows to hold it."""
+    step, rest = path[0], path[1:]
+    part = kind.part(step) if kind.part else None
+    if part is None:
+        raise CaseDataError(f"there is no part {step}")
+    if isinstance(step, int):
+        while len(whole) <= step:
+            whole.append(part.zero())
+        if rest:
+            _put(whole[step], part, rest, read)
+        else:
+            whole[step] = read(part)
+    elif rest:
+        _put(getattr(whole, step), part, rest, read)
+    else:
+        setattr(whole, step, read(part))

@@ -9,6 +9,7 @@ import org.sitaf.core.harness.java.JavaHarness;
 import org.sitaf.core.harness.plan.HarnessPlan;
 import org.sitaf.core.harness.plan.HarnessPlanner;
 import org.sitaf.core.harness.plan.HarnessWriter;
+import org.sitaf.core.harness.python.PythonHarness;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.suite.TestSuite;
 
@@ -59,10 +60,11 @@ public final class InterfaceTestApplicationGenerator {
     Language language = activity.profile().harness();
     return switch (language) {
       case JAVA -> new JavaHarness();
-      case CPP, PYTHON ->
+      case PYTHON -> new PythonHarness();
+      case CPP ->
           throw InvalidInputException.of(
               HarnessPlanner.PROFILE,
-              "harness: test applications are generated in java, not yet in "
+              "harness: test applications are generated in java and python, not yet in "
                   + language.spelling());
     };
   }

@@ -236,10 +236,10 @@ class GeneratedHarnessTest {
   @Test
   void anotherLanguageIsRefusedClearly() {
     Map<String, String> files = files();
-    files.put("activity.yaml", PROFILE + "harness: python\n");
+    files.put("activity.yaml", PROFILE + "harness: cpp\n");
     assertThatThrownBy(() -> generate(files))
         .isInstanceOf(InvalidInputException.class)
         .hasMessageContaining(
-            "harness: test applications are generated in java, not yet in python");
+            "harness: test applications are generated in java and python, not yet in cpp");
   }
 }

@@ -1,0 +1,114 @@
+package org.sitaf.core.harness.python;
+
+import com.samskivert.mustache.Mustache;
+import com.samskivert.mustache.Template;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.InputStreamReader;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Objects;
+import org.sitaf.core.activity.FileTree;
+import org.sitaf.core.description.DataType;
+import org.sitaf.core.diagnostic.Diagnostics;
+import org.sitaf.core.harness.plan.HarnessPlan;
+import org.sitaf.core.harness.plan.HarnessWriter;
+
+/**
+ * The Python sources of a test application: test driver, simulation control, test stub, and the
+ * concrete test driver that the user may edit; and the package {@code sitaf_interfaces} with the
+ * interfaces and types that the component shares with them.
+ */
+public final class PythonHarness implements HarnessWriter {
+  private static final String CONCRETE = "concrete_test_driver";
+  private static final String INTERFACES = "sitaf_interfaces/";
+
+  private static final Mustache.Compiler TEMPLATES = Mustache.compiler().escapeHTML(false);
+
+  @Override
+  public FileTree write(HarnessPlan neutral, Diagnostics diagnostics) {
+    PythonPlan plan = PythonPlanner.plan(neutral, diagnostics);
+    Map<String, byte[]> files = new HashMap<>();
+    if (diagnostics.hasErrors()) {
+      return FileTree.of(files);
+    }
+    String folder = folder(neutral.modelName());
+    files.put("sitaf_harness/__init__.py", bytes("\"\"\"Test applications.\"\"\"\n"));
+    files.put(
+        folder + "__init__.py", bytes("\"\"\"The test application of one test model.\"\"\"\n"));
+    files.put(folder + "test_driver.py", print("test_driver", TestDriverView.of(plan)));
+    files.put(
+        folder + "simulation_control.py",
+        print("simulation_control", SimulationControlView.of(plan)));
+    files.put(folder + "test_stub.py", print("test_stub", TestStubView.of(plan)));
+    files.put(editableFile(neutral.modelName()), print(CONCRETE, ConcreteTestDriverView.of(plan)));
+    interfaces(plan, files);
+    return FileTree.of(files);
+  }
+
+  /** What the component shares with the test; nothing where it shares nothing. */
+  private static void interfaces(PythonPlan plan, Map<String, byte[]> files) {
+    HarnessPlan neutral = plan.neutral();
+    StringBuilder exported = new StringBuilder();
+    Imports imports = new Imports();
+    if (!neutral.types().isEmpty()) {
+      files.put(
+          INTERFACES + "data_types.py", print("data_types", InterfacesView.DataTypes.of(neutral)));
+      for (DataType type : neutral.types()) {
+        imports.add("sitaf_interfaces.data_types", HarnessPlan.simpleName(type));
+      }
+    }
+    if (!neutral.errors().isEmpty()) {
+      files.put(INTERFACES + "errors.py", print("errors", Map.of("errors", neutral.errors())));
+      neutral.errors().forEach(e -> imports.add("sitaf_interfaces.errors", e));
+    }
+    for (PythonPlan.Stub stub : plan.stubs()) {
+      files.put(
+          INTERFACES + stub.name() + ".py",
+          print("required_interface", InterfacesView.Interface.of(stub)));
+      imports.add("sitaf_interfaces." + stub.name(), stub.name());
+    }
+    if (!imports.isEmpty()) {
+      exported
+          .append("\"\"\"What the component shares with the test.\"\"\"\n\n")
+          .append(imports.text())
+          .append("\n\n")
+          .append(imports.all())
+          .append('\n');
+      files.put(INTERFACES + "__init__.py", bytes(exported.toString()));
+    }
+  }
+
+  @Override
+  public String entryPoint(String modelName) {
+    return PythonPlanner.packageName(modelName) + "." + CONCRETE;
+  }
+
+  @Override
+  public String editableFile(String modelName) {
+    return folder(modelName) + CONCRETE + ".py";
+  }
+
+  private static String folder(String modelName) {
+    return PythonPlanner.packageName(modelName).replace('.', '/') + "/";
+  }
+
+  private static byte[] bytes(String text) {
+    return text.getBytes(StandardCharsets.UTF_8);
+  }
+
+  private static byte[] print(String template, Object view) {
+    return bytes(load(template).execute(view));
+  }
+
+  private static Template load(String name) {
+    try (InputStream stream = PythonHarness.class.getResourceAsStream(name + ".mustache")) {
+      return TEMPLATES.compile(
+          new InputStreamReader(Objects.requireNonNull(stream, name), StandardCharsets.UTF_8));
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+}

@@ -1,0 +1,108 @@
+package org.sitaf.core.harness.python;
+
+import java.text.Normalizer;
+import java.util.Arrays;
+import java.util.HashSet;
+import java.util.Locale;
+import java.util.Set;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import org.sitaf.core.harness.plan.Words;
+
+/**
+ * Names of users' documents in Python sources. What is called must keep its name and is refused
+ * where Python cannot spell it; locals are only named after something, and step aside.
+ */
+final class PythonNames {
+  private static final Set<String> KEYWORDS =
+      words(
+          """
+          False None True and as assert async await break class continue def del elif else except finally for from
+          global if import in is lambda nonlocal not or pass raise return try while with yield""");
+
+  /** What generated sources mean by a name at the top of a module. */
+  private static final Set<String> USED_TYPES =
+      words(
+          """
+          BOOLEAN CHARACTER CaseResult ConcreteTestDriver ERRORS Enum Exception FLOAT32 FLOAT64 INT16 INT32 INT64 INT8
+          InOut NotImplementedError Out Protocol RUN_FOR SETTLE STRING Simulation SimulationControl StubbedMethod
+          SuiteDriver TestCase TestDriver TestRun TestStub Tolerance UINT16 UINT32 UINT64 UINT8 abstractmethod answer
+          bool call_with_outs data_types dataclass enumeration errors float int list member method_of part_of
+          sequence set_property start str struct super tuple""");
+
+  /** Locals of generated methods. */
+  private static final Set<String> USED_LOCALS =
+      words("component parameters result returned run self test_case");
+
+  private static final Pattern BORDERS =
+      Pattern.compile("(?<=[\\p{Ll}\\p{Nd}])(?=\\p{Lu})|(?<=\\p{Lu})(?=\\p{Lu}\\p{Ll})");
+
+  private final Set<String> taken = new HashSet<>(USED_LOCALS);
+
+  /** Names of one scope. */
+  PythonNames() {
+    taken.addAll(USED_TYPES);
+  }
+
+  private static Set<String> words(String text) {
+    return Arrays.stream(text.split("\\s+")).collect(Collectors.toUnmodifiableSet());
+  }
+
+  /**
+   * Whether Python spells a name so. Two leading underscores would make it another name within a
+   * class, and Python reads a name in its normal form.
+   */
+  static boolean isName(String name) {
+    return Words.isWord(name)
+        && !KEYWORDS.contains(name)
+        && name.indexOf('$') < 0
+        && !name.startsWith("__")
+        && (name.charAt(0) == '_' || Character.isUnicodeIdentifierStart(name.charAt(0)))
+        && Normalizer.isNormalized(name, Normalizer.Form.NFKC);
+  }
+
+  /** Whether a type of that name can stand beside what generated sources use. */
+  static boolean isTypeName(String name) {
+    return isName(name) && !USED_TYPES.contains(name);
+  }
+
+  /** Whether generated sources mean something else by a name. */
+  static boolean isUsedType(String name) {
+    return USED_TYPES.contains(name);
+  }
+
+  /**
+   * A package for a model: its name in snake case, with what a module of any file system cannot be
+   * called replaced.
+   */
+  static String packagePart(String modelName) {
+    String part = snakeCase(modelName).replaceAll("[^a-z0-9_]", "_");
+    if (part.isEmpty() || Character.isDigit(part.charAt(0)) || part.startsWith("__")) {
+      part = "model_" + part;
+    }
+    return KEYWORDS.contains(part) ? part + "_" : part;
+  }
+
+  /** {@code IndexOfSensor} gives {@code index_of_sensor}, {@code IRSensor} {@code ir_sensor}. */
+  static String snakeCase(String name) {
+    return BORDERS.matcher(name).replaceAll("_").toLowerCase(Locale.ROOT);
+  }
+
+  /** A name for a local, after something of a document. */
+  String local(String documentName) {
+    String wanted =
+        snakeCase(documentName).replaceAll("[^\\p{L}\\p{Nd}_]+", "_").replaceAll("^_+|_+$", "");
+    if (wanted.isEmpty() || Character.isDigit(wanted.charAt(0))) {
+      wanted = "value_" + wanted;
+    }
+    String name = isName(wanted) ? wanted : wanted + "_";
+    if (!isName(name)) {
+      name = "value";
+    }
+    String first = name;
+    for (int i = 2; !taken.add(name); i++) {
+      name = first + "_" + i;
+    }
+    return name;
+  }
+}

@@ -1,0 +1,111 @@
+package org.sitaf.core.harness.python;
+
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.description.DataType;
+import org.sitaf.core.description.Direction;
+import org.sitaf.core.description.Parameter;
+import org.sitaf.core.harness.plan.HarnessPlan;
+
+/**
+ * A test application in Python, decided: every name is one that Python can spell.
+ *
+ * @param packageName of the model's modules
+ * @param component the class under test as modules name it
+ * @param componentModule where it is imported from
+ * @param componentClass what it is called there
+ */
+record PythonPlan(
+    HarnessPlan neutral,
+    String packageName,
+    String component,
+    String componentModule,
+    String componentClass,
+    List<Argument> arguments,
+    List<Setting> settings,
+    List<Stub> stubs) {
+
+  /** A parameter of the method under test and its variable. */
+  record Argument(HarnessPlan.Argument neutral, String local) {
+    DataType type() {
+      return neutral.parameter().type();
+    }
+
+    Direction direction() {
+      return neutral.parameter().direction();
+    }
+
+    /** The variable's annotation. */
+    String hint() {
+      String hint = PythonType.hint(type());
+      return switch (direction()) {
+        case IN -> hint;
+        case OUT -> "Out[" + hint + "]";
+        case INOUT -> "InOut[" + hint + "]";
+      };
+    }
+  }
+
+  /** A parameter of the world and its variable. */
+  record Setting(HarnessPlan.World.Setting neutral, String local) {}
+
+  /**
+   * A required interface.
+   *
+   * @param field of the test stub that answers for it
+   */
+  record Stub(HarnessPlan.Stub neutral, String field, List<StubMethod> methods) {
+    String name() {
+      return neutral.name();
+    }
+  }
+
+  /**
+   * A method of a required interface.
+   *
+   * @param field that holds its answers
+   * @param alias its name in snake case; null where the interface has it so
+   */
+  record StubMethod(
+      HarnessPlan.StubMethod neutral,
+      String field,
+      @Nullable String alias,
+      List<String> inputs,
+      List<Answer> answers) {
+    String name() {
+      return neutral.method().name();
+    }
+
+    List<Parameter> parameters(boolean out) {
+      return neutral.method().parameters().stream()
+          .filter(p -> p.direction() != (out ? Direction.IN : Direction.OUT))
+          .toList();
+    }
+  }
+
+  /** An answer and its variable. */
+  record Answer(HarnessPlan.Answer neutral, String local) {}
+
+  /** All answers that the suite sets. */
+  List<Answer> answers() {
+    return stubs.stream()
+        .flatMap(s -> s.methods().stream())
+        .flatMap(m -> m.answers().stream())
+        .toList();
+  }
+
+  /** Whether simulation time passes after the call. */
+  boolean runsOn() {
+    return neutral.world() != null && !neutral.world().runFor().isZero();
+  }
+
+  /** Whether the component is called again and again while time passes. */
+  boolean isPeriodic() {
+    return neutral.component().period() != null;
+  }
+
+  boolean observes() {
+    return neutral.outputs().stream()
+        .anyMatch(o -> o.source() instanceof HarnessPlan.Source.Observation);
+  }
+}

@@ -1,0 +1,196 @@
+package org.sitaf.core.harness.python;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.description.DataType;
+import org.sitaf.core.description.Direction;
+import org.sitaf.core.description.Method;
+import org.sitaf.core.diagnostic.Diagnostics;
+import org.sitaf.core.harness.plan.HarnessPlan;
+import org.sitaf.core.harness.plan.HarnessPlanner;
+
+/** Names everything of a test application in Python, and says what Python cannot spell. */
+final class PythonPlanner {
+  private final HarnessPlan neutral;
+  private final Diagnostics diagnostics;
+  private final PythonNames locals = new PythonNames();
+
+  private PythonPlanner(HarnessPlan neutral, Diagnostics diagnostics) {
+    this.neutral = neutral;
+    this.diagnostics = diagnostics;
+  }
+
+  static PythonPlan plan(HarnessPlan neutral, Diagnostics diagnostics) {
+    return new PythonPlanner(neutral, diagnostics).plan();
+  }
+
+  /** The package of a model's test application. */
+  static String packageName(String modelName) {
+    return "sitaf_harness." + PythonNames.packagePart(modelName);
+  }
+
+  private PythonPlan plan() {
+    String qualified = neutral.component().className();
+    int dot = qualified.lastIndexOf('.');
+    component(qualified);
+    String simple = qualified.substring(dot + 1);
+    names();
+    if (neutral.component().period() != null && neutral.world() == null) {
+      inProfile(
+          "component.execution",
+          "a periodic component needs simulation time, but activity.yaml names no world");
+    }
+    List<PythonPlan.Argument> arguments =
+        neutral.arguments().stream()
+            .map(a -> new PythonPlan.Argument(a, locals.local(a.name())))
+            .toList();
+    List<PythonPlan.Setting> settings =
+        neutral.world() == null
+            ? List.of()
+            : neutral.world().settings().stream()
+                .map(s -> new PythonPlan.Setting(s, locals.local(s.name())))
+                .toList();
+    return new PythonPlan(
+        neutral,
+        packageName(neutral.modelName()),
+        PythonNames.isTypeName(simple) && !isDeclared(simple) ? simple : "ComponentUnderTest",
+        dot < 0 ? "" : qualified.substring(0, dot),
+        simple,
+        arguments,
+        settings,
+        neutral.stubs().stream().map(this::stub).toList());
+  }
+
+  private void component(String qualified) {
+    String[] parts = qualified.split("\\.", -1);
+    for (String part : parts) {
+      if (!PythonNames.isName(part)) {
+        inProfile(
+            "component.class", "'" + qualified + "' is not the qualified name of a Python class");
+        return;
+      }
+    }
+    if (parts.length == 1) {
+      inProfile(
+          "component.class", qualified + " must name its module, such as sensors." + qualified);
+    } else if (parts[0].equals("sitaf_harness")
+        || parts[0].equals("sitaf_interfaces")
+        || parts[0].equals("sitaf_runtime")) {
+      inProfile("component.class", "the module " + parts[0] + " is SITAF's own; name it otherwise");
+    }
+  }
+
+  private boolean isDeclared(String name) {
+    return neutral.types().stream().anyMatch(t -> HarnessPlan.simpleName(t).equals(name))
+        || neutral.stubs().stream().anyMatch(s -> s.name().equals(name));
+  }
+
+  /** Names that are the same for whoever calls or implements them. */
+  private void names() {
+    method(neutral.interfaceName(), neutral.method());
+    neutral.before().forEach(call -> method(HarnessPlanner.PROFILE, call.method()));
+    Set<String> types = new HashSet<>();
+    for (DataType type : neutral.types()) {
+      String name = HarnessPlan.simpleName(type);
+      types.add(name);
+      typeName(neutral.interfaceName(), name);
+      List<String> parts = new ArrayList<>();
+      if (type instanceof DataType.Struct struct) {
+        struct.members().forEach(m -> parts.add(m.name()));
+      } else if (type instanceof DataType.Enumeration enumeration) {
+        parts.addAll(enumeration.literals());
+      }
+      for (String part : parts) {
+        boolean reserved =
+            type instanceof DataType.Enumeration && (part.equals("mro") || part.startsWith("_"));
+        if (!PythonNames.isName(part) || reserved) {
+          diagnostics.error(
+              neutral.interfaceName(),
+              0,
+              "type " + name,
+              "'" + part + "' is not a name that Python can have there");
+        }
+      }
+    }
+    for (HarnessPlan.Stub stub : neutral.stubs()) {
+      typeName(stub.source(), stub.name());
+      if (!types.add(stub.name())) {
+        diagnostics.error(stub.source(), 0, "type_name " + stub.name(), "is also a type's name");
+      }
+    }
+    for (String error : neutral.errors()) {
+      typeName(neutral.interfaceName(), error);
+      if (!types.add(error)) {
+        diagnostics.error(
+            neutral.interfaceName(), 0, "exception " + error, "is also another type's name");
+      }
+    }
+  }
+
+  private void method(String source, Method method) {
+    if (!PythonNames.isName(method.name())) {
+      diagnostics.error(
+          source,
+          method.line(),
+          "method " + method.name(),
+          "is not a name that a method can have in Python");
+    }
+  }
+
+  private void typeName(String source, String name) {
+    if (!PythonNames.isTypeName(name)) {
+      diagnostics.error(
+          source,
+          0,
+          "type_name " + name,
+          PythonNames.isUsedType(name)
+              ? "is a name that test applications use themselves; rename it"
+              : "is not a name that a class can have in Python");
+    }
+  }
+
+  private PythonPlan.Stub stub(HarnessPlan.Stub stub) {
+    Set<String> taken = new HashSet<>();
+    stub.methods().forEach(m -> taken.add(m.method().name()));
+    List<PythonPlan.StubMethod> methods = new ArrayList<>();
+    Set<String> seen = new HashSet<>();
+    for (HarnessPlan.StubMethod method : stub.methods()) {
+      method(stub.source(), method.method());
+      String name = method.method().name();
+      if (!seen.add(name)) {
+        diagnostics.error(
+            stub.source(),
+            method.method().line(),
+            "method " + name,
+            "is overloaded, and Python has one method of a name only");
+      }
+      String snake = PythonNames.snakeCase(name);
+      @Nullable String alias = PythonNames.isName(snake) && taken.add(snake) ? snake : null;
+      String field = "on_" + snake;
+      while (!taken.add(field)) {
+        field += "_";
+      }
+      PythonNames scope = new PythonNames();
+      methods.add(
+          new PythonPlan.StubMethod(
+              method,
+              field,
+              alias,
+              method.method().parameters().stream()
+                  .filter(p -> p.direction() != Direction.OUT)
+                  .map(p -> scope.local(p.name()))
+                  .toList(),
+              method.answers().stream()
+                  .map(a -> new PythonPlan.Answer(a, locals.local(a.column())))
+                  .toList()));
+    }
+    return new PythonPlan.Stub(stub, locals.local(stub.name()), methods);
+  }
+
+  private void inProfile(String element, String problem) {
+    diagnostics.error(HarnessPlanner.PROFILE, 0, element, problem);
+  }
+}

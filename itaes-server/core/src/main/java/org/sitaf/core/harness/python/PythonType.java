@@ -1,0 +1,100 @@
+package org.sitaf.core.harness.python;
+
+import java.util.Set;
+import java.util.TreeSet;
+import org.sitaf.core.description.DataType;
+import org.sitaf.core.description.ScalarType;
+import org.sitaf.core.harness.plan.HarnessPlan;
+import org.sitaf.core.model.Value;
+
+/** How Python spells a type of an interface. */
+final class PythonType {
+  private static final String KINDS = "sitaf_runtime.suite.kinds";
+
+  private PythonType() {}
+
+  /** In annotations. */
+  static String hint(DataType type) {
+    if (type instanceof DataType.Scalar scalar) {
+      return switch (scalar.type()) {
+        case VOID -> "None";
+        case BOOLEAN -> "bool";
+        case CHAR, STRING -> "str";
+        case FLOAT, DOUBLE -> "float";
+        default -> "int";
+      };
+    }
+    if (type instanceof DataType.Sequence sequence) {
+      return "list[" + hint(sequence.element()) + "]";
+    }
+    if (type instanceof DataType.FixedArray array) {
+      return "list[" + hint(array.element()) + "]";
+    }
+    return HarnessPlan.simpleName(type);
+  }
+
+  /** The runtime's kind of it, which reads and compares its values. */
+  static String kind(DataType type) {
+    if (type instanceof DataType.Scalar scalar) {
+      return kind(scalar.type());
+    }
+    if (type instanceof DataType.Sequence sequence) {
+      return "sequence(" + kind(sequence.element()) + ")";
+    }
+    if (type instanceof DataType.FixedArray array) {
+      return "sequence(" + kind(array.element()) + ", " + array.length() + ")";
+    }
+    String function = type instanceof DataType.Enumeration ? "enumeration" : "struct";
+    return function + "(" + HarnessPlan.simpleName(type) + ")";
+  }
+
+  private static String kind(ScalarType type) {
+    return switch (type) {
+      case VOID -> "None";
+      case CHAR -> "CHARACTER";
+      case FLOAT -> "FLOAT32";
+      case DOUBLE -> "FLOAT64";
+      default -> type.name();
+    };
+  }
+
+  /** Imports what {@link #kind} names. */
+  static void importKind(DataType type, Imports imports) {
+    for (String word : kind(type).split("\\W+")) {
+      if (PythonNames.isUsedType(word)) {
+        imports.add(KINDS, word);
+      }
+    }
+    importHint(type, imports);
+  }
+
+  /** Imports what {@link #hint} names. */
+  static void importHint(DataType type, Imports imports) {
+    declared(type).forEach(name -> imports.add("sitaf_interfaces", name));
+  }
+
+  /** Names of the structs and enumerations that a type is spelled with. */
+  private static Set<String> declared(DataType type) {
+    Set<String> names = new TreeSet<>();
+    if (type instanceof DataType.Struct || type instanceof DataType.Enumeration) {
+      names.add(HarnessPlan.simpleName(type));
+    } else {
+      type.parts().forEach(part -> names.addAll(declared(part)));
+    }
+    return names;
+  }
+
+  /** A value as an expression. */
+  static String expression(Value value, DataType type) {
+    if (type instanceof DataType.Enumeration) {
+      return HarnessPlan.simpleName(type) + "." + value.literal();
+    }
+    if (value instanceof Value.Real real) {
+      return PythonText.real(real.number());
+    }
+    if (value instanceof Value.Truth truth) {
+      return truth.value() ? "True" : "False";
+    }
+    return value instanceof Value.Whole ? value.literal() : PythonText.string(value.literal());
+  }
+}

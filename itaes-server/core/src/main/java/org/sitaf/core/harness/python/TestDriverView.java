@@ -1,0 +1,285 @@
+package org.sitaf.core.harness.python;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.activity.ActivityProfile.LifeCycle;
+import org.sitaf.core.description.Direction;
+import org.sitaf.core.description.MemberPath.Step;
+import org.sitaf.core.harness.plan.HarnessPlan;
+import org.sitaf.core.harness.plan.HarnessPlan.Given;
+import org.sitaf.core.harness.plan.HarnessPlan.Output;
+import org.sitaf.core.harness.plan.HarnessPlan.Source;
+import org.sitaf.core.harness.python.PythonPlan.Answer;
+import org.sitaf.core.harness.python.PythonPlan.Argument;
+import org.sitaf.core.harness.python.PythonText.Group;
+import org.sitaf.core.model.Tolerance;
+
+/** What the template of the test driver prints: the five steps of Fig. 10. */
+record TestDriverView(
+    String documentation,
+    String imports,
+    String component,
+    String suiteLife,
+    String newSimulationControl,
+    String callDeclaration,
+    String callDocumentation,
+    String make,
+    List<String> reads,
+    String prepareWorld,
+    String prepareStub,
+    boolean periodic,
+    String period,
+    String call,
+    boolean runOn,
+    List<String> outputs) {
+
+  private static final String RUNTIME = "sitaf_runtime.";
+
+  static TestDriverView of(PythonPlan plan) {
+    HarnessPlan neutral = plan.neutral();
+    return new TestDriverView(
+        PythonText.docstring(0, documentation(neutral)),
+        imports(plan),
+        plan.component(),
+        neutral.component().lifeCycle() == LifeCycle.SUITE ? "True" : "False",
+        new Group(
+                "self.simulation_control = SimulationControl(",
+                neutral.world() == null ? List.of() : List.of("run.simulation"),
+                ")")
+            .at(8),
+        callDeclaration(plan),
+        PythonText.docstring(
+            8,
+            List.of(
+                "The call under test, " + PythonText.plain(neutral.methodName()) + ".",
+                "Nothing else is timed.")),
+        new Group(
+                "return self.make(",
+                Stream.concat(
+                        Stream.of(plan.component()),
+                        plan.stubs().stream().map(s -> "self.test_stub." + s.field()))
+                    .toList(),
+                ")")
+            .at(8),
+        reads(plan),
+        new Group(
+                "self.simulation_control.prepare(",
+                plan.settings().stream().map(PythonPlan.Setting::local).toList(),
+                ")")
+            .at(8),
+        new Group(
+                "self.test_stub.prepare(", plan.answers().stream().map(Answer::local).toList(), ")")
+            .at(8),
+        plan.isPeriodic(),
+        plan.isPeriodic() ? PythonText.real(neutral.component().period().toNanos() / 1e9) : "",
+        new Group(
+                (neutral.returnsNothing() ? "" : "returned = ") + "self.call(",
+                Stream.concat(
+                        Stream.of("component"), plan.arguments().stream().map(Argument::local))
+                    .toList(),
+                ")")
+            .at(8),
+        plan.runsOn(),
+        neutral.outputs().stream().map(o -> output(plan, o)).toList());
+  }
+
+  /** The head of the method that makes the call. */
+  static String callDeclaration(PythonPlan plan) {
+    return new Group(
+            "def call(",
+            Stream.concat(
+                    Stream.of("self", "component: " + plan.component()),
+                    plan.arguments().stream().map(a -> a.local() + ": " + a.hint()))
+                .toList(),
+            ") -> " + PythonType.hint(plan.neutral().method().returnType()) + ":")
+        .at(4);
+  }
+
+  private static List<String> documentation(HarnessPlan plan) {
+    List<String> paragraphs = new ArrayList<>();
+    paragraphs.add("Test driver (TD) of " + PythonText.plain(plan.methodName()) + ".");
+    paragraphs.add("Runs the cases of the test model " + PythonText.plain(plan.modelName()) + ".");
+    if (!plan.description().isBlank()) {
+      paragraphs.add(PythonText.plain(plan.description()));
+    }
+    return paragraphs;
+  }
+
+  /** Imports what the head of the call names. */
+  static void importCall(PythonPlan plan, Imports imports) {
+    imports.add(
+        plan.componentModule(),
+        plan.component().equals(plan.componentClass())
+            ? plan.component()
+            : plan.componentClass() + " as " + plan.component());
+    for (Argument argument : plan.arguments()) {
+      PythonType.importHint(argument.type(), imports);
+      if (argument.direction() != Direction.IN) {
+        imports.add(RUNTIME + "out", argument.direction() == Direction.OUT ? "Out" : "InOut");
+      }
+    }
+    PythonType.importHint(plan.neutral().method().returnType(), imports);
+  }
+
+  private static String imports(PythonPlan plan) {
+    HarnessPlan neutral = plan.neutral();
+    Imports imports =
+        new Imports()
+            .add("abc", "abstractmethod")
+            .add(plan.packageName() + ".simulation_control", "SimulationControl")
+            .add(plan.packageName() + ".test_stub", "TestStub")
+            .add(RUNTIME + "driver", "SuiteDriver")
+            .add(RUNTIME + "run", "TestRun")
+            .add(RUNTIME + "suite.result", "CaseResult")
+            .add(RUNTIME + "suite.test_case", "TestCase");
+    importCall(plan, imports);
+    for (Argument argument : plan.arguments()) {
+      if (!argument.neutral().given().isEmpty() || argument.direction() == Direction.INOUT) {
+        PythonType.importKind(argument.type(), imports);
+      }
+    }
+    if (!plan.settings().isEmpty()) {
+      imports.add(RUNTIME + "suite.kinds", "FLOAT64");
+    }
+    for (Answer answer : plan.answers()) {
+      if (!answer.neutral().plain()) {
+        imports.add(RUNTIME + "stub", "answer");
+        imports.add(plan.packageName() + ".test_stub", "ERRORS");
+      }
+      PythonType.importKind(answer.neutral().type(), imports);
+    }
+    for (Output output : neutral.outputs()) {
+      PythonType.importKind(output.type(), imports);
+      if (output.tolerance() != null) {
+        imports.add(RUNTIME + "suite.tolerance", "Tolerance");
+      }
+      if (!path(output.source()).isEmpty()) {
+        imports.add(RUNTIME + "component", "part_of");
+      }
+      if (output.source() instanceof Source.DataPort) {
+        imports.add(RUNTIME + "component", "port_of");
+      }
+    }
+    return imports.text();
+  }
+
+  private static List<String> reads(PythonPlan plan) {
+    List<String> reads = new ArrayList<>();
+    for (Argument argument : plan.arguments()) {
+      String value = value(argument);
+      switch (argument.direction()) {
+        case IN -> reads.add(read(argument.local(), argument));
+        case OUT -> reads.add(indented(argument.local() + ": " + argument.hint() + " = Out()"));
+        case INOUT -> reads.add(indented(argument.local() + " = InOut(" + value + ")"));
+      }
+    }
+    plan.settings().forEach(s -> reads.add(read(s.local(), s.neutral().name(), "FLOAT64")));
+    for (Answer answer : plan.answers()) {
+      String kind = PythonType.kind(answer.neutral().type());
+      reads.add(
+          read(
+              answer.local(),
+              answer.neutral().column(),
+              answer.neutral().plain() ? kind : "answer(" + kind + ", ERRORS)"));
+    }
+    return reads;
+  }
+
+  private static String read(String local, String column, String kind) {
+    return new Group(local + " = test_case.read(", List.of(PythonText.string(column), kind), ")")
+        .at(8);
+  }
+
+  private static String read(String local, Argument argument) {
+    List<Given> given = argument.neutral().given();
+    if (given.size() == 1 && given.get(0).path().isEmpty()) {
+      return read(local, given.get(0).column(), PythonType.kind(argument.type()));
+    }
+    return new Group(
+            local + " = test_case.assemble(",
+            List.of(PythonType.kind(argument.type()), parts(given)),
+            ")")
+        .at(8);
+  }
+
+  private static String value(Argument argument) {
+    List<Given> given = argument.neutral().given();
+    String kind = PythonType.kind(argument.type());
+    if (given.size() == 1 && given.get(0).path().isEmpty()) {
+      return "test_case.read(" + PythonText.string(given.get(0).column()) + ", " + kind + ")";
+    }
+    return "test_case.assemble(" + kind + ", " + parts(given) + ")";
+  }
+
+  private static String parts(List<Given> given) {
+    List<String> parts = new ArrayList<>();
+    for (Given part : given) {
+      List<String> steps = part.path().stream().map(TestDriverView::step).toList();
+      parts.add(
+          PythonText.string(part.column())
+              + ": ("
+              + String.join(", ", steps)
+              + (steps.size() == 1 ? ",)" : ")"));
+    }
+    return "{" + String.join(", ", parts) + "}";
+  }
+
+  private static String step(Step step) {
+    return step instanceof Step.Member member
+        ? PythonText.string(member.name())
+        : String.valueOf(((Step.Element) step).index());
+  }
+
+  private static String output(PythonPlan plan, Output output) {
+    List<String> arguments = new ArrayList<>();
+    arguments.add(PythonText.string(output.name()));
+    arguments.add(looked(plan, output.source()));
+    arguments.add(PythonType.kind(output.type()));
+    @Nullable Tolerance tolerance = output.tolerance();
+    if (tolerance == null) {
+      return new Group("result.record(", arguments, ")").at(8);
+    }
+    arguments.add(
+        tolerance.equals(Tolerance.EXACT)
+            ? "Tolerance()"
+            : "Tolerance("
+                + PythonText.real(tolerance.absolute())
+                + ", "
+                + PythonText.real(tolerance.relative())
+                + ")");
+    return new Group("result.compare(", arguments, ")").at(8);
+  }
+
+  private static String looked(PythonPlan plan, Source source) {
+    if (source instanceof Source.Observation observation) {
+      return "self.simulation_control.observe(" + PythonText.string(observation.name()) + ")";
+    }
+    if (source instanceof Source.DataPort port) {
+      return "port_of(component, " + PythonText.string(port.name()) + ")";
+    }
+    String whole = "returned";
+    if (source instanceof Source.OutParameter out) {
+      whole =
+          plan.arguments().stream()
+              .filter(a -> a.neutral().name().equals(out.parameter()))
+              .map(a -> a.local() + ".value")
+              .findFirst()
+              .orElse("None");
+    }
+    List<String> steps = path(source).stream().map(TestDriverView::step).toList();
+    return steps.isEmpty() ? whole : "part_of(" + whole + ", " + String.join(", ", steps) + ")";
+  }
+
+  private static List<Step> path(Source source) {
+    if (source instanceof Source.Returned returned) {
+      return returned.path();
+    }
+    return source instanceof Source.OutParameter out ? out.path() : List.of();
+  }
+
+  private static String indented(String statement) {
+    return " ".repeat(8) + statement;
+  }
+}

@@ -1,0 +1,169 @@
+package org.sitaf.core.harness.python;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.sitaf.core.description.Parameter;
+import org.sitaf.core.harness.plan.HarnessPlan;
+import org.sitaf.core.harness.python.PythonPlan.Answer;
+import org.sitaf.core.harness.python.PythonPlan.Stub;
+import org.sitaf.core.harness.python.PythonPlan.StubMethod;
+import org.sitaf.core.harness.python.PythonText.Group;
+
+/** What the template of the test stub prints. */
+record TestStubView(
+    String imports,
+    boolean hasStubs,
+    boolean hasErrors,
+    String errors,
+    List<Interface> interfaces,
+    String prepareDeclaration,
+    List<String> settings) {
+
+  /** An interface that the stub answers for. */
+  record Interface(
+      String name, String field, String documentation, List<String> fields, List<String> methods) {}
+
+  static TestStubView of(PythonPlan plan) {
+    List<String> settings = new ArrayList<>();
+    for (Stub stub : plan.stubs()) {
+      for (StubMethod method : stub.methods()) {
+        settings.add("        self." + stub.field() + "." + method.field() + ".reset()");
+        method.answers().forEach(a -> settings.add(setting(stub, method, a)));
+      }
+    }
+    return new TestStubView(
+        imports(plan),
+        !plan.stubs().isEmpty(),
+        hasErrors(plan),
+        new Group(
+                "ERRORS: dict[str, type[Exception]] = {",
+                plan.neutral().errors().stream().map(e -> PythonText.string(e) + ": " + e).toList(),
+                "}")
+            .at(0),
+        plan.stubs().stream().map(TestStubView::answering).toList(),
+        new Group(
+                "def prepare(",
+                Stream.concat(
+                        Stream.of("self"),
+                        plan.answers().stream().map(a -> a.local() + ": " + hint(a)))
+                    .toList(),
+                ") -> None:")
+            .at(4),
+        settings);
+  }
+
+  private static boolean hasErrors(PythonPlan plan) {
+    return plan.answers().stream().anyMatch(a -> !a.neutral().plain());
+  }
+
+  private static String hint(Answer answer) {
+    String hint = PythonType.hint(answer.neutral().type());
+    return answer.neutral().plain() ? hint : "Answer[" + hint + "]";
+  }
+
+  private static String setting(Stub stub, StubMethod method, Answer answer) {
+    List<String> arguments = new ArrayList<>();
+    arguments.add(answer.local());
+    if (answer.neutral().fromCall() > 1) {
+      arguments.add("from_call=" + answer.neutral().fromCall());
+    }
+    if (answer.neutral().parameter() != null) {
+      arguments.add("out=" + PythonText.string(answer.neutral().parameter().name()));
+    }
+    return new Group("self." + stub.field() + "." + method.field() + ".answer(", arguments, ")")
+        .at(8);
+  }
+
+  private static Interface answering(Stub stub) {
+    return new Interface(
+        stub.name(),
+        stub.field(),
+        PythonText.docstring(4, List.of("Answers for " + PythonText.plain(stub.name()) + ".")),
+        stub.methods().stream().map(m -> field(stub, m)).toList(),
+        stub.methods().stream().map(TestStubView::method).toList());
+  }
+
+  private static String field(Stub stub, StubMethod method) {
+    List<String> arguments =
+        new ArrayList<>(
+            List.of(
+                PythonText.string(stub.name() + "." + method.name()),
+                "run.stopwatch",
+                "run.stub_calls",
+                PythonType.kind(method.neutral().method().returnType())));
+    if (!method.parameters(false).isEmpty()) {
+      arguments.add("inputs=" + kinds(method.parameters(false)));
+    }
+    if (!method.parameters(true).isEmpty()) {
+      arguments.add("outs=" + kinds(method.parameters(true)));
+    }
+    return new Group("self." + method.field() + " = StubbedMethod(", arguments, ")").at(8);
+  }
+
+  private static String kinds(List<Parameter> parameters) {
+    return parameters.stream()
+        .map(p -> PythonText.string(p.name()) + ": " + PythonType.kind(p.type()))
+        .collect(Collectors.joining(", ", "{", "}"));
+  }
+
+  private static String method(StubMethod method) {
+    String body = new Group("return self." + method.field() + ".call(", method.inputs(), ")").at(8);
+    String alias =
+        method.alias() == null ? "" : "\n\n    " + method.alias() + " = " + method.name();
+    return declaration(method) + "\n" + body + alias;
+  }
+
+  /** The head of a method; its out-parameters are returned. */
+  static String declaration(StubMethod method) {
+    List<Parameter> inputs = method.parameters(false);
+    List<String> parameters = new ArrayList<>(List.of("self"));
+    IntStream.range(0, inputs.size())
+        .forEach(
+            i ->
+                parameters.add(
+                    method.inputs().get(i) + ": " + PythonType.hint(inputs.get(i).type())));
+    return new Group("def " + method.name() + "(", parameters, ") -> " + returned(method) + ":")
+        .at(4);
+  }
+
+  private static String returned(StubMethod method) {
+    List<String> parts = new ArrayList<>();
+    if (!HarnessPlan.isVoid(method.neutral().method().returnType())) {
+      parts.add(PythonType.hint(method.neutral().method().returnType()));
+    }
+    method.parameters(true).forEach(p -> parts.add(PythonType.hint(p.type())));
+    return switch (parts.size()) {
+      case 0 -> "None";
+      case 1 -> parts.get(0);
+      default -> "tuple[" + String.join(", ", parts) + "]";
+    };
+  }
+
+  private static String imports(PythonPlan plan) {
+    Imports imports = new Imports().add("sitaf_runtime.run", "TestRun");
+    if (!plan.stubs().isEmpty()) {
+      imports.add("sitaf_runtime.stub", "StubbedMethod");
+    }
+    for (Stub stub : plan.stubs()) {
+      imports.add("sitaf_interfaces", stub.name());
+      for (StubMethod method : stub.methods()) {
+        if (!HarnessPlan.isVoid(method.neutral().method().returnType())) {
+          PythonType.importKind(method.neutral().method().returnType(), imports);
+        }
+        method
+            .neutral()
+            .method()
+            .parameters()
+            .forEach(p -> PythonType.importKind(p.type(), imports));
+      }
+    }
+    if (hasErrors(plan)) {
+      imports.add("sitaf_runtime.stub", "Answer");
+      plan.neutral().errors().forEach(e -> imports.add("sitaf_interfaces", e));
+    }
+    return imports.text();
+  }
+}

@@ -1,0 +1,1 @@
+"""The test application of one test model."""

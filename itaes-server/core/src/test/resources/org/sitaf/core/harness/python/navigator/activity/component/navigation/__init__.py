@@ -1,0 +1,1 @@
+"""A component that asks a range finder and drives wheels."""

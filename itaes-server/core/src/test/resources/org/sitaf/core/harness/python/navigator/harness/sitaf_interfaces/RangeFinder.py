@@ -1,0 +1,11 @@
+"""A required interface of the component."""
+
+from typing import Protocol
+
+
+class RangeFinder(Protocol):
+    """The required interface RangeFinder, as hardware.idl describes it."""
+
+    def RangeAhead(self, bearing: float) -> float: ...
+
+    def Beams(self, first: int) -> tuple[bool, float, float]: ...

@@ -1,0 +1,127 @@
+"""The sources that the project generates, as the tests of the generator keep them: formatted, and run for real."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests.applications import GOLDENS, PROJECT, run
+
+NAVIGATOR = GOLDENS / "navigator"
+ENTRY = "sitaf_harness.step.concrete_test_driver"
+NAVIGATOR_PATH = [NAVIGATOR / "harness", NAVIGATOR / "activity/component"]
+
+
+@pytest.mark.parametrize("name", ["ir-sensor-python", "navigator"])
+def test_generated_sources_are_formatted_and_have_nothing_to_lint(name):
+    ruff = Path(sys.executable).with_name("ruff")
+    harness = GOLDENS / name / "harness"
+    formatted = subprocess.run([ruff, "format", "--isolated", "--check", harness], capture_output=True, text=True)
+    assert formatted.returncode == 0, formatted.stdout
+    linted = subprocess.run(
+        [ruff, "check", "--isolated", "--select", "E,F,D1,UP,B", "--ignore", "D102,D107,B024,B027", harness],
+        capture_output=True,
+        text=True,
+    )
+    assert linted.returncode == 0, linted.stdout
+
+
+def test_structs_enumerations_stubs_and_out_parameters_go_through(tmp_path):
+    ended, results = run(ENTRY, NAVIGATOR / "suite.xml", tmp_path / "results", NAVIGATOR_PATH)
+    assert (ended.returncode, ended.stderr) == (0, "")
+    first = results[1]
+    assert first.attrib["verdict"] == "PASS", first.findtext("message")
+    actual = {element.attrib["name"]: element.text for element in first.findall("actual")}
+    assert actual == {"return": "2", "target": "{x: 2.5, y: 0.0}", "heading": "0.5", "target.x": "2.5"}
+    calls = [
+        (call.attrib["method"], {argument.attrib["name"]: argument.text for argument in call})
+        for call in first.findall("call")
+    ]
+    assert calls == [
+        ("RangeFinder.RangeAhead", {"bearing": "0.25"}),
+        ("RangeFinder.Beams", {"first": "1"}),
+        ("Wheels.Drive", {"linear": "0.5", "angular": "1.5"}),
+    ]
+    assert results[2].findall("call")[2].findall("argument")[1].text == "NaN"
+
+
+def with_component(tmp_path, body):
+    """The navigator with another body of its step."""
+    folder = tmp_path / "component/navigation"
+    folder.mkdir(parents=True)
+    source = (NAVIGATOR / "activity/component/navigation/navigator.py").read_text()
+    head, _, _ = source.partition("        if not route.points:")
+    (folder / "navigator.py").write_text(head + "".join(f"        {line}\n" for line in body))
+    return [NAVIGATOR / "harness", tmp_path / "component"]
+
+
+@pytest.mark.parametrize(
+    ("body", "message"),
+    [
+        (["raise ValueError('no\\nway')"], "ValueError: no\nway at step (navigation/navigator.py:26)"),
+        (["import sys", "sys.exit(4)"], "SystemExit: 4"),
+        (["raise KeyboardInterrupt"], "KeyboardInterrupt"),
+        (["return 1"], "TypeError: expected a tuple of 3"),
+        (["def again(): again()", "again()"], "RecursionError"),
+    ],
+)
+def test_what_a_component_raises_is_an_error_of_its_case(tmp_path, body, message):
+    path = with_component(tmp_path, body)
+    ended, results = run(ENTRY, NAVIGATOR / "suite.xml", tmp_path / "results", path)
+    assert ended.returncode == 0, ended.stderr
+    assert [results[no].attrib["verdict"] for no in (1, 2)] == ["ERROR", "ERROR"]
+    assert message in results[1].findtext("message")
+
+
+def test_a_component_that_ends_the_process_loses_no_result(tmp_path):
+    path = with_component(
+        tmp_path,
+        [
+            "import os",
+            "if self.__dict__.setdefault('calls', 0): os._exit(9)",
+            "self.calls = 1",
+            "return 2, Point(2.5), 0",
+        ],
+    )
+    ended, results = run(ENTRY, NAVIGATOR / "suite.xml", tmp_path / "results", path)
+    assert (ended.returncode, [results[1].attrib["verdict"]], len(results)) == (9, ["PASS"], 1)
+    ended, results = run(ENTRY, NAVIGATOR / "suite.xml", tmp_path / "results", path, "--from", 2)
+    assert ended.returncode == 0
+    assert sorted(results) == [1, 2]
+
+
+def test_a_thread_that_is_left_over_holds_nothing_up(tmp_path):
+    path = with_component(
+        tmp_path,
+        [
+            "import threading, time",
+            "threading.Thread(target=lambda: time.sleep(600)).start()",
+            "return 2, Point(2.5), 0",
+        ],
+    )
+    ended, results = run(ENTRY, NAVIGATOR / "suite.xml", tmp_path / "results", path)
+    assert (ended.returncode, len(results)) == (0, 2)
+
+
+def test_a_component_that_cannot_be_imported_is_told_before_any_case(tmp_path):
+    path = with_component(tmp_path, ["return 1", "", "", "import nowhere"])
+    source = tmp_path / "component/navigation/navigator.py"
+    source.write_text("import nowhere_to_be_found\n" + source.read_text())
+    ended, results = run(ENTRY, NAVIGATOR / "suite.xml", tmp_path / "results", path)
+    assert ended.returncode == 3
+    assert results == {}
+    assert "sitaf: the test application cannot be imported: ModuleNotFoundError" in ended.stderr
+    assert "navigation/navigator.py:1" in ended.stderr
+
+
+def test_a_test_without_its_simulation_says_so(tmp_path):
+    path = [GOLDENS / "ir-sensor-python/harness", PROJECT / "examples/ir-sensor-python/component"]
+    ended, _ = run(
+        "sitaf_harness.get_infrared_data.concrete_test_driver",
+        GOLDENS / "ir-sensor-python/suite.xml",
+        tmp_path / "results",
+        path,
+    )
+    assert ended.returncode == 3
+    assert "--bridge TARGET" in ended.stderr
