@@ -10,6 +10,7 @@ import java.util.stream.Collectors;
 import org.sitaf.agent.toolchain.ToolchainLookup.Found;
 import org.sitaf.agent.toolchain.ToolchainLookup.Missing;
 import org.sitaf.agent.toolchain.java.JavaToolchain;
+import org.sitaf.agent.toolchain.python.PythonToolchain;
 import org.sitaf.core.activity.ActivityProfile.Language;
 
 /** The toolchains of this machine; each is looked for when it is first asked for. */
@@ -25,8 +26,8 @@ public final class Toolchains {
   private ToolchainLookup look(Language language) {
     return switch (language) {
       case JAVA -> JavaToolchain.find(places);
-      case CPP, PYTHON ->
-          new Missing("this release of the agent does not know it", "use a later release");
+      case PYTHON -> PythonToolchain.find(places);
+      case CPP -> new Missing("this release of the agent does not know it", "use a later release");
     };
   }
 

@@ -1,0 +1,110 @@
+package org.sitaf.agent.toolchain.python;
+
+import java.io.File;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import org.sitaf.agent.toolchain.CompiledApplication;
+import org.sitaf.agent.toolchain.ProcessPlace;
+
+/**
+ * A Python test application.
+ *
+ * @param environment with the packages of the component and the runtime
+ * @param path where modules are looked for
+ * @param component folders of the component among them, whose coverage counts
+ * @param entryPoint the module of the concrete test driver
+ * @param prefixes where Python's own library lies
+ */
+record PythonApplication(
+    Path environment, List<Path> path, List<Path> component, String entryPoint, List<Path> prefixes)
+    implements CompiledApplication {
+
+  /** The interpreter and gRPC. */
+  private static final int OVERHEAD_MIB = 128;
+
+  private static final int FRAMES = 4;
+  private static final Pattern FRAME = Pattern.compile("\\s*File \"(.+)\", line (\\d+) in (.+)");
+
+  PythonApplication {
+    path = List.copyOf(path);
+    component = List.copyOf(component);
+    prefixes = List.copyOf(prefixes);
+  }
+
+  @Override
+  public List<String> command(ProcessPlace place) {
+    List<String> command = new ArrayList<>();
+    command.add(Environments.python(environment).toString());
+    command.add("-s");
+    command.add("-P");
+    if (place.coverage() != null) {
+      command.addAll(List.of("-m", "coverage", "run", "--branch"));
+      command.add("--data-file=" + place.coverage().resolve("python.coverage"));
+      command.add(
+          "--source=" + component.stream().map(Path::toString).collect(Collectors.joining(",")));
+    }
+    command.addAll(List.of("-m", "sitaf_runtime", entryPoint));
+    return command;
+  }
+
+  @Override
+  public Map<String, String> environment(ProcessPlace place) {
+    return Map.of(
+        "PYTHONPATH",
+        path.stream().map(Path::toString).collect(Collectors.joining(File.pathSeparator)),
+        // Whatever a component prints is there when it ends the process.
+        "PYTHONUNBUFFERED",
+        "1",
+        "PYTHONDONTWRITEBYTECODE",
+        "1",
+        "PYTHONHASHSEED",
+        "0",
+        "PYTHONUTF8",
+        "1");
+  }
+
+  @Override
+  public List<Path> readable() {
+    List<Path> readable = new ArrayList<>(path);
+    readable.add(environment);
+    readable.addAll(prefixes);
+    return readable;
+  }
+
+  @Override
+  public Optional<String> whereItHangs(String stacks) {
+    List<String> frames = new ArrayList<>();
+    for (String line : stacks.lines().toList()) {
+      Matcher frame = FRAME.matcher(line);
+      if (!frame.matches()) {
+        continue;
+      }
+      Optional<Path> root =
+          path.stream().filter(p -> frame.group(1).startsWith(p + "/")).findFirst();
+      boolean ours = frame.group(1).contains("/sitaf_harness/");
+      if (root.isPresent() && !ours) {
+        frames.add(
+            frame.group(3)
+                + " ("
+                + root.get().relativize(Path.of(frame.group(1)))
+                + ":"
+                + frame.group(2)
+                + ")");
+      }
+    }
+    return frames.isEmpty()
+        ? Optional.empty()
+        : Optional.of(String.join(", ", frames.subList(0, Math.min(FRAMES, frames.size()))));
+  }
+
+  @Override
+  public int overheadMiB() {
+    return OVERHEAD_MIB;
+  }
+}

@@ -1,0 +1,258 @@
+package org.sitaf.agent.toolchain.python;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.regex.Pattern;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.agent.sandbox.Confinement;
+import org.sitaf.agent.sandbox.ProcessLimits;
+import org.sitaf.agent.sandbox.ToolEnd;
+import org.sitaf.agent.toolchain.Compilation;
+import org.sitaf.agent.toolchain.CompilationException;
+import org.sitaf.agent.toolchain.CompiledApplication;
+import org.sitaf.agent.toolchain.SourceDiagnostic;
+import org.sitaf.agent.toolchain.Toolchain;
+import org.sitaf.agent.toolchain.ToolchainLookup;
+import org.sitaf.agent.toolchain.ToolchainLookup.Found;
+import org.sitaf.agent.toolchain.ToolchainLookup.Missing;
+import org.sitaf.agent.toolchain.ToolchainPlaces;
+import org.sitaf.core.activity.ActivityProfile;
+import org.sitaf.core.activity.ActivityProfile.Component;
+import org.sitaf.core.activity.ActivityProfile.Language;
+import org.sitaf.core.activity.FileTree;
+
+/**
+ * Compiles Python test applications to byte code, which finds mistakes before anything runs, and
+ * runs them in an environment with the packages that the component needs.
+ */
+public final class PythonToolchain implements Toolchain {
+  private static final String HARNESS = "harness";
+
+  private final Interpreter interpreter;
+  private final Environments environments;
+
+  private PythonToolchain(Interpreter interpreter, Environments environments) {
+    this.interpreter = interpreter;
+    this.environments = environments;
+  }
+
+  /** Looks for a Python that can make environments, and for the runtime. */
+  public static ToolchainLookup find(ToolchainPlaces places) {
+    Path runtime = places.runtimes().resolve("runtime-python");
+    if (!Files.isDirectory(runtime.resolve("sitaf_runtime"))) {
+      return new Missing(
+          runtime + " does not hold the runtime",
+          "install the agent with its runtime folders beside it");
+    }
+    return Interpreter.find()
+        .<ToolchainLookup>map(
+            found ->
+                new Found(
+                    new PythonToolchain(
+                        found, new Environments(found, runtime, places.cache().resolve("python")))))
+        .orElseGet(
+            () ->
+                new Missing(
+                    "there is no Python 3.11 or newer with venv and pip on the path",
+                    "apt-get install python3 python3-venv"));
+  }
+
+  @Override
+  public Language language() {
+    return Language.PYTHON;
+  }
+
+  @Override
+  public String version() {
+    return "Python " + interpreter.version();
+  }
+
+  @Override
+  public String identity() throws IOException {
+    return environments.identity();
+  }
+
+  @Override
+  public void compile(Compilation compilation)
+      throws CompilationException, InterruptedException, IOException {
+    FileTree activity = compilation.application().activity().files();
+    ActivityProfile profile = compilation.application().activity().profile();
+    Map<String, String> roots = roots(profile);
+    for (Map.Entry<String, String> root : roots.entrySet()) {
+      copy(activity.below(root.getKey()), compilation.output().resolve(root.getValue()));
+    }
+    copy(compilation.application().harness(), compilation.output().resolve(HARNESS));
+    moduleIsThere(compilation, profile.component(), roots);
+
+    Path temporary = Files.createTempDirectory(compilation.scratch(), "compile-");
+    Path python = Environments.python(environment(compilation));
+    ToolEnd end =
+        compilation
+            .sandbox()
+            .run(
+                Confinement.of(
+                        List.of(
+                            python.toString(),
+                            "-I",
+                            "-m",
+                            "sitaf_runtime.compiling",
+                            compilation.output().toString()),
+                        compilation.scratch(),
+                        temporary,
+                        ProcessLimits.TOOL)
+                    .withEnvironment(Map.of("PYTHONUTF8", "1"))
+                    .reading(interpreter.prefixes())
+                    .reading(List.of(python.getParent().getParent()))
+                    .writing(List.of(compilation.output())),
+                compilation.atMost());
+    if (end.gaveUp()) {
+      throw new CompilationException(
+          "the compilation was given up after " + compilation.atMost().toSeconds() + " s",
+          List.of());
+    }
+    List<SourceDiagnostic> mistakes =
+        end.output().lines().map(line -> mistake(line, compilation.output(), roots)).toList();
+    if (!mistakes.isEmpty()) {
+      throw new CompilationException("the sources do not compile", mistakes);
+    }
+    if (end.code() != 0) {
+      throw new IOException(
+          "the compiler of Python ended with " + end.code() + ": " + end.errors());
+    }
+  }
+
+  @Override
+  public CompiledApplication open(Compilation compilation)
+      throws CompilationException, InterruptedException, IOException {
+    ActivityProfile profile = compilation.application().activity().profile();
+    List<Path> path = new ArrayList<>();
+    List<Path> component = new ArrayList<>();
+    path.add(compilation.output().resolve(HARNESS));
+    for (String folder : roots(profile).values()) {
+      component.add(compilation.output().resolve(folder));
+    }
+    path.addAll(component);
+    return new PythonApplication(
+        environment(compilation),
+        path,
+        component,
+        compilation.application().entryPoint(),
+        interpreter.prefixes());
+  }
+
+  private Path environment(Compilation compilation)
+      throws CompilationException, InterruptedException, IOException {
+    Component component = compilation.application().activity().profile().component();
+    return environments.with(
+        Requirements.of(component, compilation.activity()),
+        compilation.scratch(),
+        compilation.atMost(),
+        compilation.sandbox());
+  }
+
+  /**
+   * Folders of the activity that modules are imported from, and what each is called when copied.
+   */
+  private static Map<String, String> roots(ActivityProfile profile) throws CompilationException {
+    Component component = profile.component();
+    Map<String, String> roots = new java.util.LinkedHashMap<>();
+    put(roots, component.adapter(), "adapter");
+    put(roots, component.sources(), "component");
+    if (component.library() != null) {
+      // A package is imported by its own name, from the folder that it lies in.
+      String library = component.library().replaceAll("/+$", "");
+      put(roots, library.substring(0, library.lastIndexOf('/') + 1), "library");
+    }
+    for (int i = 0; i < profile.libraries().size(); i++) {
+      String library = profile.libraries().get(i);
+      if (library.matches(".*\\.(jar|so|whl|zip)")) {
+        throw new CompilationException(
+            "the component's libraries cannot be used",
+            List.of(
+                SourceDiagnostic.ofFile(
+                    "activity/activity.yaml",
+                    "library "
+                        + library
+                        + ": expected a folder of Python modules; name packages in requirements.txt")));
+      }
+      put(roots, library, "library" + (i + 1));
+    }
+    return roots;
+  }
+
+  private static void put(Map<String, String> roots, @Nullable String folder, String name) {
+    if (folder != null) {
+      roots.putIfAbsent(folder.isEmpty() || folder.endsWith("/") ? folder : folder + "/", name);
+    }
+  }
+
+  /** A module that is not there is told before anything runs; what a package holds pip knows. */
+  private static void moduleIsThere(
+      Compilation compilation, Component component, Map<String, String> roots)
+      throws CompilationException, IOException {
+    String qualified = component.className();
+    int dot = qualified.lastIndexOf('.');
+    String module = qualified.substring(0, Math.max(0, dot)).replace('.', '/');
+    String name = qualified.substring(dot + 1);
+    for (String root : roots.values()) {
+      for (String file : List.of(module + ".py", module + "/__init__.py")) {
+        Path source = compilation.output().resolve(root).resolve(file);
+        if (Files.isRegularFile(source)) {
+          if (Pattern.compile("\\b" + Pattern.quote(name) + "\\b")
+              .matcher(Files.readString(source, java.nio.charset.StandardCharsets.ISO_8859_1))
+              .find()) {
+            return;
+          }
+          throw notThere(qualified, file + " does not name " + name);
+        }
+      }
+    }
+    if (component.packageName() == null) {
+      throw notThere(
+          qualified, "there is no " + module + ".py below " + String.join(", ", roots.keySet()));
+    }
+  }
+
+  private static CompilationException notThere(String qualified, String reason) {
+    return new CompilationException(
+        "the component is not there",
+        List.of(
+            SourceDiagnostic.ofFile(
+                "activity/activity.yaml", "component.class: " + qualified + ": " + reason)));
+  }
+
+  /** What the compiler says of a copy, as of the file that it was copied from. */
+  private static SourceDiagnostic mistake(String line, Path output, Map<String, String> roots) {
+    String[] parts = line.split("\t", 4);
+    if (parts.length < 4) {
+      return new SourceDiagnostic("", 0, 0, line, false);
+    }
+    String copy = output.relativize(Path.of(parts[0])).toString();
+    String file = copy;
+    for (Map.Entry<String, String> root : roots.entrySet()) {
+      if (copy.startsWith(root.getValue() + "/")) {
+        file = "activity/" + root.getKey() + copy.substring(root.getValue().length() + 1);
+      }
+    }
+    return new SourceDiagnostic(
+        file,
+        Integer.parseInt(parts[1]),
+        Integer.parseInt(parts[2]),
+        parts[3],
+        copy.startsWith(HARNESS + "/"));
+  }
+
+  private static void copy(FileTree files, Path folder) throws IOException {
+    for (String path : files.paths()) {
+      if (!path.endsWith(".pyc")) {
+        Path target = folder.resolve(path);
+        Files.createDirectories(target.getParent());
+        Files.write(target, files.content(path).orElseThrow());
+      }
+    }
+  }
+}
