@@ -33,7 +33,9 @@ final class LocalBuilds implements AutoCloseable {
   private final AtomicReference<@Nullable BuildRun> current = new AtomicReference<>();
   private final OnExit onExit = new OnExit(this::cancel);
 
-  LocalBuilds(Installation installation, Sandbox sandbox, boolean coverage) throws IOException {
+  LocalBuilds(
+      Installation installation, Sandbox sandbox, boolean coverage, @Nullable Path recordings)
+      throws IOException {
     directory = Files.createTempDirectory("sitaf-run-");
     settings =
         new BuildSettings(
@@ -41,7 +43,8 @@ final class LocalBuilds implements AutoCloseable {
             new Toolchains(new ToolchainPlaces(installation.runtimes(), installation.cache())),
             sandbox,
             coverage,
-            "");
+            "",
+            recordings);
   }
 
   /** In which sandbox components run, or why in none. */

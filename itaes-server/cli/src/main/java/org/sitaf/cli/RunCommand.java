@@ -87,6 +87,13 @@ final class RunCommand implements Callable<Integer> {
       description = "Does not record which lines of the component are reached.")
   private boolean noCoverage;
 
+  @Option(
+      names = "--recording",
+      paramLabel = "FOLDER",
+      description =
+          "Records what moves in each case: FOLDER/MODEL/NO.glb, for any viewer of glTF files.")
+  private @Nullable Path recording;
+
   @Option(names = "--table", description = "Prints every case, not only those that did not pass.")
   private boolean table;
 
@@ -99,7 +106,7 @@ final class RunCommand implements Callable<Integer> {
     List<TestResult> results = new ArrayList<>();
     int exitCode = 0;
     try (LocalBuilds builds =
-        new LocalBuilds(Installation.current(), sandbox.open(), !noCoverage)) {
+        new LocalBuilds(Installation.current(), sandbox.open(), !noCoverage, recording)) {
       err.println("sandbox: " + builds.sandbox());
       err.flush();
       for (TestModel model : models(activity)) {

@@ -110,6 +110,7 @@ public final class BuildRun {
       Execution execution =
           new ParallelExecutor(TestApplicationExecutor.DEFAULT, sessions())
               .execute(request, log, result -> announce(assembler.judge(result)));
+      keepRecording(request);
 
       TestResult result = report(execution, assembler, prepared.bridge(), started);
       return new BuildOutcome.Completed(withCoverage(result, compiled, request, log));
@@ -218,6 +219,7 @@ public final class BuildRun {
         applicationDirectory().resolve("suite.xml"),
         execution,
         execution.resolve("coverage"),
+        settings.recordings() == null ? null : execution.resolve("recording"),
         prepared.world(),
         application.activity().profile().limits());
   }
@@ -231,6 +233,14 @@ public final class BuildRun {
     return profile.parallel() && profile.component().lifeCycle() == LifeCycle.CASE
         ? Runtime.getRuntime().availableProcessors()
         : 1;
+  }
+
+  private void keepRecording(ExecutionRequest request) throws IOException {
+    Path recording = request.recording();
+    Path recordings = settings.recordings();
+    if (recording != null && recordings != null) {
+      Recordings.keep(recording, recordings.resolve(application.model().name()));
+    }
   }
 
   /** Tells what was reached of the component; a tool that fails costs only this. */

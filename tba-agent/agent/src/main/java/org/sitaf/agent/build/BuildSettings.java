@@ -1,6 +1,8 @@
 package org.sitaf.agent.build;
 
+import java.nio.file.Path;
 import java.util.Objects;
+import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.agent.simulation.Simulator;
 import org.sitaf.agent.toolchain.Toolchains;
@@ -13,13 +15,26 @@ import org.sitaf.agent.toolchain.Toolchains;
  * @param coverage whether builds say which lines of the component they reached, where the
  *     language's tool is there
  * @param agent name and version of the agent for the provenance; empty for a local run
+ * @param recordings where a folder of each model goes with a file of each case that shows what
+ *     moved in it; null for none
  */
 public record BuildSettings(
-    Simulator simulator, Toolchains toolchains, Sandbox sandbox, boolean coverage, String agent) {
+    Simulator simulator,
+    Toolchains toolchains,
+    Sandbox sandbox,
+    boolean coverage,
+    String agent,
+    @Nullable Path recordings) {
   public BuildSettings {
     Objects.requireNonNull(simulator);
     Objects.requireNonNull(toolchains);
     Objects.requireNonNull(sandbox);
     Objects.requireNonNull(agent);
+  }
+
+  /** Without recordings. */
+  public BuildSettings(
+      Simulator simulator, Toolchains toolchains, Sandbox sandbox, boolean coverage, String agent) {
+    this(simulator, toolchains, sandbox, coverage, agent, null);
   }
 }

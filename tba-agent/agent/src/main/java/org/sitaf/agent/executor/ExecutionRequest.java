@@ -24,6 +24,8 @@ import org.sitaf.core.suite.TestSuiteXml;
  *     application; created
  * @param coverage where processes leave what they reached of the component, a folder a process;
  *     created when it is needed
+ * @param recording where processes leave what moved in each case; created when it is needed; null
+ *     where it is not asked for
  * @param world null where the activity has none
  */
 public record ExecutionRequest(
@@ -34,6 +36,7 @@ public record ExecutionRequest(
     Path suiteFile,
     Path directory,
     Path coverage,
+    @Nullable Path recording,
     @Nullable World world,
     Limits limits) {
   public ExecutionRequest {
@@ -67,7 +70,7 @@ public record ExecutionRequest(
       TestSuiteXml.write(part, out);
     }
     return new ExecutionRequest(
-        application, sandbox, files, part, file, own, coverage, world, limits);
+        application, sandbox, files, part, file, own, coverage, recording, world, limits);
   }
 
   Path newCoverageFolder() throws IOException {

@@ -73,6 +73,10 @@ final class HarnessProcess implements AutoCloseable {
     SimulatorAddress simulator =
         world == null ? null : new SimulatorAddress(world.simulator().get());
     command.addAll(arguments(request, results, fromCase, simulator));
+    Path recording = simulator == null ? null : request.recording();
+    if (recording != null) {
+      command.addAll(List.of("--recording", Files.createDirectories(recording).toString()));
+    }
     ProcessLimits limits =
         new ProcessLimits(
             memoryMiB + application.overheadMiB(), PROCESSES, FILE_MIB, processorTime(request));
@@ -84,6 +88,9 @@ final class HarnessProcess implements AutoCloseable {
             .writing(List.of(results));
     if (coverage != null) {
       confinement = confinement.writing(List.of(coverage));
+    }
+    if (recording != null) {
+      confinement = confinement.writing(List.of(recording));
     }
     if (simulator != null) {
       confinement = simulator.grantedTo(confinement);
