@@ -21,6 +21,7 @@ import picocli.CommandLine.ExitCode;
     subcommands = {
       GenerateCommand.class,
       DescribeCommand.class,
+      HarnessCommand.class,
       RunCommand.class,
       DemoCommand.class,
       UpCommand.class

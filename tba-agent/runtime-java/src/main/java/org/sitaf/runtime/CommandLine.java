@@ -2,6 +2,7 @@ package org.sitaf.runtime;
 
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Set;
@@ -13,6 +14,7 @@ import org.jspecify.annotations.Nullable;
  * @param bridge gRPC target of the simulator; null where the component needs no simulation
  * @param world the world description; null exactly where there is no simulator
  * @param from the number of the first case to run; 0 for all
+ * @param caseSimulation simulation time that one case may take; null without a bound
  * @param recording where a file of each case goes that shows what moved in it; null for none
  */
 record CommandLine(
@@ -22,13 +24,22 @@ record CommandLine(
     @Nullable Path world,
     long seed,
     int from,
-    @Nullable Path recording) {
+    @Nullable Path recording,
+    @Nullable Duration caseSimulation) {
   static final String USAGE =
       "--suite FILE --results FILE [--bridge TARGET --world FILE.world.yaml] [--seed N] [--from NO]"
-          + " [--recording FOLDER]";
+          + " [--recording FOLDER] [--case-sim SECONDS]";
 
   private static final Set<String> OPTIONS =
-      Set.of("--suite", "--results", "--bridge", "--world", "--seed", "--from", "--recording");
+      Set.of(
+          "--suite",
+          "--results",
+          "--bridge",
+          "--world",
+          "--seed",
+          "--from",
+          "--recording",
+          "--case-sim");
   private static final long DEFAULT_SEED = 1;
 
   /**
@@ -57,7 +68,8 @@ record CommandLine(
         world == null ? null : path(given, "--world"),
         number(given, "--seed", DEFAULT_SEED),
         Math.toIntExact(Math.min(number(given, "--from", 0), Integer.MAX_VALUE)),
-        given.containsKey("--recording") ? path(given, "--recording") : null);
+        given.containsKey("--recording") ? path(given, "--recording") : null,
+        given.containsKey("--case-sim") ? seconds(given.get("--case-sim")) : null);
   }
 
   private static Path path(Map<String, String> given, String option) {
@@ -86,6 +98,18 @@ record CommandLine(
       // Told below, like a negative number.
     }
     throw wrong(option + ": '" + value + "' is not a whole number from 0");
+  }
+
+  private static Duration seconds(String value) {
+    try {
+      double seconds = Double.parseDouble(value);
+      if (seconds > 0 && seconds <= 1e9) {
+        return Duration.ofNanos(Math.round(seconds * 1e9));
+      }
+    } catch (NumberFormatException e) {
+      // Told below, like a number that is not above 0.
+    }
+    throw wrong("--case-sim: '" + value + "' is not a number of seconds above 0");
   }
 
   private static CannotRunException wrong(String problem) {

@@ -5,7 +5,11 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
+import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.runtime.component.CallBeside;
+import org.sitaf.runtime.component.DataPort;
+import org.sitaf.runtime.component.Hooks;
 import org.sitaf.runtime.suite.CaseResult;
 import org.sitaf.runtime.suite.TestCase;
 
@@ -17,11 +21,18 @@ import org.sitaf.runtime.suite.TestCase;
 public abstract class SuiteDriver<C> {
   private final TestRun run;
   private final LifeCycle lifeCycle;
+  private final Hooks hooks;
   private @Nullable C component;
+  private @Nullable Object begun;
   private boolean saved;
 
-  /** A driver within a run. */
-  protected SuiteDriver(TestRun run, LifeCycle lifeCycle) {
+  /**
+   * A driver within a run.
+   *
+   * @param notHooks methods of the component's interfaces, which its life must not call
+   */
+  protected SuiteDriver(TestRun run, LifeCycle lifeCycle, String... notHooks) {
+    this.hooks = new Hooks(notHooks);
     this.run = Objects.requireNonNull(run);
     this.lifeCycle = Objects.requireNonNull(lifeCycle);
   }
@@ -51,6 +62,7 @@ public abstract class SuiteDriver<C> {
     if (current == null) {
       current = createComponent();
       component = current;
+      begin(current);
     }
     return current;
   }
@@ -69,6 +81,32 @@ public abstract class SuiteDriver<C> {
     ComponentUnderTest.setProperty(instance, name, value);
   }
 
+  /**
+   * Initialises and starts a component, where its class has methods named so. A component that
+   * begins its life twice does it once.
+   */
+  protected final void begin(C instance) throws Exception {
+    if (begun != instance) {
+      begun = instance;
+      hooks.begin(instance);
+    }
+  }
+
+  /** Does the work of one period of a periodic component. */
+  protected final void execute(C instance) throws Exception {
+    hooks.execute(instance);
+  }
+
+  /** What the component last sent through an output data port. */
+  protected final @Nullable Object dataPort(C instance, String port) throws Exception {
+    return DataPort.read(instance, port);
+  }
+
+  /** Begins a nonblocking call of the component; it is timed on its own thread. */
+  protected final <T> CallBeside<T> beside(Callable<T> call) {
+    return CallBeside.begin(run.stopwatch(), run.simulationIfAny(), call);
+  }
+
   /** Measures the call under test. */
   protected final Stopwatch stopwatch() {
     return run.stopwatch();
@@ -78,7 +116,7 @@ public abstract class SuiteDriver<C> {
   protected final void save(CaseResult result) throws IOException {
     Stopwatch watch = run.stopwatch();
     result.took(watch.componentMicros(), watch.hardwareMicros(), watch.stubMicros());
-    run.results().save(result);
+    run.save(result);
     saved = true;
   }
 
@@ -100,12 +138,12 @@ public abstract class SuiteDriver<C> {
     }
   }
 
-  /** Closes the component where it can be closed. */
+  /** Ends the life of the component. */
   final void close() throws Exception {
     C last = component;
     component = null;
-    if (last instanceof AutoCloseable closeable) {
-      closeable.close();
+    if (last != null) {
+      hooks.end(last);
     }
   }
 }

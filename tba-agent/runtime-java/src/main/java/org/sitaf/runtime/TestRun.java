@@ -2,11 +2,13 @@ package org.sitaf.runtime;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.Optional;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.runtime.simulation.Simulation;
 import org.sitaf.runtime.simulation.SimulationException;
+import org.sitaf.runtime.stub.Stubbing;
 import org.sitaf.runtime.suite.CaseDataException;
 import org.sitaf.runtime.suite.CaseResult;
 import org.sitaf.runtime.suite.ResultsFile;
@@ -28,6 +30,7 @@ public final class TestRun {
   private final Stopwatch stopwatch = new Stopwatch();
   private final ResultsFile results;
   private final @Nullable Simulation simulation;
+  private final Stubbing stubbing;
 
   private TestRun(ResultsFile results, CommandLine command) throws IOException {
     this.results = results;
@@ -37,6 +40,11 @@ public final class TestRun {
         bridge == null || world == null
             ? null
             : Simulation.open(bridge, world, command.seed(), stopwatch);
+    Duration atMost = command.caseSimulation();
+    if (atMost != null && simulation != null) {
+      simulation.limit(atMost);
+    }
+    this.stubbing = new Stubbing(stopwatch, simulation);
     Path recording = command.recording();
     if (recording != null && simulation != null) {
       simulation.record(recording);
@@ -89,8 +97,19 @@ public final class TestRun {
     return stopwatch;
   }
 
-  ResultsFile results() {
-    return results;
+  /** What the stubbed methods of this run share. */
+  public Stubbing stubbing() {
+    return stubbing;
+  }
+
+  @Nullable Simulation simulationIfAny() {
+    return simulation;
+  }
+
+  /** Writes the result of a case, the calls that it made of its stubs among it. */
+  void save(CaseResult result) throws IOException {
+    stubbing.writeTo(result);
+    results.save(result);
   }
 
   private static ResultsFile openResults(CommandLine command) throws IOException {
@@ -126,6 +145,7 @@ public final class TestRun {
   private void runOne(SuiteDriver<?> driver, TestCase testCase) throws IOException {
     CaseResult result = new CaseResult(testCase);
     stopwatch.reset();
+    stubbing.begin();
     try {
       if (!driver.runAndSave(testCase, result)) {
         throw new CannotRunException(
@@ -137,7 +157,7 @@ public final class TestRun {
             "sitaf: after case " + testCase.no() + ": " + ThrownByComponent.describe(thrown));
       } else {
         end(result, thrown);
-        results.save(result);
+        save(result);
       }
     } finally {
       if (simulation != null) {
@@ -156,6 +176,12 @@ public final class TestRun {
     // A component must not disturb the next case by an interrupt that it left behind.
     Thread.interrupted();
     if (stopwatch.isRunning()) {
+      if (result.expects(thrown)) {
+        stopwatch.stop();
+        result.took(
+            stopwatch.componentMicros(), stopwatch.hardwareMicros(), stopwatch.stubMicros());
+        return;
+      }
       result.endedWith(Verdict.ERROR, ThrownByComponent.describe(thrown));
     } else if (thrown instanceof CannotRunException cannotRun) {
       throw cannotRun;

@@ -203,9 +203,9 @@ final class ModelAgainstActivity {
     List<Method> methods = called.get().methodsNamed(name.group(2));
     if (methods.isEmpty()) {
       error(input.line(), where, name.group(1) + " has no method " + name.group(2));
-    } else if (name.group(3) == null) {
+    } else if (name.group(3) == null && !isVoid(methods.get(0).returnType())) {
       sameType(input.line(), input.name(), input.realType(), methods.get(0).returnType());
-    } else if (parameter(methods.get(0), name.group(3)).isEmpty()) {
+    } else if (name.group(3) != null && parameter(methods.get(0), name.group(3)).isEmpty()) {
       error(input.line(), where, name.group(2) + " has no parameter " + name.group(3));
     }
   }
@@ -215,10 +215,18 @@ final class ModelAgainstActivity {
       String where = "test_element " + output.name();
       switch (output.kind()) {
         case RETURN -> {
-          if (method.returnType().equals(new DataType.Scalar(ScalarType.VOID))) {
+          if (isVoid(method.returnType())) {
             error(output.line(), where, method.name() + " returns nothing");
           } else {
-            sameType(output.line(), output.name(), output.realType(), method.returnType());
+            Optional<DataType> part = MemberPath.resolve(method.returnType(), output.name());
+            if (part.isEmpty()) {
+              error(
+                  output.line(),
+                  where,
+                  method.returnType().spelling() + " has no such member or element");
+            } else {
+              sameType(output.line(), output.name(), output.realType(), part.get());
+            }
           }
         }
         case OUT -> {
@@ -240,6 +248,10 @@ final class ModelAgainstActivity {
         }
       }
     }
+  }
+
+  private static boolean isVoid(DataType type) {
+    return type.equals(new DataType.Scalar(ScalarType.VOID));
   }
 
   /**

@@ -134,7 +134,12 @@ public final class Variables {
       } else {
         Map<String, Object> map = (Map<String, Object>) container;
         String key = (String) path.get(i);
-        if (last || !(map.get(key) instanceof Map || map.get(key) instanceof List)) {
+        Object held = map.get(key);
+        if (!last && held != null && !(held instanceof Map || held instanceof List)) {
+          // What a stub returns stands before an out-parameter of the same method.
+          return;
+        }
+        if (last || held == null) {
           map.put(key, next);
         }
         container = map.get(key);

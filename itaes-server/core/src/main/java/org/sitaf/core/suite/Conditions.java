@@ -28,6 +28,8 @@ import org.sitaf.core.model.Value;
 record Conditions(List<Expression> pre, Map<String, Expression> expected, List<Expression> post) {
   private static final Pattern ERROR = Pattern.compile(Pattern.quote(Value.MARK_OF_ERROR) + "\\w+");
 
+  private static final Pattern QUOTED_ERROR = Pattern.compile("(['\"])" + ERROR + "\\1");
+
   Conditions {
     pre = List.copyOf(pre);
     expected = Map.copyOf(expected);
@@ -68,9 +70,15 @@ record Conditions(List<Expression> pre, Map<String, Expression> expected, List<E
     return new Conditions(pre, expected, post);
   }
 
-  /** The name of an error stands for itself. */
+  /**
+   * The name of an error stands for itself; beside values of another type CEL must be told that the
+   * type of both shows later.
+   */
   private static String expression(String expected) {
-    return ERROR.matcher(expected.strip()).matches() ? '"' + expected.strip() + '"' : expected;
+    String stripped = expected.strip();
+    return ERROR.matcher(stripped).matches()
+        ? '"' + stripped + '"'
+        : QUOTED_ERROR.matcher(expected).replaceAll("dyn($0)");
   }
 
   private record Compilation(String source, Diagnostics diagnostics) {

@@ -20,6 +20,8 @@ final class PassingTime {
 
   private volatile Thread driver = Thread.currentThread();
   private long step;
+  private long mostSteps = Long.MAX_VALUE;
+  private Duration limit = Duration.ZERO;
   private @Nullable Periods periods;
   private @Nullable Thread followed;
   private boolean ended;
@@ -95,8 +97,18 @@ final class PassingTime {
     }
   }
 
+  /** Bounds the time of each case. */
+  synchronized void limit(Duration time) {
+    mostSteps = stepsIn(time);
+    limit = time;
+  }
+
   private void move(long steps) {
     long end = step + steps;
+    if (end > mostSteps) {
+      throw new SimulationException(
+          "the case took more than " + limit.toMillis() / 1e3 + " s of simulation time");
+    }
     while (step < end) {
       awaitFollowed();
       long stop = Math.min(end, nextTick());

@@ -147,6 +147,11 @@ public final class Simulation implements AutoCloseable {
     time.pass(duration);
   }
 
+  /** Bounds the simulation time that one case may take; it is an error to go beyond. */
+  public void limit(Duration ofCase) {
+    time.limit(ofCase);
+  }
+
   /**
    * Calls a periodic component while time passes, until the next case is prepared: after the step
    * that ends at or first after each whole period from now. A tick that lets time pass itself is

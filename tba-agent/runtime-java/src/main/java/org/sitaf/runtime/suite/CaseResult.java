@@ -1,7 +1,9 @@
 package org.sitaf.runtime.suite;
 
+import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
@@ -10,9 +12,16 @@ import org.jspecify.annotations.Nullable;
 
 /** What becomes of one case; the test driver fills it in and saves it. */
 public final class CaseResult {
+  /** Begins an expected value that could not be worked out. */
+  private static final String UNEVALUATED = "!unevaluated:";
+
+  private record Call(String method, List<String> parameters, List<String> arguments) {}
+
   private final TestCase testCase;
   private final Map<String, String> actual = new LinkedHashMap<>();
   private final Set<String> compared = new HashSet<>();
+  private final List<Call> calls = new ArrayList<>();
+  private long furtherCalls;
   private @Nullable ProcessingTime time;
   private Verdict verdict = Verdict.PASS;
   private String message = "";
@@ -48,15 +57,87 @@ public final class CaseResult {
     if (expected.isEmpty()) {
       return;
     }
+    compare(output, expected.get(), value, tolerance);
+  }
+
+  /**
+   * Keeps and compares a part of an output; one that is not there differs.
+   *
+   * @param output such as {@code pose.x} or {@code path[3]}
+   * @param whole the value of the output that the name begins with
+   */
+  public void comparePart(String output, @Nullable Object whole, Tolerance tolerance) {
+    Optional<Object> part = Parts.of(whole, output);
+    Optional<String> expected = testCase.expected(output);
+    record(output, part.orElse(null));
+    if (part.isEmpty() && expected.isPresent()) {
+      compared.add(testCase.expectations().containsKey(output) ? output : "");
+      worsen(
+          Verdict.FAIL, output + ": expected " + expected.get() + ", but there is no such element");
+    } else {
+      expected.ifPresent(literal -> compare(output, literal, part.get(), tolerance));
+    }
+  }
+
+  private void compare(
+      String output, String expected, @Nullable Object value, Tolerance tolerance) {
     compared.add(testCase.expectations().containsKey(output) ? output : "");
+    if (expected.startsWith(UNEVALUATED)) {
+      worsen(
+          Verdict.ERROR,
+          "what is expected has no value:" + expected.substring(UNEVALUATED.length()));
+      return;
+    }
+    if (expected.startsWith(Answer.ERROR)) {
+      String error = expected.substring(Answer.ERROR.length());
+      worsen(
+          Verdict.FAIL, "expected the error " + error + ", but it returned " + Literals.of(value));
+      return;
+    }
     try {
-      Comparison.difference(expected.get(), value, tolerance)
-          .ifPresent(difference -> worsen(Verdict.FAIL, named(output, difference)));
+      Comparison.difference(expected, value, tolerance)
+          .ifPresent(d -> worsen(Verdict.FAIL, named(output, d)));
     } catch (CaseDataException e) {
       worsen(
           Verdict.ERROR,
           named(output, "what is expected cannot be compared with it: " + e.getMessage()));
     }
+  }
+
+  /**
+   * Whether the case expects what the call threw; it is judged by that then, and everything else
+   * that it expects counts as met.
+   */
+  public boolean expects(Throwable thrown) {
+    String literal = Answer.ERROR + thrown.getClass().getSimpleName();
+    for (Map.Entry<String, String> expectation : testCase.expectations().entrySet()) {
+      if (expectation.getValue().equals(literal)) {
+        actual.put(expectation.getKey(), literal);
+        compared.addAll(testCase.expectations().keySet());
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** A value as results spell it. */
+  public static String spelling(@Nullable Object value) {
+    return Literals.of(value);
+  }
+
+  /**
+   * Keeps a call of a required interface.
+   *
+   * @param method {@code Interface.Method}
+   * @param arguments as {@link #spelling} has them, one for each of the parameters
+   */
+  public void called(String method, List<String> parameters, List<String> arguments) {
+    calls.add(new Call(method, parameters, arguments));
+  }
+
+  /** Counts calls that are not kept. */
+  public void calledFurther(long count) {
+    furtherCalls += count;
   }
 
   /** The case did not get as far as a comparison, or not through it. */
@@ -86,6 +167,12 @@ public final class CaseResult {
     testCase.literals().forEach(line::value);
     testCase.expectations().forEach((output, literal) -> line.output("expected", output, literal));
     actual.forEach((output, literal) -> line.output("actual", named ? output : "", literal));
+    for (Call call : calls) {
+      line.call(call.method(), call.parameters(), call.arguments());
+    }
+    if (furtherCalls > 0) {
+      line.callsLeftOut(furtherCalls);
+    }
     if (time != null) {
       line.time(time);
     }
@@ -93,6 +180,12 @@ public final class CaseResult {
       line.message(message);
     }
     return line.close();
+  }
+
+  private String named(String output, Comparison.Difference difference) {
+    return difference.way().isEmpty()
+        ? named(output, difference.text())
+        : output + difference.way() + ": " + difference.text();
   }
 
   private String named(String output, String difference) {

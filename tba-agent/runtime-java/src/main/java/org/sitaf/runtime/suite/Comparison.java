@@ -3,6 +3,7 @@ package org.sitaf.runtime.suite;
 import java.math.BigDecimal;
 import java.math.BigInteger;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 
@@ -14,21 +15,41 @@ import org.jspecify.annotations.Nullable;
  *       NaN, an infinity only itself, and a tolerance never makes an infinity of a finite number.
  *   <li>For a {@code float} the expected number is first rounded to one: {@code 0.1} is expected as
  *       {@code 0.1f}.
- *   <li>Sequences compare element by element; strings, characters and booleans have no tolerance.
+ *   <li>Sequences compare element by element, structs by the members that are expected; strings,
+ *       characters and booleans have no tolerance.
  * </ul>
  */
 final class Comparison {
   private Comparison() {}
 
-  /** The first difference in words; empty when the actual value is as expected. */
-  static Optional<String> difference(
+  /**
+   * The first difference.
+   *
+   * @param way to it within the value, such as {@code [3].x}; empty for the value itself
+   * @param text what differs, in words
+   */
+  record Difference(String way, String text) {
+    private Difference within(String step) {
+      return new Difference(step + way, text);
+    }
+  }
+
+  /** The first difference; empty when the actual value is as expected. */
+  static Optional<Difference> difference(
+      String expected, @Nullable Object actual, Tolerance tolerance) {
+    if (actual != null && actual.getClass().isRecord()) {
+      return structDifference(Literals.members(expected), actual, tolerance);
+    }
+    List<?> elements = actual == null ? null : Literals.elementsOf(actual);
+    return elements == null
+        ? single(expected, actual, tolerance).map(text -> new Difference("", text))
+        : sequenceDifference(Literals.elements(expected), elements, tolerance);
+  }
+
+  private static Optional<String> single(
       String expected, @Nullable Object actual, Tolerance tolerance) {
     if (actual == null) {
       return expected.equals("null") ? Optional.empty() : unequal(expected, null);
-    }
-    List<?> elements = Literals.elementsOf(actual);
-    if (elements != null) {
-      return sequenceDifference(Literals.elements(expected), elements, tolerance);
     }
     if (actual instanceof Float || actual instanceof Double) {
       return realDifference(expected, (Number) actual, tolerance);
@@ -43,17 +64,41 @@ final class Comparison {
     return same ? Optional.empty() : unequal(expected, actual);
   }
 
-  private static Optional<String> sequenceDifference(
+  private static Optional<Difference> structDifference(
+      Map<String, String> expected, Object actual, Tolerance tolerance) {
+    for (var component : actual.getClass().getRecordComponents()) {
+      String literal = expected.remove(component.getName());
+      Optional<Difference> difference =
+          literal == null
+              ? Optional.empty()
+              : difference(literal, Parts.read(component, actual), tolerance);
+      if (difference.isPresent()) {
+        return difference.map(d -> d.within("." + component.getName()));
+      }
+    }
+    if (!expected.isEmpty()) {
+      throw new CaseDataException(
+          actual.getClass().getSimpleName()
+              + " has no member "
+              + String.join(", ", expected.keySet()));
+    }
+    return Optional.empty();
+  }
+
+  private static Optional<Difference> sequenceDifference(
       List<String> expected, List<?> actual, Tolerance tolerance) {
     for (int i = 0; i < Math.min(expected.size(), actual.size()); i++) {
-      Optional<String> difference = difference(expected.get(i), actual.get(i), tolerance);
+      String step = "[" + i + "]";
+      Optional<Difference> difference = difference(expected.get(i), actual.get(i), tolerance);
       if (difference.isPresent()) {
-        return Optional.of("element " + i + ": " + difference.get());
+        return difference.map(d -> d.within(step));
       }
     }
     return expected.size() == actual.size()
         ? Optional.empty()
-        : Optional.of("expected " + expected.size() + " elements, but there are " + actual.size());
+        : Optional.of(
+            new Difference(
+                "", "expected " + expected.size() + " elements, but there are " + actual.size()));
   }
 
   private static Optional<String> realDifference(
@@ -66,10 +111,12 @@ final class Comparison {
     }
     boolean finite = Double.isFinite(expected) && Double.isFinite(actual);
     double apart = Math.abs(actual - expected);
-    if (finite && apart <= tolerance.allowed(expected)) {
+    double unit = value instanceof Float ? Math.ulp((float) expected) : Math.ulp(expected);
+    double allowed = tolerance.allowed(expected, unit);
+    if (finite && apart <= allowed) {
       return Optional.empty();
     }
-    return finite ? outside(literal, value, apart, tolerance, expected) : unequal(literal, value);
+    return finite ? outside(literal, value, apart, tolerance, allowed) : unequal(literal, value);
   }
 
   private static Optional<String> wholeDifference(
@@ -86,16 +133,14 @@ final class Comparison {
             .add(new BigDecimal(tolerance.relative()).multiply(expected.abs()));
     return apart.compareTo(allowed) <= 0
         ? Optional.empty()
-        : outside(literal, value, apart.doubleValue(), tolerance, expected.doubleValue());
+        : outside(literal, value, apart.doubleValue(), tolerance, allowed.doubleValue());
   }
 
   private static Optional<String> outside(
-      String literal, Number actual, double apart, Tolerance tolerance, double expected) {
+      String literal, Number actual, double apart, Tolerance tolerance, double allowed) {
     String text = "expected " + literal + ", but was " + actual;
     return Optional.of(
-        tolerance.isExact()
-            ? text
-            : text + " (differs by " + apart + ", allowed " + tolerance.allowed(expected) + ")");
+        tolerance.isExact() ? text : text + " (differs by " + apart + ", allowed " + allowed + ")");
   }
 
   private static Optional<String> unequal(String expected, @Nullable Object actual) {

@@ -1,17 +1,21 @@
 package org.sitaf.runtime.suite;
 
 import java.lang.reflect.Array;
+import java.lang.reflect.RecordComponent;
 import java.math.BigDecimal;
+import java.math.BigInteger;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.StringJoiner;
 import org.jspecify.annotations.Nullable;
 
 /**
  * Values as documents spell them: numbers in decimal, {@code NaN}, {@code Infinity} and {@code
  * -Infinity}, {@code true} and {@code false}, strings as they are, and sequences as {@code [1.0,
- * 2.5]} with strings inside them in double quotes.
+ * 2.5]}, structs as <code>{x: 1.0}</code>, with strings inside them in double quotes.
  */
 final class Literals {
   private Literals() {}
@@ -70,43 +74,87 @@ final class Literals {
     return literal.charAt(0);
   }
 
-  /**
-   * The elements of {@code [a, b]}; a quoted element may hold commas, brackets and escaped quotes.
-   */
-  static List<String> elements(String literal) {
-    String text = literal.strip();
-    if (text.length() < 2 || text.charAt(0) != '[' || text.charAt(text.length() - 1) != ']') {
-      throw new CaseDataException("'" + literal + "' is not a sequence such as [1, 2]");
+  static BigInteger big(String literal) {
+    try {
+      return decimal(literal).toBigIntegerExact();
+    } catch (ArithmeticException e) {
+      throw new CaseDataException("'" + literal + "' is not a whole number", e);
     }
-    List<String> elements = new ArrayList<>();
-    StringBuilder element = new StringBuilder();
+  }
+
+  /** The elements of {@code [a, b]}, texts without their quotes. */
+  static List<String> elements(String literal) {
+    return parts(literal, '[', ']', "a sequence such as [1, 2]").stream()
+        .map(Literals::unquoted)
+        .toList();
+  }
+
+  /** The members of <code>{x: 1.0, y: 2.0}</code> in their order, texts without their quotes. */
+  static Map<String, String> members(String literal) {
+    String example = "a struct such as {x: 1.0, y: 2.0}";
+    Map<String, String> members = new LinkedHashMap<>();
+    for (String part : parts(literal, '{', '}', example)) {
+      int colon = part.indexOf(':');
+      if (colon < 0) {
+        throw new CaseDataException("'" + literal + "' is not " + example);
+      }
+      members.put(part.substring(0, colon).strip(), unquoted(part.substring(colon + 1).strip()));
+    }
+    return members;
+  }
+
+  /** What stands between commas; quotes, brackets and braces hold their commas together. */
+  private static List<String> parts(String literal, char open, char close, String example) {
+    String text = literal.strip();
+    if (text.length() < 2 || text.charAt(0) != open || text.charAt(text.length() - 1) != close) {
+      throw new CaseDataException("'" + literal + "' is not " + example);
+    }
+    List<String> parts = new ArrayList<>();
+    int from = 1;
+    int depth = 0;
     boolean quoted = false;
-    boolean wasQuoted = false;
     for (int i = 1; i < text.length() - 1; i++) {
       char c = text.charAt(i);
-      if (quoted && c == '\\' && i + 1 < text.length() - 1) {
-        element.append(text.charAt(++i));
-      } else if (c == '"') {
-        quoted = !quoted;
-        wasQuoted = true;
-      } else if (c == ',' && !quoted) {
-        elements.add(wasQuoted ? element.toString() : element.toString().strip());
-        element.setLength(0);
-        wasQuoted = false;
-      } else if (quoted || !wasQuoted || !Character.isWhitespace(c)) {
-        if (!quoted && element.isEmpty() && Character.isWhitespace(c)) {
-          continue;
+      if (quoted) {
+        i += c == '\\' ? 1 : 0;
+        quoted = c != '"';
+      } else {
+        switch (c) {
+          case '"' -> quoted = true;
+          case '[', '{' -> depth++;
+          case ']', '}' -> depth--;
+          case ',' -> {
+            if (depth == 0) {
+              parts.add(text.substring(from, i).strip());
+              from = i + 1;
+            }
+          }
+          default -> {}
         }
-        element.append(c);
       }
     }
     if (quoted) {
       throw new CaseDataException("'" + literal + "' has a quote that does not end");
     }
-    if (!elements.isEmpty() || wasQuoted || !element.toString().isBlank()) {
-      elements.add(wasQuoted ? element.toString() : element.toString().strip());
+    String last = text.substring(from, text.length() - 1).strip();
+    if (!parts.isEmpty() || !last.isEmpty()) {
+      parts.add(last);
     }
-    return elements;
+    return parts;
+  }
+
+  private static String unquoted(String part) {
+    if (part.length() < 2 || part.charAt(0) != '"' || !part.endsWith("\"")) {
+      return part;
+    }
+    StringBuilder text = new StringBuilder();
+    for (int i = 1; i < part.length() - 1; i++) {
+      if (part.charAt(i) == '\\' && i + 1 < part.length() - 1) {
+        i++;
+      }
+      text.append(part.charAt(i));
+    }
+    return text.toString();
   }
 
   /** The spelling of a value that a component gave. */
@@ -117,18 +165,24 @@ final class Literals {
     if (value instanceof Enum<?> constant) {
       return constant.name();
     }
+    if (value.getClass().isRecord()) {
+      StringJoiner text = new StringJoiner(", ", "{", "}");
+      for (RecordComponent component : value.getClass().getRecordComponents()) {
+        text.add(component.getName() + ": " + nested(Parts.read(component, value)));
+      }
+      return text.toString();
+    }
     List<?> elements = elementsOf(value);
     if (elements == null) {
       return value.toString();
     }
     StringJoiner text = new StringJoiner(", ", "[", "]");
-    for (Object element : elements) {
-      text.add(
-          element instanceof CharSequence || element instanceof Character
-              ? quote(element)
-              : of(element));
-    }
+    elements.forEach(element -> text.add(nested(element)));
     return text.toString();
+  }
+
+  private static String nested(@Nullable Object value) {
+    return value instanceof CharSequence || value instanceof Character ? quote(value) : of(value);
   }
 
   /** The elements of an array or a collection; null for anything else. */

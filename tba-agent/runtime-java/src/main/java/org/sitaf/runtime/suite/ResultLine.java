@@ -1,5 +1,6 @@
 package org.sitaf.runtime.suite;
 
+import java.util.List;
 import java.util.Locale;
 
 /**
@@ -40,6 +41,21 @@ final class ResultLine {
             time.hardware(),
             time.stub(),
             time.component()));
+  }
+
+  /** A call of a required interface. */
+  void call(String method, List<String> parameters, List<String> arguments) {
+    xml.append("<call method=\"");
+    escape(method);
+    xml.append("\">");
+    for (int i = 0; i < Math.min(parameters.size(), arguments.size()); i++) {
+      element("argument", parameters.get(i), arguments.get(i));
+    }
+    xml.append("</call>");
+  }
+
+  void callsLeftOut(long count) {
+    element("calls_left_out", "", Long.toString(count));
   }
 
   void message(String text) {

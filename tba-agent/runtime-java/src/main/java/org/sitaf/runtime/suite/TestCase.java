@@ -1,11 +1,13 @@
 package org.sitaf.runtime.suite;
 
 import java.math.BigInteger;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
 
 /**
  * One test case: values by the names of the suite's parameters, and what is expected of the
@@ -66,7 +68,7 @@ public final class TestCase {
   }
 
   public BigInteger bigIntegerValue(String parameter) {
-    return read(parameter, TestCase::bigInteger);
+    return read(parameter, Literals::big);
   }
 
   public float floatValue(String parameter) {
@@ -120,7 +122,7 @@ public final class TestCase {
   }
 
   public BigInteger[] bigIntegerArray(String parameter) {
-    return elements(parameter, TestCase::bigInteger).toArray(BigInteger[]::new);
+    return elements(parameter, Literals::big).toArray(BigInteger[]::new);
   }
 
   public float[] floatArray(String parameter) {
@@ -156,6 +158,35 @@ public final class TestCase {
 
   public String[] stringArray(String parameter) {
     return elements(parameter, Function.identity()).toArray(String[]::new);
+  }
+
+  /** A value of a generated type: an enumeration, a record, or an array. */
+  public <T> T value(String parameter, Class<T> type) {
+    return type.cast(read(parameter, literal -> Conversion.convert(literal, type)));
+  }
+
+  /**
+   * What a stubbed method or an out-parameter of one answers: the parameters of this name and of
+   * this name with {@code #2} and so on.
+   *
+   * @param type the boxed type
+   * @param unset where the suite has none, or a delay alone
+   */
+  public <T> Answers<T> answers(String name, Class<T> type, @Nullable T unset) {
+    Map<Integer, Answer<T>> fromCall = new HashMap<>();
+    for (String parameter : values.keySet()) {
+      boolean first = parameter.equals(name);
+      if (first || parameter.startsWith(name + "#")) {
+        int call = first ? 1 : Integer.parseInt(parameter.substring(name.length() + 1));
+        fromCall.put(
+            call,
+            read(
+                parameter,
+                literal ->
+                    Answer.read(literal, unset, l -> type.cast(Conversion.convert(l, type)))));
+      }
+    }
+    return new Answers<>(unset, fromCall);
   }
 
   /** All literals in the suite's order. */
@@ -199,14 +230,6 @@ public final class TestCase {
       return reading.apply(literal);
     } catch (CaseDataException e) {
       throw new CaseDataException(parameter + ": " + e.getMessage(), e);
-    }
-  }
-
-  private static BigInteger bigInteger(String literal) {
-    try {
-      return Literals.decimal(literal).toBigIntegerExact();
-    } catch (ArithmeticException e) {
-      throw new CaseDataException("'" + literal + "' is not a whole number", e);
     }
   }
 }

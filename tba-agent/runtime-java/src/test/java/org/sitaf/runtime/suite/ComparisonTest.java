@@ -13,7 +13,11 @@ class ComparisonTest {
   private static final Tolerance EXACT = Tolerance.EXACT;
 
   private static Optional<String> difference(String expected, Object actual) {
-    return Comparison.difference(expected, actual, EXACT);
+    return Comparison.difference(expected, actual, EXACT).map(ComparisonTest::spelled);
+  }
+
+  private static String spelled(Comparison.Difference difference) {
+    return (difference.way().isEmpty() ? "" : difference.way() + ": ") + difference.text();
   }
 
   @Test
@@ -85,11 +89,58 @@ class ComparisonTest {
 
   @Test
   void theMessageNamesTheFirstDifferenceOfASequence() {
-    assertThat(Comparison.difference("[1, 2.5, 3]", new double[] {1, 2, 4}, new Tolerance(0.1, 0)))
-        .contains("element 1: expected 2.5, but was 2.0 (differs by 0.5, allowed 0.1)");
+    double[] actual = {1, 2, 4};
+    assertThat(
+            Comparison.difference("[1, 2.5, 3]", actual, new Tolerance(0.1, 0))
+                .map(ComparisonTest::spelled))
+        .contains("[1]: expected 2.5, but was 2.0 (differs by 0.5, allowed 0.1)");
     assertThat(difference("[1, 2]", List.of(1))).contains("expected 2 elements, but there are 1");
     assertThat(difference("[]", new int[0])).isEmpty();
     assertThat(difference("[1, 2]", new int[] {1, 2})).isEmpty();
+  }
+
+  /** As it is generated for a struct of an interface. */
+  record Point(double x, double y) {
+    Point() {
+      this(0, 0);
+    }
+  }
+
+  /** A struct within a struct, and a sequence of structs. */
+  record Leg(Point from, Point[] via, String name) {}
+
+  @Test
+  void structsCompareByTheMembersThatAreExpectedAndNameTheWayToTheDifference() {
+    Leg leg = new Leg(new Point(1, 2), new Point[] {new Point(), new Point(3, 4)}, "a, }b");
+    assertThat(Literals.of(leg))
+        .isEqualTo(
+            "{from: {x: 1.0, y: 2.0}, via: [{x: 0.0, y: 0.0}, {x: 3.0, y: 4.0}], name: \"a, }b\"}");
+    assertThat(difference(Literals.of(leg), leg)).isEmpty();
+    assertThat(difference("{name: \"a, }b\", via: [{}, {y: 4}]}", leg)).isEmpty();
+    assertThat(difference("{via: [{}, {y: 5}]}", leg))
+        .contains("via[1].y: expected 5, but was 4.0".replaceFirst("^", "."));
+    assertThatThrownBy(() -> difference("{z: 1}", leg))
+        .isInstanceOf(CaseDataException.class)
+        .hasMessageContaining("Leg has no member z");
+  }
+
+  @Test
+  void unitsInTheLastPlaceAreThoseOfTheExpectedNumber() {
+    Tolerance two = new Tolerance(0, 0, 2);
+    Random random = new Random(4);
+    for (int i = 0; i < 1000; i++) {
+      double expected = random.nextGaussian() * Math.pow(10, random.nextInt(40) - 20);
+      String literal = Double.toString(expected);
+      double near = expected + 2 * Math.ulp(expected);
+      assertThat(Comparison.difference(literal, near, two)).as(literal).isEmpty();
+      assertThat(Comparison.difference(literal, expected + 3 * Math.ulp(expected), two))
+          .isPresent();
+      float single = (float) expected;
+      String singleLiteral = Float.toString(single);
+      assertThat(Comparison.difference(singleLiteral, single + 2 * Math.ulp(single), two))
+          .isEmpty();
+    }
+    assertThat(Comparison.difference("5", 6, two)).isPresent();
   }
 
   @Test

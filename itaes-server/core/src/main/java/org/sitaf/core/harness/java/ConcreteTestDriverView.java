@@ -25,11 +25,7 @@ record ConcreteTestDriverView(
     imports.add("org.sitaf.runtime.TestRun");
     imports.add("org.sitaf.runtime.suite.TestCase");
     TestDriverView.addTypesOfCall(plan, imports);
-    if (plan.before().stream()
-        .flatMap(c -> c.arguments().stream())
-        .anyMatch(a -> a.startsWith("new BigInteger("))) {
-      imports.add("java.math.BigInteger");
-    }
+    plan.before().forEach(c -> imports.addAll(c.imports()));
     return new ConcreteTestDriverView(
         plan.packageName(),
         imports,
@@ -70,6 +66,7 @@ record ConcreteTestDriverView(
                         "",
                         "setProperty",
                         List.of("component", JavaText.string(name), JavaText.string(value)))));
+    statements.add("    begin(component);");
     plan.before()
         .forEach(
             c -> statements.add(JavaText.call(4, "", "component." + c.method(), c.arguments())));

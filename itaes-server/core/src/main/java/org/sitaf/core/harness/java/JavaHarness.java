@@ -12,8 +12,10 @@ import java.util.Map;
 import java.util.Objects;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.diagnostic.Diagnostics;
+import org.sitaf.core.harness.java.plan.JavaDeclaredType;
 import org.sitaf.core.harness.java.plan.JavaPlan;
 import org.sitaf.core.harness.java.plan.JavaPlanner;
+import org.sitaf.core.harness.java.plan.JavaType;
 import org.sitaf.core.harness.plan.HarnessPlan;
 import org.sitaf.core.harness.plan.HarnessWriter;
 
@@ -23,6 +25,8 @@ import org.sitaf.core.harness.plan.HarnessWriter;
  */
 public final class JavaHarness implements HarnessWriter {
   private static final String CONCRETE = "ConcreteTestDriver";
+
+  private static final String INTERFACES = JavaType.INTERFACES.replace('.', '/') + "/";
 
   private static final Mustache.Compiler TEMPLATES = Mustache.compiler().escapeHTML(false);
 
@@ -40,10 +44,16 @@ public final class JavaHarness implements HarnessWriter {
         print("SimulationControl", SimulationControlView.of(plan)));
     files.put(folder + "TestStub.java", print("TestStub", TestStubView.of(plan)));
     files.put(editableFile(plan.modelName()), print(CONCRETE, ConcreteTestDriverView.of(plan)));
-    for (JavaPlan.Stub stub : plan.stubs()) {
+    for (JavaPlan.Interface described : plan.interfaces()) {
       files.put(
-          "sitaf/interfaces/" + stub.name() + ".java",
-          print("RequiredInterface", RequiredInterfaceView.of(stub)));
+          INTERFACES + described.name() + ".java", print("Interface", InterfaceView.of(described)));
+    }
+    for (JavaDeclaredType type : plan.types()) {
+      files.put(
+          INTERFACES + type.name() + ".java", print("DeclaredType", DeclaredTypeView.of(type)));
+    }
+    for (String error : plan.errors()) {
+      files.put(INTERFACES + error + ".java", print("DeclaredError", Map.of("name", error)));
     }
     return FileTree.of(files);
   }

@@ -13,6 +13,8 @@ record SimulationControlView(
     String documentation,
     String settle,
     String runFor,
+    String period,
+    boolean periodic,
     boolean runsOn,
     boolean observes,
     boolean hasSettings,
@@ -24,9 +26,10 @@ record SimulationControlView(
     World world = plan.world();
     if (world == null) {
       return new SimulationControlView(
-          plan.packageName(), false, "", "", "", false, false, false, "", "", List.of());
+          plan.packageName(), false, "", "", "", "", false, false, false, false, "", "", List.of());
     }
     List<World.Setting> settings = world.settings();
+    Duration period = plan.period();
     return new SimulationControlView(
         plan.packageName(),
         true,
@@ -39,13 +42,17 @@ record SimulationControlView(
             List.of()),
         duration(world.settle()),
         duration(world.runFor()),
+        period == null ? "" : duration(period),
+        period != null,
         runsOn(plan),
         plan.observes(),
         !settings.isEmpty(),
         JavaText.javadoc(
             2,
             List.of(
-                "Puts the world into the state of a case, from a clean reset, and lets it settle."),
+                period == null
+                    ? "Puts the world into the state of a case, from a clean reset, and lets it settle."
+                    : "Puts the world into the state of a case, from a clean reset."),
             settings.stream().map(s -> "@param " + s.local() + " " + s.documentation()).toList()),
         JavaText.declaration(
             2,

@@ -7,9 +7,9 @@ import java.util.TreeSet;
 import java.util.stream.Stream;
 import org.sitaf.core.description.Direction;
 import org.sitaf.core.harness.java.plan.JavaPlan;
+import org.sitaf.core.harness.java.plan.JavaPlan.Answered;
 import org.sitaf.core.harness.java.plan.JavaPlan.Argument;
 import org.sitaf.core.harness.java.plan.JavaPlan.Output;
-import org.sitaf.core.harness.java.plan.JavaPlan.StubMethod;
 import org.sitaf.core.harness.java.plan.JavaPlan.World;
 import org.sitaf.core.harness.java.plan.JavaText;
 import org.sitaf.core.harness.java.plan.JavaType;
@@ -21,7 +21,7 @@ record TestDriverView(
     SortedSet<String> imports,
     String documentation,
     String component,
-    String lifeCycle,
+    String superCall,
     String simulation,
     String stubbing,
     String newComponent,
@@ -32,6 +32,10 @@ record TestDriverView(
     String prepareStub,
     String call,
     boolean runOn,
+    boolean periodic,
+    boolean beside,
+    String begin,
+    String outcome,
     List<String> outputs) {
 
   static TestDriverView of(JavaPlan plan) {
@@ -40,9 +44,16 @@ record TestDriverView(
         imports(plan),
         documentation(plan),
         plan.component(),
-        plan.suiteLife() ? "SUITE" : "CASE",
+        JavaText.call(
+            4,
+            "",
+            "super",
+            Stream.concat(
+                    Stream.of("run", "LifeCycle." + (plan.suiteLife() ? "SUITE" : "CASE")),
+                    plan.notHooks().stream().map(JavaText::string))
+                .toList()),
         plan.world() == null ? "" : "run.simulation()",
-        plan.stubs().isEmpty() ? "" : "run.stopwatch()",
+        plan.stubs().isEmpty() ? "" : "run.stubbing()",
         JavaText.call(4, "return", "newComponent", newComponentArguments(plan)),
         JavaText.javadoc(
             2,
@@ -55,14 +66,19 @@ record TestDriverView(
         reads(plan),
         JavaText.call(4, "", "simulationControl.prepare", settings(plan)),
         JavaText.call(
-            4, "", "testStub.prepare", plan.answers().stream().map(StubMethod::field).toList()),
+            4, "", "testStub.prepare", plan.answers().stream().map(Answered::local).toList()),
         JavaText.call(
             4,
             plan.returns() == null ? "" : plan.returnName() + " returned =",
             "call",
-            Stream.concat(Stream.of("component"), plan.arguments().stream().map(Argument::local))
-                .toList()),
+            callArguments(plan)),
         SimulationControlView.runsOn(plan),
+        plan.period() != null,
+        plan.beside(),
+        begin(plan),
+        plan.returns() == null
+            ? "    pending.outcome();"
+            : "    " + plan.returnName() + " returned = pending.outcome();",
         plan.outputs().stream().map(TestDriverView::output).toList());
   }
 
@@ -77,24 +93,55 @@ record TestDriverView(
     return JavaText.declaration(2, modifiers + plan.returnName() + " call", parameters, true, end);
   }
 
+  private static List<String> callArguments(JavaPlan plan) {
+    return Stream.concat(Stream.of("component"), plan.arguments().stream().map(Argument::local))
+        .toList();
+  }
+
+  /** A nonblocking call: begun here, its outcome collected after time has passed. */
+  private static String begin(JavaPlan plan) {
+    String call = "call(" + String.join(", ", callArguments(plan)) + ")";
+    JavaType returns = plan.returns();
+    return returns == null
+        ? JavaText.call(
+            4,
+            "CallBeside<Void> pending =",
+            "beside",
+            List.of("() -> {\n          " + call + ";\n          return null;\n        }"))
+        : JavaText.call(
+            4, "CallBeside<" + returns.boxed() + "> pending =", "beside", List.of("() -> " + call));
+  }
+
   private static SortedSet<String> imports(JavaPlan plan) {
     SortedSet<String> imports = new TreeSet<>();
-    for (String type : List.of("LifeCycle", "Stopwatch", "SuiteDriver", "TestRun")) {
+    for (String type : List.of("LifeCycle", "SuiteDriver", "TestRun")) {
       imports.add("org.sitaf.runtime." + type);
     }
+    imports.add(
+        plan.beside() ? "org.sitaf.runtime.component.CallBeside" : "org.sitaf.runtime.Stopwatch");
     imports.add("org.sitaf.runtime.suite.CaseResult");
     imports.add("org.sitaf.runtime.suite.TestCase");
     if (plan.outputs().stream().anyMatch(o -> o.tolerance() != null)) {
       imports.add("org.sitaf.runtime.suite.Tolerance");
     }
     addTypesOfCall(plan, imports);
-    if (plan.answers().stream().anyMatch(a -> a.returnName().startsWith("BigInteger"))) {
-      imports.add("java.math.BigInteger");
+    plan.arguments().forEach(a -> a.reads().forEach(r -> imports.addAll(r.type().imports())));
+    if (!plan.answers().isEmpty()) {
+      imports.add("org.sitaf.runtime.suite.Answers");
     }
+    plan.answers().forEach(a -> imports.addAll(a.imports()));
+    // Parts of a struct are made of structs that nothing else names.
+    plan.arguments().stream()
+        .filter(a -> !a.reads().isEmpty())
+        .forEach(
+            a ->
+                plan.types().stream()
+                    .filter(t -> a.value().matches(".*\\b" + t.name() + "\\b.*"))
+                    .forEach(t -> imports.add(JavaType.INTERFACES + "." + t.name())));
     return imports;
   }
 
-  /** What the head of the call needs: the component, out-parameters, wide integers. */
+  /** What the head of the call needs: the component, out-parameters, types of the interfaces. */
   static void addTypesOfCall(JavaPlan plan, SortedSet<String> imports) {
     if (plan.componentImport() != null) {
       imports.add(plan.componentImport());
@@ -102,12 +149,10 @@ record TestDriverView(
     if (plan.arguments().stream().anyMatch(a -> a.direction() != Direction.IN)) {
       imports.add("org.sitaf.runtime.Out");
     }
-    boolean wide =
-        plan.returnName().startsWith("BigInteger")
-            || plan.arguments().stream().anyMatch(a -> a.type().name().startsWith("BigInteger"));
-    if (wide) {
-      imports.add("java.math.BigInteger");
+    if (plan.returns() != null) {
+      imports.addAll(plan.returns().imports());
     }
+    plan.arguments().forEach(a -> imports.addAll(a.type().imports()));
   }
 
   private static String documentation(JavaPlan plan) {
@@ -139,37 +184,60 @@ record TestDriverView(
   private static List<String> reads(JavaPlan plan) {
     List<String> reads = new ArrayList<>();
     for (Argument argument : plan.arguments()) {
-      if (argument.direction() == Direction.IN) {
+      argument.reads().forEach(r -> reads.add(read(r.type(), r.local(), r.column())));
+      String value = argument.value();
+      if (argument.direction() != Direction.IN) {
         reads.add(
-            read(
-                argument.type().name(),
-                argument.local(),
-                argument.type().accessor(),
-                argument.name()));
-      } else if (argument.given()) {
-        String value =
-            "testCase." + argument.type().accessor() + "(" + JavaText.string(argument.name()) + ")";
-        reads.add(JavaText.call(4, argument.parameter() + " =", "new Out<>", List.of(value)));
-      } else {
-        reads.add(JavaText.call(4, argument.parameter() + " =", "new Out<>", List.of()));
+            JavaText.call(
+                4,
+                argument.parameter() + " =",
+                "new Out<>",
+                value == null ? List.of() : List.of(value)));
+      } else if (value != null) {
+        reads.add(
+            value.startsWith("testCase.")
+                ? read(argument.type(), argument.local(), argument.name())
+                : assigned(argument.parameter(), value));
       }
     }
     if (plan.world() != null) {
       plan.world()
           .settings()
-          .forEach(s -> reads.add(read("double", s.local(), "doubleValue", s.name())));
+          .forEach(
+              s ->
+                  reads.add(
+                      JavaText.call(
+                          4,
+                          "double " + s.local() + " =",
+                          "testCase.doubleValue",
+                          List.of(JavaText.string(s.name())))));
     }
-    for (StubMethod answer : plan.answers()) {
-      JavaType type = java.util.Objects.requireNonNull(answer.returns());
-      String name = java.util.Objects.requireNonNull(answer.answer());
-      reads.add(read(type.name(), answer.field(), type.accessor(), name));
+    for (Answered answer : plan.answers()) {
+      reads.add(
+          JavaText.call(
+              4,
+              "Answers<" + answer.boxed() + "> " + answer.local() + " =",
+              "testCase.answers",
+              List.of(JavaText.string(answer.column()), answer.boxed() + ".class", answer.zero())));
     }
     return reads;
   }
 
-  private static String read(String type, String local, String accessor, String name) {
+  private static String assigned(String declaration, String value) {
+    int open = value.indexOf('(');
+    boolean call = open > 0 && value.endsWith(")") && !value.substring(0, open).contains("[");
+    return call
+        ? JavaText.call(
+            4,
+            declaration + " =",
+            value.substring(0, open),
+            List.of(value.substring(open + 1, value.length() - 1)))
+        : "    " + declaration + " = " + value + ";";
+  }
+
+  private static String read(JavaType type, String local, String column) {
     return JavaText.call(
-        4, type + " " + local + " =", "testCase." + accessor, List.of(JavaText.string(name)));
+        4, type.name() + " " + local + " =", "testCase." + type.accessor(), type.reading(column));
   }
 
   private static String output(Output output) {
@@ -187,6 +255,10 @@ record TestDriverView(
                 + tolerance.relative()
                 + (tolerance.ulp() == 0 ? "" : ", " + tolerance.ulp())
                 + ")";
-    return JavaText.call(4, "", "result.compare", List.of(name, output.expression(), within));
+    return JavaText.call(
+        4,
+        "",
+        output.part() ? "result.comparePart" : "result.compare",
+        List.of(name, output.expression(), within));
   }
 }

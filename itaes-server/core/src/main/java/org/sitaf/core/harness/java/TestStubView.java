@@ -1,13 +1,16 @@
 package org.sitaf.core.harness.java;
 
+import java.util.ArrayList;
 import java.util.List;
-import java.util.Objects;
 import java.util.SortedSet;
 import java.util.TreeSet;
-import java.util.stream.Stream;
+import java.util.stream.IntStream;
+import org.sitaf.core.description.Direction;
 import org.sitaf.core.harness.java.plan.JavaPlan;
+import org.sitaf.core.harness.java.plan.JavaPlan.JavaParameter;
 import org.sitaf.core.harness.java.plan.JavaPlan.Stub;
 import org.sitaf.core.harness.java.plan.JavaPlan.StubMethod;
+import org.sitaf.core.harness.java.plan.JavaPlan.StubOut;
 import org.sitaf.core.harness.java.plan.JavaText;
 import org.sitaf.core.harness.java.plan.JavaType;
 
@@ -29,55 +32,80 @@ record TestStubView(
   /**
    * A method of it.
    *
-   * @param body the statement inside, where the method returns something
+   * @param body the statements inside
    * @param last whether no method follows
    */
-  record Answer(String declaration, boolean hasBody, String body, boolean last) {}
+  record Answer(String declaration, List<String> body, boolean last) {}
 
   static TestStubView of(JavaPlan plan) {
-    List<StubMethod> returning =
-        plan.stubs().stream()
-            .flatMap(s -> s.methods().stream())
-            .filter(m -> m.returns() != null)
-            .toList();
-    List<StubMethod> answers = plan.answers();
+    List<StubMethod> methods = plan.stubs().stream().flatMap(s -> s.methods().stream()).toList();
+    List<StubOut> outs = methods.stream().flatMap(m -> m.outs().stream()).toList();
+    List<String> fields = new ArrayList<>();
+    List<String> initialisations = new ArrayList<>();
+    methods.forEach(
+        m -> {
+          fields.add("  private final StubbedMethod<" + m.boxed() + "> " + m.field() + ";");
+          initialisations.add(initialisation(m));
+        });
+    outs.forEach(
+        o -> {
+          JavaType type = o.parameter().type();
+          fields.add("  private final StubbedOut<" + type.boxed() + "> " + o.field() + ";");
+          initialisations.add(
+              JavaText.call(
+                  4, "this." + o.field() + " =", "new StubbedOut<>", List.of(type.zero())));
+        });
+    var answers = plan.answers();
     return new TestStubView(
         plan.packageName(),
         !plan.stubs().isEmpty(),
-        imports(plan, returning),
-        returning.stream()
-            .map(m -> "  private final StubbedMethod<" + type(m).boxed() + "> " + m.field() + ";")
-            .toList(),
-        returning.stream()
-            .map(
-                m ->
-                    JavaText.call(
-                        4,
-                        m.field() + " =",
-                        "new StubbedMethod<>",
-                        List.of("stopwatch", type(m).zero())))
-            .toList(),
+        imports(plan, methods, outs),
+        fields,
+        initialisations,
         plan.stubs().stream().map(TestStubView::answering).toList(),
         JavaText.declaration(
             2,
             "void prepare",
-            answers.stream().map(m -> type(m).name() + " " + m.field()).toList(),
+            answers.stream().map(a -> "Answers<" + a.boxed() + "> " + a.local()).toList(),
             false,
             answers.isEmpty() ? " {}" : " {"),
         !answers.isEmpty(),
         answers.stream()
-            .map(m -> JavaText.call(4, "", "this." + m.field() + ".answerWith", List.of(m.field())))
+            .map(a -> JavaText.call(4, "", "this." + a.local() + ".answerWith", List.of(a.local())))
             .toList());
   }
 
-  private static SortedSet<String> imports(JavaPlan plan, List<StubMethod> returning) {
+  private static String initialisation(StubMethod method) {
+    List<String> arguments = new ArrayList<>();
+    arguments.add("stubbing");
+    arguments.add(JavaText.string(method.fullName()));
+    JavaType returns = method.signature().returns();
+    arguments.add(returns == null ? "null" : returns.zero());
+    ingoing(method).forEach(p -> arguments.add(JavaText.string(p.name())));
+    return JavaText.call(4, "this." + method.field() + " =", "new StubbedMethod<>", arguments);
+  }
+
+  private static List<JavaParameter> ingoing(StubMethod method) {
+    return method.signature().parameters().stream()
+        .filter(p -> p.direction() != Direction.OUT)
+        .toList();
+  }
+
+  private static SortedSet<String> imports(
+      JavaPlan plan, List<StubMethod> methods, List<StubOut> outs) {
     SortedSet<String> imports = new TreeSet<>();
-    imports.add("org.sitaf.runtime.Stopwatch");
-    if (!returning.isEmpty()) {
-      imports.add("org.sitaf.runtime.StubbedMethod");
+    imports.add("org.sitaf.runtime.stub.Stubbing");
+    if (!methods.isEmpty()) {
+      imports.add("org.sitaf.runtime.stub.StubbedMethod");
     }
-    plan.stubs().forEach(s -> imports.add("sitaf.interfaces." + s.name()));
-    plan.stubs().forEach(s -> RequiredInterfaceView.addTypes(s, imports));
+    if (!outs.isEmpty()) {
+      imports.add("org.sitaf.runtime.stub.StubbedOut");
+    }
+    if (!plan.answers().isEmpty()) {
+      imports.add("org.sitaf.runtime.suite.Answers");
+    }
+    plan.stubs().forEach(s -> imports.add(JavaType.INTERFACES + "." + s.name()));
+    methods.forEach(m -> InterfaceView.addTypes(m.signature(), imports));
     return imports;
   }
 
@@ -86,26 +114,52 @@ record TestStubView(
     return new Interface(
         stub.name(),
         stub.field(),
-        Stream.iterate(0, i -> i < count, i -> i + 1)
-            .map(i -> answer(stub.methods().get(i), i == count - 1))
+        IntStream.range(0, count)
+            .mapToObj(i -> answer(stub.methods().get(i), i == count - 1))
             .toList());
   }
 
   private static Answer answer(StubMethod method, boolean last) {
-    boolean returns = method.returns() != null;
+    List<String> arguments =
+        ingoing(method).stream()
+            .map(p -> p.direction() == Direction.IN ? boxedArray(p) : p.local() + ".get()")
+            .toList();
+    String call = "TestStub.this." + method.field() + ".call";
+    List<String> body = new ArrayList<>();
+    boolean returns = method.signature().returns() != null;
+    if (method.outs().isEmpty()) {
+      body.add(JavaText.call(10, returns ? "return" : "", call, arguments));
+    } else {
+      // What an inout-parameter carries in is recorded before the answer replaces it.
+      String held = returns ? method.signature().returnName() + " answer =" : "";
+      body.add(JavaText.call(10, held, call, arguments));
+      for (StubOut out : method.outs()) {
+        body.add(
+            JavaText.call(
+                10,
+                "",
+                "TestStub.this." + out.field() + ".fill",
+                List.of(out.parameter().local())));
+      }
+      if (returns) {
+        body.add("          return answer;");
+      }
+    }
     return new Answer(
         JavaText.declaration(
             8,
-            "public " + method.returnName() + " " + method.name(),
-            method.parameters(),
+            "public " + method.signature().returnName() + " " + method.signature().name(),
+            method.signature().parameters().stream().map(JavaParameter::declaration).toList(),
             false,
-            returns ? " {" : " {}"),
-        returns,
-        returns ? "          return TestStub.this." + method.field() + ".call();" : "",
+            " {"),
+        body,
         last);
   }
 
-  private static JavaType type(StubMethod method) {
-    return Objects.requireNonNull(method.returns());
+  /** An array of objects would be taken for all arguments at once. */
+  private static String boxedArray(JavaParameter parameter) {
+    return parameter.type().name().endsWith("[]")
+        ? "(Object) " + parameter.local()
+        : parameter.local();
   }
 }

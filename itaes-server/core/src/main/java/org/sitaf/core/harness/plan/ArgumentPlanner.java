@@ -24,7 +24,7 @@ final class ArgumentPlanner {
    * Most elements of a sequence that is set element by element: a name such as {@code path[999999]}
    * must not fill the memory of a test.
    */
-  private static final int MAX_INDEX = 9_999;
+  private static final int MAX_INDEX = 255;
 
   private final TargetMethod target;
   private final TestModel model;

@@ -8,6 +8,7 @@ import org.jspecify.annotations.Nullable;
 import org.sitaf.core.activity.Activity;
 import org.sitaf.core.activity.ActivityProfile.Component;
 import org.sitaf.core.activity.TargetMethod;
+import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.InterfaceDescription;
 import org.sitaf.core.description.Method;
 import org.sitaf.core.description.WorldDescription;
@@ -64,6 +65,13 @@ public final class HarnessPlanner {
     }
     Method method = target.method();
     Component component = activity.profile().component();
+    if (component.period() != null && activity.world() == null) {
+      diagnostics.error(
+          PROFILE,
+          0,
+          "component.execution",
+          "a periodic component is executed in simulation time: activity.yaml must name a world");
+    }
     List<Argument> arguments = new ArgumentPlanner(target, model, suite, diagnostics).plan();
     World world = world();
     StubPlanner stubPlanner = new StubPlanner(activity.required(), model, suite, diagnostics);
@@ -77,15 +85,15 @@ public final class HarnessPlanner {
       description.methods().forEach(m -> types.reach(description.source(), m));
     }
     before.forEach(call -> types.reach(PROFILE, call.method()));
-    if (component.adapter() != null) {
-      // What an adapter implements is generated in full.
-      for (InterfaceDescription description : activity.provided()) {
-        description.methods().forEach(m -> types.reach(description.source(), m));
-      }
+    // The component names the types of all its methods; an adapter implements all of them.
+    for (InterfaceDescription description : activity.provided()) {
+      description.methods().stream()
+          .filter(m -> component.adapter() != null || !holdsUnknown(m))
+          .forEach(m -> types.reach(description.source(), m));
     }
     SortedSet<String> errors = new TreeSet<>(stubPlanner.errors());
     activity.required().forEach(i -> i.methods().forEach(m -> errors.addAll(m.raises())));
-    errors.addAll(method.raises());
+    activity.provided().forEach(i -> i.methods().forEach(m -> errors.addAll(m.raises())));
     return new HarnessPlan(
         model.name(),
         model.description(),
@@ -101,6 +109,16 @@ public final class HarnessPlanner {
         types.inOrder(),
         List.copyOf(errors),
         activity.profile().limits());
+  }
+
+  private static boolean holdsUnknown(Method method) {
+    return holdsUnknown(method.returnType())
+        || method.parameters().stream().anyMatch(p -> holdsUnknown(p.type()));
+  }
+
+  private static boolean holdsUnknown(DataType type) {
+    return type instanceof DataType.Unknown
+        || type.parts().stream().anyMatch(HarnessPlanner::holdsUnknown);
   }
 
   private @Nullable World world() {

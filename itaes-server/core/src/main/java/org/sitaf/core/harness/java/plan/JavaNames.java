@@ -27,9 +27,10 @@ final class JavaNames {
   private static final Set<String> USED_TYPES =
       words(
           """
-          BigInteger Boolean Byte CaseResult Character ConcreteTestDriver Double Duration Exception Float Integer
-          LifeCycle LinkedHashMap Long Map Object Out Override Short Simulation SimulationControl Stopwatch String
-          StubbedMethod SuiteDriver TestCase TestDriver TestRun TestStub Tolerance""");
+          Answers BigInteger Boolean Byte CallBeside CaseResult Character ConcreteTestDriver Double Duration
+          Exception Float Integer LifeCycle LinkedHashMap Long Map Object Out Override RuntimeException Short
+          Simulation SimulationControl Stopwatch String StubbedMethod StubbedOut Stubbing SuiteDriver TestCase
+          TestDriver TestRun TestStub Tick Tolerance Void""");
 
   /** Methods that every object has: an interface cannot declare its own. */
   private static final Set<String> OBJECT_METHODS =
@@ -41,7 +42,7 @@ final class JavaNames {
   private static final Set<String> USED_LOCALS =
       words(
           """
-          component java javax org parameters result returned run simulation simulationControl sitaf stopwatch
+          answer component java javax org parameters pending result returned run simulation simulationControl sitaf stopwatch
           testCase testStub""");
 
   private final Set<String> taken = new HashSet<>(USED_LOCALS);

@@ -1,16 +1,21 @@
 package org.sitaf.core.harness.java.plan;
 
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.activity.ActivityProfile.LifeCycle;
+import org.sitaf.core.description.CallType;
 import org.sitaf.core.description.DataType;
+import org.sitaf.core.description.InterfaceDescription;
 import org.sitaf.core.description.Method;
 import org.sitaf.core.description.Parameter;
 import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.harness.java.plan.JavaPlan.Argument;
 import org.sitaf.core.harness.java.plan.JavaPlan.Call;
+import org.sitaf.core.harness.java.plan.JavaPlan.Interface;
 import org.sitaf.core.harness.java.plan.JavaPlan.Output;
 import org.sitaf.core.harness.java.plan.JavaPlan.World;
 import org.sitaf.core.harness.plan.HarnessPlan;
@@ -20,6 +25,21 @@ import org.sitaf.core.model.Value;
 
 /** Spells a plan in Java, and says everything that Java cannot express. */
 public final class JavaPlanner {
+  /** Names that the runtime takes for steps in the life of a component. */
+  private static final Set<String> HOOKS =
+      Set.of(
+          "initialise",
+          "initialize",
+          "onInitialize",
+          "start",
+          "onStart",
+          "stop",
+          "onStop",
+          "destroy",
+          "onDestroy",
+          "onExecute",
+          "execute");
+
   private final HarnessPlan plan;
   private final Diagnostics diagnostics;
   private final JavaNames names;
@@ -49,18 +69,13 @@ public final class JavaPlanner {
     String className = plan.component().className().replace('$', '.');
     String simpleName = className.substring(className.lastIndexOf('.') + 1);
     className(className);
-    if (plan.component().period() != null) {
-      diagnostics.error(
-          HarnessPlanner.PROFILE,
-          0,
-          "component.execution",
-          "periodic components are not driven in Java tests yet; with execution: passive the method"
-              + " under test is called once a case");
-    }
     methodName(plan.interfaceName(), plan.method());
     List<Argument> arguments = arguments();
     World world = world();
-    var stubs = new JavaStubPlanner(plan.stubs(), names, diagnostics).plan();
+    List<Interface> interfaces = interfaces();
+    var stubs = new JavaStubPlanner(plan.stubs(), names).plan(interfaces);
+    var types = JavaDeclaredType.of(plan.types(), diagnostics);
+    errors();
     @Nullable JavaType returns =
         plan.returnsNothing() ? null : type(plan.method().returnType(), "its return type");
     List<Output> outputs = outputs(arguments);
@@ -75,13 +90,24 @@ public final class JavaPlanner {
         clash ? className : simpleName,
         clash ? null : className,
         plan.component().lifeCycle() == LifeCycle.SUITE,
+        plan.provided().stream()
+            .flatMap(i -> i.methods().stream())
+            .map(Method::name)
+            .filter(HOOKS::contains)
+            .distinct()
+            .toList(),
+        plan.component().period(),
+        plan.method().callType() == CallType.NONBLOCKING,
         arguments,
         returns,
         world,
+        interfaces,
         stubs,
         outputs,
         plan.component().properties(),
-        before);
+        before,
+        types,
+        plan.errors());
   }
 
   private void className(String className) {
@@ -119,22 +145,47 @@ public final class JavaPlanner {
     List<Argument> arguments = new ArrayList<>();
     for (HarnessPlan.Argument argument : plan.arguments()) {
       Parameter parameter = argument.parameter();
-      boolean whole = argument.given().stream().anyMatch(g -> g.path().isEmpty());
-      argument.given().stream()
-          .filter(g -> !g.path().isEmpty())
-          .forEach(
-              g ->
-                  inModel(
-                      g.column(),
-                      "members and elements of parameters cannot be set in a Java test application"
-                          + " yet"));
       JavaType type = type(parameter.type(), "parameter " + parameter.name());
       if (type != null) {
-        String local = names.local(parameter.name());
-        arguments.add(new Argument(parameter.name(), local, type, parameter.direction(), whole));
+        arguments.add(JavaArguments.of(argument, type, names));
       }
     }
     return arguments;
+  }
+
+  /** Required interfaces, and what an adapter implements. */
+  private List<Interface> interfaces() {
+    JavaInterfaces spelling = new JavaInterfaces(diagnostics);
+    List<Interface> interfaces = new ArrayList<>();
+    for (HarnessPlan.Stub stub : plan.stubs()) {
+      List<Method> methods = stub.methods().stream().map(HarnessPlan.StubMethod::method).toList();
+      spelling.of(stub.name(), stub.source(), "required", methods).ifPresent(interfaces::add);
+    }
+    if (plan.component().adapter() != null) {
+      for (InterfaceDescription provided : plan.provided()) {
+        if (plan.stubs().stream().noneMatch(s -> s.name().equals(provided.name()))) {
+          spelling
+              .of(provided.name(), provided.source(), "provided", provided.methods())
+              .ifPresent(interfaces::add);
+        }
+      }
+    }
+    return interfaces;
+  }
+
+  private void errors() {
+    Set<String> taken = new HashSet<>();
+    plan.types().forEach(t -> taken.add(HarnessPlan.simpleName(t)));
+    plan.stubs().forEach(stub -> taken.add(stub.name()));
+    for (String error : plan.errors()) {
+      if (!JavaNames.isTypeName(error) || JavaNames.isUsedType(error) || !taken.add(error)) {
+        diagnostics.error(
+            "interfaces",
+            0,
+            "exception " + error,
+            "is not a name that an exception of a Java test can have, or another type has it");
+      }
+    }
   }
 
   private @Nullable World world() {
@@ -164,34 +215,35 @@ public final class JavaPlanner {
   private List<Output> outputs(List<Argument> arguments) {
     List<Output> outputs = new ArrayList<>();
     for (HarnessPlan.Output output : plan.outputs()) {
-      Optional<String> expression = expression(output, arguments);
-      if (expression.isEmpty()) {
-        inModel(output.name(), "is an output that Java tests cannot look at yet");
-      } else {
-        outputs.add(
-            new Output(
-                output.name(),
-                expression.get(),
-                output.source() instanceof Source.Observation,
-                output.tolerance()));
-      }
+      Source source = output.source();
+      boolean part =
+          (source instanceof Source.Returned returned && !returned.path().isEmpty())
+              || (source instanceof Source.OutParameter out && !out.path().isEmpty());
+      outputs.add(
+          new Output(
+              output.name(),
+              expression(source, arguments),
+              part,
+              source instanceof Source.Observation,
+              output.tolerance()));
     }
     return outputs;
   }
 
-  private static Optional<String> expression(HarnessPlan.Output output, List<Argument> arguments) {
-    if (output.source() instanceof Source.Returned returned && returned.path().isEmpty()) {
-      return Optional.of("returned");
-    }
-    if (output.source() instanceof Source.OutParameter out && out.path().isEmpty()) {
+  private static String expression(Source source, List<Argument> arguments) {
+    if (source instanceof Source.OutParameter out) {
       return arguments.stream()
           .filter(a -> a.name().equals(out.parameter()))
           .map(a -> a.local() + ".get()")
-          .findFirst();
+          .findFirst()
+          .orElse("null");
     }
-    return output.source() instanceof Source.Observation observation
-        ? Optional.of("simulationControl.observe(" + JavaText.string(observation.name()) + ")")
-        : Optional.empty();
+    if (source instanceof Source.Observation observation) {
+      return "simulationControl.observe(" + JavaText.string(observation.name()) + ")";
+    }
+    return source instanceof Source.DataPort port
+        ? "dataPort(component, " + JavaText.string(port.name()) + ")"
+        : "returned";
   }
 
   private List<Call> before() {
@@ -199,6 +251,7 @@ public final class JavaPlanner {
     for (HarnessPlan.Call call : plan.before()) {
       methodName(HarnessPlanner.PROFILE, call.method());
       List<String> arguments = new ArrayList<>();
+      Set<String> imports = new HashSet<>();
       for (int i = 0; i < call.arguments().size(); i++) {
         Parameter parameter = call.method().parameters().get(i);
         Optional<JavaType> type = JavaType.of(parameter.type());
@@ -207,9 +260,10 @@ public final class JavaPlanner {
         } else {
           Value value = call.arguments().get(i);
           arguments.add(type.get().expression(value));
+          imports.addAll(type.get().imports());
         }
       }
-      calls.add(new Call(call.method().name(), arguments));
+      calls.add(new Call(call.method().name(), arguments, imports));
     }
     return calls;
   }
@@ -236,9 +290,5 @@ public final class JavaPlanner {
         .map(i -> i.source())
         .findFirst()
         .orElse(plan.interfaceName());
-  }
-
-  private void inModel(String element, String problem) {
-    diagnostics.error(plan.modelName(), 0, "test_element " + element, problem);
   }
 }

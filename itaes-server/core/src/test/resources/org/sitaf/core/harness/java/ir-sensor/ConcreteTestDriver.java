@@ -25,6 +25,7 @@ public final class ConcreteTestDriver extends TestDriver {
   protected InfraredSensor createComponent() throws Exception {
     InfraredSensor component = newComponent();
     setProperty(component, "Size", "7");
+    begin(component);
     component.Enable();
     return component;
   }

@@ -1,0 +1,50 @@
+package org.sitaf.runtime.component;
+
+import java.lang.reflect.Field;
+import java.lang.reflect.InvocationTargetException;
+import java.util.Locale;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.runtime.CannotRunException;
+
+/**
+ * What a component last sent through an output data port: the method of the port's name or its
+ * getter, else the public field of its name.
+ */
+public final class DataPort {
+  private DataPort() {}
+
+  /**
+   * The value of a port.
+   *
+   * @throws CannotRunException when the component has no such method or field
+   * @throws Exception what the component throws
+   */
+  public static @Nullable Object read(Object component, String port) throws Exception {
+    Class<?> type = component.getClass();
+    String getter = "get" + port.substring(0, 1).toUpperCase(Locale.ROOT) + port.substring(1);
+    for (String name : new String[] {port, getter}) {
+      try {
+        return type.getMethod(name).invoke(component);
+      } catch (NoSuchMethodException e) {
+        // The next may be there.
+      } catch (InvocationTargetException e) {
+        throw e.getCause() instanceof Exception exception ? exception : e;
+      }
+    }
+    try {
+      Field field = type.getField(port);
+      return field.get(component);
+    } catch (NoSuchFieldException e) {
+      throw new CannotRunException(
+          type.getName()
+              + " has neither a public method "
+              + port
+              + "() or "
+              + getter
+              + "() nor a public field "
+              + port
+              + " for the data port that the model observes",
+          e);
+    }
+  }
+}

@@ -1,0 +1,85 @@
+package org.sitaf.runtime.stub;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.runtime.suite.Answer;
+import org.sitaf.runtime.suite.Answers;
+import org.sitaf.runtime.suite.CaseResult;
+
+/**
+ * One method of a required interface, as the test stub answers it: records each call and does what
+ * the case says of it. The time counts as the stub's.
+ *
+ * @param <T> the boxed return type; {@code Void} for none
+ */
+public final class StubbedMethod<T> {
+  private final Stubbing stubbing;
+  private final String name;
+  private final List<String> parameters;
+  private volatile Answers<T> answers;
+  private int calls;
+
+  /**
+   * A method that answers with a neutral value until the test says otherwise.
+   *
+   * @param name {@code Interface.Method}
+   * @param unset what is answered in cases that set nothing; null for a method that returns nothing
+   * @param parameters names of those that carry data in
+   */
+  public StubbedMethod(Stubbing stubbing, String name, @Nullable T unset, String... parameters) {
+    this.stubbing = Objects.requireNonNull(stubbing);
+    this.name = Objects.requireNonNull(name);
+    this.parameters = List.of(parameters);
+    this.answers = Answers.none(unset);
+  }
+
+  /** Sets the answers of this case; calls count from here. */
+  public synchronized void answerWith(Answers<T> ofThisCase) {
+    answers = ofThisCase;
+    calls = 0;
+  }
+
+  /**
+   * What the component gets.
+   *
+   * @param arguments of the parameters that carry data in, in their order
+   */
+  public @Nullable T call(@Nullable Object... arguments) {
+    long entered = stubbing.stopwatch().enter();
+    try {
+      record(arguments);
+      Answer<T> answer = answers.of(next());
+      Duration delay = answer.delay();
+      if (!delay.isZero()) {
+        stubbing.pass(delay);
+      }
+      String error = answer.error();
+      if (error != null) {
+        throw DeclaredError.named(error, name + " answers so in this case");
+      }
+      return answer.value();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new IllegalStateException(name + " was interrupted while its answer is delayed", e);
+    } finally {
+      stubbing.stopwatch().leaveStub(entered);
+    }
+  }
+
+  private synchronized int next() {
+    return ++calls;
+  }
+
+  private void record(@Nullable Object... arguments) {
+    List<String> spelled = new ArrayList<>();
+    if (stubbing.calls().hasRoom()) {
+      for (Object argument : arguments) {
+        spelled.add(CaseResult.spelling(argument));
+      }
+    }
+    stubbing.calls().add(name, parameters, spelled);
+  }
+}

@@ -1,0 +1,36 @@
+package org.sitaf.runtime.stub;
+
+import java.util.Objects;
+import org.sitaf.runtime.Out;
+import org.sitaf.runtime.suite.Answers;
+
+/**
+ * An out-parameter of a stubbed method.
+ *
+ * @param <T> the boxed type
+ */
+public final class StubbedOut<T> {
+  private volatile Answers<T> answers;
+  private int calls;
+
+  /**
+   * An out-parameter that gets a neutral value until the test says otherwise.
+   *
+   * @param unset what it gets in cases that set nothing
+   */
+  public StubbedOut(T unset) {
+    this.answers = Answers.none(Objects.requireNonNull(unset));
+  }
+
+  /** Sets the answers of this case; calls count from here. */
+  public synchronized void answerWith(Answers<T> ofThisCase) {
+    answers = ofThisCase;
+    calls = 0;
+  }
+
+  /** Puts the answer of a call into what the component gave for it. */
+  public synchronized void fill(Out<T> out) {
+    T value = answers.of(++calls).value();
+    out.set(Objects.requireNonNull(value));
+  }
+}

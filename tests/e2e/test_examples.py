@@ -1,0 +1,47 @@
+"""The examples beside the paper's: each passes, and its faulty twin fails where its README says."""
+
+import re
+
+import pytest
+
+SUMMARY = re.compile(r"(\w+): (\d+) cases, (\d+) PASS(?:, (\d+) FAIL, (\d+) ERROR, (\d+) not executed)?")
+
+
+def verdicts(run):
+    """Cases, and how many of them passed, of the only model."""
+    found = SUMMARY.search(run.stdout)
+    assert found, run.stdout + run.stderr
+    return int(found[2]), int(found[3])
+
+
+@pytest.mark.parametrize("example", ["navigation-step", "wall-approach", "joint-pid"])
+def test_an_example_passes(sitaf, example):
+    run = sitaf("run", f"examples/{example}")
+    assert run.returncode == 0, run.stdout + run.stderr
+    cases, passed = verdicts(run)
+    assert cases == passed > 4
+
+
+def test_the_record_of_the_stub_shows_what_the_step_asked_of_its_wheels(sitaf):
+    run = sitaf("run", "examples/navigation-step-faulty")
+    assert run.returncode == 1, run.stdout + run.stderr
+    assert 'post-condition broken: actual == "HALT" || calls["WheelController.Drive"][0].speed' in run.stdout
+    assert 'post-condition broken: calls["RangeFinder.GetRange"].size() == 2' in run.stdout
+    assert "0 ERROR" in run.stdout
+
+
+def test_a_base_that_does_not_stop_is_seen_after_the_call(sitaf):
+    run = sitaf("run", "examples/wall-approach-faulty")
+    assert run.returncode == 1, run.stdout + run.stderr
+    _, passed = verdicts(run)
+    assert passed == 0
+    assert "robot_x: expected" in run.stdout
+    assert "return: expected" not in run.stdout
+
+
+def test_a_controller_without_its_integral_hangs_below_the_target(sitaf):
+    run = sitaf("run", "examples/joint-pid-faulty")
+    assert run.returncode == 1, run.stdout + run.stderr
+    cases, passed = verdicts(run)
+    assert passed < cases
+    assert "angle_held: expected" in run.stdout
