@@ -1,6 +1,7 @@
 package org.sitaf.core.activity;
 
 import java.util.List;
+import java.util.Objects;
 import java.util.regex.Pattern;
 import org.sitaf.core.activity.ActivityProfile.Component;
 import org.sitaf.core.activity.ActivityProfile.Language;
@@ -28,19 +29,25 @@ final class ComponentFiles {
     if (component.language() == Language.JAVA
         && component.sources() != null
         && !component.className().isEmpty()) {
-      javaClass(component.className(), component.sources(), files, file, diagnostics);
+      javaClass(component, files, file, diagnostics);
     }
   }
 
   private static void javaClass(
-      String className, String sources, FileTree files, String file, Diagnostics diagnostics) {
+      Component component, FileTree files, String file, Diagnostics diagnostics) {
+    String className = component.className();
+    String sources = Objects.requireNonNull(component.sources());
     if (!JAVA_CLASS.matcher(className).matches()) {
       diagnostics.error(
           file, 0, "component.class", "'" + className + "' is not the qualified name of a class");
       return;
     }
-    List<String> javaFiles =
-        files.below(sources).paths().stream().filter(p -> p.endsWith(".java")).toList();
+    // With an adapter, the class that the test makes is the adapter's.
+    FileTree all =
+        component.adapter() == null
+            ? files.below(sources)
+            : files.below(sources).with("adapter", files.below(component.adapter()));
+    List<String> javaFiles = all.paths().stream().filter(p -> p.endsWith(".java")).toList();
     String expected = className.replace('.', '/') + ".java";
     String simple = className.substring(className.lastIndexOf('.') + 1);
     Pattern declaration =
@@ -48,7 +55,7 @@ final class ComponentFiles {
     boolean declared =
         javaFiles.contains(expected)
             || javaFiles.stream()
-                .map(p -> files.below(sources).text(p).orElseThrow())
+                .map(p -> all.text(p).orElseThrow())
                 .anyMatch(text -> declaration.matcher(text).find());
     if (!declared) {
       diagnostics.error(
@@ -57,6 +64,7 @@ final class ComponentFiles {
           "component.class",
           "no source below '"
               + sources
+              + (component.adapter() == null ? "" : "' and '" + component.adapter())
               + "' declares "
               + className
               + "; expected "
