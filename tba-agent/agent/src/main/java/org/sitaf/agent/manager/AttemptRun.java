@@ -29,6 +29,7 @@ import org.sitaf.core.harness.TestApplication;
 final class AttemptRun {
   private static final long MAX_APPLICATION_BYTES = 512L << 20;
   private static final int DAMAGED_TRIES = 3;
+  private static final long NEARLY_READY_MS = 2000;
 
   private final Attempt attempt;
   private final Assignment assignment;
@@ -76,10 +77,24 @@ final class AttemptRun {
     stop("the agent was stopped");
   }
 
-  /** The attempt belongs to somebody else by now: nothing of it may be kept. */
+  /** The attempt belongs to somebody else by now: only a result that is all but ready is kept. */
   void giveUp() {
     synchronized (this) {
       over = true;
+    }
+    Thread later = new Thread(this::stopWhenNotReady, "sitaf-give-up");
+    later.setDaemon(true);
+    later.start();
+  }
+
+  /**
+   * A result that is as good as ready has a moment to be: the server keeps late ones for people.
+   */
+  private void stopWhenNotReady() {
+    try {
+      Thread.sleep(NEARLY_READY_MS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
     }
     stop("the attempt is over");
   }
@@ -99,7 +114,7 @@ final class AttemptRun {
     }
   }
 
-  /** Does the work; empty when nothing of the attempt may be kept. */
+  /** Does the work; empty when nothing of the attempt is to be kept. */
   Optional<BuildOutcome> run() {
     BuildOutcome outcome;
     try (ProgressReport report = new ProgressReport(attempt, calls, directory, this::giveUp)) {
@@ -107,7 +122,7 @@ final class AttemptRun {
       outcome = fetchAndBuild(report);
     }
     synchronized (this) {
-      if (over) {
+      if (over && !(outcome instanceof BuildOutcome.Completed)) {
         return Optional.empty();
       }
       return Optional.of(
