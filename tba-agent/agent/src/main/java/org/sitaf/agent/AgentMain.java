@@ -13,6 +13,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.manager.AgentSettings;
+import org.sitaf.agent.manager.ServerAccess;
 import org.sitaf.agent.manager.TestBuildAgent;
 import org.sitaf.agent.sandbox.SandboxMode;
 import org.sitaf.agent.toolchain.ToolchainPlaces;
@@ -26,7 +27,11 @@ import picocli.CommandLine.Option;
     name = "sitaf agent",
     mixinStandardHelpOptions = true,
     versionProvider = AgentMain.Version.class,
-    description = "Compiles and executes test applications that a SITAF server assigns.",
+    description = {
+      "Compiles and executes test applications that a SITAF server assigns.",
+      "At the first start SITAF_ENROLMENT_TOKEN holds a token that an administrator made; the key"
+          + " that the agent gets for it stays in its directory."
+    },
     sortOptions = false)
 public final class AgentMain implements Callable<Integer> {
   private static final int BAD_SETTINGS = 2;
@@ -39,6 +44,18 @@ public final class AgentMain implements Callable<Integer> {
           "The server's gRPC address, or those of several with one database, joined by commas;"
               + " default ${DEFAULT-VALUE}.")
   private String server = "";
+
+  @Option(
+      names = "--ca",
+      paramLabel = "FILE",
+      description =
+          "Certificates that vouch for the server, in PEM; default those that this machine trusts.")
+  private @Nullable Path authorities;
+
+  @Option(
+      names = "--plaintext",
+      description = "Speaks without TLS to a server that is not on this machine.")
+  private boolean plaintext;
 
   @Option(
       names = "--name",
@@ -189,6 +206,7 @@ public final class AgentMain implements Callable<Integer> {
   private AgentSettings settings() {
     return new AgentSettings(
         server,
+        new ServerAccess(System.getenv("SITAF_ENROLMENT_TOKEN"), authorities, plaintext),
         name != null ? name : hostName(),
         Version.text(),
         directory,

@@ -227,6 +227,15 @@ public class Attempts {
     return attempt.nextBatch();
   }
 
+  /** The agent to which the attempt was given; empty when there is no such attempt. */
+  @Transactional(readOnly = true)
+  public Optional<String> agentOf(AttemptKey key) {
+    return attempts
+        .findById(key.token())
+        .filter(attempt -> attempt.key().equals(key))
+        .map(Attempt::agent);
+  }
+
   /** Where the log of a live attempt begins in the log of its build, in bytes. */
   @Transactional(readOnly = true)
   public long logStart(AttemptKey key) {

@@ -1,8 +1,17 @@
 package org.sitaf.server.support;
 
 import com.google.protobuf.ByteString;
+import io.grpc.CallOptions;
+import io.grpc.Channel;
+import io.grpc.ClientCall;
+import io.grpc.ClientInterceptor;
+import io.grpc.ClientInterceptors;
+import io.grpc.ForwardingClientCall.SimpleForwardingClientCall;
 import io.grpc.ManagedChannel;
 import io.grpc.ManagedChannelBuilder;
+import io.grpc.Metadata;
+import io.grpc.MethodDescriptor;
+import io.grpc.StatusRuntimeException;
 import io.grpc.stub.StreamObserver;
 import java.io.ByteArrayOutputStream;
 import java.util.ArrayList;
@@ -11,8 +20,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.v1.AgentMessage;
 import org.sitaf.agent.v1.AgentServiceGrpc;
 import org.sitaf.agent.v1.AppendLogRequest;
@@ -22,6 +33,7 @@ import org.sitaf.agent.v1.AttemptState;
 import org.sitaf.agent.v1.BuildFailure;
 import org.sitaf.agent.v1.CaseOutcome;
 import org.sitaf.agent.v1.DownloadFileRequest;
+import org.sitaf.agent.v1.EnrolRequest;
 import org.sitaf.agent.v1.Heartbeat;
 import org.sitaf.agent.v1.Register;
 import org.sitaf.agent.v1.ReportCasesRequest;
@@ -45,35 +57,97 @@ import org.sitaf.server.file.StoredFiles;
  */
 public final class RimAgent implements AutoCloseable {
   private static final int PATIENCE_S = 30;
+  private static final Metadata.Key<String> AUTHORIZATION =
+      Metadata.Key.of("authorization", Metadata.ASCII_STRING_MARSHALLER);
+
+  /** By port of the server and name of the agent, as if in files of theirs. */
+  private static final Map<String, String> KEYS = new ConcurrentHashMap<>();
 
   private final ManagedChannel channel;
   private final AgentServiceGrpc.AgentServiceBlockingStub calls;
-  private final StreamObserver<AgentMessage> stream;
+  private final int port;
+  private @Nullable StreamObserver<AgentMessage> stream;
+  private volatile @Nullable String key;
   private final BlockingQueue<ServerMessage> received = new LinkedBlockingQueue<>();
   private final CompletableFuture<Throwable> end = new CompletableFuture<>();
 
   private RimAgent(int port) {
+    this.port = port;
     channel = ManagedChannelBuilder.forAddress("localhost", port).usePlaintext().build();
-    calls = AgentServiceGrpc.newBlockingStub(channel);
-    stream =
-        AgentServiceGrpc.newStub(channel)
-            .connect(
-                new StreamObserver<>() {
-                  @Override
-                  public void onNext(ServerMessage message) {
-                    received.add(message);
-                  }
+    calls = AgentServiceGrpc.newBlockingStub(ClientInterceptors.intercept(channel, new ShownKey()));
+  }
 
-                  @Override
-                  public void onError(Throwable error) {
-                    end.complete(error);
-                  }
+  /** Shows the agent's key, once it has one. */
+  private final class ShownKey implements ClientInterceptor {
+    @Override
+    public <Q, A> ClientCall<Q, A> interceptCall(
+        MethodDescriptor<Q, A> method, CallOptions options, Channel next) {
+      return new SimpleForwardingClientCall<>(next.newCall(method, options)) {
+        @Override
+        public void start(Listener<A> listener, Metadata headers) {
+          String present = key;
+          if (present != null) {
+            headers.put(AUTHORIZATION, "Bearer " + present);
+          }
+          super.start(listener, headers);
+        }
+      };
+    }
+  }
 
-                  @Override
-                  public void onCompleted() {
-                    end.complete(new IllegalStateException("regular end"));
-                  }
-                });
+  /** Gets the agent a key, or uses the one that an agent of its name and server got before. */
+  public void enrol(String name) {
+    key =
+        KEYS.computeIfAbsent(
+            port + " " + name,
+            unknown ->
+                calls
+                    .enrol(
+                        EnrolRequest.newBuilder()
+                            .setToken(ServerTest.ENROLMENT)
+                            .setName(name)
+                            .build())
+                    .getKey());
+  }
+
+  /** Gets the agent a key for an enrolment of the server's. */
+  public void enrolWith(String token, String name) {
+    key = calls.enrol(EnrolRequest.newBuilder().setToken(token).setName(name).build()).getKey();
+  }
+
+  /** Shows this key from now on. */
+  public void useKey(String other) {
+    key = other;
+  }
+
+  private synchronized StreamObserver<AgentMessage> stream() {
+    StreamObserver<AgentMessage> present = stream;
+    if (present == null) {
+      present = connect();
+      stream = present;
+    }
+    return present;
+  }
+
+  private StreamObserver<AgentMessage> connect() {
+    return AgentServiceGrpc.newStub(ClientInterceptors.intercept(channel, new ShownKey()))
+        .connect(
+            new StreamObserver<>() {
+              @Override
+              public void onNext(ServerMessage message) {
+                received.add(message);
+              }
+
+              @Override
+              public void onError(Throwable error) {
+                end.complete(error);
+              }
+
+              @Override
+              public void onCompleted() {
+                end.complete(new IllegalStateException("regular end"));
+              }
+            });
   }
 
   /** Connects and sends nothing. */
@@ -108,7 +182,19 @@ public final class RimAgent implements AutoCloseable {
 
   public void sendRegister(
       String name, int slots, List<String> labels, String language, AttemptRef... running) {
-    stream.onNext(
+    try {
+      enrol(name);
+    } catch (StatusRuntimeException e) {
+      end.complete(e);
+      return;
+    }
+    sendRegisterUnenrolled(name, slots, labels, language, running);
+  }
+
+  /** With the key that the agent has, whosever it is. */
+  public void sendRegisterUnenrolled(
+      String name, int slots, List<String> labels, String language, AttemptRef... running) {
+    stream().onNext(
         AgentMessage.newBuilder()
             .setRegister(
                 Register.newBuilder()
@@ -124,15 +210,16 @@ public final class RimAgent implements AutoCloseable {
 
   /** A heartbeat that says why no new build is taken. */
   public void refuse(String why) {
-    stream.onNext(
+    stream().onNext(
         AgentMessage.newBuilder().setHeartbeat(Heartbeat.newBuilder().setRefuses(why)).build());
   }
 
   public void heartbeat(AttemptRef... running) {
-    stream.onNext(
-        AgentMessage.newBuilder()
-            .setHeartbeat(Heartbeat.newBuilder().addAllRunning(List.of(running)))
-            .build());
+    stream()
+        .onNext(
+            AgentMessage.newBuilder()
+                .setHeartbeat(Heartbeat.newBuilder().addAllRunning(List.of(running)))
+                .build());
   }
 
   public ServerMessage next() {

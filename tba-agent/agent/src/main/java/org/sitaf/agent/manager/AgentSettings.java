@@ -12,6 +12,7 @@ import org.sitaf.agent.sandbox.SandboxMode;
  * All settings of an agent.
  *
  * @param server gRPC target of the server, such as {@code localhost:9090}
+ * @param access how the agent gets in there
  * @param name unique among the agents of the server
  * @param version of the agent
  * @param directory private to this agent
@@ -25,6 +26,7 @@ import org.sitaf.agent.sandbox.SandboxMode;
  */
 public record AgentSettings(
     String server,
+    ServerAccess access,
     String name,
     String version,
     Path directory,
@@ -41,6 +43,7 @@ public record AgentSettings(
   private static final int MAX_SLOTS = 256;
 
   public AgentSettings {
+    Objects.requireNonNull(access);
     Objects.requireNonNull(version);
     Objects.requireNonNull(directory);
     Objects.requireNonNull(sandbox);

@@ -1,10 +1,12 @@
 package org.sitaf.agent.manager;
 
+import io.grpc.ClientInterceptors;
 import io.grpc.ManagedChannel;
 import io.grpc.Status;
 import io.grpc.StatusRuntimeException;
 import io.grpc.stub.ClientCallStreamObserver;
 import io.grpc.stub.ClientResponseObserver;
+import java.io.IOException;
 import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
@@ -30,6 +32,7 @@ final class ServerConnection implements AutoCloseable {
   private static final int HEARTBEATS_PER_LEASE = 3;
 
   private final ManagedChannel channel;
+  private final AgentKey key;
   private final Supplier<Register> registration;
   private final Supplier<List<AttemptRef>> running;
   private final Supplier<String> refuses;
@@ -48,11 +51,13 @@ final class ServerConnection implements AutoCloseable {
 
   ServerConnection(
       ManagedChannel channel,
+      AgentKey key,
       Supplier<Register> registration,
       Supplier<List<AttemptRef>> running,
       Supplier<String> refuses,
       Listener listener) {
     this.channel = channel;
+    this.key = key;
     this.registration = registration;
     this.running = running;
     this.refuses = refuses;
@@ -72,7 +77,13 @@ final class ServerConnection implements AutoCloseable {
         // Our own waiting holds; the channel's would grow to minutes.
         channel.resetConnectBackoff();
         Stream stream = new Stream();
-        Status status = stream.live();
+        Status status = enrolled();
+        if (status.isOk()) {
+          status = stream.live();
+        }
+        if (status.getCode() == Status.Code.UNAUTHENTICATED) {
+          key.refused();
+        }
         if (stream.registered()) {
           backoff.reset();
           lastComplaint = "";
@@ -90,6 +101,18 @@ final class ServerConnection implements AutoCloseable {
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
+    }
+  }
+
+  /** Sees to it that there is a key to show. */
+  private Status enrolled() {
+    try {
+      key.enrol(channel);
+      return Status.OK;
+    } catch (StatusRuntimeException e) {
+      return e.getStatus();
+    } catch (IOException e) {
+      return Status.INTERNAL.withDescription("the key cannot be kept").withCause(e);
     }
   }
 
@@ -115,7 +138,8 @@ final class ServerConnection implements AutoCloseable {
     }
 
     Status live() throws InterruptedException {
-      var sender = AgentServiceGrpc.newStub(channel).connect(this);
+      var sender =
+          AgentServiceGrpc.newStub(ClientInterceptors.intercept(channel, key)).connect(this);
       try {
         sender.onNext(AgentMessage.newBuilder().setRegister(registration.get()).build());
         long registrationEnd = System.nanoTime() + REGISTRATION.toNanos();

@@ -1,5 +1,6 @@
 package org.sitaf.agent.manager;
 
+import io.grpc.ClientInterceptors;
 import io.grpc.ManagedChannel;
 import io.grpc.netty.shaded.io.grpc.netty.NettyChannelBuilder;
 import io.grpc.netty.shaded.io.netty.channel.epoll.Epoll;
@@ -64,8 +65,11 @@ public final class TestBuildAgent implements AutoCloseable {
     // What an agent that was killed left running would disturb the builds to come.
     new ProcessGroup(ProcessGroup.markOf(directory.path())).kill();
     this.simulator = simulatorOf(settings, directory);
-    this.channel = channelTo(settings.server());
-    ServerCalls calls = new ServerCalls(channel);
+    AgentKey key =
+        AgentKey.open(
+            directory.path().resolve("key"), settings.name(), settings.access().enrolmentToken());
+    this.channel = channelTo(settings.server(), settings.access());
+    ServerCalls calls = new ServerCalls(ClientInterceptors.intercept(channel, key));
     this.upload = new ResultUpload(directory.spool(), calls);
     BuildSettings builds =
         new BuildSettings(
@@ -86,14 +90,14 @@ public final class TestBuildAgent implements AutoCloseable {
             disk);
     this.connection =
         new ServerConnection(
-            channel, this::registration, attempts::refs, disk::whyFull, new FromServer());
+            channel, key, this::registration, attempts::refs, disk::whyFull, new FromServer());
     connection.start();
   }
 
-  private static ManagedChannel channelTo(String server) {
+  private static ManagedChannel channelTo(String server, ServerAccess access) throws IOException {
     NettyChannelBuilder builder =
-        NettyChannelBuilder.forTarget(ServerAddresses.target(server))
-            .usePlaintext()
+        NettyChannelBuilder.forTarget(
+                ServerAddresses.target(server), access.channelCredentials(server))
             .maxInboundMessageSize(MAX_MESSAGE_BYTES);
     if (Epoll.isAvailable()) {
       // Heartbeats that nobody acknowledges tell of a server that vanished without a word.

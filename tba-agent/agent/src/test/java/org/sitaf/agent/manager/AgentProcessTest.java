@@ -51,7 +51,9 @@ class AgentProcessTest {
                 "--runtimes",
                 System.getProperty("sitaf.runtimes")));
     command.addAll(List.of(more));
-    agent = new ProcessBuilder(command).redirectError(errors().toFile()).start();
+    ProcessBuilder builder = new ProcessBuilder(command).redirectError(errors().toFile());
+    builder.environment().put("SITAF_ENROLMENT_TOKEN", FakeServer.ENROLMENT);
+    agent = builder.start();
     return agent.inputReader();
   }
 

@@ -2,7 +2,12 @@ package org.sitaf.agent.manager;
 
 import com.google.protobuf.ByteString;
 import com.google.protobuf.Duration;
+import io.grpc.Metadata;
 import io.grpc.Server;
+import io.grpc.ServerCall;
+import io.grpc.ServerCallHandler;
+import io.grpc.ServerInterceptor;
+import io.grpc.ServerInterceptors;
 import io.grpc.Status;
 import io.grpc.netty.shaded.io.grpc.netty.NettyServerBuilder;
 import io.grpc.stub.StreamObserver;
@@ -29,6 +34,8 @@ import org.sitaf.agent.v1.Cancellation;
 import org.sitaf.agent.v1.CaseOutcome;
 import org.sitaf.agent.v1.DownloadFileRequest;
 import org.sitaf.agent.v1.DownloadFileResponse;
+import org.sitaf.agent.v1.EnrolRequest;
+import org.sitaf.agent.v1.EnrolResponse;
 import org.sitaf.agent.v1.Heartbeat;
 import org.sitaf.agent.v1.Register;
 import org.sitaf.agent.v1.Registered;
@@ -46,6 +53,11 @@ import org.sitaf.core.activity.FileTree;
  * and fails on request.
  */
 final class FakeServer extends AgentServiceGrpc.AgentServiceImplBase implements AutoCloseable {
+  static final String ENROLMENT = "enrolment of the tests";
+
+  private static final Metadata.Key<String> AUTHORIZATION =
+      Metadata.Key.of("authorization", Metadata.ASCII_STRING_MARSHALLER);
+
   private final Server server;
   private final Map<String, byte[]> files = new HashMap<>();
   private final List<Register> registrations = new ArrayList<>();
@@ -58,13 +70,14 @@ final class FakeServer extends AgentServiceGrpc.AgentServiceImplBase implements 
   private int downloads;
   private boolean damageDownloads;
   private boolean superseded;
+  private final List<String> keys = new ArrayList<>();
   private @Nullable Status refuseSubmit;
   private @Nullable Status refuseAttempt;
 
   private FakeServer(int port) throws IOException {
     server =
         NettyServerBuilder.forAddress(new InetSocketAddress(InetAddress.getLoopbackAddress(), port))
-            .addService(this)
+            .addService(ServerInterceptors.intercept(this, new Keys()))
             .build()
             .start();
   }
@@ -90,6 +103,42 @@ final class FakeServer extends AgentServiceGrpc.AgentServiceImplBase implements 
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }
+  }
+
+  /** Refuses every call but enrolment that does not show a key it has given and not revoked. */
+  private final class Keys implements ServerInterceptor {
+    @Override
+    public <Q, A> ServerCall.Listener<Q> interceptCall(
+        ServerCall<Q, A> call, Metadata headers, ServerCallHandler<Q, A> next) {
+      boolean enrols = call.getMethodDescriptor() == (Object) AgentServiceGrpc.getEnrolMethod();
+      if (!enrols && !keys().contains(String.valueOf(headers.get(AUTHORIZATION)))) {
+        call.close(Status.UNAUTHENTICATED, new Metadata());
+        return new ServerCall.Listener<>() {};
+      }
+      return next.startCall(call, headers);
+    }
+  }
+
+  /** As they are shown, in the order in which they were given. */
+  synchronized List<String> keys() {
+    return List.copyOf(keys);
+  }
+
+  /** Lets the agent in again when it shows a key that another server has given. */
+  synchronized void know(List<String> others) {
+    keys.addAll(others);
+  }
+
+  @Override
+  public synchronized void enrol(EnrolRequest request, StreamObserver<EnrolResponse> answers) {
+    if (!request.getToken().equals(ENROLMENT)) {
+      answers.onError(Status.UNAUTHENTICATED.asRuntimeException());
+      return;
+    }
+    String key = "key-" + request.getName() + "-" + keys.size();
+    keys.add("Bearer " + key);
+    answers.onNext(EnrolResponse.newBuilder().setKey(key).build());
+    answers.onCompleted();
   }
 
   // What tests tell it to do.

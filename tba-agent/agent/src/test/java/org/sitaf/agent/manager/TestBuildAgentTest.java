@@ -50,6 +50,7 @@ class TestBuildAgentTest {
     AgentSettings settings =
         new AgentSettings(
             server.address(),
+            ServerAccess.byToken(FakeServer.ENROLMENT),
             "tester",
             "1",
             directory,
@@ -245,8 +246,10 @@ class TestBuildAgentTest {
     assertThat(spooled()).hasSize(1);
     agent.close();
     assertThat(spooled()).hasSize(1);
-    server.refuseSubmit(null);
     startAgent();
+    // While the result is still owed, the agent says that it works on it.
+    server.await(s -> s.registrations().size() > 1);
+    server.refuseSubmit(null);
 
     SubmitResultRequest submitted = theResult();
     TestResult result = TestResultXml.read(submitted.getResultDescriptor().newInput(), "result");

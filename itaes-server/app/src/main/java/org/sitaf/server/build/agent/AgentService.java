@@ -13,6 +13,8 @@ import org.sitaf.agent.v1.BuildFailure;
 import org.sitaf.agent.v1.CaseOutcome;
 import org.sitaf.agent.v1.DownloadFileRequest;
 import org.sitaf.agent.v1.DownloadFileResponse;
+import org.sitaf.agent.v1.EnrolRequest;
+import org.sitaf.agent.v1.EnrolResponse;
 import org.sitaf.agent.v1.ReportCasesRequest;
 import org.sitaf.agent.v1.ReportCasesResponse;
 import org.sitaf.agent.v1.ReportStateRequest;
@@ -20,6 +22,7 @@ import org.sitaf.agent.v1.ReportStateResponse;
 import org.sitaf.agent.v1.ServerMessage;
 import org.sitaf.agent.v1.SubmitResultRequest;
 import org.sitaf.agent.v1.SubmitResultResponse;
+import org.sitaf.server.access.enrolment.Enrolments;
 import org.sitaf.server.build.AttemptKey;
 import org.sitaf.server.build.Attempts;
 import org.sitaf.server.build.Attempts.Delivery;
@@ -35,6 +38,7 @@ import org.springframework.stereotype.Service;
 class AgentService extends AgentServiceGrpc.AgentServiceImplBase {
   private static final int CHUNK = 64 << 10;
 
+  private final Enrolments enrolments;
   private final Agents agents;
   private final Dispatcher dispatcher;
   private final Attempts attempts;
@@ -44,6 +48,7 @@ class AgentService extends AgentServiceGrpc.AgentServiceImplBase {
   private final Clock clock;
 
   AgentService(
+      Enrolments enrolments,
       Agents agents,
       Dispatcher dispatcher,
       Attempts attempts,
@@ -51,6 +56,7 @@ class AgentService extends AgentServiceGrpc.AgentServiceImplBase {
       StoredFiles contents,
       SitafSettings settings,
       Clock clock) {
+    this.enrolments = enrolments;
     this.agents = agents;
     this.dispatcher = dispatcher;
     this.attempts = attempts;
@@ -58,6 +64,18 @@ class AgentService extends AgentServiceGrpc.AgentServiceImplBase {
     this.contents = contents;
     this.settings = settings;
     this.clock = clock;
+  }
+
+  @Override
+  public void enrol(EnrolRequest request, StreamObserver<EnrolResponse> answers) {
+    answer(
+        answers,
+        () ->
+            EnrolResponse.newBuilder()
+                .setKey(
+                    enrolments.enrol(
+                        request.getToken(), request.getName(), AgentAuthentication.address()))
+                .build());
   }
 
   @Override

@@ -59,6 +59,11 @@ final class AgentStream implements StreamObserver<AgentMessage> {
     }
     Messages.verify(register);
     Releases.requireNear(register.getVersion(), version());
+    if (AgentAuthentication.agent().filter(register.getName()::equals).isEmpty()) {
+      throw Status.PERMISSION_DENIED
+          .withDescription("the key is not that of an agent named " + register.getName())
+          .asRuntimeException();
+    }
     List<AttemptKey> running = Messages.toKeys(register.getRunningList());
     AgentSession made =
         new AgentSession(

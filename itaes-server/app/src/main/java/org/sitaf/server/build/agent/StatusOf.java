@@ -3,6 +3,7 @@ package org.sitaf.server.build.agent;
 import io.grpc.Status;
 import io.grpc.StatusRuntimeException;
 import org.sitaf.core.diagnostic.InvalidInputException;
+import org.sitaf.server.access.enrolment.EnrolmentRefused;
 import org.sitaf.server.build.OutdatedAttemptException;
 import org.sitaf.server.build.log.BuildLogs;
 import org.sitaf.server.refusal.Refusal;
@@ -36,6 +37,9 @@ final class StatusOf {
     }
     if (e instanceof InvalidInputException) {
       return Status.INVALID_ARGUMENT;
+    }
+    if (e instanceof EnrolmentRefused refused) {
+      return refused.isNameTaken() ? Status.ALREADY_EXISTS : Status.UNAUTHENTICATED;
     }
     if (e instanceof Refusal refusal) {
       return switch (refusal.reason()) {
