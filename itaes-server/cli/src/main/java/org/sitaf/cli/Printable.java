@@ -4,11 +4,11 @@ package org.sitaf.cli;
  * Text of users, made harmless for a terminal: escape sequences and other control characters become
  * visible.
  */
-final class Printable {
+public final class Printable {
   private Printable() {}
 
   /** One line of text. */
-  static String line(String text) {
+  public static String line(String text) {
     StringBuilder printable = new StringBuilder(text.length());
     text.codePoints()
         .forEach(

@@ -4,6 +4,7 @@ import java.io.BufferedOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintWriter;
+import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -13,7 +14,9 @@ import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.build.BuildOutcome;
 import org.sitaf.agent.sandbox.SandboxMode;
+import org.sitaf.cli.system.RemoteRun;
 import org.sitaf.core.activity.Activity;
+import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.suite.GeneratedSuite;
@@ -94,16 +97,69 @@ final class RunCommand implements Callable<Integer> {
           "Records what moves in each case: FOLDER/MODEL/NO.glb, for any viewer of glTF files.")
   private @Nullable Path recording;
 
+  @Option(
+      names = "--server",
+      paramLabel = "URL",
+      description = {
+        "Builds on the agents of a server instead of here, and prints the log of the build.",
+        "SITAF_TOKEN holds a token of that server. The activity stays there, with its results."
+      })
+  private @Nullable URI server;
+
+  @Option(
+      names = "--plaintext",
+      description = "With --server: sends the token without TLS beyond this machine.")
+  private boolean plaintext;
+
   @Option(names = "--table", description = "Prints every case, not only those that did not pass.")
   private boolean table;
 
   @Override
-  public Integer call() throws IOException {
+  public Integer call() throws IOException, InterruptedException {
     PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
     PrintWriter err = spec.commandLine().getErr();
-    Activity activity = Activity.read(UserFiles.folder(folder));
+    FileTree files = UserFiles.folder(folder);
+    Activity activity = Activity.read(files);
     Sitaf.print(activity.warnings(), err);
     List<TestResult> results = new ArrayList<>();
+    int exitCode =
+        server == null
+            ? runHere(activity, results, out, err)
+            : runAt(server, files, activity, results, out, err);
+    write(activity, results);
+    return exitCode;
+  }
+
+  private int runAt(
+      URI address,
+      FileTree files,
+      Activity activity,
+      List<TestResult> results,
+      PrintWriter out,
+      PrintWriter err)
+      throws IOException, InterruptedException {
+    List<TestModel> models = models(activity);
+    int exitCode = 0;
+    try (OnExit onExit = new OnExit(Thread.currentThread()::interrupt)) {
+      RemoteRun remote =
+          RemoteRun.upload(address, System.getenv("SITAF_TOKEN"), plaintext, files, System.err);
+      for (TestModel model : models) {
+        try {
+          TestResult result = remote.test(model.name(), seed);
+          print(result, out);
+          results.add(result);
+          exitCode = Math.max(exitCode, exitCode(result));
+        } catch (InvalidInputException e) {
+          Sitaf.print(e.diagnostics(), err);
+          exitCode = Sitaf.UNUSABLE;
+        }
+      }
+    }
+    return exitCode;
+  }
+
+  private int runHere(Activity activity, List<TestResult> results, PrintWriter out, PrintWriter err)
+      throws IOException {
     int exitCode = 0;
     try (LocalBuilds builds =
         new LocalBuilds(Installation.current(), sandbox.open(), !noCoverage, recording)) {
@@ -124,7 +180,6 @@ final class RunCommand implements Callable<Integer> {
         }
       }
     }
-    write(activity, results);
     return exitCode;
   }
 

@@ -2,8 +2,14 @@ package org.sitaf.cli.system;
 
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.cli.Printable;
 import org.sitaf.cli.ProgressLine;
 import org.sitaf.core.diagnostic.Diagnostic;
 import org.sitaf.core.diagnostic.InvalidInputException;
@@ -15,22 +21,51 @@ import tools.jackson.databind.JsonNode;
 final class RemoteBuild {
   private static final int LONG_POLL_S = 20;
 
+  /** With a log to follow, which no poll waits for. */
+  private static final int SHORT_POLL_S = 1;
+
   private final ServerClient server;
   private final ProgressLine progress;
+  private @Nullable PrintStream log;
+  private long logEnd;
+  private String id = "";
 
   RemoteBuild(ServerClient server, ProgressLine progress) {
     this.server = server;
     this.progress = progress;
   }
 
+  /** Also copies the build's log while it grows. */
+  RemoteBuild followedBy(PrintStream out) {
+    log = out;
+    return this;
+  }
+
+  /** Of the build that was requested. */
+  String id() {
+    return id;
+  }
+
   /**
    * Builds a suite now and waits for its result document.
    *
    * @throws InvalidInputException when the build brought no result; holds the reason
+   * @throws InterruptedException when this thread is interrupted; the build is cancelled then
    */
   byte[] build(String suiteId) throws IOException, InterruptedException {
-    JsonNode build = server.post("builds", java.util.Map.of("suiteId", suiteId));
-    String path = "builds/" + build.path("id").asString();
+    JsonNode build = server.post("builds", Map.of("suiteId", suiteId));
+    id = build.path("id").asString();
+    try {
+      return await(build);
+    } catch (InterruptedException e) {
+      server.post("builds/" + id + "/cancel", Map.of());
+      throw e;
+    }
+  }
+
+  private byte[] await(JsonNode requested) throws IOException, InterruptedException {
+    JsonNode build = requested;
+    String path = "builds/" + id;
     String shown = "";
     while (!isOver(build)) {
       String state = build.path("state").asString();
@@ -47,12 +82,39 @@ final class RemoteBuild {
                   + "?waitForChangeSince="
                   + build.path("version").asLong()
                   + "&timeoutS="
-                  + LONG_POLL_S);
+                  + (log == null ? LONG_POLL_S : SHORT_POLL_S));
+      copyLog(build, path);
     }
     if (!build.path("state").asString().equals("DONE")) {
       throw failure(build);
     }
     return server.document(path + "/result/document");
+  }
+
+  private void copyLog(JsonNode build, String path) throws IOException, InterruptedException {
+    PrintStream out = log;
+    if (out == null) {
+      return;
+    }
+    byte[] fresh = server.log(path, logEnd);
+    int whole = isOver(build) ? fresh.length : lastLineEnd(fresh);
+    if (whole > 0) {
+      progress.close();
+      new String(fresh, 0, whole, StandardCharsets.UTF_8)
+          .lines()
+          .forEach(line -> out.println(Printable.line(line)));
+      out.flush();
+      logEnd += whole;
+    }
+  }
+
+  /** After the last whole line: a character may be cut in two behind it. */
+  private static int lastLineEnd(byte[] text) {
+    int end = text.length;
+    while (end > 0 && text[end - 1] != '\n') {
+      end--;
+    }
+    return end;
   }
 
   /** Reads a result document. */
@@ -69,7 +131,7 @@ final class RemoteBuild {
 
   private static InvalidInputException failure(JsonNode build) {
     JsonNode failure = build.path("failure");
-    List<Diagnostic> diagnostics = new java.util.ArrayList<>();
+    List<Diagnostic> diagnostics = new ArrayList<>();
     for (JsonNode d : failure.path("diagnostics")) {
       diagnostics.add(
           Diagnostic.error(

@@ -1,6 +1,7 @@
 package org.sitaf.cli.system;
 
 import java.io.IOException;
+import java.net.ConnectException;
 import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
@@ -67,6 +68,15 @@ final class ServerClient {
     return send(request(path).GET()).body();
   }
 
+  /**
+   * Part of a log from an offset on.
+   *
+   * @param offset in bytes
+   */
+  byte[] log(String buildPath, long offset) throws IOException, InterruptedException {
+    return document(buildPath + "/log?offset=" + offset);
+  }
+
   private HttpRequest.Builder request(String path) {
     return HttpRequest.newBuilder(api.resolve(path))
         .timeout(LIMIT)
@@ -79,7 +89,12 @@ final class ServerClient {
 
   private HttpResponse<byte[]> send(HttpRequest.Builder request)
       throws IOException, InterruptedException {
-    HttpResponse<byte[]> response = http.send(request.build(), BodyHandlers.ofByteArray());
+    HttpResponse<byte[]> response;
+    try {
+      response = http.send(request.build(), BodyHandlers.ofByteArray());
+    } catch (ConnectException e) {
+      throw new IOException("no server answers at " + api.resolve("/"), e);
+    }
     if (response.statusCode() / 100 != 2) {
       throw refusal(response);
     }

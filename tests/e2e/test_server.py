@@ -1,0 +1,119 @@
+"""`./sitaf up`, and what scripts do with a server: run an activity there, and anything that its description allows."""
+
+import http.cookiejar
+import json
+import os
+import re
+import signal
+import subprocess
+import sys
+import urllib.request
+import xml.etree.ElementTree as ElementTree
+from dataclasses import dataclass
+
+import pytest
+
+
+@dataclass(frozen=True)
+class Server:
+    address: str
+    token: str
+
+
+@pytest.fixture(scope="module")
+def server(sitaf, tmp_path_factory):
+    """Server and agent of `up`, and a token that a person made in a browser opened by its link."""
+    data = tmp_path_factory.mktemp("up")
+    up = subprocess.Popen(
+        [sitaf.root / "sitaf", "up", "--port", "0", "--grpc-port", "0", "--data", str(data)],
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        text=True,
+    )
+    try:
+        said = re.compile(r"Open it signed in, once: ((http://\S+)/open/\S+)")
+        link, address = next(found.groups() for line in up.stdout if (found := said.search(line)))
+        cookies = http.cookiejar.CookieJar()
+        browser = urllib.request.build_opener(urllib.request.HTTPCookieProcessor(cookies))
+        browser.open(link).close()
+        browser.open(address + "/api/v1/session").close()
+        csrf = next(cookie.value for cookie in cookies if cookie.name == "XSRF-TOKEN")
+        request = urllib.request.Request(
+            address + "/api/v1/tokens",
+            data=json.dumps({"name": "e2e", "role": "TESTER", "days": 1}).encode(),
+            headers={"Content-Type": "application/json", "X-XSRF-TOKEN": csrf},
+        )
+        with browser.open(request) as answer:
+            token = json.load(answer)["secret"]
+        yield Server(address, token)
+    finally:
+        up.send_signal(signal.SIGINT)
+        assert up.wait(timeout=30) in (0, 130)
+
+
+def test_an_activity_is_tested_on_the_servers_agents(sitaf, server, tmp_path):
+    junit, result = tmp_path / "report.xml", tmp_path / "result.xml"
+    run = sitaf(
+        "run", "examples/ir-sensor", "--server", server.address,
+        "--model", "GetInfraredData", "--junit", junit, "--result", result,
+        env={"SITAF_TOKEN": server.token},
+    )
+    assert run.returncode == 0, run.stdout + run.stderr
+    assert "GetInfraredData: 55 cases, 55 PASS" in run.stdout
+    assert f"{server.address}/builds/" in run.stderr
+    assert ElementTree.parse(junit).getroot().find("testsuite").attrib["tests"] == "55"
+    assert ElementTree.parse(result).getroot().find("summary").attrib["pass"] == "55"
+
+
+def test_cases_that_fail_there_end_as_they_do_here(sitaf, server):
+    run = sitaf("run", "examples/ir-sensor-faulty", "--server", server.address, env={"SITAF_TOKEN": server.token})
+    assert run.returncode == 1, run.stdout + run.stderr
+    assert "GetInfraredData: 55 cases, 50 PASS, 5 FAIL" in run.stdout
+
+
+def test_a_component_that_does_not_compile_there_is_told_with_file_and_line(sitaf, server, activity):
+    source = next(activity.glob("component/**/InfraredSensor.java"))
+    lines = source.read_text().splitlines()
+    at = next(i for i, line in enumerate(lines) if line.strip().startswith("return "))
+    lines[at] = "    return nonsense;"
+    source.write_text("\n".join(lines))
+    run = sitaf("run", activity, "--server", server.address, env={"SITAF_TOKEN": server.token})
+    assert run.returncode == 2
+    assert re.search(rf"InfraredSensor\.java:{at + 1}: error: .*cannot find symbol", run.stderr), run.stderr
+
+
+@pytest.mark.parametrize(
+    ("address", "token", "told"),
+    [
+        (None, "", "SITAF_TOKEN: error: is not set"),
+        (None, "sitaf_wrong", "unknown, revoked or expired"),
+        ("http://sitaf.example", "sitaf_x", "without TLS"),
+        ("sitaf.example", "sitaf_x", "expected an address"),
+    ],
+)
+def test_what_keeps_a_script_out_is_told(sitaf, server, address, token, told):
+    run = sitaf("run", "examples/ir-sensor", "--server", address or server.address, env={"SITAF_TOKEN": token})
+    assert run.returncode == 2
+    assert told in run.stderr
+
+
+def test_nothing_that_the_description_allows_breaks_the_server(server, tmp_path):
+    pytest.importorskip("schemathesis", reason="./sitaf test installs it")
+    fuzz = subprocess.run(
+        [
+            sys.executable, "-m", "schemathesis.cli", "run", server.address + "/v3/api-docs",
+            "--header", f"Authorization: Bearer {server.token}",
+            "--checks", "not_a_server_error",
+            "--max-examples", os.environ.get("SITAF_FUZZ_EXAMPLES", "8"),
+            "--phases", "examples,coverage,fuzzing",
+            "--seed", "1",
+            # A build or a long poll of nobody's would only be waited for.
+            "--exclude-operation-id", "signOut",
+            "--request-timeout", "30",
+        ],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert fuzz.returncode == 0, fuzz.stdout[-6000:] + fuzz.stderr[-2000:]
