@@ -3,7 +3,9 @@ import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
 import com.google.protobuf.ByteString;
 import io.grpc.ManagedChannel;
+import io.grpc.Metadata;
 import io.grpc.netty.shaded.io.grpc.netty.NettyChannelBuilder;
+import io.grpc.stub.MetadataUtils;
 import io.grpc.stub.StreamObserver;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
@@ -32,6 +34,7 @@ import org.sitaf.agent.v1.AgentMessage;
 import org.sitaf.agent.v1.AgentServiceGrpc;
 import org.sitaf.agent.v1.Assignment;
 import org.sitaf.agent.v1.AttemptRef;
+import org.sitaf.agent.v1.EnrolRequest;
 import org.sitaf.agent.v1.Heartbeat;
 import org.sitaf.agent.v1.Register;
 import org.sitaf.agent.v1.ServerMessage;
@@ -127,7 +130,14 @@ public final class Load {
     Agent(String name) {
       this.name = name;
       this.channel = NettyChannelBuilder.forAddress("127.0.0.1", grpc).usePlaintext().build();
-      this.calls = AgentServiceGrpc.newStub(channel);
+      EnrolRequest request = EnrolRequest.newBuilder().setToken(enrolment).setName(name).build();
+      Metadata headers = new Metadata();
+      headers.put(
+          Metadata.Key.of("authorization", Metadata.ASCII_STRING_MARSHALLER),
+          "Bearer " + AgentServiceGrpc.newBlockingStub(channel).enrol(request).getKey());
+      this.calls =
+          AgentServiceGrpc.newStub(channel)
+              .withInterceptors(MetadataUtils.newAttachHeadersInterceptor(headers));
       channels.add(channel);
     }
 

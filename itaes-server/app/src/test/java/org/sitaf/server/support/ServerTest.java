@@ -24,7 +24,10 @@ import org.springframework.test.context.DynamicPropertySource;
       "spring.grpc.server.port=0",
       "sitaf.lease=4s",
       "sitaf.retry-delay=50ms",
-      "sitaf.max-log=64KB"
+      "sitaf.max-log=64KB",
+      "sitaf.webhooks.allowed-hosts=localhost",
+      "sitaf.webhooks.private-addresses=true",
+      "sitaf.webhooks.interval=200ms"
     })
 public abstract class ServerTest {
   /** Of the one who starts the server; an administrator. */

@@ -1,0 +1,18 @@
+package org.sitaf.server.webhook;
+
+import java.net.URI;
+import java.time.Instant;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Whom to tell that a build is over.
+ *
+ * @param activityOrNull name of the activities whose builds are told; null for all
+ */
+record Webhook(
+    String id, URI url, @Nullable String activityOrNull, Instant created, String createdBy) {
+  Optional<String> activity() {
+    return Optional.ofNullable(activityOrNull);
+  }
+}

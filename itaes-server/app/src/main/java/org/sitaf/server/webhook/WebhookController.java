@@ -1,0 +1,142 @@
+package org.sitaf.server.webhook;
+
+import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.media.Schema;
+import io.swagger.v3.oas.annotations.tags.Tag;
+import java.net.URI;
+import java.time.Instant;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.server.access.Caller;
+import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.web.Listing;
+import org.springframework.data.domain.PageRequest;
+import org.springframework.data.domain.Sort;
+import org.springframework.http.HttpStatus;
+import org.springframework.http.ResponseEntity;
+import org.springframework.web.bind.annotation.DeleteMapping;
+import org.springframework.web.bind.annotation.GetMapping;
+import org.springframework.web.bind.annotation.PathVariable;
+import org.springframework.web.bind.annotation.PostMapping;
+import org.springframework.web.bind.annotation.RequestBody;
+import org.springframework.web.bind.annotation.RequestMapping;
+import org.springframework.web.bind.annotation.RequestParam;
+import org.springframework.web.bind.annotation.ResponseStatus;
+import org.springframework.web.bind.annotation.RestController;
+
+@RestController
+@RequestMapping("/api/v1/webhooks")
+@Tag(name = "webhooks")
+class WebhookController {
+  private static final int LONGEST_NAME = 200;
+
+  private final Webhooks webhooks;
+  private final Deliveries deliveries;
+
+  WebhookController(Webhooks webhooks, Deliveries deliveries) {
+    this.webhooks = webhooks;
+    this.deliveries = deliveries;
+  }
+
+  @Schema(name = "WebhookRequest")
+  record WebhookRequest(
+      @Schema(description = "to a host that the operator allows") String url,
+      @Schema(description = "only builds of activities of this name; absent for all")
+          @Nullable String activity) {}
+
+  @Schema(name = "Webhook")
+  record WebhookView(
+      String id, URI url, @Nullable String activity, Instant created, String createdBy) {
+    static WebhookView of(Webhook webhook) {
+      return new WebhookView(
+          webhook.id(),
+          webhook.url(),
+          webhook.activity().orElse(null),
+          webhook.created(),
+          webhook.createdBy());
+    }
+  }
+
+  @Schema(name = "WebhookWithSecret")
+  record WebhookWithSecret(
+      WebhookView webhook,
+      @Schema(
+              description =
+                  "signs what is sent: Sitaf-Signature is t=SECONDS,v1=HEX with the HMAC-SHA-256 of"
+                      + " SECONDS.BODY; shown this once")
+          String secret) {}
+
+  @Schema(name = "WebhookDelivery")
+  record DeliveryView(
+      String id,
+      String buildId,
+      Delivery.State state,
+      int tries,
+      @Schema(description = "when it is tried next; absent when it is not") @Nullable Instant due,
+      Instant created,
+      @Schema(description = "what came of the last try") @Nullable String lastAnswer) {
+    static DeliveryView of(Delivery delivery) {
+      return new DeliveryView(
+          delivery.id(),
+          delivery.buildId(),
+          delivery.state(),
+          delivery.tries(),
+          delivery.state() == Delivery.State.WAITING ? delivery.due() : null,
+          delivery.created(),
+          delivery.lastAnswer().orElse(null));
+    }
+  }
+
+  @GetMapping
+  @Operation(operationId = "listWebhooks", summary = "Webhooks, the newest first")
+  Listing<WebhookView> list(
+      @RequestParam(defaultValue = "0") int page, @RequestParam(defaultValue = "50") int size) {
+    PageRequest wanted = Listing.request(page, size, Sort.unsorted());
+    return new Listing<>(
+        webhooks.list(wanted).stream().map(WebhookView::of).toList(), page, size, webhooks.count());
+  }
+
+  @PostMapping
+  @Operation(
+      operationId = "createWebhook",
+      summary = "Has another system told when builds are over",
+      description =
+          "By POST of JSON: event (build.finished), build, activity, model, state, finished, counts."
+              + " Sent at least once; Sitaf-Delivery is the same each time.")
+  @ResponseStatus(HttpStatus.CREATED)
+  ResponseEntity<WebhookWithSecret> create(@RequestBody WebhookRequest request) {
+    if (request.url() == null) {
+      throw Refusal.malformed("url must be given.");
+    }
+    if (request.activity() != null && request.activity().length() > LONGEST_NAME) {
+      throw Refusal.malformed("activity: at most " + LONGEST_NAME + " characters.");
+    }
+    Webhooks.WithSecret made =
+        webhooks.create(request.url(), request.activity(), Caller.currentName());
+    return ResponseEntity.created(URI.create("/api/v1/webhooks/" + made.webhook().id()))
+        .body(new WebhookWithSecret(WebhookView.of(made.webhook()), made.secret()));
+  }
+
+  @DeleteMapping("/{id}")
+  @Operation(operationId = "deleteWebhook", summary = "Tells that system no more")
+  @ResponseStatus(HttpStatus.NO_CONTENT)
+  void delete(@PathVariable String id) {
+    webhooks.delete(id);
+  }
+
+  @GetMapping("/{id}/deliveries")
+  @Operation(
+      operationId = "listWebhookDeliveries",
+      summary = "What was sent, or is to be, the newest first")
+  Listing<DeliveryView> deliveries(
+      @PathVariable String id,
+      @RequestParam(defaultValue = "0") int page,
+      @RequestParam(defaultValue = "50") int size) {
+    PageRequest wanted = Listing.request(page, size, Sort.unsorted());
+    webhooks.find(id);
+    return new Listing<>(
+        deliveries.list(id, wanted).stream().map(DeliveryView::of).toList(),
+        page,
+        size,
+        deliveries.count(id));
+  }
+}
