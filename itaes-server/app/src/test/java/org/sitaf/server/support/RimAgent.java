@@ -194,24 +194,27 @@ public final class RimAgent implements AutoCloseable {
   /** With the key that the agent has, whosever it is. */
   public void sendRegisterUnenrolled(
       String name, int slots, List<String> labels, String language, AttemptRef... running) {
-    stream().onNext(
-        AgentMessage.newBuilder()
-            .setRegister(
-                Register.newBuilder()
-                    .setName(name)
-                    .setVersion("test")
-                    .setSlots(slots)
-                    .setSimulation(true)
-                    .addAllLabels(labels)
-                    .addToolchains(Toolchain.newBuilder().setLanguage(language).setVersion("test"))
-                    .addAllRunning(List.of(running)))
-            .build());
+    stream()
+        .onNext(
+            AgentMessage.newBuilder()
+                .setRegister(
+                    Register.newBuilder()
+                        .setName(name)
+                        .setVersion("test")
+                        .setSlots(slots)
+                        .setSimulation(true)
+                        .addAllLabels(labels)
+                        .addToolchains(
+                            Toolchain.newBuilder().setLanguage(language).setVersion("test"))
+                        .addAllRunning(List.of(running)))
+                .build());
   }
 
   /** A heartbeat that says why no new build is taken. */
   public void refuse(String why) {
-    stream().onNext(
-        AgentMessage.newBuilder().setHeartbeat(Heartbeat.newBuilder().setRefuses(why)).build());
+    stream()
+        .onNext(
+            AgentMessage.newBuilder().setHeartbeat(Heartbeat.newBuilder().setRefuses(why)).build());
   }
 
   public void heartbeat(AttemptRef... running) {

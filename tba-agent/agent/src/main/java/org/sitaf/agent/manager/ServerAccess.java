@@ -40,9 +40,7 @@ public record ServerAccess(
     }
     boolean here =
         Stream.of(server.split("\\s*,\\s*")).allMatch(one -> LOOPBACK.matcher(one).matches());
-    return plaintext || here
-        ? InsecureChannelCredentials.create()
-        : TlsChannelCredentials.create();
+    return plaintext || here ? InsecureChannelCredentials.create() : TlsChannelCredentials.create();
   }
 
   @Override

@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.server.access.enrolment.Enrolments;
 import org.sitaf.server.build.agent.KnownAgent.Standing;
 import org.sitaf.server.refusal.Refusal;
 import org.springframework.http.HttpStatus;
@@ -26,9 +27,11 @@ import org.springframework.web.bind.annotation.RestController;
 @Tag(name = "agents")
 class AgentController {
   private final Agents agents;
+  private final Enrolments enrolments;
   private final Dispatcher dispatcher;
 
-  AgentController(Agents agents, Dispatcher dispatcher) {
+  AgentController(Agents agents, Dispatcher dispatcher, Enrolments enrolments) {
+    this.enrolments = enrolments;
     this.agents = agents;
     this.dispatcher = dispatcher;
   }
@@ -93,6 +96,7 @@ class AgentController {
   @ResponseStatus(HttpStatus.NO_CONTENT)
   void forget(@PathVariable String name) {
     agents.forget(name);
+    enrolments.revoke(name);
   }
 
   private AgentView view(KnownAgent agent) {
