@@ -2,14 +2,9 @@ package org.sitaf.cli;
 
 import java.io.IOException;
 import java.io.OutputStream;
-import java.io.OutputStreamWriter;
-import java.io.Writer;
-import java.nio.charset.StandardCharsets;
-import java.util.ArrayList;
-import java.util.List;
-import java.util.stream.Collectors;
 import org.sitaf.core.suite.CaseParameter;
 import org.sitaf.core.suite.ExpectedValue;
+import org.sitaf.core.suite.SuiteCsv;
 import org.sitaf.core.suite.TestCase;
 import org.sitaf.core.suite.TestSuite;
 import org.sitaf.core.suite.TestSuiteXml;
@@ -29,21 +24,7 @@ enum SuiteFormat {
   CSV {
     @Override
     void write(TestSuite suite, OutputStream out) throws IOException {
-      Writer writer = new OutputStreamWriter(out, StandardCharsets.UTF_8);
-      List<String> outputs = outputs(suite);
-      List<String> header = new ArrayList<>(List.of("no", "class"));
-      suite.parameters().stream().map(CaseParameter::name).forEach(header::add);
-      outputs.forEach(o -> header.add(o.isEmpty() ? "expected" : "expected " + o));
-      writeLine(header, writer);
-      for (TestCase testCase : suite.cases()) {
-        List<String> line = new ArrayList<>();
-        line.add(Integer.toString(testCase.no()));
-        line.add(testCase.valid() ? "valid" : "invalid");
-        line.addAll(testCase.values());
-        outputs.forEach(o -> line.add(expected(testCase, o)));
-        writeLine(line, writer);
-      }
-      writer.flush();
+      SuiteCsv.write(suite, out);
     }
   },
   /** One object with the parameters and the cases; values are literals, as in the document. */
@@ -89,30 +70,4 @@ enum SuiteFormat {
 
   /** Writes all cases; the same suite gives the same bytes. */
   abstract void write(TestSuite suite, OutputStream out) throws IOException;
-
-  private static List<String> outputs(TestSuite suite) {
-    return suite.cases().stream()
-        .flatMap(c -> c.expected().stream().map(ExpectedValue::output))
-        .distinct()
-        .toList();
-  }
-
-  private static String expected(TestCase testCase, String output) {
-    return testCase.expected().stream()
-        .filter(e -> e.output().equals(output))
-        .map(ExpectedValue::literal)
-        .findFirst()
-        .orElse("");
-  }
-
-  private static void writeLine(List<String> fields, Writer writer) throws IOException {
-    writer.write(fields.stream().map(SuiteFormat::quote).collect(Collectors.joining(",")));
-    writer.write("\r\n");
-  }
-
-  private static String quote(String field) {
-    return field.matches("(?s).*[\",\r\n].*") || field.startsWith(" ") || field.endsWith(" ")
-        ? '"' + field.replace("\"", "\"\"") + '"'
-        : field;
-  }
 }

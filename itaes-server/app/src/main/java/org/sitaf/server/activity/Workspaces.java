@@ -124,6 +124,11 @@ public class Workspaces {
     replace(id, FileTree.of(files), expectedVersion);
   }
 
+  /** Changes several files, when the activity holds together with the changes. */
+  void change(String id, FileChanges changes, @Nullable Long expectedVersion) {
+    replace(id, changes.applyTo(tree(id)), expectedVersion);
+  }
+
   FileTree tree(String id) {
     return contents.load(files(id));
   }

@@ -62,14 +62,14 @@ class SuiteController {
       @RequestParam(defaultValue = "50") int size) {
     Sort newestFirst = Sort.by("created").descending().and(Sort.by("id"));
     return Listing.of(
-        suites.ofActivity(id, Listing.request(page, size, newestFirst), SuiteView::of),
+        suites.ofActivity(id, Listing.request(page, size, newestFirst), suites::view),
         view -> view);
   }
 
   @GetMapping("/suites/{id}")
   @Operation(operationId = "getSuite", summary = "A suite")
   SuiteView get(@PathVariable String id) {
-    return suites.inspect(id, SuiteView::of);
+    return suites.inspect(id, suites::view);
   }
 
   @GetMapping("/suites/{id}/cases")
@@ -79,9 +79,7 @@ class SuiteController {
       @RequestParam(defaultValue = "0") int page,
       @RequestParam(defaultValue = "50") int size) {
     return Listing.of(
-        Suites.suite(suites.find(id)).cases(),
-        Listing.request(page, size, Sort.unsorted()),
-        CaseView::of);
+        suites.suite(id).cases(), Listing.request(page, size, Sort.unsorted()), CaseView::of);
   }
 
   @GetMapping(path = "/suites/{id}/document", produces = MediaType.APPLICATION_XML_VALUE)

@@ -1,12 +1,22 @@
 package org.sitaf.server.suite;
 
+import java.time.Instant;
 import java.util.Optional;
 import org.springframework.data.domain.Page;
 import org.springframework.data.domain.Pageable;
+import org.springframework.data.jpa.repository.Query;
 import org.springframework.data.repository.Repository;
 
 interface SuiteRepository extends Repository<StoredSuite, String> {
   Optional<StoredSuite> findById(String id);
+
+  /** The version of a suite, without the document that a whole suite brings along. */
+  @Query("select s.version from StoredSuite s where s.id = :id")
+  Optional<Long> versionOf(String id);
+
+  /** The suite of a model that was made last before another. */
+  Optional<StoredSuite> findFirstByActivityIdAndModelAndCreatedBeforeOrderByCreatedDesc(
+      String activityId, String model, Instant created);
 
   Page<StoredSuite> findByActivityId(String activityId, Pageable page);
 

@@ -25,6 +25,7 @@ record SuiteView(
     @Schema(description = "cases that hold an invalid value") int invalid,
     Instant created,
     @Schema(description = "grows with each change; for If-Match") long version,
+    @Schema(description = "latest changes that can be undone") int undoable,
     List<ParameterView> parameters,
     @Schema(description = "what was left out, and other things to know of the generation")
         List<DiagnosticView> notes) {
@@ -57,8 +58,7 @@ record SuiteView(
     }
   }
 
-  static SuiteView of(StoredSuite stored) {
-    TestSuite suite = Suites.suite(stored);
+  static SuiteView of(StoredSuite stored, TestSuite suite, int undoable) {
     return new SuiteView(
         stored.id(),
         stored.activityId(),
@@ -70,6 +70,7 @@ record SuiteView(
         stored.total() - stored.valid(),
         stored.created(),
         stored.version(),
+        undoable,
         suite.parameters().stream().map(ParameterView::of).toList(),
         stored.notes().stream().map(DiagnosticView::of).toList());
   }

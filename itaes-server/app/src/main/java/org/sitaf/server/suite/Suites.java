@@ -5,6 +5,7 @@ import java.io.ByteArrayOutputStream;
 import java.time.Clock;
 import java.time.temporal.ChronoUnit;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.UUID;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
@@ -32,11 +33,20 @@ public class Suites {
   private final Workspaces workspaces;
   private final TransactionTemplate transaction;
   private final Clock clock;
+  private final SuiteCache cache;
+  private final SuiteRevisions revisions;
 
   Suites(
-      SuiteRepository suites, Workspaces workspaces, TransactionTemplate transaction, Clock clock) {
+      SuiteRepository suites,
+      Workspaces workspaces,
+      TransactionTemplate transaction,
+      Clock clock,
+      SuiteCache cache,
+      SuiteRevisions revisions) {
     this.suites = suites;
     this.workspaces = workspaces;
+    this.cache = cache;
+    this.revisions = revisions;
     this.transaction = transaction;
     this.clock = clock;
   }
@@ -99,23 +109,77 @@ public class Suites {
             generated.notes(),
             document(generated.suite()),
             clock.instant().truncatedTo(ChronoUnit.MICROS));
-    suites.saveAndFlush(stored);
+    cache.put(id, suites.saveAndFlush(stored).version(), generated.suite());
     return id;
   }
 
   /** Puts an edited document into the place of a suite's. */
   void replaceDocument(String id, byte[] document, @Nullable Long expectedVersion) {
     TestSuite edited = TestSuiteXml.read(new ByteArrayInputStream(document), "the document");
-    TestModel model =
-        Workspaces.model(workspaces.activity(find(id).activityId()), find(id).model());
+    edit(id, expectedVersion, (suite, model) -> edited);
+  }
+
+  /** A change of a suite, made with the model that it belongs to. */
+  @FunctionalInterface
+  interface Edit {
+    TestSuite apply(TestSuite suite, TestModel model);
+  }
+
+  /** Changes a suite; what it was can be brought back with {@link #undo}. */
+  void edit(String id, @Nullable Long expectedVersion, Edit edit) {
+    StoredSuite seen = find(id);
+    seen.requireVersion(expectedVersion);
+    TestModel model = Workspaces.model(workspaces.activity(seen.activityId()), seen.model());
+    TestSuite edited = edit.apply(suite(seen), model);
     requireFit(edited, model);
+    byte[] document = document(edited);
+    transaction.executeWithoutResult(
+        status -> {
+          StoredSuite stored = find(id);
+          // What was changed is what was seen, whether or not its author named a version.
+          stored.requireVersion(seen.version());
+          revisions.push(id, stored.version(), stored.document());
+          stored.replace(edited, document);
+          suites.saveAndFlush(stored);
+        });
+    cache.put(id, version(id), edited);
+  }
+
+  /** Brings back what a suite was before its latest change. */
+  void undo(String id, @Nullable Long expectedVersion) {
     transaction.executeWithoutResult(
         status -> {
           StoredSuite stored = find(id);
           stored.requireVersion(expectedVersion);
-          stored.replace(edited, document(edited));
+          byte[] document =
+              revisions
+                  .pop(id)
+                  .orElseThrow(() -> Refusal.conflict("There is no change left to undo."));
+          stored.replace(
+              TestSuiteXml.read(new ByteArrayInputStream(document), stored.name()), document);
           suites.saveAndFlush(stored);
         });
+  }
+
+  /** The suite of the same model that was made last before this one. */
+  Optional<StoredSuite> previous(StoredSuite stored) {
+    return suites.findFirstByActivityIdAndModelAndCreatedBeforeOrderByCreatedDesc(
+        stored.activityId(), stored.model(), stored.created());
+  }
+
+  /** The present version of a suite. */
+  long version(String id) {
+    return suites.versionOf(id).orElseThrow(() -> Refusal.notFound("suite", id));
+  }
+
+  /** The suite of an id, as its document says. */
+  TestSuite suite(String id) {
+    return cache.get(id, version(id)).orElseGet(() -> suite(find(id)));
+  }
+
+  /** A suite as people and programs see it; within a transaction. */
+  SuiteView view(StoredSuite stored) {
+    return SuiteView.of(stored, suite(stored), revisions.count(stored.id()));
   }
 
   StoredSuite find(String id) {
@@ -135,8 +199,16 @@ public class Suites {
   }
 
   /** The suite as its document says. */
-  static TestSuite suite(StoredSuite stored) {
-    return TestSuiteXml.read(new ByteArrayInputStream(stored.document()), stored.name());
+  TestSuite suite(StoredSuite stored) {
+    return cache
+        .get(stored.id(), stored.version())
+        .orElseGet(
+            () -> {
+              TestSuite suite =
+                  TestSuiteXml.read(new ByteArrayInputStream(stored.document()), stored.name());
+              cache.put(stored.id(), stored.version(), suite);
+              return suite;
+            });
   }
 
   private static byte[] document(TestSuite suite) {

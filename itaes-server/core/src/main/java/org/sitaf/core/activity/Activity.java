@@ -1,5 +1,6 @@
 package org.sitaf.core.activity;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
@@ -8,6 +9,7 @@ import org.sitaf.core.description.InterfaceDescription;
 import org.sitaf.core.description.WorldDescription;
 import org.sitaf.core.diagnostic.Diagnostic;
 import org.sitaf.core.model.TestModel;
+import org.sitaf.core.suite.TestCaseGenerator;
 
 /**
  * A test activity, read and verified: everything that a test of one component needs.
@@ -40,6 +42,21 @@ public record Activity(
    */
   public static Activity read(FileTree files) {
     return new ActivityReader(files).read();
+  }
+
+  /**
+   * A model as it stands in this activity, which need not hold it: its enumerations get their
+   * literals from the interfaces.
+   */
+  public TestModel resolve(TestModel model) {
+    return InterfaceTypes.resolve(model, provided, required);
+  }
+
+  /** What keeps a resolved model from being used with this activity; empty where nothing does. */
+  public List<Diagnostic> verify(TestModel model) {
+    List<Diagnostic> found = new ArrayList<>(TestCaseGenerator.verifyConditions(model));
+    found.addAll(ModelAgainstActivity.verify(model, provided, required, world));
+    return found;
   }
 
   /** The model of a name. */

@@ -77,7 +77,7 @@ final class Oracle {
    * The literal of a result in the type of its output, so that {@code -1} for a double is {@code
    * -1.0}.
    */
-  private static String literal(Object result, DataType type) {
+  static String literal(Object result, DataType type) {
     if (result instanceof String text && text.startsWith(Value.MARK_OF_ERROR)) {
       return text;
     }

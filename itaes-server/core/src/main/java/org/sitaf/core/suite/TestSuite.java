@@ -38,6 +38,16 @@ public record TestSuite(
     }
   }
 
+  /**
+   * The same suite with other cases.
+   *
+   * @throws IllegalArgumentException when a case does not have a value for each parameter, or a
+   *     number is used twice
+   */
+  public TestSuite withCases(List<TestCase> others) {
+    return new TestSuite(name, description, modelName, generation, parameters, others);
+  }
+
   /** How many cases hold no invalid value. */
   public long validCount() {
     return cases.stream().filter(TestCase::valid).count();

@@ -1,0 +1,53 @@
+package org.sitaf.server.preview;
+
+import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.Parameter;
+import io.swagger.v3.oas.annotations.media.Content;
+import io.swagger.v3.oas.annotations.media.Schema;
+import io.swagger.v3.oas.annotations.parameters.RequestBody;
+import io.swagger.v3.oas.annotations.tags.Tag;
+import jakarta.servlet.http.HttpServletRequest;
+import java.io.IOException;
+import java.io.InputStream;
+import org.sitaf.server.web.Requests;
+import org.springframework.http.MediaType;
+import org.springframework.web.bind.annotation.PathVariable;
+import org.springframework.web.bind.annotation.PostMapping;
+import org.springframework.web.bind.annotation.RequestMapping;
+import org.springframework.web.bind.annotation.RequestParam;
+import org.springframework.web.bind.annotation.RestController;
+
+@RestController
+@RequestMapping("/api/v1/activities/{id}/model-previews")
+@Tag(name = "activities")
+class PreviewController {
+  private final Previews previews;
+  private final Requests requests;
+
+  PreviewController(Previews previews, Requests requests) {
+    this.previews = previews;
+    this.requests = requests;
+  }
+
+  @PostMapping(consumes = MediaType.APPLICATION_XML_VALUE)
+  @Operation(
+      operationId = "previewModel",
+      summary = "What a draft of a test model gives; nothing is stored",
+      requestBody =
+          @RequestBody(
+              required = true,
+              content =
+                  @Content(
+                      mediaType = MediaType.APPLICATION_XML_VALUE,
+                      schema = @Schema(type = "string"))))
+  PreviewView preview(
+      @PathVariable String id,
+      @RequestParam(defaultValue = "false") boolean cases,
+      @RequestParam(defaultValue = "1") long seed,
+      @Parameter(hidden = true) HttpServletRequest request)
+      throws IOException {
+    try (InputStream body = requests.body(request)) {
+      return previews.preview(id, body.readAllBytes(), cases, seed);
+    }
+  }
+}

@@ -1,0 +1,52 @@
+package org.sitaf.server.preview;
+
+import io.swagger.v3.oas.annotations.media.Schema;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.model.InputElement;
+import org.sitaf.core.model.InputKind;
+import org.sitaf.core.suite.TestSuite;
+import org.sitaf.core.value.TestData;
+import org.sitaf.core.value.TestDataGenerator;
+import org.sitaf.server.web.DiagnosticView;
+
+/** What a draft of a test model gives. */
+@Schema(name = "ModelPreview")
+record PreviewView(
+    @Schema(description = "what is wrong with the draft, and notes")
+        List<DiagnosticView> diagnostics,
+    @Schema(description = "in the order of the draft; empty where it cannot be read")
+        List<InputValues> inputs,
+    @Schema(description = "absent where the draft is wrong, or its cases were not asked for")
+        @Nullable CaseCounts counts) {
+
+  @Schema(name = "InputValues")
+  record InputValues(
+      String name,
+      InputKind type,
+      @Schema(description = "numbers in ascending order") List<PreviewValue> values,
+      @Schema(description = "values that the scheme gives and the type cannot hold")
+          List<String> leftOut) {
+    static InputValues of(InputElement element, long seed) {
+      TestData data = TestDataGenerator.generate(element, seed);
+      return new InputValues(
+          element.name(),
+          element.kind(),
+          data.values().stream()
+              .map(v -> new PreviewValue(v.value().literal(), v.valid()))
+              .toList(),
+          data.leftOut());
+    }
+  }
+
+  @Schema(name = "PreviewValue")
+  record PreviewValue(String literal, boolean valid) {}
+
+  @Schema(name = "CaseCounts", description = "exact: the cases were generated and counted")
+  record CaseCounts(int total, int valid, int invalid) {
+    static CaseCounts of(TestSuite suite) {
+      int valid = Math.toIntExact(suite.validCount());
+      return new CaseCounts(suite.cases().size(), valid, suite.cases().size() - valid);
+    }
+  }
+}

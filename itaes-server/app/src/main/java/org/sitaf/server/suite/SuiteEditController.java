@@ -1,0 +1,184 @@
+package org.sitaf.server.suite;
+
+import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.Parameter;
+import io.swagger.v3.oas.annotations.media.Content;
+import io.swagger.v3.oas.annotations.media.Schema;
+import io.swagger.v3.oas.annotations.tags.Tag;
+import jakarta.servlet.http.HttpServletRequest;
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.suite.SuiteCsv;
+import org.sitaf.core.suite.TestSuite;
+import org.sitaf.server.suite.SuiteEdits.ExpectedChanges;
+import org.sitaf.server.suite.SuiteEdits.ExpectedFill;
+import org.sitaf.server.web.Requests;
+import org.springframework.http.HttpHeaders;
+import org.springframework.http.MediaType;
+import org.springframework.web.bind.annotation.GetMapping;
+import org.springframework.web.bind.annotation.PatchMapping;
+import org.springframework.web.bind.annotation.PathVariable;
+import org.springframework.web.bind.annotation.PostMapping;
+import org.springframework.web.bind.annotation.PutMapping;
+import org.springframework.web.bind.annotation.RequestBody;
+import org.springframework.web.bind.annotation.RequestHeader;
+import org.springframework.web.bind.annotation.RequestMapping;
+import org.springframework.web.bind.annotation.RequestParam;
+import org.springframework.web.bind.annotation.RestController;
+import tools.jackson.databind.json.JsonMapper;
+
+/** What the grid of a suite's cases does. */
+@RestController
+@RequestMapping("/api/v1/suites/{id}")
+@Tag(name = "suites")
+class SuiteEditController {
+  private static final String CSV = "text/csv";
+
+  private final Suites suites;
+  private final Requests requests;
+  private final JsonMapper json;
+
+  SuiteEditController(Suites suites, Requests requests, JsonMapper json) {
+    this.suites = suites;
+    this.requests = requests;
+    this.json = json;
+  }
+
+  @PatchMapping("/expected")
+  @Operation(
+      operationId = "changeExpected",
+      summary = "Sets expected values of single cases",
+      description = "With If-Match, only onto that version (412).")
+  SuiteView change(
+      @PathVariable String id,
+      @RequestHeader(name = HttpHeaders.IF_MATCH, required = false) @Nullable String ifMatch,
+      @RequestBody ExpectedChanges changes) {
+    return edit(id, ifMatch, (suite, model) -> SuiteEdits.change(suite, model, changes));
+  }
+
+  @PostMapping("/expected/fill")
+  @Operation(
+      operationId = "fillExpected",
+      summary = "Works expected values out by a formula",
+      description =
+          "Nothing is changed where it has no value for a case. With If-Match, only onto that version (412).")
+  SuiteView fill(
+      @PathVariable String id,
+      @RequestHeader(name = HttpHeaders.IF_MATCH, required = false) @Nullable String ifMatch,
+      @RequestBody ExpectedFill fill) {
+    return edit(id, ifMatch, (suite, model) -> SuiteEdits.fill(suite, model, fill));
+  }
+
+  @PostMapping("/undo")
+  @Operation(
+      operationId = "undoSuiteChange",
+      summary = "Brings back what a suite was before its latest change",
+      description = "Refused (409) when no change is left to undo.")
+  SuiteView undo(
+      @PathVariable String id,
+      @RequestHeader(name = HttpHeaders.IF_MATCH, required = false) @Nullable String ifMatch) {
+    suites.undo(id, Requests.version(ifMatch));
+    return suites.inspect(id, suites::view);
+  }
+
+  @GetMapping(path = "/cases.csv", produces = CSV)
+  @Operation(operationId = "exportSuiteAsCsv", summary = "The cases as comma-separated values")
+  byte[] csv(@PathVariable String id) throws IOException {
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    SuiteCsv.write(suites.suite(id), out);
+    return out.toByteArray();
+  }
+
+  @PutMapping(path = "/cases.csv", consumes = CSV)
+  @Operation(
+      operationId = "importSuiteFromCsv",
+      summary = "Puts other cases into the place of a suite's",
+      description =
+          "The header must be the one of the export. With If-Match, only onto that version (412).",
+      requestBody =
+          @io.swagger.v3.oas.annotations.parameters.RequestBody(
+              required = true,
+              content = @Content(mediaType = CSV, schema = @Schema(type = "string"))))
+  SuiteView importCsv(
+      @PathVariable String id,
+      @RequestHeader(name = HttpHeaders.IF_MATCH, required = false) @Nullable String ifMatch,
+      @Parameter(hidden = true) HttpServletRequest request)
+      throws IOException {
+    byte[] document = body(request);
+    return edit(id, ifMatch, (suite, model) -> fromCsv(document, suite));
+  }
+
+  @GetMapping(path = "/cases.json", produces = MediaType.APPLICATION_OCTET_STREAM_VALUE)
+  @Operation(operationId = "exportSuiteAsJson", summary = "The cases as JSON, to keep in a file")
+  byte[] json(@PathVariable String id) {
+    return SuiteJson.write(suites.suite(id), json);
+  }
+
+  @PutMapping(path = "/cases.json", consumes = MediaType.APPLICATION_OCTET_STREAM_VALUE)
+  @Operation(
+      operationId = "importSuiteFromJson",
+      summary = "Puts the cases of a JSON document into the place of a suite's",
+      description = "With If-Match, only onto that version (412).",
+      requestBody =
+          @io.swagger.v3.oas.annotations.parameters.RequestBody(
+              required = true,
+              content =
+                  @Content(
+                      mediaType = MediaType.APPLICATION_OCTET_STREAM_VALUE,
+                      schema = @Schema(type = "string"))))
+  SuiteView importJson(
+      @PathVariable String id,
+      @RequestHeader(name = HttpHeaders.IF_MATCH, required = false) @Nullable String ifMatch,
+      @Parameter(hidden = true) HttpServletRequest request)
+      throws IOException {
+    byte[] document = body(request);
+    return edit(id, ifMatch, (suite, model) -> SuiteJson.read(document, suite, json));
+  }
+
+  @GetMapping("/combinations")
+  @Operation(
+      operationId = "getCombinations",
+      summary = "Which values occur together",
+      description = "With first and second, also how often each pair of their values does.")
+  CombinationsView combinations(
+      @PathVariable String id,
+      @RequestParam(required = false) @Nullable Integer first,
+      @RequestParam(required = false) @Nullable Integer second) {
+    return CombinationsView.of(suites.suite(id), first, second);
+  }
+
+  @GetMapping("/changes")
+  @Operation(
+      operationId = "getSuiteChanges",
+      summary = "What changed since the suite of the same model that was made before")
+  ChangesView changes(@PathVariable String id) {
+    StoredSuite stored = suites.find(id);
+    return suites
+        .previous(stored)
+        .map(p -> ChangesView.between(p.id(), suites.suite(p), suites.suite(stored)))
+        .orElseGet(ChangesView::first);
+  }
+
+  private SuiteView edit(String id, @Nullable String ifMatch, Suites.Edit edit) {
+    suites.edit(id, Requests.version(ifMatch), edit);
+    return suites.inspect(id, suites::view);
+  }
+
+  private static TestSuite fromCsv(byte[] document, TestSuite suite) {
+    try {
+      return SuiteCsv.read(new ByteArrayInputStream(document), "the CSV document", suite);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  private byte[] body(HttpServletRequest request) throws IOException {
+    try (InputStream body = requests.body(request)) {
+      return body.readAllBytes();
+    }
+  }
+}

@@ -1,0 +1,65 @@
+package org.sitaf.core.suite;
+
+import java.util.Set;
+import java.util.TreeSet;
+import org.sitaf.core.expression.EvaluationException;
+import org.sitaf.core.expression.Expression;
+import org.sitaf.core.expression.ExpressionCompiler;
+import org.sitaf.core.expression.Variables;
+import org.sitaf.core.model.InputElement;
+import org.sitaf.core.model.OutputElement;
+import org.sitaf.core.model.TestModel;
+import org.sitaf.core.model.Value;
+
+/** A CEL expression that works out what an output should be, case by case. */
+public final class ExpectedFormula {
+  private final TestModel model;
+  private final OutputElement output;
+  private final Expression expression;
+
+  private ExpectedFormula(TestModel model, OutputElement output, Expression expression) {
+    this.model = model;
+    this.output = output;
+    this.expression = expression;
+  }
+
+  /**
+   * Compiles an expression over the inputs of a model and {@code valid}.
+   *
+   * @param outputName name of the output; empty where the model has only one
+   * @throws IllegalArgumentException when the model has no such output, or the expression is not
+   *     usable
+   */
+  public static ExpectedFormula compile(TestModel model, String outputName, String text) {
+    OutputElement output =
+        model
+            .output(outputName)
+            .orElseThrow(
+                () ->
+                    new IllegalArgumentException(
+                        "the model has no output '"
+                            + outputName
+                            + "'; it has "
+                            + model.outputs().stream().map(OutputElement::name).toList()));
+    Set<String> variables =
+        new TreeSet<>(Variables.roots(model.inputs().stream().map(InputElement::name).toList()));
+    variables.add(Variables.VALID);
+    return new ExpectedFormula(model, output, new ExpressionCompiler(variables).compile(text));
+  }
+
+  /**
+   * What the output should be in a case of the model.
+   *
+   * @throws EvaluationException when the expression has no value there
+   * @throws IllegalArgumentException when the output's type cannot hold the value
+   */
+  public ExpectedValue expect(TestCase testCase) throws EvaluationException {
+    Variables variables = new Variables().put(Variables.VALID, testCase.valid());
+    for (int i = 0; i < testCase.values().size(); i++) {
+      InputElement input = model.inputs().get(i);
+      variables.put(input.name(), Value.parse(testCase.values().get(i), input.type()));
+    }
+    String literal = Oracle.literal(expression.evaluate(variables.map()), output.type());
+    return new ExpectedValue(model.outputs().size() == 1 ? "" : output.name(), literal);
+  }
+}
