@@ -58,6 +58,7 @@ export function suite(id: string, activityId: string, model: string): Suite {
     invalid: 30,
     created: THEN,
     version: 1,
+    undoable: 0,
     parameters: PARAMETERS,
     notes: [],
   };

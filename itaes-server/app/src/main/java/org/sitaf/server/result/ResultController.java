@@ -34,12 +34,24 @@ class ResultController {
   }
 
   @GetMapping("/cases")
-  @Operation(operationId = "listResultCases", summary = "Cases of a result, by number")
+  @Operation(
+      operationId = "listResultCases",
+      summary = "Cases of a result, by number",
+      description =
+          "Of a verdict, and of those in which a parameter has a value, where these are given.")
   Listing<CaseView> cases(
       @PathVariable String id,
       @RequestParam(required = false) @Nullable Verdict verdict,
+      @RequestParam(required = false) @Nullable String parameter,
+      @RequestParam(required = false) @Nullable String value,
       @RequestParam(defaultValue = "0") int page,
       @RequestParam(defaultValue = "50") int size) {
+    if (parameter != null && value != null) {
+      return Listing.of(
+          results.casesWith(
+              id, verdict, parameter, value, Listing.request(page, size, Sort.unsorted())),
+          CaseView::of);
+    }
     return Listing.of(
         results.cases(id, verdict, Listing.request(page, size, Sort.unsorted())), CaseView::of);
   }

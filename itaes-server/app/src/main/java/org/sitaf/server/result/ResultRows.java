@@ -121,6 +121,39 @@ class ResultRows {
     return new PageImpl<>(items, page, total);
   }
 
+  /** Results of an activity, of one model or all, the newest first. */
+  Page<HistoryView.Row> history(String activityId, @Nullable String model, Pageable page) {
+    String from =
+        " FROM result r JOIN build b ON b.id = r.build_id WHERE b.workspace_id = :activity"
+            + (model == null ? "" : " AND b.model = :model");
+    String modelName = model == null ? "" : model;
+    long total =
+        jdbc.sql("SELECT COUNT(*)" + from)
+            .param("activity", activityId)
+            .param("model", modelName)
+            .query(Long.class)
+            .single();
+    List<HistoryView.Row> items =
+        jdbc.sql(
+                "SELECT b.id, b.model, b.agent, r.received, r.overview"
+                    + from
+                    + " ORDER BY r.received DESC, b.id LIMIT :size OFFSET :offset")
+            .param("activity", activityId)
+            .param("model", modelName)
+            .param("size", page.getPageSize())
+            .param("offset", page.getOffset())
+            .query(
+                (row, index) ->
+                    new HistoryView.Row(
+                        row.getString(1),
+                        row.getString(2),
+                        row.getObject(4, java.time.OffsetDateTime.class).toInstant(),
+                        row.getString(3),
+                        json.readValue(row.getString(5), Overview.class).summary()))
+            .list();
+    return new PageImpl<>(items, page, total);
+  }
+
   private String toText(CaseResult outcome) {
     String text = json.writeValueAsString(outcome);
     return text.length() <= MAX_OUTCOME ? text : json.writeValueAsString(shortened(outcome));

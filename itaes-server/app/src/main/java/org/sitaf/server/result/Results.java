@@ -2,13 +2,16 @@ package org.sitaf.server.result;
 
 import java.io.ByteArrayInputStream;
 import java.time.Instant;
+import java.util.List;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.core.suite.CaseParameter;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.TestResult;
 import org.sitaf.core.verdict.TestResultXml;
 import org.sitaf.core.verdict.Verdict;
 import org.sitaf.server.refusal.Refusal;
 import org.springframework.data.domain.Page;
+import org.springframework.data.domain.PageImpl;
 import org.springframework.data.domain.Pageable;
 import org.springframework.stereotype.Service;
 import org.springframework.transaction.annotation.Propagation;
@@ -20,9 +23,11 @@ public class Results {
   private static final String DOCUMENT_NAME = "result descriptor";
 
   private final ResultRows rows;
+  private final ResultCache cache;
 
-  Results(ResultRows rows) {
+  Results(ResultRows rows, ResultCache cache) {
     this.rows = rows;
+    this.cache = cache;
   }
 
   /**
@@ -58,6 +63,42 @@ public class Results {
    */
   public byte[] document(String buildId) {
     return rows.document(buildId).orElseThrow(() -> noResult(buildId));
+  }
+
+  /** A result with all of its cases. */
+  TestResult whole(String buildId) {
+    return cache
+        .get(buildId)
+        .orElseGet(
+            () -> {
+              TestResult result = read(document(buildId));
+              cache.put(buildId, result);
+              return result;
+            });
+  }
+
+  /** Cases of a verdict, or all, in which a parameter has a value. */
+  Page<CaseResult> casesWith(
+      String buildId, @Nullable Verdict verdict, String parameter, String value, Pageable page) {
+    TestResult result = whole(buildId);
+    int index = result.parameters().stream().map(CaseParameter::name).toList().indexOf(parameter);
+    if (index < 0) {
+      throw Refusal.malformed("The result has no parameter '" + parameter + "'.");
+    }
+    List<CaseResult> fitting =
+        result.cases().stream()
+            .filter(c -> verdict == null || c.verdict() == verdict)
+            .filter(c -> index < c.values().size() && c.values().get(index).equals(value))
+            .toList();
+    return new PageImpl<>(
+        fitting.stream().skip(page.getOffset()).limit(page.getPageSize()).toList(),
+        page,
+        fitting.size());
+  }
+
+  /** Results of an activity, of one model or all, the newest first. */
+  Page<HistoryView.Row> history(String activityId, @Nullable String model, Pageable page) {
+    return rows.history(activityId, model, page);
   }
 
   String activityName(String buildId) {

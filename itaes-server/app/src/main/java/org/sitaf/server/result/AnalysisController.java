@@ -1,0 +1,66 @@
+package org.sitaf.server.result;
+
+import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.tags.Tag;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.server.web.Listing;
+import org.springframework.data.domain.Sort;
+import org.springframework.http.MediaType;
+import org.springframework.web.bind.annotation.GetMapping;
+import org.springframework.web.bind.annotation.PathVariable;
+import org.springframework.web.bind.annotation.RequestMapping;
+import org.springframework.web.bind.annotation.RequestParam;
+import org.springframework.web.bind.annotation.RestController;
+
+/** Results as people look at them: in graphs, over time, against each other, and to send. */
+@RestController
+@RequestMapping("/api/v1")
+@Tag(name = "results")
+class AnalysisController {
+  private final Results results;
+
+  AnalysisController(Results results) {
+    this.results = results;
+  }
+
+  @GetMapping("/builds/{id}/result/statistics")
+  @Operation(
+      operationId = "getResultStatistics",
+      summary = "Processing times, and verdicts by the value of each parameter")
+  StatisticsView statistics(@PathVariable String id) {
+    return StatisticsView.of(results.whole(id));
+  }
+
+  @GetMapping("/builds/{id}/result/comparison")
+  @Operation(
+      operationId = "compareResults",
+      summary = "What a result has become against that of another build")
+  ComparisonView comparison(@PathVariable String id, @RequestParam String with) {
+    return ComparisonView.of(results.whole(with), results.whole(id));
+  }
+
+  @GetMapping(path = "/builds/{id}/result/cases.csv", produces = "text/csv")
+  @Operation(operationId = "getResultAsCsv", summary = "A result as comma-separated values")
+  byte[] csv(@PathVariable String id) {
+    return ResultCsv.write(results.whole(id));
+  }
+
+  @GetMapping(path = "/builds/{id}/result/report", produces = MediaType.TEXT_HTML_VALUE)
+  @Operation(
+      operationId = "getResultReport",
+      summary = "A result as one page that needs nothing else, to send")
+  byte[] report(@PathVariable String id) {
+    return ResultReport.write(results.activityName(id), results.whole(id));
+  }
+
+  @GetMapping("/activities/{id}/results")
+  @Operation(operationId = "listResults", summary = "Results of an activity, the newest first")
+  Listing<HistoryView> history(
+      @PathVariable String id,
+      @RequestParam(required = false) @Nullable String model,
+      @RequestParam(defaultValue = "0") int page,
+      @RequestParam(defaultValue = "50") int size) {
+    return Listing.of(
+        results.history(id, model, Listing.request(page, size, Sort.unsorted())), HistoryView::of);
+  }
+}

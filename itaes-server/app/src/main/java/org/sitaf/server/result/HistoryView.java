@@ -1,0 +1,21 @@
+package org.sitaf.server.result;
+
+import io.swagger.v3.oas.annotations.media.Schema;
+import java.time.Instant;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.verdict.Summary;
+import org.sitaf.server.result.ResultView.SummaryView;
+
+/** The result of a build among those before and after it. */
+@Schema(name = "ResultOfBuild")
+record HistoryView(
+    String buildId, String model, Instant received, @Nullable String agent, SummaryView summary) {
+  static HistoryView of(Row row) {
+    return new HistoryView(
+        row.buildId(), row.model(), row.received(), row.agent(), SummaryView.of(row.summary()));
+  }
+
+  /** As the database has it. */
+  record Row(
+      String buildId, String model, Instant received, @Nullable String agent, Summary summary) {}
+}

@@ -1,0 +1,182 @@
+package org.sitaf.server.result;
+
+import io.swagger.v3.oas.annotations.media.Schema;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.verdict.CaseResult;
+import org.sitaf.core.verdict.TestResult;
+import org.sitaf.core.verdict.Verdict;
+
+/** The graphs of a result: processing times, and verdicts by the value of each parameter. */
+@Schema(name = "ResultStatistics")
+record StatisticsView(
+    @Schema(description = "absent where no case was timed") @Nullable Times times,
+    @Schema(description = "in the order of the result's parameters") List<ByParameter> parameters) {
+  private static final int BARS = 40;
+  private static final int POINTS = 400;
+  private static final int VALUES = 200;
+
+  @Schema(name = "TimeStatistics", description = "microseconds, of PASS and FAIL cases")
+  record Times(
+      int count,
+      double min,
+      double max,
+      double average,
+      @Schema(description = "of the sample") double standardDeviation,
+      double p50,
+      double p90,
+      double p95,
+      double p99,
+      List<Bar> histogram,
+      @Schema(
+              description =
+                  "over the cases by number; a point stands for several where they are many")
+          List<Point> overCases) {}
+
+  @Schema(name = "HistogramBar")
+  record Bar(
+      @Schema(description = "inclusive") double from,
+      @Schema(description = "exclusive but for the last bar") double to,
+      int count) {}
+
+  @Schema(name = "TimePoint")
+  record Point(int firstNo, int lastNo, double min, double average, double max) {}
+
+  @Schema(name = "VerdictsByParameter")
+  record ByParameter(
+      String name,
+      @Schema(description = "numbers in ascending order, at most 200") List<ByValue> values,
+      @Schema(description = "further values that are left out") int leftOut) {}
+
+  @Schema(name = "VerdictsByValue")
+  record ByValue(String value, int pass, int fail, int error, int dont) {}
+
+  static StatisticsView of(TestResult result) {
+    List<ByParameter> parameters = new ArrayList<>();
+    for (int p = 0; p < result.parameters().size(); p++) {
+      parameters.add(byParameter(result, p));
+    }
+    return new StatisticsView(times(result), parameters);
+  }
+
+  private static @Nullable Times times(TestResult result) {
+    List<CaseResult> timed =
+        result.cases().stream()
+            .filter(c -> c.verdict() == Verdict.PASS || c.verdict() == Verdict.FAIL)
+            .filter(c -> c.time() != null)
+            .toList();
+    var summary = result.summary().times();
+    if (timed.isEmpty() || summary == null) {
+      return null;
+    }
+    double[] sorted = timed.stream().mapToDouble(StatisticsView::time).sorted().toArray();
+    return new Times(
+        sorted.length,
+        summary.min(),
+        summary.max(),
+        summary.average(),
+        summary.standardDeviation(),
+        percentile(sorted, 0.50),
+        percentile(sorted, 0.90),
+        percentile(sorted, 0.95),
+        percentile(sorted, 0.99),
+        histogram(sorted),
+        overCases(timed));
+  }
+
+  /** The nearest rank: a time that was measured, not one in between. */
+  private static double percentile(double[] sorted, double share) {
+    int rank = (int) Math.ceil(share * sorted.length);
+    return sorted[Math.max(0, Math.min(sorted.length - 1, rank - 1))];
+  }
+
+  /** Up to the 99th percentile in equal bars; the last bar takes what is above. */
+  private static List<Bar> histogram(double[] sorted) {
+    double low = sorted[0];
+    double high = percentile(sorted, 0.99);
+    double top = sorted[sorted.length - 1];
+    if (high <= low) {
+      return List.of(new Bar(low, top, sorted.length));
+    }
+    int bars = Math.max(1, Math.min(BARS, (int) Math.ceil(2 * Math.cbrt(sorted.length)) * 2));
+    int[] counts = new int[bars];
+    double width = (high - low) / bars;
+    for (double time : sorted) {
+      counts[Math.min(bars - 1, (int) ((time - low) / width))]++;
+    }
+    List<Bar> histogram = new ArrayList<>();
+    for (int i = 0; i < bars; i++) {
+      double to = i == bars - 1 ? Math.max(high, top) : low + (i + 1) * width;
+      histogram.add(new Bar(low + i * width, to, counts[i]));
+    }
+    return histogram;
+  }
+
+  private static List<Point> overCases(List<CaseResult> timed) {
+    List<CaseResult> ordered =
+        timed.stream().sorted(Comparator.comparingInt(CaseResult::no)).toList();
+    int step = Math.max(1, (ordered.size() + POINTS - 1) / POINTS);
+    List<Point> points = new ArrayList<>();
+    for (int from = 0; from < ordered.size(); from += step) {
+      List<CaseResult> some = ordered.subList(from, Math.min(ordered.size(), from + step));
+      double[] times = some.stream().mapToDouble(StatisticsView::time).toArray();
+      points.add(
+          new Point(
+              some.get(0).no(),
+              some.get(some.size() - 1).no(),
+              Arrays.stream(times).min().orElseThrow(),
+              Arrays.stream(times).average().orElseThrow(),
+              Arrays.stream(times).max().orElseThrow()));
+    }
+    return points;
+  }
+
+  private static ByParameter byParameter(TestResult result, int parameter) {
+    Map<String, int[]> counts = new LinkedHashMap<>();
+    for (CaseResult kase : result.cases()) {
+      if (parameter < kase.values().size()) {
+        counts
+            .computeIfAbsent(kase.values().get(parameter), v -> new int[Verdict.values().length])[
+            kase.verdict().ordinal()]++;
+      }
+    }
+    List<String> values = new ArrayList<>(counts.keySet());
+    sort(values);
+    List<ByValue> shown =
+        values.stream()
+            .limit(VALUES)
+            .map(
+                v -> {
+                  int[] n = Objects.requireNonNull(counts.get(v));
+                  return new ByValue(
+                      v,
+                      n[Verdict.PASS.ordinal()],
+                      n[Verdict.FAIL.ordinal()],
+                      n[Verdict.ERROR.ordinal()],
+                      n[Verdict.DONT.ordinal()]);
+                })
+            .toList();
+    return new ByParameter(
+        result.parameters().get(parameter).name(), shown, values.size() - shown.size());
+  }
+
+  private static void sort(List<String> values) {
+    try {
+      Map<String, Double> numbers = new LinkedHashMap<>();
+      values.forEach(v -> numbers.put(v, Double.valueOf(v)));
+      values.sort(Comparator.comparing(numbers::get));
+    } catch (NumberFormatException e) {
+      values.sort(Comparator.naturalOrder());
+    }
+  }
+
+  private static double time(CaseResult kase) {
+    return Objects.requireNonNull(kase.time()).total();
+  }
+}

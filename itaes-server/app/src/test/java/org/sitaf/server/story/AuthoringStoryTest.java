@@ -1,0 +1,295 @@
+package org.sitaf.server.story;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.net.http.HttpRequest.BodyPublishers;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.sitaf.core.harness.TestApplication;
+import org.sitaf.server.support.Activities;
+import org.sitaf.server.support.Api;
+import org.sitaf.server.support.RimAgent;
+import org.sitaf.server.support.ServerTest;
+import tools.jackson.databind.JsonNode;
+
+/** Writing models and expected values, and looking at results, as the portal does it over HTTP. */
+@Tag("slow")
+class AuthoringStoryTest extends ServerTest {
+  private static final String XML = "application/xml";
+
+  private String activityId = "";
+  private String activity = "";
+
+  @BeforeEach
+  void upload() {
+    activityId = api.upload(Activities.zip());
+    activity = "/api/v1/activities/" + activityId;
+  }
+
+  @Test
+  void anActivityIsDescribedWithItsTypesAndItsWorld() {
+    JsonNode description = api.get(activity + "/description").expect(200).json();
+    JsonNode methods = description.get("provided").get(0).get("methods");
+    JsonNode method =
+        Stream.iterate(0, i -> i + 1)
+            .limit(methods.size())
+            .map(methods::get)
+            .filter(m -> m.get("name").asString().equals(Activities.MODEL))
+            .findFirst()
+            .orElseThrow();
+    assertThat(method.get("returnType").get("spelling").asString()).isEqualTo("double");
+    assertThat(method.get("parameters"))
+        .extracting(p -> p.get("name").asString())
+        .containsExactly("IndexOfSensor", "NumOfSensor");
+    JsonNode distance = description.get("world").get("parameters").get(0);
+    assertThat(distance.get("name").asString()).isEqualTo("Distance");
+    assertThat(distance.get("unit").asString()).isEqualTo("m");
+    assertThat(distance.get("min").asDouble()).isLessThan(distance.get("max").asDouble());
+  }
+
+  @Test
+  void severalFilesChangeTogetherOrNotAtAll() {
+    String version = version(activity);
+    String yaml = api.get(activity + "/files/activity.yaml").expect(200).text();
+    String model = api.get(activity + "/models/" + Activities.MODEL).text();
+    String second = model.replace("<name>GetInfraredData</name>", "<name>Second</name>");
+    String both =
+        changes(
+            Map.of(
+                "Second.xml",
+                second,
+                "activity.yaml",
+                yaml.replace(
+                    "models: [GetInfraredData.xml]", "models: [GetInfraredData.xml, Second.xml]")));
+    patch(activity + "/files", changes(Map.of("activity.yaml", "name: ir")), version).expect(422);
+    assertThat(api.get(activity + "/files/activity.yaml").text()).isEqualTo(yaml);
+    JsonNode changed = patch(activity + "/files", both, version).expect(200).json();
+    assertThat(changed.get("models"))
+        .extracting(m -> m.get("name").asString())
+        .containsExactly("GetInfraredData", "Second");
+    patch(activity + "/files", both, version).expect(412);
+    patch(activity + "/files", changes(Map.of("../x", "")), null).expect(422);
+  }
+
+  @Test
+  void filesAreCheckedWithoutBeingStored() {
+    Map<String, byte[]> files = Activities.files();
+    Api.Answer good =
+        api.post("/api/v1/activity-checks", "application/zip", Activities.zip(files)).expect(200);
+    assertThat(good.json().get("diagnostics").size()).isZero();
+    assertThat(good.json().get("description").get("provided").size()).isPositive();
+    files.remove("InfraredSensorService.xml");
+    JsonNode bad =
+        api.post("/api/v1/activity-checks", "application/zip", Activities.zip(files))
+            .expect(200)
+            .json();
+    assertThat(bad.has("description")).isFalse();
+    assertThat(bad.get("diagnostics").get(0).get("message").asString())
+        .contains("InfraredSensorService.xml");
+  }
+
+  @Test
+  void aDraftOfAModelShowsItsValuesAndTheExactCountOfItsCases() {
+    String model = api.get(activity + "/models/" + Activities.MODEL).text();
+    String path = activity + "/model-previews?cases=true";
+    JsonNode preview = api.post(path, XML, bytes(model)).expect(200).json();
+    assertThat(preview.get("counts").get("total").asInt()).isEqualTo(55);
+    assertThat(preview.get("counts").get("valid").asInt()).isEqualTo(25);
+    JsonNode index = preview.get("inputs").get(0);
+    assertThat(index.get("values"))
+        .extracting(v -> v.get("literal").asString())
+        .containsExactly("0", "1", "2", "4", "6", "7", "8");
+    assertThat(index.get("values"))
+        .extracting(v -> v.get("valid").asBoolean())
+        .containsExactly(false, true, true, true, true, true, false);
+
+    JsonNode wide =
+        api.post(path, XML, bytes(model.replace("max=\"10.0\"", "max=\"1e6\""))).expect(200).json();
+    assertThat(wide.has("counts")).isFalse();
+    assertThat(wide.get("inputs").size()).as("values are shown all the same").isEqualTo(3);
+    assertThat(wide.get("diagnostics").get(0).get("element").asString()).contains("Distance");
+    JsonNode unreadable = api.post(path, XML, bytes("<test_model/>")).expect(200).json();
+    assertThat(unreadable.get("diagnostics").size()).isPositive();
+    assertThat(api.get(activity + "/models/" + Activities.MODEL).text()).isEqualTo(model);
+  }
+
+  @Test
+  void expectedValuesAreSetFilledImportedAndUndone() {
+    String suite = "/api/v1/suites/" + api.suite(activityId);
+    String version = version(suite);
+    String one = "{\"changes\":[{\"no\":3,\"literal\":\"7\"},{\"no\":4}]}";
+    JsonNode changed = patch(suite + "/expected", one, version).expect(200).json();
+    assertThat(changed.get("undoable").asInt()).isEqualTo(1);
+    assertThat(expected(suite, 3)).isEqualTo("7.0");
+    assertThat(expected(suite, 4)).isEmpty();
+    patch(suite + "/expected", one, version).expect(412);
+    assertThat(
+            patch(suite + "/expected", "{\"changes\":[{\"no\":3,\"literal\":\"far\"}]}", null)
+                .expect(422)
+                .text())
+        .contains("case 3");
+
+    api.post(suite + "/expected/fill", "{\"expression\":\"Distance * 2.0\"}").expect(200);
+    assertThat(expected(suite, 3)).as("stays").isEqualTo("7.0");
+    assertThat(Double.valueOf(expected(suite, 4)))
+        .isEqualTo(2 * Double.parseDouble(value(suite, 4, 2)));
+    api.post(suite + "/expected/fill", "{\"expression\":\"Nothing + 1\"}").expect(422);
+
+    String csv = api.get(suite + "/cases.csv").expect(200).text();
+    assertThat(csv).startsWith("no,class,IndexOfSensor,NumOfSensor,Distance,expected\r\n");
+    byte[] json = api.get(suite + "/cases.json").expect(200).bytes();
+    String edited = csv.replaceFirst("(?m)^3,(.*),7\\.0$", "3,$1,9.0");
+    api.put(suite + "/cases.csv", "text/csv", bytes(edited), null).expect(200);
+    assertThat(expected(suite, 3)).isEqualTo("9.0");
+    api.put(suite + "/cases.json", "application/octet-stream", json, null).expect(200);
+    assertThat(expected(suite, 3)).isEqualTo("7.0");
+    api.put(suite + "/cases.csv", "text/csv", bytes("no\r\n"), null).expect(422);
+
+    api.post(suite + "/undo", "").expect(200);
+    assertThat(expected(suite, 3)).isEqualTo("9.0");
+    for (int left = 3; left > 0; left--) {
+      assertThat(api.post(suite + "/undo", "").expect(200).json().get("undoable").asInt())
+          .isEqualTo(left - 1);
+    }
+    api.post(suite + "/undo", "").expect(409);
+    assertThat(expected(suite, 3)).isNotEqualTo("7.0");
+  }
+
+  @Test
+  void aSuiteShowsItsCombinationsAndWhatChangedSinceTheOneBefore() {
+    String first = api.suite(activityId);
+    assertThat(api.get("/api/v1/suites/" + first + "/changes").json().has("previousId")).isFalse();
+    String combined =
+        api.post(
+                activity + "/models/" + Activities.MODEL + "/suites",
+                "{\"invalidValues\":\"combine\"}")
+            .expect(201)
+            .id();
+    JsonNode combinations =
+        api.get("/api/v1/suites/" + combined + "/combinations?first=0&second=2").json();
+    assertThat(combinations.get("pairs"))
+        .allSatisfy(
+            pair ->
+                assertThat(pair.get("covered").asInt()).isEqualTo(pair.get("possible").asInt()));
+    assertThat(combinations.get("counts").get("cases").size()).isEqualTo(7);
+    JsonNode changes = api.get("/api/v1/suites/" + combined + "/changes").expect(200).json();
+    assertThat(changes.get("previousId").asString()).isEqualTo(first);
+    assertThat(
+            changes.get("kept").asInt()
+                + changes.get("added").asInt()
+                + changes.get("expectedChanged").asInt())
+        .isEqualTo(49);
+    assertThat(
+            changes.get("kept").asInt()
+                + changes.get("removed").asInt()
+                + changes.get("expectedChanged").asInt())
+        .isEqualTo(55);
+  }
+
+  @Test
+  void aResultIsAnalysedComparedAndSent() {
+    String suite = api.suite(activityId);
+    try (RimAgent agent = RimAgent.register(grpcPort(), "analyst", "java")) {
+      String before = build(agent, suite, List.of(7, 8));
+      String now = build(agent, suite, List.of(8, 9));
+      String result = "/api/v1/builds/" + now + "/result";
+      JsonNode statistics = api.get(result + "/statistics").expect(200).json();
+      JsonNode times = statistics.get("times");
+      assertThat(times.get("count").asInt()).isEqualTo(55);
+      assertThat(times.get("p50").asDouble()).isEqualTo(28);
+      assertThat(times.get("p99").asDouble()).isEqualTo(55);
+      assertThat(sum(times.get("histogram"), "count")).isEqualTo(55);
+      assertThat(times.get("overCases").size()).isEqualTo(55);
+      JsonNode distance = statistics.get("parameters").get(2);
+      assertThat(distance.get("name").asString()).isEqualTo("Distance");
+      assertThat(sum(distance.get("values"), "pass")).isEqualTo(53);
+      assertThat(sum(distance.get("values"), "fail")).isEqualTo(2);
+
+      JsonNode comparison = api.get(result + "/comparison?with=" + before).expect(200).json();
+      assertThat(comparison.get("common").asInt()).isEqualTo(55);
+      assertThat(comparison.get("items"))
+          .extracting(i -> i.get("change").asString() + " " + i.get("no").asInt())
+          .containsExactly("newlyFailing 9", "fixed 7");
+
+      JsonNode far =
+          api.get(result + "/cases?parameter=Distance&value=10.0&size=500").expect(200).json();
+      assertThat(far.get("total").asInt()).isPositive();
+      assertThat(far.get("items"))
+          .allSatisfy(c -> assertThat(c.get("values").get(2).asString()).isEqualTo("10.0"));
+      api.get(result + "/cases?parameter=Nothing&value=1").expect(400);
+
+      assertThat(api.get(result + "/cases.csv").expect(200).text().lines()).hasSize(56);
+      assertThat(api.get(result + "/report").expect(200).text())
+          .startsWith("<!doctype html>")
+          .contains("GetInfraredData", "Std deviation")
+          .doesNotContain("<script");
+      JsonNode history = api.get(activity + "/results?model=" + Activities.MODEL).json();
+      assertThat(history.get("items"))
+          .extracting(r -> r.get("buildId").asString())
+          .containsExactly(now, before);
+      assertThat(history.get("items").get(0).get("summary").get("fail").asInt()).isEqualTo(2);
+    }
+  }
+
+  private String build(RimAgent agent, String suiteId, List<Integer> failing) {
+    String id = api.build(suiteId);
+    var assignment = agent.nextAssignment();
+    TestApplication application = agent.download(assignment);
+    agent.submit(assignment.getAttempt(), RimAgent.result(application, failing));
+    return id;
+  }
+
+  private static int sum(JsonNode items, String field) {
+    int sum = 0;
+    for (JsonNode item : items) {
+      sum += item.get(field).asInt();
+    }
+    return sum;
+  }
+
+  private String expected(String suite, int no) {
+    JsonNode expected = kase(suite, no).get("expected");
+    return expected.has("return") ? expected.get("return").asString() : "";
+  }
+
+  private String value(String suite, int no, int parameter) {
+    return kase(suite, no).get("values").get(parameter).asString();
+  }
+
+  private JsonNode kase(String suite, int no) {
+    return api.get(suite + "/cases?size=500").expect(200).json().get("items").get(no - 1);
+  }
+
+  private String version(String path) {
+    return api.get(path).expect(200).json().get("version").asString();
+  }
+
+  private Api.Answer patch(String path, String json, @Nullable String version) {
+    var request =
+        api.request(path)
+            .header("Content-Type", "application/json")
+            .method("PATCH", BodyPublishers.ofString(json));
+    return api.send(version == null ? request : request.header("If-Match", version));
+  }
+
+  private static String changes(Map<String, String> files) {
+    return tools.jackson.databind.json.JsonMapper.builder()
+        .build()
+        .writeValueAsString(
+            Map.of(
+                "changes",
+                files.entrySet().stream()
+                    .map(f -> Map.of("path", f.getKey(), "content", f.getValue()))
+                    .toList()));
+  }
+
+  private static byte[] bytes(String text) {
+    return text.getBytes(StandardCharsets.UTF_8);
+  }
+}
