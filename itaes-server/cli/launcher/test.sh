@@ -46,6 +46,11 @@ locked
 keep_java
 unlocked
 
+if ! "$python" -c 'import playwright' 2>/dev/null; then
+  # Drives Debian's Chromium; brings no browser of its own.
+  "$python" -m pip install --quiet playwright==1.65.2
+fi
+
 section "Across rooms: the wire of the simulator, and the launcher as a person uses it"
 cd "$home/tests"
 "$python" -m pytest -q

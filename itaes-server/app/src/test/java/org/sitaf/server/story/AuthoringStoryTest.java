@@ -162,6 +162,30 @@ class AuthoringStoryTest extends ServerTest {
   }
 
   @Test
+  void aDriverOfOnesOwnStandsBesideTheGeneratedOne() {
+    String suite = api.suite(activityId);
+    JsonNode generated = driver(suite);
+    assertThat(generated.has("generated")).isFalse();
+    String path = generated.get("keptPath").asString();
+    String own = "// mine\n" + generated.get("content").asString();
+    patch(activity + "/files", changes(Map.of(path, own)), null).expect(200);
+    JsonNode kept = driver(suite);
+    assertThat(kept.get("content").asString()).isEqualTo(own);
+    assertThat(kept.get("generated")).isEqualTo(generated.get("content"));
+    patch(activity + "/files", "{\"changes\":[{\"path\":\"" + path + "\"}]}", null).expect(200);
+    assertThat(driver(suite)).isEqualTo(generated);
+  }
+
+  private JsonNode driver(String suiteId) {
+    for (JsonNode file : api.get("/api/v1/suites/" + suiteId + "/harness").expect(200).json()) {
+      if (file.get("editable").asBoolean()) {
+        return file;
+      }
+    }
+    throw new AssertionError("no file is editable");
+  }
+
+  @Test
   void aSuiteShowsItsCombinationsAndWhatChangedSinceTheOneBefore() {
     String first = api.suite(activityId);
     assertThat(api.get("/api/v1/suites/" + first + "/changes").json().has("previousId")).isFalse();
