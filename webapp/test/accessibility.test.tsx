@@ -3,7 +3,7 @@ import axe from 'axe-core';
 import { afterEach, beforeEach, expect, test } from 'vitest';
 import { FakeServer } from './support/FakeServer';
 import { openPortal } from './support/openPortal';
-import { activity, build, doneBuild, resultCases } from './support/samples';
+import { activity, build, doneBuild, resultCases, suiteCases } from './support/samples';
 
 let server: FakeServer;
 
@@ -14,6 +14,7 @@ beforeEach(async () => {
   server.activities.push(activity('a1'));
   server.builds.push(build('b2', { state: 'RUNNING', casesDone: 5 }), doneBuild('b1', cases));
   server.cases.set('b1', cases);
+  server.suiteCases = suiteCases(9);
 });
 
 afterEach(async () => {
@@ -21,9 +22,13 @@ afterEach(async () => {
 });
 
 test.each([
-  ['/', 'Activities'],
-  ['/activities/a1', 'Files'],
+  ['/', 'Builds'],
+  ['/activities', 'Activities'],
+  ['/activities/a1', 'Builds'],
+  ['/suites/s1', 'Test cases'],
+  ['/builds', 'Builds'],
   ['/builds/b1', 'Cases'],
+  ['/agents', 'Agents'],
 ])('axe finds nothing wrong on %s', async (address, table) => {
   const { container } = openPortal(server, address);
   await screen.findByRole('table', { name: table });

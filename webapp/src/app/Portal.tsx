@@ -1,9 +1,9 @@
 import '@mantine/core/styles.css';
 import { MantineProvider } from '@mantine/core';
-import { QueryClient, QueryClientProvider } from '@tanstack/react-query';
+import { QueryCache, QueryClient, QueryClientProvider } from '@tanstack/react-query';
 import { RouterProvider, type RouterHistory } from '@tanstack/react-router';
 import { useEffect, useState } from 'react';
-import { ServerContext, type Server } from '@/shared/api';
+import { ApiError, ServerContext, type Server } from '@/shared/api';
 import { createPortalRouter } from './router';
 import { theme } from './theme';
 import './theme.css';
@@ -30,7 +30,15 @@ export function Portal({ server, history }: PortalProps) {
 }
 
 function createQueryClient(): QueryClient {
-  return new QueryClient({
+  const queries = new QueryClient({
+    queryCache: new QueryCache({
+      onError: (error) => {
+        // The session has ended: the frame shows the way in.
+        if (error instanceof ApiError && error.status === 401) {
+          void queries.invalidateQueries({ queryKey: ['session'] });
+        }
+      },
+    }),
     defaultOptions: {
       // A refusal stays one, and a lost connection heals for all queries at once (below).
       // The browser's own idea of being online says nothing of a server on this machine.
@@ -38,6 +46,7 @@ function createQueryClient(): QueryClient {
       mutations: { retry: false, networkMode: 'always' },
     },
   });
+  return queries;
 }
 
 /** What was shown while the connection was lost may be old: everything is asked for again. */

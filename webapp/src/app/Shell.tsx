@@ -1,18 +1,40 @@
 import {
   ActionIcon,
+  Button,
   Container,
   Group,
+  Text,
   useComputedColorScheme,
   useMantineColorScheme,
 } from '@mantine/core';
-import { Outlet } from '@tanstack/react-router';
+import { Link, Outlet, useLocation, useNavigate } from '@tanstack/react-router';
+import { Suspense, useEffect } from 'react';
 import { AgentsStatus } from '@/features/agents';
-import { RouteLink } from '@/shared/ui';
+import { useSession, useSignOut } from '@/features/session';
+import { Loading, RouteLink, UserText } from '@/shared/ui';
 import { ConnectionBanner } from './ConnectionBanner';
 import classes from './Shell.module.css';
 
-/** The frame around every page. */
+const PLACES = [
+  { to: '/activities', label: 'Activities' },
+  { to: '/builds', label: 'Builds' },
+  { to: '/schedules', label: 'Schedules' },
+  { to: '/agents', label: 'Agents' },
+  { to: '/settings', label: 'Settings' },
+] as const;
+
+/** The frame around every page; who is not signed in sees the page to do so first. */
 export function Shell() {
+  const session = useSession();
+  const navigate = useNavigate();
+  const { pathname, href } = useLocation();
+  const outside = pathname === '/sign-in';
+  const nobody = session.data === null;
+  useEffect(() => {
+    if (nobody && !outside) {
+      void navigate({ to: '/sign-in', search: href === '/' ? {} : { to: href }, replace: true });
+    }
+  }, [nobody, outside, href, navigate]);
   return (
     <>
       <a className={classes.skip} href="#content">
@@ -20,13 +42,28 @@ export function Shell() {
       </a>
       <header className={classes.header}>
         <Container size="xl">
-          <Group justify="space-between" py="sm">
-            <RouteLink to="/" className={classes.brand} underline="never" c="inherit">
-              <img src="/favicon.svg" alt="" width={24} height={24} />
-              SITAF
-            </RouteLink>
+          <Group justify="space-between" py="xs" gap="sm">
+            <Group gap="lg">
+              <RouteLink to="/" className={classes.brand} underline="never" c="inherit">
+                <img src="/favicon.svg" alt="" width={24} height={24} />
+                SITAF
+              </RouteLink>
+              <nav aria-label="Main" className={classes.places} hidden={nobody}>
+                {PLACES.map(({ to, label }) => (
+                  <Link
+                    key={to}
+                    to={to}
+                    className={classes.place}
+                    activeProps={{ 'aria-current': 'page' }}
+                  >
+                    {label}
+                  </Link>
+                ))}
+              </nav>
+            </Group>
             <Group gap="md">
-              <AgentsStatus />
+              {session.data && <AgentsStatus />}
+              {session.data && <Account name={session.data.name} />}
               <SchemeSwitch />
             </Group>
           </Group>
@@ -34,9 +71,32 @@ export function Shell() {
       </header>
       <ConnectionBanner />
       <Container component="main" size="xl" py="lg" id="content" tabIndex={-1}>
-        <Outlet />
+        <Suspense fallback={<Loading what="the page" />}>
+          {(session.data !== null || outside) && <Outlet />}
+        </Suspense>
       </Container>
     </>
+  );
+}
+
+function Account({ name }: { name: string }) {
+  const signOut = useSignOut();
+  return (
+    <Group gap="xs">
+      <Text size="sm">
+        <UserText>{name}</UserText>
+      </Text>
+      <Button
+        size="compact-sm"
+        variant="default"
+        loading={signOut.isPending}
+        onClick={() => {
+          signOut.mutate();
+        }}
+      >
+        Sign out
+      </Button>
+    </Group>
   );
 }
 

@@ -2,13 +2,18 @@ import {
   createRootRoute,
   createRoute,
   createRouter,
+  lazyRouteComponent,
   type RouterHistory,
 } from '@tanstack/react-router';
-import { ActivityPage } from './ActivityPage';
-import { BuildPage } from './BuildPage';
-import { HomePage } from './HomePage';
 import { NotFound, PageError } from './NotFound';
-import { activitySearch, buildSearch, homeSearch } from './search';
+import {
+  activitySearch,
+  buildSearch,
+  compareSearch,
+  listSearch,
+  signInSearch,
+  suiteSearch,
+} from './search';
 import { Shell } from './Shell';
 
 const root = createRootRoute({
@@ -17,58 +22,121 @@ const root = createRootRoute({
   errorComponent: PageError,
 });
 
+const getParentRoute = () => root;
+
 const home = createRoute({
-  getParentRoute: () => root,
+  getParentRoute,
   path: '/',
-  validateSearch: homeSearch,
-  component: function Home() {
-    const navigate = home.useNavigate();
-    return (
-      <HomePage
-        shown={home.useSearch()}
-        onShow={(search) => void navigate({ search, resetScroll: false })}
-      />
-    );
-  },
+  component: lazyRouteComponent(() => import('./pages/HomePage'), 'HomePage'),
+});
+
+const activities = createRoute({
+  getParentRoute,
+  path: '/activities',
+  validateSearch: listSearch,
+  component: lazyRouteComponent(() => import('./pages/ActivitiesPage'), 'ActivitiesPage'),
+});
+
+const newActivity = createRoute({
+  getParentRoute,
+  path: '/activities/new',
+  component: lazyRouteComponent(() => import('./pages/NewActivityPage'), 'NewActivityPage'),
 });
 
 const activity = createRoute({
-  getParentRoute: () => root,
+  getParentRoute,
   path: '/activities/$activityId',
   validateSearch: activitySearch,
-  component: function Activity() {
-    const navigate = activity.useNavigate();
-    return (
-      <ActivityPage
-        activityId={activity.useParams().activityId}
-        shown={activity.useSearch()}
-        onShow={(search) => void navigate({ search, resetScroll: false })}
-      />
-    );
-  },
+  component: lazyRouteComponent(() => import('./pages/ActivityPage'), 'ActivityPage'),
+});
+
+const newModel = createRoute({
+  getParentRoute,
+  path: '/activities/$activityId/new-model',
+  component: lazyRouteComponent(() => import('./pages/ModelPage'), 'NewModelPage'),
+});
+
+const model = createRoute({
+  getParentRoute,
+  path: '/activities/$activityId/models/$model',
+  component: lazyRouteComponent(() => import('./pages/ModelPage'), 'ModelPage'),
+});
+
+const suite = createRoute({
+  getParentRoute,
+  path: '/suites/$suiteId',
+  validateSearch: suiteSearch,
+  component: lazyRouteComponent(() => import('./pages/SuitePage'), 'SuitePage'),
+});
+
+const builds = createRoute({
+  getParentRoute,
+  path: '/builds',
+  validateSearch: listSearch,
+  component: lazyRouteComponent(() => import('./pages/BuildsPage'), 'BuildsPage'),
 });
 
 const build = createRoute({
-  getParentRoute: () => root,
+  getParentRoute,
   path: '/builds/$buildId',
   validateSearch: buildSearch,
-  component: function Build() {
-    const navigate = build.useNavigate();
-    return (
-      <BuildPage
-        buildId={build.useParams().buildId}
-        shown={build.useSearch()}
-        onShow={(search) => void navigate({ search, resetScroll: false })}
-      />
-    );
-  },
+  component: lazyRouteComponent(() => import('./pages/BuildPage'), 'BuildPage'),
+});
+
+const compare = createRoute({
+  getParentRoute,
+  path: '/builds/$buildId/compare',
+  validateSearch: compareSearch,
+  component: lazyRouteComponent(() => import('./pages/ComparePage'), 'ComparePage'),
+});
+
+const signIn = createRoute({
+  getParentRoute,
+  path: '/sign-in',
+  validateSearch: signInSearch,
+  component: lazyRouteComponent(() => import('./pages/SignInPage'), 'SignInPage'),
+});
+
+const settings = createRoute({
+  getParentRoute,
+  path: '/settings',
+  component: lazyRouteComponent(() => import('./pages/SettingsPage'), 'SettingsPage'),
+});
+
+const agents = createRoute({
+  getParentRoute,
+  path: '/agents',
+  component: lazyRouteComponent(() => import('./pages/AgentsPage'), 'AgentsPage'),
+});
+
+const schedules = createRoute({
+  getParentRoute,
+  path: '/schedules',
+  validateSearch: listSearch,
+  component: lazyRouteComponent(() => import('./pages/SchedulesPage'), 'SchedulesPage'),
 });
 
 /** Every page has an address of its own; the server answers unknown paths with the portal. */
 export function createPortalRouter(history?: RouterHistory) {
   return createRouter({
-    routeTree: root.addChildren([home, activity, build]),
+    routeTree: root.addChildren([
+      home,
+      activities,
+      newActivity,
+      activity,
+      newModel,
+      model,
+      suite,
+      builds,
+      build,
+      compare,
+      agents,
+      schedules,
+      signIn,
+      settings,
+    ]),
     scrollRestoration: true,
+    defaultPreload: 'intent',
     ...(history && { history }),
   });
 }

@@ -13,3 +13,5 @@ export function useStartBuild() {
     onSuccess: ({ id }) => navigate({ to: '/builds/$buildId', params: { buildId: id } }),
   });
 }
+
+export type StartBuild = ReturnType<typeof useStartBuild>;

@@ -1,6 +1,6 @@
 import { createServer, type IncomingMessage, type Server, type ServerResponse } from 'node:http';
 import type { AddressInfo } from 'node:net';
-import type { Activity, Agent, Build, Diagnostic, ResultCase } from '@/shared/api';
+import type { Activity, Agent, Build, Diagnostic, ResultCase, SuiteCase } from '@/shared/api';
 import { AGENT, activity, build, result, suite } from './samples';
 
 type Handler = (context: {
@@ -16,8 +16,25 @@ interface Answer {
   problem?: boolean;
 }
 
+interface ExpectedChange {
+  no: number;
+  literal?: string;
+}
+
 /** The fixed parts of paths; all others are identifiers. */
-const NOUNS = ['activities', 'agents', 'builds', 'cancel', 'cases', 'models', 'result', 'suites'];
+const NOUNS = [
+  'activities',
+  'agents',
+  'builds',
+  'cancel',
+  'cases',
+  'expected',
+  'models',
+  'result',
+  'schedules',
+  'session',
+  'suites',
+];
 
 /** The server's REST interface with lists in memory, on a free port of loopback. */
 export class FakeServer {
@@ -30,6 +47,10 @@ export class FakeServer {
   /** `METHOD /path?query` of every request, in order. */
   readonly requests: string[] = [];
   readonly suiteOptions: unknown[] = [];
+  suiteCases: SuiteCase[] = [];
+  suiteVersion = 1;
+  /** Changes of expected values that were stored, each with the version it was meant for. */
+  readonly suiteEdits: { ifMatch: string | undefined; changes: ExpectedChange[] }[] = [];
   readonly uploads: Buffer[] = [];
 
   private http: Server | undefined;
@@ -70,6 +91,15 @@ export class FakeServer {
 
   private async serve(request: IncomingMessage, response: ServerResponse): Promise<void> {
     const url = new URL(request.url ?? '/', this.url);
+    if (request.method === 'OPTIONS') {
+      response.writeHead(204, {
+        'Access-Control-Allow-Origin': '*',
+        'Access-Control-Allow-Methods': '*',
+        'Access-Control-Allow-Headers': '*, if-match, content-type',
+      });
+      response.end();
+      return;
+    }
     this.requests.push(`${request.method} ${url.pathname}${url.search}`);
     const path = url.pathname.split('/').slice(3).map(decodeURIComponent);
     const chunks: Buffer[] = [];
@@ -87,6 +117,8 @@ export class FakeServer {
       'Content-Type': problem ? 'application/problem+json' : 'application/json',
       // jsdom's page has another origin than this server.
       'Access-Control-Allow-Origin': '*',
+      'Access-Control-Allow-Methods': '*',
+      'Access-Control-Allow-Headers': '*',
     });
     response.end(JSON.stringify(json));
   }
@@ -105,6 +137,15 @@ export class FakeServer {
       this.suiteOptions.push(JSON.parse(body.toString()));
       return { status: 201, json: suite('s1', path[1] ?? '', path[3] ?? '') };
     },
+    'GET session': () => ({
+      status: 200,
+      json: { name: 'tester', role: 'TESTER', kind: 'PERSON' },
+    }),
+    'GET schedules': ({ query }) => ({ status: 200, json: pageOf([], query) }),
+    'GET activities * suites': ({ query }) => ({ status: 200, json: pageOf([], query) }),
+    'GET suites *': () => ({ status: 200, json: this.suite() }),
+    'GET suites * cases': ({ query }) => ({ status: 200, json: pageOf(this.suiteCases, query) }),
+    'PATCH suites * expected': ({ body, request }) => this.changeExpected(body, request),
     'GET builds': ({ query }) => {
       const activityId = query.get('activityId');
       const shown = this.builds.filter((item) => !activityId || item.activityId === activityId);
@@ -136,6 +177,26 @@ export class FakeServer {
       return found(this.builds.find(({ id }) => id === path[1]));
     },
   };
+
+  private suite() {
+    const total = this.suiteCases.length;
+    return { ...suite('s1', 'a1', 'GetInfraredData'), version: this.suiteVersion, total };
+  }
+
+  private changeExpected(body: Buffer, request: IncomingMessage): Answer {
+    const ifMatch = request.headers['if-match'];
+    if (ifMatch !== `"${this.suiteVersion}"`) {
+      return { status: 412, problem: true, json: { title: 'Changed meanwhile', status: 412 } };
+    }
+    const { changes } = JSON.parse(body.toString()) as { changes: ExpectedChange[] };
+    this.suiteEdits.push({ ifMatch, changes });
+    this.suiteVersion++;
+    this.suiteCases = this.suiteCases.map((item) => {
+      const change = changes.find(({ no }) => no === item.no);
+      return change?.literal ? { ...item, expected: { return: change.literal } } : item;
+    });
+    return { status: 200, json: this.suite() };
+  }
 
   private upload(body: Buffer, request: IncomingMessage): Answer {
     if (request.headers['content-type'] !== 'application/zip') return notFound();

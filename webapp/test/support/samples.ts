@@ -6,6 +6,7 @@ import type {
   ResultCase,
   ResultParameter,
   Suite,
+  SuiteCase,
   Verdict,
 } from '@/shared/api';
 
@@ -62,6 +63,15 @@ export function suite(id: string, activityId: string, model: string): Suite {
     parameters: PARAMETERS,
     notes: [],
   };
+}
+
+export function suiteCases(count: number): SuiteCase[] {
+  return Array.from({ length: count }, (_, index) => ({
+    no: index + 1,
+    valid: index % 2 === 0,
+    values: [String(index % 7), '4', '5.0'],
+    expected: { return: '5.0' },
+  }));
 }
 
 export function build(id: string, changes: Partial<Build> = {}): Build {

@@ -18,6 +18,10 @@ if (typeof window !== 'undefined') {
       removeListener: () => undefined,
     });
   window.scrollTo = () => undefined;
+  Element.prototype.scrollTo = () => undefined;
+  // jsdom lays nothing out; lists draw the rows that fit in this height.
+  Object.defineProperty(Element.prototype, 'clientHeight', { get: () => 600 });
+  Object.defineProperty(Element.prototype, 'clientWidth', { get: () => 1000 });
   window.ResizeObserver = class {
     observe = () => undefined;
     unobserve = () => undefined;

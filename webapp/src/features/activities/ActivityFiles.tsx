@@ -1,27 +1,150 @@
-import { Table } from '@mantine/core';
+import { Button, Group, Stack, Text } from '@mantine/core';
+import { useState } from 'react';
 import type { Activity } from '@/shared/api';
 import { formatCount } from '@/shared/lib/format';
-import { ScrollTable, UserText } from '@/shared/ui';
+import { CodeEditor, Loading, ProblemAlert, UserText } from '@/shared/ui';
+import classes from './activities.module.css';
+import { useChangeFiles, useFileText } from './queries';
 
-export function ActivityFiles({ activity }: { activity: Activity }) {
+interface ActivityFilesProps {
+  activity: Activity;
+  path?: string | undefined;
+  onPath: (path: string) => void;
+}
+
+const TEXT =
+  /\.(java|c|cc|cpp|cxx|h|hpp|hxx|idl|proto|py|xml|xsd|ya?ml|txt|md|json|csv|msg|srv|action|urdf|cfg|ini|toml|properties|cmake)$/i;
+
+/** The files of an activity as a tree (Fig. 13(e)), and an editor for the one that is chosen. */
+export function ActivityFiles({ activity, path, onPath }: ActivityFilesProps) {
+  const chosen =
+    activity.files.find((file) => file.path === path) ??
+    activity.files.find((file) => file.path === 'activity.yaml');
   return (
-    <ScrollTable label="Files" minWidth={480}>
-      <Table.Thead>
-        <Table.Tr>
-          <Table.Th>File</Table.Th>
-          <Table.Th ta="right">Bytes</Table.Th>
-        </Table.Tr>
-      </Table.Thead>
-      <Table.Tbody>
+    <div className={classes.files}>
+      <nav aria-label="Files of the activity">
         {activity.files.map((file) => (
-          <Table.Tr key={file.path}>
-            <Table.Td>
-              <UserText>{file.path}</UserText>
-            </Table.Td>
-            <Table.Td ta="right">{formatCount(file.size)}</Table.Td>
-          </Table.Tr>
+          <button
+            key={file.path}
+            type="button"
+            className={classes.file}
+            aria-current={file === chosen}
+            onClick={() => {
+              onPath(file.path);
+            }}
+          >
+            <UserText>{file.path}</UserText>{' '}
+            <Text span size="xs" c="dimmed">
+              {formatCount(file.size)}
+            </Text>
+          </button>
         ))}
-      </Table.Tbody>
-    </ScrollTable>
+      </nav>
+      {chosen && <FileEditor key={chosen.path} activity={activity} file={chosen} />}
+    </div>
+  );
+}
+
+interface FileEditorProps {
+  activity: Activity;
+  file: Activity['files'][number];
+}
+
+function FileEditor({ activity, file }: FileEditorProps) {
+  const [began] = useState({ version: activity.version, sha256: file.sha256 });
+  const [base, setBase] = useState(began);
+  const [edited, setEdited] = useState<string>();
+  const content = useFileText(activity.id, file.path, base.sha256);
+  const save = useChangeFiles(activity.id);
+  const address = `/api/v1/activities/${encodeURIComponent(activity.id)}/files/${file.path
+    .split('/')
+    .map(encodeURIComponent)
+    .join('/')}`;
+  if (!TEXT.test(file.path)) {
+    return (
+      <Text>
+        This file is not text. <a href={address}>Download it</a>
+      </Text>
+    );
+  }
+  if (content.isPending) return <Loading what="the file" />;
+  if (content.data === undefined) {
+    return <ProblemAlert title="The file could not be read" error={content.error} />;
+  }
+  const changed = edited !== undefined && edited !== content.data;
+  return (
+    <Stack gap="sm">
+      <Group justify="space-between">
+        <Text fw={600}>
+          <UserText>{file.path}</UserText>
+          {changed && ' (not saved)'}
+        </Text>
+        <Group gap="xs">
+          <Button component="a" href={address} size="xs" variant="default">
+            Download
+          </Button>
+          <Button
+            size="xs"
+            variant="default"
+            disabled={!changed}
+            onClick={() => {
+              setEdited(undefined);
+              save.reset();
+            }}
+          >
+            Discard
+          </Button>
+          <Button
+            size="xs"
+            disabled={!changed}
+            loading={save.isPending}
+            onClick={() => {
+              save.mutate(
+                {
+                  changes: [{ path: file.path, content: edited ?? '' }],
+                  version: base.version,
+                },
+                {
+                  onSuccess: (now) => {
+                    const saved = now.files.find(({ path }) => path === file.path);
+                    setBase({ version: now.version, sha256: saved?.sha256 ?? base.sha256 });
+                    setEdited(undefined);
+                  },
+                },
+              );
+            }}
+          >
+            Save
+          </Button>
+        </Group>
+      </Group>
+      {base.version !== activity.version && !changed && (
+        <Text size="sm" c="dimmed">
+          The activity was changed since this was opened.{' '}
+          <Button
+            size="compact-xs"
+            variant="default"
+            onClick={() => {
+              setBase({ version: activity.version, sha256: file.sha256 });
+            }}
+          >
+            Show it as it is now
+          </Button>
+        </Text>
+      )}
+      {save.isError && (
+        <ProblemAlert
+          title={`${file.path} was not saved`}
+          error={save.error}
+          onClose={save.reset}
+        />
+      )}
+      <CodeEditor
+        label={`Text of ${file.path}`}
+        path={file.path}
+        text={edited ?? content.data}
+        onChange={setEdited}
+      />
+    </Stack>
   );
 }

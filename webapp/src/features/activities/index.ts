@@ -1,4 +1,5 @@
 export { ActivityFiles } from './ActivityFiles';
+export { InterfaceTree } from './InterfaceTree';
 export { ActivityList } from './ActivityList';
 export { UploadActivity } from './UploadActivity';
-export { useActivity } from './queries';
+export { useActivity, useChangeFiles, useDescription, useFileText } from './queries';

@@ -31,6 +31,61 @@ export function useActivity(id: string) {
   });
 }
 
+/** What can be called, varied and observed in an activity. */
+export function useDescription(id: string) {
+  const api = useApi();
+  return useQuery({
+    queryKey: [...ACTIVITIES, 'one', id, 'description'],
+    queryFn: ({ signal }) =>
+      dataOf(api.GET('/api/v1/activities/{id}/description', { params: { path: { id } }, signal })),
+  });
+}
+
+/** The text of a file; `sha256` keeps what was read apart from what it was before. */
+export function useFileText(id: string, path: string, sha256: string) {
+  const api = useApi();
+  return useQuery({
+    queryKey: [...ACTIVITIES, 'one', id, 'file', path, sha256],
+    queryFn: async ({ signal }) => {
+      // The path has slashes, which the client would encode.
+      const address = path.split('/').map(encodeURIComponent).join('/');
+      const bytes = await dataOf(
+        api.GET('/api/v1/activities/{id}/files/{path}', {
+          params: { path: { id, path: address } },
+          pathSerializer: (_, values) =>
+            `/api/v1/activities/${encodeURIComponent(id)}/files/${String(values['path'])}`,
+          parseAs: 'arrayBuffer',
+          signal,
+        }),
+      );
+      return new TextDecoder().decode(bytes);
+    },
+    staleTime: Infinity,
+  });
+}
+
+export interface FileChange {
+  path: string;
+  /** Absent: the file is removed. */
+  content?: string;
+}
+
+/** Changes files of an activity onto the version that their author saw. */
+export function useChangeFiles(id: string) {
+  const api = useApi();
+  const cache = useQueryClient();
+  return useMutation({
+    mutationFn: ({ changes, version }: { changes: FileChange[]; version: number }) =>
+      dataOf(
+        api.PATCH('/api/v1/activities/{id}/files', {
+          params: { path: { id }, header: { 'If-Match': `"${version}"` } },
+          body: { changes },
+        }),
+      ),
+    onSuccess: () => cache.invalidateQueries({ queryKey: ACTIVITIES }),
+  });
+}
+
 /** Creates an activity from a zip; the server verifies it before it keeps anything. */
 export function useUploadActivity() {
   const api = useApi();

@@ -1,1 +1,2 @@
 export { AgentsStatus } from './AgentsStatus';
+export { AgentTable } from './AgentTable';

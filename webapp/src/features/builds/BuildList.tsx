@@ -10,13 +10,15 @@ import { isFinished, progressOf } from './state';
 
 interface BuildListProps {
   page: number;
-  onPage: (page: number) => void;
+  /** Left out: only this page is shown. */
+  onPage?: (page: number) => void;
+  size?: number;
   /** Left out: the builds of all activities. */
   activityId?: string;
 }
 
-export function BuildList({ page, onPage, activityId }: BuildListProps) {
-  const builds = useBuilds(page, activityId);
+export function BuildList({ page, onPage, size = BUILDS_PER_PAGE, activityId }: BuildListProps) {
+  const builds = useBuilds(page, activityId, size);
   if (builds.isPending) return <Loading what="builds" />;
   if (!builds.data) {
     return <ProblemAlert title="The builds could not be read" error={builds.error} />;
@@ -42,13 +44,9 @@ export function BuildList({ page, onPage, activityId }: BuildListProps) {
           ))}
         </Table.Tbody>
       </ScrollTable>
-      <Pager
-        label="Pages of builds"
-        page={page}
-        size={BUILDS_PER_PAGE}
-        total={total}
-        onPage={onPage}
-      />
+      {onPage && (
+        <Pager label="Pages of builds" page={page} size={size} total={total} onPage={onPage} />
+      )}
     </Stack>
   );
 }

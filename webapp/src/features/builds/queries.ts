@@ -15,15 +15,15 @@ const LONG_POLL_S = 20;
 const POLL_REST_MS = 300;
 
 /** A page of the builds, newest first, of one activity or of all; pages count from 0. */
-export function useBuilds(page: number, activityId?: string) {
+export function useBuilds(page: number, activityId?: string, size = BUILDS_PER_PAGE) {
   const api = useApi();
   return useQuery({
-    queryKey: [...BUILDS, 'page', page, activityId],
+    queryKey: [...BUILDS, 'page', page, size, activityId],
     queryFn: ({ signal }) =>
       dataOf(
         api.GET('/api/v1/builds', {
           params: {
-            query: { page, size: BUILDS_PER_PAGE, ...(activityId != null && { activityId }) },
+            query: { page, size, ...(activityId != null && { activityId }) },
           },
           signal,
         }),

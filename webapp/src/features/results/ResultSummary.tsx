@@ -2,7 +2,7 @@ import { Stack, Text } from '@mantine/core';
 import type { ResultSummary as Summary } from '@/shared/api';
 import { formatCount, formatTime, formatUnit, plural } from '@/shared/lib/format';
 import classes from './results.module.css';
-import { VERDICTS, VERDICT_WORDS, countOf } from './verdicts';
+import { VERDICTS, VERDICT_WORDS, countOf } from '@/shared/lib/verdicts';
 
 /** The head of the paper's Fig. 17(a): how many cases of each verdict, and the times of those that ran. */
 export function ResultSummary({ summary }: { summary: Summary }) {

@@ -1,133 +1,202 @@
-import { Stack, Table, Text } from '@mantine/core';
-import type { ResultParameter, ResultCase, Verdict } from '@/shared/api';
-import { formatTime } from '@/shared/lib/format';
-import { Loading, Pager, ProblemAlert, ScrollTable, UserText } from '@/shared/ui';
-import { groupColumns, type ColumnGroup } from './columns';
-import { CASES_PER_PAGE, useResultCases } from './queries';
+import { Stack, Text } from '@mantine/core';
+import type { ResultCase, ResultParameter } from '@/shared/api';
+import { formatCount, formatTime } from '@/shared/lib/format';
+import { VERDICT_WORDS } from '@/shared/lib/verdicts';
+import { Loading, ProblemAlert, UserText, useVirtualPages } from '@/shared/ui';
+import { groupColumns, type ColumnGroup } from '@/shared/lib/columns';
+import { differenceOf } from './difference';
+import { CASES_PER_PAGE, useFetchCases, useFirstCases, type CaseFilter } from './queries';
 import classes from './results.module.css';
-import { VERDICT_WORDS } from './verdicts';
+
+const ROW_HEIGHT = 34;
 
 interface ResultTableProps {
   buildId: string;
   parameters: readonly ResultParameter[];
-  page: number;
-  onPage: (page: number) => void;
-  verdict?: Verdict;
+  filter: CaseFilter;
+  onCase: (item: ResultCase) => void;
 }
 
 /** The table view of a result, as the paper's Fig. 17(a): No, the inputs, ER, MR, PF, time. */
-export function ResultTable({ buildId, parameters, page, onPage, verdict }: ResultTableProps) {
-  const cases = useResultCases(buildId, page, verdict);
-  if (cases.isPending) return <Loading what="cases" />;
-  if (!cases.data) {
-    return <ProblemAlert title="The cases could not be read" error={cases.error} />;
+export function ResultTable({ buildId, parameters, filter, onCase }: ResultTableProps) {
+  const first = useFirstCases(buildId, filter);
+  if (first.isPending) return <Loading what="cases" />;
+  if (!first.data) {
+    return <ProblemAlert title="The cases could not be read" error={first.error} />;
   }
-  const { items, total } = cases.data;
-  if (total === 0) return <Text c="dimmed">No case has this verdict.</Text>;
-  const groups = groupColumns(parameters);
-  const withMessages = items.some((item) => item.message);
+  if (first.data.total === 0) return <Text c="dimmed">No case is so.</Text>;
+  return (
+    <Rows
+      // Another filter is another list, which begins at its top.
+      key={JSON.stringify(filter)}
+      buildId={buildId}
+      groups={groupColumns(parameters)}
+      filter={filter}
+      total={first.data.total}
+      onCase={onCase}
+    />
+  );
+}
+
+interface RowsProps {
+  buildId: string;
+  groups: ColumnGroup[];
+  filter: CaseFilter;
+  total: number;
+  onCase: (item: ResultCase) => void;
+}
+
+function Rows({ buildId, groups, filter, total, onCase }: RowsProps) {
+  const { scroller, rows, above, below, error } = useVirtualPages<ResultCase>({
+    total,
+    pageSize: CASES_PER_PAGE,
+    rowHeight: ROW_HEIGHT,
+    ...useFetchCases(buildId, filter),
+  });
+  const inputs = groups.reduce((sum, { columns }) => sum + columns.length, 0);
   return (
     <Stack gap="xs">
-      <ScrollTable
-        label="Cases"
-        minWidth={640}
-        withColumnBorders
-        verticalSpacing={5}
-        className={classes.cases}
-      >
-        <Head groups={groups} withMessages={withMessages} />
-        <Table.Tbody aria-busy={cases.isPlaceholderData}>
-          {items.map((item) => (
-            <CaseRow key={item.no} item={item} groups={groups} withMessages={withMessages} />
-          ))}
-        </Table.Tbody>
-      </ScrollTable>
-      <Pager
-        label="Pages of cases"
-        page={page}
-        size={CASES_PER_PAGE}
-        total={total}
-        onPage={onPage}
-      />
+      {error && <ProblemAlert title="Some cases could not be read" error={error} />}
+      <div ref={scroller} className={classes.scroller} tabIndex={0} role="group" aria-label="Cases">
+        <table
+          className={classes.cases}
+          aria-label="Cases"
+          aria-rowcount={total + 2}
+          style={{ minWidth: `${30 + inputs * 8}rem` }}
+        >
+          <Columns inputs={inputs} />
+          <Head groups={groups} />
+          <tbody>
+            {above > 0 && <Space height={above} />}
+            {rows.map(({ index, item }) =>
+              item ? (
+                <CaseRow key={index} index={index} item={item} groups={groups} onCase={onCase} />
+              ) : (
+                <tr key={index} style={{ height: ROW_HEIGHT }} aria-hidden />
+              ),
+            )}
+            {below > 0 && <Space height={below} />}
+          </tbody>
+        </table>
+      </div>
+      <Text size="sm" c="dimmed">
+        {formatCount(total)} {total === 1 ? 'case' : 'cases'}
+      </Text>
     </Stack>
   );
 }
 
-function Head({ groups, withMessages }: { groups: ColumnGroup[]; withMessages: boolean }) {
+function Space({ height }: { height: number }) {
   return (
-    <Table.Thead>
-      <Table.Tr>
-        <Table.Th rowSpan={2}>No</Table.Th>
-        {groups.map((group) => (
-          <Table.Th key={group.type} colSpan={group.columns.length} scope="colgroup" ta="center">
-            {group.label}
-          </Table.Th>
-        ))}
-        <Table.Th rowSpan={2}>
-          <abbr title="Expected result">ER</abbr>
-        </Table.Th>
-        <Table.Th rowSpan={2}>
-          <abbr title="Measured result">MR</abbr>
-        </Table.Th>
-        <Table.Th rowSpan={2} className={classes.text}>
-          <abbr title="Pass or fail">PF</abbr>
-        </Table.Th>
-        <Table.Th rowSpan={2}>Time (µs)</Table.Th>
-        {withMessages && (
-          <Table.Th rowSpan={2} className={classes.text}>
-            Message
-          </Table.Th>
-        )}
-      </Table.Tr>
-      <Table.Tr>
-        {groups.flatMap((group) =>
-          group.columns.map(({ parameter, index }) => (
-            <Table.Th key={index}>
-              <UserText>{parameter.name}</UserText>
-            </Table.Th>
-          )),
-        )}
-      </Table.Tr>
-    </Table.Thead>
+    <tr aria-hidden>
+      <td className={classes.space} style={{ height }} />
+    </tr>
   );
 }
 
-function CaseRow({
-  item,
-  groups,
-  withMessages,
-}: {
+/** Fixed widths: columns must not jump while rows come and go. */
+function Columns({ inputs }: { inputs: number }) {
+  return (
+    <colgroup>
+      <col style={{ width: '4.5rem' }} />
+      {Array.from({ length: inputs }, (_, index) => (
+        <col key={index} />
+      ))}
+      <col style={{ width: '7rem' }} />
+      <col style={{ width: '7rem' }} />
+      <col style={{ width: '6rem' }} />
+      <col style={{ width: '8.5rem' }} />
+      <col style={{ width: '6.5rem' }} />
+      <col style={{ width: '16rem' }} />
+    </colgroup>
+  );
+}
+
+function Head({ groups }: { groups: ColumnGroup[] }) {
+  return (
+    <thead>
+      <tr>
+        <th rowSpan={2}>No</th>
+        {groups.map((group) => (
+          <th key={group.type} colSpan={group.columns.length} scope="colgroup">
+            {group.label}
+          </th>
+        ))}
+        <th rowSpan={2}>
+          <abbr title="Expected result">ER</abbr>
+        </th>
+        <th rowSpan={2}>
+          <abbr title="Measured result">MR</abbr>
+        </th>
+        <th rowSpan={2}>
+          <abbr title="Measured less expected">MR − ER</abbr>
+        </th>
+        <th rowSpan={2} className={classes.text}>
+          <abbr title="Pass or fail">PF</abbr>
+        </th>
+        <th rowSpan={2}>Time (µs)</th>
+        <th rowSpan={2} className={classes.text}>
+          Message
+        </th>
+      </tr>
+      <tr>
+        {groups.flatMap((group) =>
+          group.columns.map(({ parameter, index }) => (
+            <th key={index}>
+              <UserText>{parameter.name}</UserText>
+            </th>
+          )),
+        )}
+      </tr>
+    </thead>
+  );
+}
+
+interface CaseRowProps {
+  index: number;
   item: ResultCase;
   groups: ColumnGroup[];
-  withMessages: boolean;
-}) {
+  onCase: (item: ResultCase) => void;
+}
+
+function CaseRow({ index, item, groups, onCase }: CaseRowProps) {
   const { label, sign } = VERDICT_WORDS[item.verdict];
   return (
-    <Table.Tr data-verdict={item.verdict}>
-      <Table.Td>{item.no}</Table.Td>
+    <tr data-verdict={item.verdict} aria-rowindex={index + 3} style={{ height: ROW_HEIGHT }}>
+      <td>
+        <button
+          type="button"
+          className={classes.open}
+          aria-label={`Case ${item.no}`}
+          onClick={() => {
+            onCase(item);
+          }}
+        >
+          {item.no}
+        </button>
+      </td>
       {groups.flatMap((group) =>
-        group.columns.map(({ index }) => (
-          <Table.Td key={index}>
-            <UserText>{item.values[index] ?? ''}</UserText>
-          </Table.Td>
+        group.columns.map((column) => (
+          <td key={column.index} title={item.values[column.index]}>
+            <UserText>{item.values[column.index] ?? ''}</UserText>
+          </td>
         )),
       )}
-      <Table.Td>
+      <td>
         <Outputs outputs={item.expected} />
-      </Table.Td>
-      <Table.Td>
+      </td>
+      <td>
         <Outputs outputs={item.actual} />
-      </Table.Td>
-      <Table.Td className={classes.verdict}>
+      </td>
+      <td>{differenceOf(item.expected, item.actual) ?? ''}</td>
+      <td className={classes.verdict}>
         <span aria-hidden>{sign}</span> {label}
-      </Table.Td>
-      <Table.Td>{formatTime(item.processingTimeUs)}</Table.Td>
-      {withMessages && (
-        <Table.Td className={classes.message}>
-          {item.message && <UserText>{item.message}</UserText>}
-        </Table.Td>
-      )}
-    </Table.Tr>
+      </td>
+      <td>{formatTime(item.processingTimeUs)}</td>
+      <td className={classes.message} title={item.message ?? undefined}>
+        {item.message && <UserText>{item.message}</UserText>}
+      </td>
+    </tr>
   );
 }
 
@@ -135,9 +204,11 @@ function CaseRow({
 function Outputs({ outputs }: { outputs: Record<string, string> | null | undefined }) {
   const entries = Object.entries(outputs ?? {});
   if (entries.length === 0) return '–';
-  return entries.map(([name, value]) => (
-    <div key={name}>
-      <UserText>{entries.length === 1 ? value : `${name} = ${value}`}</UserText>
-    </div>
-  ));
+  return (
+    <UserText>
+      {entries
+        .map(([name, value]) => (entries.length === 1 ? value : `${name} = ${value}`))
+        .join(', ')}
+    </UserText>
+  );
 }

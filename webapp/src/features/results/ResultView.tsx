@@ -1,22 +1,24 @@
-import { Anchor, Group, SegmentedControl, Stack } from '@mantine/core';
-import type { ResultSummary as Summary, Verdict } from '@/shared/api';
-import { formatCount } from '@/shared/lib/format';
+import { Anchor, Group, Stack } from '@mantine/core';
+import { useState, type ReactNode } from 'react';
+import type { ResultCase } from '@/shared/api';
 import { Loading, ProblemAlert, Section } from '@/shared/ui';
-import { useResult } from './queries';
+import { CaseDrawer } from './CaseDrawer';
+import { CaseFilters } from './CaseFilters';
+import { useResult, type CaseFilter } from './queries';
 import { ResultSummary } from './ResultSummary';
 import { ResultTable } from './ResultTable';
-import { VERDICTS, VERDICT_WORDS, countOf } from './verdicts';
 
 interface ResultViewProps {
   buildId: string;
-  page: number;
-  verdict?: Verdict | undefined;
-  onShow: (shown: { page: number; verdict?: Verdict | undefined }) => void;
+  filter: CaseFilter;
+  onFilter: (filter: CaseFilter) => void;
+  caseActions?: (item: ResultCase) => ReactNode;
 }
 
-/** The result of a build: summary, and the table of its cases by verdict. */
-export function ResultView({ buildId, page, verdict, onShow }: ResultViewProps) {
+/** The result of a build in figures and as a table of its cases. */
+export function ResultView({ buildId, filter, onFilter, caseActions }: ResultViewProps) {
   const result = useResult(buildId);
+  const [shown, setShown] = useState<ResultCase | null>(null);
   if (result.isPending) return <Loading what="the result" />;
   if (!result.data) {
     return <ProblemAlert title="The result could not be read" error={result.error} />;
@@ -27,70 +29,42 @@ export function ResultView({ buildId, page, verdict, onShow }: ResultViewProps) 
       <Section title="Result" actions={<Downloads buildId={buildId} />}>
         <ResultSummary summary={summary} />
       </Section>
-      <Section
-        title="Cases"
-        actions={
-          <VerdictFilter
-            summary={summary}
-            verdict={verdict}
-            onVerdict={(next) => {
-              onShow({ page: 0, verdict: next });
-            }}
-          />
-        }
-      >
-        <ResultTable
-          buildId={buildId}
+      <Section title="Cases">
+        <CaseFilters
+          summary={summary}
           parameters={parameters}
-          page={page}
-          onPage={(next) => {
-            onShow({ page: next, verdict });
-          }}
-          {...(verdict && { verdict })}
+          filter={filter}
+          onFilter={onFilter}
         />
+        <ResultTable buildId={buildId} parameters={parameters} filter={filter} onCase={setShown} />
       </Section>
+      <CaseDrawer
+        item={shown}
+        parameters={parameters}
+        onClose={() => {
+          setShown(null);
+        }}
+        {...(caseActions && { actions: caseActions })}
+      />
     </Stack>
   );
 }
 
 function Downloads({ buildId }: { buildId: string }) {
   const result = `/api/v1/builds/${encodeURIComponent(buildId)}/result`;
+  const files = [
+    { label: 'Result XML', path: 'document', name: `result-${buildId}.xml` },
+    { label: 'JUnit XML', path: 'junit', name: `junit-${buildId}.xml` },
+    { label: 'CSV', path: 'cases.csv', name: `result-${buildId}.csv` },
+    { label: 'HTML report', path: 'report', name: `report-${buildId}.html` },
+  ];
   return (
     <Group gap="md">
-      <Anchor size="sm" href={`${result}/document`} download={`result-${buildId}.xml`}>
-        Result XML
-      </Anchor>
-      <Anchor size="sm" href={`${result}/junit`} download={`junit-${buildId}.xml`}>
-        JUnit XML
-      </Anchor>
+      {files.map(({ label, path, name }) => (
+        <Anchor key={path} size="sm" href={`${result}/${path}`} download={name}>
+          {label}
+        </Anchor>
+      ))}
     </Group>
-  );
-}
-
-function VerdictFilter({
-  summary,
-  verdict,
-  onVerdict,
-}: {
-  summary: Summary;
-  verdict: Verdict | undefined;
-  onVerdict: (verdict: Verdict | undefined) => void;
-}) {
-  return (
-    <SegmentedControl
-      aria-label="Cases shown"
-      size="sm"
-      value={verdict ?? 'ALL'}
-      onChange={(value) => {
-        onVerdict(VERDICTS.find((known) => known === value));
-      }}
-      data={[
-        { value: 'ALL', label: `All ${formatCount(summary.total)}` },
-        ...VERDICTS.map((known) => ({
-          value: known,
-          label: `${VERDICT_WORDS[known].label} ${formatCount(countOf(summary, known))}`,
-        })),
-      ]}
-    />
   );
 }

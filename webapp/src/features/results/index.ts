@@ -1,2 +1,5 @@
+export type { CaseFilter } from './queries';
+export { ResultComparison } from './ResultComparison';
+export { ResultGraphs } from './ResultGraphs';
+export { ResultHistory } from './ResultHistory';
 export { ResultView } from './ResultView';
-export { VERDICTS } from './verdicts';

@@ -1,4 +1,9 @@
 export { Age } from './Age';
+export { ButtonLink } from './ButtonLink';
+export { Chart } from './charts/Chart';
+export { CodeEditor } from './code/CodeEditor';
+export { Difference } from './code/Difference';
+export { Formula } from './code/Formula';
 export { Diagnostics } from './Diagnostics';
 export { Loading } from './Loading';
 export { Pager } from './Pager';
@@ -6,4 +11,5 @@ export { ProblemAlert } from './ProblemAlert';
 export { RouteLink } from './RouteLink';
 export { ScrollTable } from './ScrollTable';
 export { Section } from './Section';
+export { useVirtualPages } from './useVirtualPages';
 export { UserText } from './UserText';

@@ -1,4 +1,4 @@
-import type { ResultSummary, Verdict } from '@/shared/api';
+import type { Verdict } from '@/shared/api';
 
 export const VERDICTS: readonly Verdict[] = ['PASS', 'FAIL', 'ERROR', 'DONT'];
 
@@ -10,7 +10,15 @@ export const VERDICT_WORDS: Record<Verdict, { label: string; sign: string }> = {
   DONT: { label: 'Not executed', sign: '–' },
 };
 
-export function countOf(summary: ResultSummary, verdict: Verdict): number {
+/** How many cases of each verdict. */
+interface Counts {
+  pass: number;
+  fail: number;
+  error: number;
+  dont: number;
+}
+
+export function countOf(summary: Counts, verdict: Verdict): number {
   switch (verdict) {
     case 'PASS':
       return summary.pass;

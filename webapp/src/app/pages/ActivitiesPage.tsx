@@ -1,0 +1,47 @@
+import { Group, Stack, Title } from '@mantine/core';
+import { getRouteApi } from '@tanstack/react-router';
+import { BuildNow } from '@/app/BuildNow';
+import { fromIndex, toIndex, withoutAbsent, type ListSearch } from '@/app/search';
+import { useStartBuild } from '@/app/useStartBuild';
+import { ActivityList, UploadActivity } from '@/features/activities';
+import { ProblemAlert, ButtonLink } from '@/shared/ui';
+
+const route = getRouteApi('/activities');
+
+/** All activities, and the two ways to get a new one. */
+export function ActivitiesPage() {
+  const { page } = route.useSearch();
+  const navigate = route.useNavigate();
+  const start = useStartBuild();
+  return (
+    <Stack gap="lg">
+      <title>Activities · SITAF</title>
+      <Group justify="space-between">
+        <Title order={1} size="h2">
+          Activities
+        </Title>
+        <ButtonLink to="/activities/new">New activity</ButtonLink>
+      </Group>
+      <UploadActivity />
+      {start.isError && (
+        <ProblemAlert
+          title={`${start.variables.model} was not built`}
+          error={start.error}
+          onClose={start.reset}
+        />
+      )}
+      <ActivityList
+        page={toIndex(page)}
+        onPage={(index) =>
+          void navigate({
+            search: withoutAbsent<ListSearch>({ page: fromIndex(index) }),
+            resetScroll: false,
+          })
+        }
+        modelAction={(activity, model) => (
+          <BuildNow activity={activity} model={model} start={start} />
+        )}
+      />
+    </Stack>
+  );
+}

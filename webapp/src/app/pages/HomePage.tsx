@@ -1,0 +1,59 @@
+import { SimpleGrid, Stack, Title } from '@mantine/core';
+import { AgentTable } from '@/features/agents';
+import { BuildList, FailingActivities } from '@/features/builds';
+import { ScheduleList } from '@/features/schedules';
+import { ButtonLink, RouteLink, Section } from '@/shared/ui';
+
+/** How everything stands, at a glance. */
+export function HomePage() {
+  return (
+    <Stack gap="xl">
+      <title>SITAF</title>
+      <Title order={1} size="h2">
+        Interface tests
+      </Title>
+      <Section
+        title="Recent builds"
+        actions={
+          <RouteLink to="/builds" size="sm">
+            All builds
+          </RouteLink>
+        }
+      >
+        <BuildList page={0} size={6} />
+      </Section>
+      <Section
+        title="Failing activities"
+        actions={
+          <ButtonLink to="/activities" variant="default" size="xs">
+            All activities
+          </ButtonLink>
+        }
+      >
+        <FailingActivities />
+      </Section>
+      <SimpleGrid cols={{ base: 1, md: 2 }} spacing="xl">
+        <Section
+          title="Agents"
+          actions={
+            <RouteLink to="/agents" size="sm">
+              All agents
+            </RouteLink>
+          }
+        >
+          <AgentTable brief />
+        </Section>
+        <Section
+          title="Upcoming schedules"
+          actions={
+            <RouteLink to="/schedules" size="sm">
+              All schedules
+            </RouteLink>
+          }
+        >
+          <ScheduleList page={0} upcoming />
+        </Section>
+      </SimpleGrid>
+    </Stack>
+  );
+}

@@ -1,0 +1,24 @@
+import { Stack, Title } from '@mantine/core';
+import { Tokens, Users } from '@/features/access';
+import { useSession } from '@/features/session';
+import { Section } from '@/shared/ui';
+
+export function SettingsPage() {
+  const session = useSession();
+  return (
+    <Stack gap="xl">
+      <title>Settings · SITAF</title>
+      <Title order={1} size="h2">
+        Settings
+      </Title>
+      <Section title="Tokens for scripts">
+        <Tokens />
+      </Section>
+      {session.data?.role === 'ADMINISTRATOR' && (
+        <Section title="Users">
+          <Users />
+        </Section>
+      )}
+    </Stack>
+  );
+}

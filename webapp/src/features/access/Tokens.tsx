@@ -1,0 +1,108 @@
+import { Button, Group, Stack, Table, Text, TextInput } from '@mantine/core';
+import { useState, type SyntheticEvent } from 'react';
+import { formatInstant } from '@/shared/lib/format';
+import { Age, Loading, ProblemAlert, ScrollTable, UserText } from '@/shared/ui';
+import { useAddToken, useRevokeToken, useTokens, type Role } from './queries';
+import { ShownOnce } from './Shown';
+import { RoleSelect } from './Users';
+
+/** Tokens with which scripts act for their owner. */
+export function Tokens() {
+  const tokens = useTokens();
+  const add = useAddToken();
+  const revoke = useRevokeToken();
+  const [name, setName] = useState('');
+  const [days, setDays] = useState('90');
+  const [role, setRole] = useState<Role>('TESTER');
+  if (tokens.isPending) return <Loading what="tokens" />;
+  if (!tokens.data) {
+    return <ProblemAlert title="The tokens could not be read" error={tokens.error} />;
+  }
+
+  function submit(event: SyntheticEvent) {
+    event.preventDefault();
+    add.mutate({ name, role, days: Number(days) });
+  }
+
+  return (
+    <Stack gap="sm">
+      <form onSubmit={submit}>
+        <Group align="end">
+          <TextInput
+            label="Name of a new token"
+            required
+            value={name}
+            onChange={(event) => {
+              setName(event.currentTarget.value);
+            }}
+          />
+          <RoleSelect label="Role" value={role} onRole={setRole} />
+          <TextInput
+            label="Days"
+            type="number"
+            min={1}
+            required
+            w={90}
+            value={days}
+            onChange={(event) => {
+              setDays(event.currentTarget.value);
+            }}
+          />
+          <Button type="submit" loading={add.isPending}>
+            Make
+          </Button>
+        </Group>
+      </form>
+      {add.isSuccess && (
+        <ShownOnce title={`Token ${add.data.token.name}`} secret={add.data.secret} />
+      )}
+      {add.isError && <ProblemAlert title="Not made" error={add.error} onClose={add.reset} />}
+      {revoke.isError && (
+        <ProblemAlert title="Not revoked" error={revoke.error} onClose={revoke.reset} />
+      )}
+      {tokens.data.items.length === 0 ? (
+        <Text c="dimmed">No token yet.</Text>
+      ) : (
+        <ScrollTable label="Tokens" minWidth={560}>
+          <Table.Thead>
+            <Table.Tr>
+              <Table.Th>Name</Table.Th>
+              <Table.Th>Owner</Table.Th>
+              <Table.Th>Role</Table.Th>
+              <Table.Th>Ends</Table.Th>
+              <Table.Th>Last used</Table.Th>
+              <Table.Th aria-label="Actions" />
+            </Table.Tr>
+          </Table.Thead>
+          <Table.Tbody>
+            {tokens.data.items.map((token) => (
+              <Table.Tr key={token.id}>
+                <Table.Td>
+                  <UserText>{token.name}</UserText>
+                </Table.Td>
+                <Table.Td>
+                  <UserText>{token.owner}</UserText>
+                </Table.Td>
+                <Table.Td>{token.role.toLowerCase()}</Table.Td>
+                <Table.Td>{formatInstant(token.expires)}</Table.Td>
+                <Table.Td>{token.lastUsed ? <Age at={token.lastUsed} /> : 'never'}</Table.Td>
+                <Table.Td ta="right">
+                  <Button
+                    size="compact-xs"
+                    variant="default"
+                    aria-label={`Revoke ${token.name}`}
+                    onClick={() => {
+                      revoke.mutate(token.id);
+                    }}
+                  >
+                    Revoke
+                  </Button>
+                </Table.Td>
+              </Table.Tr>
+            ))}
+          </Table.Tbody>
+        </ScrollTable>
+      )}
+    </Stack>
+  );
+}

@@ -1,0 +1,2 @@
+export { Tokens } from './Tokens';
+export { Users } from './Users';

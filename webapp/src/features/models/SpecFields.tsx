@@ -1,0 +1,230 @@
+import { Button, Checkbox, Group, NativeSelect, Stack, TextInput } from '@mantine/core';
+import { CLASSES, type ClassDraft, type SpecDraft } from './draft';
+
+interface SpecFieldsProps {
+  spec: SpecDraft;
+  onChange: (spec: SpecDraft) => void;
+}
+
+/** The settings of a scheme; each scheme has its own. */
+export function SpecFields({ spec, onChange }: SpecFieldsProps) {
+  const setting = (name: string, label: string, placeholder = '') => (
+    <TextInput
+      key={name}
+      label={label}
+      placeholder={placeholder}
+      w={150}
+      value={spec.settings[name] ?? ''}
+      onChange={(event) => {
+        onChange({ ...spec, settings: { ...spec.settings, [name]: event.currentTarget.value } });
+      }}
+    />
+  );
+  const option = (name: string, label: string) => (
+    <Checkbox
+      key={name}
+      label={label}
+      checked={spec.settings[name] === 'true'}
+      onChange={(event) => {
+        onChange({
+          ...spec,
+          settings: { ...spec.settings, [name]: String(event.currentTarget.checked) },
+        });
+      }}
+    />
+  );
+  switch (spec.type) {
+    case 'BVA':
+      return (
+        <Stack gap="sm">
+          <Group align="end">
+            <ClassFields spec={spec} onChange={onChange} kinds={['TWO_BOUNDARY', 'ONE_BOUNDARY']} />
+            {setting('offset', 'Offset')}
+          </Group>
+          {option('special', 'Also NaN, infinities and the limits of the type')}
+        </Stack>
+      );
+    case 'ECP':
+      return (
+        <Group align="end">
+          <ClassFields spec={spec} onChange={onChange} />
+          {setting('representatives', 'Values of each class', '1')}
+          {setting('offset', 'Offset', '1')}
+        </Group>
+      );
+    case 'RANDOM':
+      return (
+        <Stack gap="sm">
+          <Group align="end">
+            {setting('count', 'How many')}
+            {setting('min', 'From')}
+            {setting('max', 'To')}
+            <NativeSelect
+              label="Distribution"
+              data={['uniform', 'normal', 'weighted']}
+              value={spec.settings['distribution'] ?? 'uniform'}
+              onChange={(event) => {
+                const distribution = event.currentTarget.value;
+                onChange({
+                  ...spec,
+                  settings: { ...spec.settings, distribution },
+                  ranges: distribution === 'weighted' ? spec.ranges : [],
+                });
+              }}
+            />
+            {spec.settings['distribution'] === 'normal' && [
+              setting('mean', 'Mean'),
+              setting('standard_deviation', 'Standard deviation'),
+            ]}
+          </Group>
+          {spec.settings['distribution'] === 'weighted' && (
+            <Ranges spec={spec} onChange={onChange} />
+          )}
+        </Stack>
+      );
+    case 'RANDOM_STRING':
+      return (
+        <Stack gap="sm">
+          <Group align="end">
+            {setting('min_length', 'Shortest')}
+            {setting('max_length', 'Longest')}
+            {setting('negative_char_list', 'Never in a valid one')}
+          </Group>
+          <Group>
+            {option('alphabet', 'Letters')}
+            {option('number', 'Digits')}
+            {option('special_char', 'Special characters')}
+            {option('space', 'Spaces')}
+          </Group>
+        </Stack>
+      );
+  }
+}
+
+function ClassFields({ spec, onChange, kinds }: SpecFieldsProps & { kinds?: string[] }) {
+  const given = spec.classes[0] ?? {
+    type: 'NEC_NUMERIC_TWO_BOUNDARY',
+    attributes: {},
+    values: [],
+  };
+  const set = (changed: ClassDraft) => {
+    onChange({ ...spec, classes: [changed] });
+  };
+  const attribute = (name: string, label: string) => (
+    <TextInput
+      key={name}
+      label={label}
+      w={120}
+      value={given.attributes[name] ?? ''}
+      onChange={(event) => {
+        set({ ...given, attributes: { ...given.attributes, [name]: event.currentTarget.value } });
+      }}
+    />
+  );
+  const inclusive = (name: string, label: string) => (
+    <Checkbox
+      key={name}
+      label={label}
+      checked={given.attributes[name] !== 'false'}
+      onChange={(event) => {
+        set({
+          ...given,
+          attributes: { ...given.attributes, [name]: event.currentTarget.checked ? '' : 'false' },
+        });
+      }}
+    />
+  );
+  return (
+    <>
+      <NativeSelect
+        label="Valid are values"
+        value={given.type}
+        data={CLASSES.filter(({ value }) => !kinds || kinds.some((kind) => value.endsWith(kind)))}
+        onChange={(event) => {
+          set({ type: event.currentTarget.value, attributes: {}, values: [] });
+        }}
+      />
+      {given.type === 'NEC_NUMERIC_TWO_BOUNDARY' && [
+        attribute('min', 'From'),
+        attribute('max', 'To'),
+        <Stack key="inclusive" gap={4}>
+          {inclusive('min_inclusive', 'from is valid')}
+          {inclusive('max_inclusive', 'to is valid')}
+        </Stack>,
+      ]}
+      {given.type === 'NEC_NUMERIC_ONE_BOUNDARY' && [
+        attribute('min', 'From'),
+        attribute('max', 'or up to'),
+      ]}
+      {given.type === 'NEC_NUMERIC_CONSTANT' && attribute('value', 'Value')}
+      {given.type === 'NEC_NUMERIC_SET' && (
+        <TextInput
+          label="Values, separated by commas"
+          value={given.values.join(', ')}
+          onChange={(event) => {
+            set({
+              ...given,
+              values: event.currentTarget.value.split(',').map((value) => value.trimStart()),
+            });
+          }}
+        />
+      )}
+      {given.type === 'NEC_BOOLEAN' && (
+        <Checkbox
+          label="Only true is valid"
+          checked={given.attributes['value_only'] === 'true'}
+          onChange={(event) => {
+            set({
+              ...given,
+              attributes: { value_only: event.currentTarget.checked ? 'true' : '' },
+            });
+          }}
+        />
+      )}
+    </>
+  );
+}
+
+function Ranges({ spec, onChange }: SpecFieldsProps) {
+  return (
+    <Stack gap="xs">
+      {spec.ranges.map((range, index) => (
+        <Group key={index} align="end">
+          {(['min', 'max', 'weight'] as const).map((name) => (
+            <TextInput
+              key={name}
+              aria-label={`${name} of range ${index + 1}`}
+              placeholder={name}
+              w={110}
+              value={range[name]}
+              onChange={(event) => {
+                const changed = { ...range, [name]: event.currentTarget.value };
+                onChange({ ...spec, ranges: spec.ranges.with(index, changed) });
+              }}
+            />
+          ))}
+          <Button
+            variant="subtle"
+            size="xs"
+            onClick={() => {
+              onChange({ ...spec, ranges: spec.ranges.toSpliced(index, 1) });
+            }}
+          >
+            Remove
+          </Button>
+        </Group>
+      ))}
+      <Group>
+        <Button
+          variant="default"
+          size="xs"
+          onClick={() => {
+            onChange({ ...spec, ranges: [...spec.ranges, { min: '', max: '', weight: '1' }] });
+          }}
+        >
+          Add a range
+        </Button>
+      </Group>
+    </Stack>
+  );
+}

@@ -1,0 +1,123 @@
+import { Group, NativeSelect, Stack, Text, TextInput, Title } from '@mantine/core';
+import type { Diagnostic, ModelPreview } from '@/shared/api';
+import { Diagnostics, UserText } from '@/shared/ui';
+import { defaultSpec } from './defaults';
+import { SCHEMES, type InputDraft, type ModelDraft } from './draft';
+import classes from './models.module.css';
+import { NumberLine } from './NumberLine';
+import { SpecFields } from './SpecFields';
+
+interface SpecificationStepProps {
+  draft: ModelDraft;
+  preview: ModelPreview | undefined;
+  onChange: (draft: ModelDraft) => void;
+}
+
+const SCHEME_WORDS = {
+  BVA: 'Boundary values (BVA)',
+  ECP: 'Equivalence classes (ECP)',
+  RANDOM: 'Random numbers',
+  RANDOM_STRING: 'Random strings',
+} as const;
+
+/** Step 3 (Fig. 14(c)): how the values of each parameter are made, and which these are. */
+export function SpecificationStep({ draft, preview, onChange }: SpecificationStepProps) {
+  if (draft.inputs.length === 0) {
+    return <Text c="dimmed">The test varies nothing: it has a single case.</Text>;
+  }
+  return (
+    <Stack gap="md">
+      {draft.inputs.map((input, index) => (
+        <Element
+          key={input.name}
+          input={input}
+          values={preview?.inputs.find(({ name }) => name === input.name)}
+          problems={problemsOf(input, preview)}
+          onChange={(changed) => {
+            onChange({ ...draft, inputs: draft.inputs.with(index, changed) });
+          }}
+        />
+      ))}
+    </Stack>
+  );
+}
+
+function problemsOf({ name }: InputDraft, preview: ModelPreview | undefined): Diagnostic[] {
+  const element = `test_element ${name}`;
+  return (preview?.diagnostics ?? []).filter(
+    (diagnostic) => diagnostic.element === element || diagnostic.element.startsWith(`${element}/`),
+  );
+}
+
+interface ElementProps {
+  input: InputDraft;
+  values: ModelPreview['inputs'][number] | undefined;
+  problems: readonly Diagnostic[];
+  onChange: (input: InputDraft) => void;
+}
+
+function Element({ input, values, problems, onChange }: ElementProps) {
+  return (
+    <section className={classes.element} aria-label={`Specification of ${input.name}`}>
+      <Stack gap="sm">
+        <Group justify="space-between">
+          <Title order={3} size="h5">
+            <UserText>{input.name}</UserText>{' '}
+            <Text span size="sm" c="dimmed">
+              {input.kind}, <UserText>{input.realType}</UserText>
+            </Text>
+          </Title>
+          <NativeSelect
+            aria-label={`Scheme of ${input.name}`}
+            value={input.spec?.type ?? ''}
+            data={[
+              { value: '', label: 'Values of one’s own, or of the type' },
+              ...SCHEMES.map((value) => ({ value, label: SCHEME_WORDS[value] })),
+            ]}
+            onChange={(event) => {
+              const scheme = SCHEMES.find((known) => known === event.currentTarget.value);
+              onChange({ ...input, spec: scheme ? defaultSpec(scheme) : null });
+            }}
+          />
+        </Group>
+        {input.spec && (
+          <SpecFields
+            spec={input.spec}
+            onChange={(spec) => {
+              onChange({ ...input, spec });
+            }}
+          />
+        )}
+        <TextInput
+          label="Further values"
+          description="Specific candidate values, separated by commas"
+          value={input.userValues.join(', ')}
+          onChange={(event) => {
+            const { value } = event.currentTarget;
+            onChange({
+              ...input,
+              userValues:
+                value.trim() === '' ? [] : value.split(',').map((part) => part.trimStart()),
+            });
+          }}
+        />
+        {problems.length > 0 && <Diagnostics items={problems} />}
+        {values ? (
+          <>
+            <NumberLine values={values.values} />
+            {values.leftOut.length > 0 && (
+              <Text size="sm" c="dimmed">
+                Left out, as {input.realType} cannot hold them:{' '}
+                <UserText>{values.leftOut.join(', ')}</UserText>
+              </Text>
+            )}
+          </>
+        ) : (
+          <Text size="sm" c="dimmed">
+            The values show once the model can be read.
+          </Text>
+        )}
+      </Stack>
+    </section>
+  );
+}

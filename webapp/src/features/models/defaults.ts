@@ -1,0 +1,202 @@
+import type { ActivityDescription } from '@/shared/api';
+import type { InputDraft, ModelDraft, OutputDraft, Scheme, SpecDraft } from './draft';
+
+export type Description = ActivityDescription;
+export type Method = Description['provided'][number]['methods'][number];
+type Type = Method['returnType'];
+
+const INTEGER = /^u?int(8|16|32|64)$|^(octet|byte|short|long|int|char)$/;
+const FLOATING = /^(float|double)$/;
+
+export function isNumeric(realType: string): boolean {
+  return INTEGER.test(realType) || FLOATING.test(realType);
+}
+
+function abstractTypeOf(type: Type): string {
+  if (type.kind === 'enumeration') return 'ENUM';
+  if (type.spelling === 'boolean' || type.spelling === 'bool') return 'BOOLEAN';
+  return type.spelling.startsWith('string') ? 'STRING' : 'NUMERIC';
+}
+
+/** Something that may be added to a model, and why it is there. */
+export interface Candidate {
+  input: InputDraft;
+  note: string;
+}
+
+/** The inputs of the method under test; of structs their members, of sequences their first element. */
+export function argumentsOf(method: Method): Candidate[] {
+  return method.parameters
+    .filter(({ direction }) => direction !== 'OUT')
+    .flatMap(({ name, type }) => leaves(name, type))
+    .map(({ name, type }) => ({
+      input: inputOf(name, 'TDI', type),
+      note: type.spelling,
+    }));
+}
+
+/** What the world lets a test vary. */
+export function worldInputs({ world }: Description): Candidate[] {
+  return (world?.parameters ?? []).map(({ name, unit, min, max, defaultValue }) => {
+    // A boundary needs room on its outer side, which the world must still allow.
+    const offset = round((max - min) / 40);
+    return {
+      input: {
+        name,
+        kind: 'TDSD',
+        abstractType: 'NUMERIC',
+        realType: 'double',
+        description: '',
+        spec: boundaries(String(offset), String(round(min + offset)), String(round(max - offset))),
+        userValues: [],
+      },
+      note: `${min} to ${max} ${unit === '1' ? '' : unit}, by default ${defaultValue}`,
+    };
+  });
+}
+
+/** What the stub of a required interface returns. */
+export function stubInputs({ required }: Description): Candidate[] {
+  return required.flatMap(({ name, methods }) =>
+    methods.flatMap((method) => [
+      ...(method.returnType.spelling === 'void'
+        ? []
+        : [
+            {
+              input: inputOf(`${name}.${method.name}`, 'TDTS', method.returnType),
+              note: `returned, ${method.returnType.spelling}`,
+            },
+          ]),
+      ...method.parameters
+        .filter(({ direction }) => direction !== 'IN')
+        .map((parameter) => ({
+          input: inputOf(`${name}.${method.name}.${parameter.name}`, 'TDTS', parameter.type),
+          note: `out-parameter, ${parameter.type.spelling}`,
+        })),
+    ]),
+  );
+}
+
+function leaves(name: string, type: Type): { name: string; type: Type }[] {
+  if (type.members.length === 0) return [{ name, type }];
+  return type.members.flatMap((member) =>
+    leaves(member.name === '[]' ? `${name}[0]` : `${name}.${member.name}`, member.type),
+  );
+}
+
+function inputOf(name: string, kind: InputDraft['kind'], type: Type): InputDraft {
+  const abstractType = abstractTypeOf(type);
+  return {
+    name,
+    kind,
+    abstractType,
+    realType: type.spelling,
+    description: '',
+    // Booleans and enumerations list their values themselves.
+    spec:
+      abstractType === 'NUMERIC'
+        ? defaultSpec('BVA')
+        : abstractType === 'STRING'
+          ? defaultSpec('RANDOM_STRING')
+          : null,
+    userValues: [],
+  };
+}
+
+function boundaries(offset: string, min: string, max: string): SpecDraft {
+  return {
+    type: 'BVA',
+    settings: { offset },
+    classes: [{ type: 'NEC_NUMERIC_TWO_BOUNDARY', attributes: { min, max }, values: [] }],
+    ranges: [],
+  };
+}
+
+export function defaultSpec(scheme: Scheme): SpecDraft {
+  switch (scheme) {
+    case 'BVA':
+      return boundaries('1', '0', '10');
+    case 'ECP':
+      return { ...boundaries('1', '0', '10'), type: 'ECP' };
+    case 'RANDOM':
+      return {
+        type: 'RANDOM',
+        settings: { count: '5', min: '0', max: '10', distribution: 'uniform' },
+        classes: [],
+        ranges: [],
+      };
+    case 'RANDOM_STRING':
+      return {
+        type: 'RANDOM_STRING',
+        settings: {
+          min_length: '1',
+          max_length: '10',
+          alphabet: 'true',
+          number: 'true',
+          special_char: 'false',
+          space: 'false',
+        },
+        classes: [],
+        ranges: [],
+      };
+  }
+}
+
+/** A model of a method, with all that the interface says of it. */
+export function draftFor(
+  interfaceName: string,
+  method: Method,
+  taken: readonly string[],
+  overloaded: boolean,
+): ModelDraft {
+  return {
+    name: freeName(method.name, taken),
+    description: '',
+    target: {
+      interface: interfaceName,
+      method: method.name,
+      signature: overloaded ? method.signature : '',
+      settle: '',
+      runFor: '',
+    },
+    preConditions: [],
+    inputs: argumentsOf(method).map(({ input }) => input),
+    outputs: outputsOf(method),
+    postConditions: [],
+    invalidValues: 'isolate',
+    order: '2',
+    others: [],
+  };
+}
+
+export function outputsOf(method: Method): OutputDraft[] {
+  const output = (name: string, kind: OutputDraft['kind'], type: Type): OutputDraft => ({
+    name,
+    kind,
+    abstractType: abstractTypeOf(type),
+    realType: type.spelling,
+    description: '',
+    expected: '',
+    absolute: FLOATING.test(type.spelling) ? '1e-9' : '',
+    relative: '',
+  });
+  return [
+    ...(method.returnType.spelling === 'void'
+      ? []
+      : [output('return', 'RETURN', method.returnType)]),
+    ...method.parameters
+      .filter(({ direction }) => direction !== 'IN')
+      .map(({ name, type }) => output(name, 'OUT', type)),
+  ];
+}
+
+function freeName(wanted: string, taken: readonly string[]): string {
+  if (!taken.includes(wanted)) return wanted;
+  let number = 2;
+  while (taken.includes(`${wanted}-${number}`)) number++;
+  return `${wanted}-${number}`;
+}
+
+function round(value: number): number {
+  return Number(value.toPrecision(3));
+}

@@ -1,0 +1,3 @@
+export { ModelEditor } from './ModelEditor';
+export { useModelDocument } from './queries';
+export { readModel } from './xml';

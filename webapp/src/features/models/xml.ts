@@ -1,0 +1,257 @@
+import type {
+  ClassDraft,
+  InputDraft,
+  InputKind,
+  ModelDraft,
+  OutputDraft,
+  SpecDraft,
+} from './draft';
+import { INPUT_KINDS, OUTPUT_KINDS, SCHEMES } from './draft';
+
+/** Settings of a scheme that the document has as child elements; all others are attributes. */
+const STRING_SETTINGS = [
+  'min_length',
+  'max_length',
+  'alphabet',
+  'number',
+  'special_char',
+  'space',
+  'negative_char_list',
+];
+
+/** Reads the document of a test model; throws where it is no XML. */
+export function readModel(xml: string): ModelDraft {
+  const root = new DOMParser().parseFromString(xml, 'application/xml').documentElement;
+  if (root.tagName !== 'test_model') throw new Error('The document is no test model.');
+  const target = child(root, 'target');
+  return {
+    name: textOf(root, 'name'),
+    description: textOf(root, 'description'),
+    target: {
+      interface: target?.getAttribute('interface') ?? '',
+      method: target?.getAttribute('method') ?? (target ? '' : textOf(root, 'name')),
+      signature: target?.getAttribute('signature') ?? '',
+      settle: target?.getAttribute('settle') ?? '',
+      runFor: target?.getAttribute('run_for') ?? '',
+    },
+    preConditions: textsOf(child(root, 'pre_condition_spec_list'), 'pre_condition'),
+    inputs: children(child(root, 'input_spec_list'), 'test_element').map(readInput),
+    outputs: children(child(root, 'output_spec_list'), 'test_element').map(readOutput),
+    postConditions: textsOf(child(root, 'post_condition_spec_list'), 'post_condition'),
+    invalidValues: textOf(root, 'invalid_values') === 'combine' ? 'combine' : 'isolate',
+    order: textOf(root, 'order_of_combinations'),
+    others: [...children(root, 'strength'), ...children(root, 'case_list')].map((element) =>
+      new XMLSerializer().serializeToString(element),
+    ),
+  };
+}
+
+function readInput(element: Element): InputDraft {
+  const type = textOf(element, 'type');
+  const spec = child(element, 'test_spec');
+  return {
+    name: textOf(element, 'name'),
+    kind: INPUT_KINDS.find((kind) => kind === type) ?? kindOfSpelling(type),
+    abstractType: element.getAttribute('abstract_type') ?? '',
+    realType: element.getAttribute('real_type') ?? '',
+    description: textOf(element, 'description'),
+    spec: spec ? readSpec(spec) : null,
+    userValues: textsOf(child(element, 'user_value_list'), 'value'),
+  };
+}
+
+/** TDS is how the paper's Table 2 spells it. */
+function kindOfSpelling(type: string): InputKind {
+  return type === 'TDS' ? 'TDSD' : 'TDI';
+}
+
+function readSpec(element: Element): SpecDraft {
+  const type = element.getAttribute('type');
+  const settings: Record<string, string> = {};
+  for (const { name, value } of element.attributes) {
+    if (name !== 'type') settings[name] = value;
+  }
+  for (const part of element.children) {
+    if (part.tagName === 'distribution') {
+      settings['distribution'] = part.getAttribute('type') ?? part.textContent.trim();
+      for (const name of ['mean', 'standard_deviation']) {
+        const value = part.getAttribute(name);
+        if (value !== null) settings[name] = value;
+      }
+    } else if (part.tagName !== 'equiv_class' && part.tagName !== 'range') {
+      settings[part.tagName] = part.textContent;
+    }
+  }
+  const distribution = child(element, 'distribution');
+  return {
+    type: SCHEMES.find((scheme) => scheme === type) ?? 'BVA',
+    settings,
+    classes: children(element, 'equiv_class').map(readClass),
+    ranges: [...children(element, 'range'), ...children(distribution, 'range')].map((range) => ({
+      min: range.getAttribute('min') ?? '',
+      max: range.getAttribute('max') ?? '',
+      weight: range.getAttribute('weight') ?? '',
+    })),
+  };
+}
+
+function readClass(element: Element): ClassDraft {
+  const attributes: Record<string, string> = {};
+  for (const { name, value } of element.attributes) {
+    if (name !== 'type') attributes[name] = value;
+  }
+  return {
+    type: (element.getAttribute('type') ?? '').replace('_BOUDARY', '_BOUNDARY'),
+    attributes,
+    values: textsOf(element, 'value'),
+  };
+}
+
+function readOutput(element: Element): OutputDraft {
+  const type = textOf(element, 'type');
+  const tolerance = child(element, 'tolerance');
+  return {
+    name: textOf(element, 'name'),
+    kind: OUTPUT_KINDS.find((kind) => kind === type) ?? 'RETURN',
+    abstractType: element.getAttribute('abstract_type') ?? '',
+    realType: element.getAttribute('real_type') ?? '',
+    description: textOf(element, 'description'),
+    expected: textOf(element, 'expected'),
+    absolute: tolerance?.getAttribute('absolute') ?? '',
+    relative: tolerance?.getAttribute('relative') ?? '',
+  };
+}
+
+/** Writes the document of a draft, in the order of its schema. */
+export function writeModel(draft: ModelDraft): string {
+  const { target } = draft;
+  const lines = [
+    '<?xml version="1.0" encoding="UTF-8"?>',
+    '<test_model>',
+    `  <name>${escape(draft.name)}</name>`,
+    ...(draft.description ? [`  <description>${escape(draft.description)}</description>`] : []),
+    `  <target${attributes({
+      interface: target.interface,
+      method: target.method,
+      signature: target.signature,
+      settle: target.settle,
+      run_for: target.runFor,
+    })}/>`,
+    ...list('pre_condition_spec_list', 'pre_condition', draft.preConditions),
+    '  <input_spec_list>',
+    ...draft.inputs.flatMap(writeInput),
+    '  </input_spec_list>',
+    ...(draft.outputs.length > 0
+      ? ['  <output_spec_list>', ...draft.outputs.flatMap(writeOutput), '  </output_spec_list>']
+      : []),
+    ...list('post_condition_spec_list', 'post_condition', draft.postConditions),
+    `  <invalid_values>${draft.invalidValues}</invalid_values>`,
+    `  <order_of_combinations>${escape(draft.order)}</order_of_combinations>`,
+    ...draft.others.map((other) => `  ${other}`),
+    '</test_model>',
+    '',
+  ];
+  return lines.join('\n');
+}
+
+function writeInput(input: InputDraft): string[] {
+  const { spec } = input;
+  return [
+    `    <test_element${attributes({ abstract_type: input.abstractType, real_type: input.realType })}>`,
+    `      <name>${escape(input.name)}</name>`,
+    `      <type>${input.kind}</type>`,
+    ...(input.description ? [`      <description>${escape(input.description)}</description>`] : []),
+    ...(spec ? writeSpec(spec) : []),
+    ...(input.userValues.length > 0
+      ? [
+          '      <user_value_list>',
+          ...input.userValues.map((value) => `        <value>${escape(value)}</value>`),
+          '      </user_value_list>',
+        ]
+      : []),
+    '    </test_element>',
+  ];
+}
+
+function writeSpec(spec: SpecDraft): string[] {
+  const entries = Object.entries(spec.settings).filter(([, value]) => value !== '');
+  const inside = entries.filter(([name]) => STRING_SETTINGS.includes(name));
+  const outside = entries.filter(([name]) => !STRING_SETTINGS.includes(name));
+  return [
+    `      <test_spec${attributes({ type: spec.type, ...Object.fromEntries(outside) })}>`,
+    ...spec.classes.map(
+      ({ type, attributes: own, values }) =>
+        `        <equiv_class${attributes({ type, ...own })}${
+          values.length > 0
+            ? `>${values.map((value) => `<value>${escape(value)}</value>`).join('')}</equiv_class>`
+            : '/>'
+        }`,
+    ),
+    ...spec.ranges.map((range) => `        <range${attributes(range)}/>`),
+    ...STRING_SETTINGS.flatMap((name) =>
+      inside
+        .filter(([setting]) => setting === name)
+        .map(([, value]) => `        <${name}>${escape(value)}</${name}>`),
+    ),
+    '      </test_spec>',
+  ];
+}
+
+function writeOutput(output: OutputDraft): string[] {
+  return [
+    `    <test_element${attributes({ abstract_type: output.abstractType, real_type: output.realType })}>`,
+    `      <name>${escape(output.name)}</name>`,
+    `      <type>${output.kind}</type>`,
+    ...(output.description
+      ? [`      <description>${escape(output.description)}</description>`]
+      : []),
+    ...(output.expected ? [`      <expected>${escape(output.expected)}</expected>`] : []),
+    ...(output.absolute || output.relative
+      ? [
+          `      <tolerance${attributes({ absolute: output.absolute, relative: output.relative })}/>`,
+        ]
+      : []),
+    '    </test_element>',
+  ];
+}
+
+function list(name: string, item: string, texts: readonly string[]): string[] {
+  const given = texts.filter((text) => text.trim() !== '');
+  if (given.length === 0) return [];
+  return [
+    `  <${name}>`,
+    ...given.map((text) => `    <${item}>${escape(text)}</${item}>`),
+    `  </${name}>`,
+  ];
+}
+
+function attributes(given: Record<string, string>): string {
+  return Object.entries(given)
+    .filter(([, value]) => value !== '')
+    .map(([name, value]) => ` ${name}="${escape(value)}"`)
+    .join('');
+}
+
+function escape(text: string): string {
+  return text
+    .replaceAll('&', '&amp;')
+    .replaceAll('<', '&lt;')
+    .replaceAll('>', '&gt;')
+    .replaceAll('"', '&quot;');
+}
+
+function child(parent: Element | null | undefined, name: string): Element | undefined {
+  return children(parent, name)[0];
+}
+
+function children(parent: Element | null | undefined, name: string): Element[] {
+  return [...(parent?.children ?? [])].filter(({ tagName }) => tagName === name);
+}
+
+function textOf(parent: Element, name: string): string {
+  return child(parent, name)?.textContent.trim() ?? '';
+}
+
+function textsOf(parent: Element | undefined, name: string): string[] {
+  return children(parent, name).map(({ textContent }) => textContent);
+}

@@ -1,0 +1,142 @@
+import { SimpleGrid, Stack, Text, Title } from '@mantine/core';
+import { useMemo, type ReactNode } from 'react';
+import type { ResultStatistics, ResultSummary as Summary } from '@/shared/api';
+import { formatTime, plural } from '@/shared/lib/format';
+import { Chart, Loading, ProblemAlert, Section, UserText } from '@/shared/ui';
+import { faultyValues, timeHistogram, timesOverCases, verdictPie, verdictsByValue } from './graphs';
+import { useResult, useStatistics, type CaseFilter } from './queries';
+import classes from './results.module.css';
+
+interface ResultGraphsProps {
+  buildId: string;
+  onFilter: (filter: CaseFilter) => void;
+}
+
+/** The graph view of a result, as the paper's Fig. 17(b), and where the eye finds the faulty region. */
+export function ResultGraphs({ buildId, onFilter }: ResultGraphsProps) {
+  const result = useResult(buildId);
+  const statistics = useStatistics(buildId);
+  if (result.isPending || statistics.isPending) return <Loading what="the graphs" />;
+  if (!result.data || !statistics.data) {
+    return (
+      <ProblemAlert
+        title="The graphs could not be read"
+        error={result.error ?? statistics.error ?? new Error('no answer')}
+      />
+    );
+  }
+  const { times, parameters } = statistics.data;
+  return (
+    <Stack gap="xl">
+      <SimpleGrid cols={{ base: 1, md: 2 }} spacing="xl">
+        <Section title="Verdicts">
+          <Verdicts summary={result.data.summary} />
+        </Section>
+        {times && (
+          <Section title="Processing time">
+            <Histogram times={times} />
+          </Section>
+        )}
+      </SimpleGrid>
+      {times ? (
+        <Section title="Processing time over the cases">
+          <OverCases times={times} />
+        </Section>
+      ) : (
+        <Text c="dimmed">No case was timed.</Text>
+      )}
+      <Section title="Verdicts by parameter value">
+        <SimpleGrid cols={{ base: 1, md: 2 }} spacing="xl">
+          {parameters.map((parameter) => (
+            <ByParameter
+              key={parameter.name}
+              parameter={parameter}
+              onPick={(value) => {
+                onFilter({ parameter: parameter.name, value });
+              }}
+            />
+          ))}
+        </SimpleGrid>
+      </Section>
+    </Stack>
+  );
+}
+
+type Times = NonNullable<ResultStatistics['times']>;
+
+function Verdicts({ summary }: { summary: Summary }) {
+  const option = useMemo(() => verdictPie(summary), [summary]);
+  return (
+    <Chart
+      label={`Of ${plural(summary.total, 'case')} ${summary.pass} pass, ${summary.fail} fail, ${summary.error} in error, ${summary.dont} not executed`}
+      option={option}
+    />
+  );
+}
+
+function Histogram({ times }: { times: Times }) {
+  const option = useMemo(() => timeHistogram(times), [times]);
+  return (
+    <Chart
+      label={`Histogram of the processing times of ${plural(times.count, 'case')}, from ${formatTime(times.min)} to ${formatTime(times.max)} µs`}
+      option={option}
+    />
+  );
+}
+
+function OverCases({ times }: { times: Times }) {
+  const option = useMemo(() => timesOverCases(times), [times]);
+  const facts: [string, ReactNode][] = [
+    ['Min (µs)', formatTime(times.min)],
+    ['Average (µs)', formatTime(times.average)],
+    ['Std deviation (µs)', formatTime(times.standardDeviation)],
+    ['50 % below (µs)', formatTime(times.p50)],
+    ['90 % below (µs)', formatTime(times.p90)],
+    ['95 % below (µs)', formatTime(times.p95)],
+    ['99 % below (µs)', formatTime(times.p99)],
+    ['Max (µs)', formatTime(times.max)],
+  ];
+  return (
+    <Stack gap="sm">
+      <dl className={classes.summary} aria-label="Processing time of the component">
+        {facts.map(([name, value]) => (
+          <div key={name}>
+            <dt>{name}</dt>
+            <dd>{value}</dd>
+          </div>
+        ))}
+      </dl>
+      <Chart
+        label={`Processing time by case number; average ${formatTime(times.average)} µs`}
+        option={option}
+      />
+    </Stack>
+  );
+}
+
+function ByParameter({
+  parameter,
+  onPick,
+}: {
+  parameter: ResultStatistics['parameters'][number];
+  onPick: (value: string) => void;
+}) {
+  const option = useMemo(() => verdictsByValue(parameter), [parameter]);
+  return (
+    <div>
+      <Title order={3} size="h5">
+        <UserText>{parameter.name}</UserText>
+      </Title>
+      <Chart
+        label={`Verdicts by value of ${faultyValues(parameter)}`}
+        option={option}
+        height={240}
+        onPick={onPick}
+      />
+      <Text size="sm" c="dimmed">
+        <UserText>{faultyValues(parameter)}</UserText>
+        {parameter.leftOut > 0 && `; ${plural(parameter.leftOut, 'further value')} not drawn`}
+      </Text>
+    </div>
+  );
+}

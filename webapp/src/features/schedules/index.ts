@@ -1,0 +1,2 @@
+export { useReserveBuild } from './queries';
+export { ScheduleList } from './ScheduleList';

@@ -1,0 +1,2 @@
+export { useSession, useSignOut } from './queries';
+export { SignIn } from './SignIn';

@@ -1,0 +1,160 @@
+import { Button, FileButton, Group, Stack, Text } from '@mantine/core';
+import { useRef, useState, type DragEvent } from 'react';
+import { plural } from '@/shared/lib/format';
+import { ProblemAlert, UserText } from '@/shared/ui';
+import type { Files } from './draft';
+import classes from './wizard.module.css';
+
+interface FilePickerProps {
+  label: string;
+  description: string;
+  files: Files;
+  onFiles: (files: Files) => void;
+  /** Whether a whole folder may be chosen. */
+  folder?: boolean;
+  /** Whether more than one file makes sense. */
+  single?: boolean;
+}
+
+/** Takes files, folders and zips, chosen or dropped. */
+export function FilePicker({
+  label,
+  description,
+  files,
+  onFiles,
+  folder = false,
+  single = false,
+}: FilePickerProps) {
+  const [over, setOver] = useState(false);
+  const [error, setError] = useState<Error>();
+  const folderInput = useRef<HTMLInputElement>(null);
+
+  async function take(given: readonly { path: string; file: File }[]) {
+    if (given.length === 0) return;
+    try {
+      const { filesFrom } = await import('./archive');
+      const taken = await filesFrom(given);
+      setError(undefined);
+      onFiles(single ? new Map([...taken].slice(0, 1)) : new Map([...files, ...taken]));
+    } catch (cause) {
+      setError(cause instanceof Error ? cause : new Error(String(cause)));
+    }
+  }
+
+  function drop(event: DragEvent) {
+    event.preventDefault();
+    setOver(false);
+    const entries = [...event.dataTransfer.items].flatMap((item) => item.webkitGetAsEntry() ?? []);
+    if (entries.length > 0) {
+      void Promise.all(entries.map(filesBelow)).then((found) => take(found.flat()));
+    } else {
+      void take([...event.dataTransfer.files].map((file) => ({ path: file.name, file })));
+    }
+  }
+
+  return (
+    <div
+      className={classes.zone}
+      role="group"
+      aria-label={label}
+      data-over={over || undefined}
+      onDragOver={(event) => {
+        event.preventDefault();
+        setOver(true);
+      }}
+      onDragLeave={() => {
+        setOver(false);
+      }}
+      onDrop={drop}
+    >
+      <Stack gap="xs">
+        <Group justify="space-between">
+          <div>
+            <Text fw={600}>{label}</Text>
+            <Text size="sm" c="dimmed">
+              {description}
+            </Text>
+          </div>
+          <Group gap="xs">
+            <FileButton
+              multiple
+              inputProps={{ 'aria-label': `Files: ${label}` }}
+              onChange={(chosen) => void take(chosen.map((file) => ({ path: file.name, file })))}
+            >
+              {(props) => (
+                <Button {...props} size="xs" variant="default">
+                  Choose files…
+                </Button>
+              )}
+            </FileButton>
+            {folder && (
+              <>
+                <input
+                  ref={folderInput}
+                  type="file"
+                  hidden
+                  multiple
+                  // React has no name for it; all browsers have.
+                  {...{ webkitdirectory: '' }}
+                  aria-label={`Folder: ${label}`}
+                  onChange={(event) =>
+                    void take(
+                      [...(event.currentTarget.files ?? [])].map((file) => ({
+                        path: file.webkitRelativePath || file.name,
+                        file,
+                      })),
+                    )
+                  }
+                />
+                <Button size="xs" variant="default" onClick={() => folderInput.current?.click()}>
+                  Choose folder…
+                </Button>
+              </>
+            )}
+          </Group>
+        </Group>
+        {error && <ProblemAlert title="The files could not be read" error={error} />}
+        {files.size > 0 && (
+          <ul className={classes.list} aria-label={`${label}: ${plural(files.size, 'file')}`}>
+            {[...files.keys()].map((path) => (
+              <li key={path}>
+                <UserText>{path}</UserText>{' '}
+                <Button
+                  size="compact-xs"
+                  variant="subtle"
+                  aria-label={`Remove ${path}`}
+                  onClick={() => {
+                    onFiles(new Map([...files].filter(([other]) => other !== path)));
+                  }}
+                >
+                  Remove
+                </Button>
+              </li>
+            ))}
+          </ul>
+        )}
+      </Stack>
+    </div>
+  );
+}
+
+/** All files of what was dropped, with their paths from there. */
+async function filesBelow(entry: FileSystemEntry): Promise<{ path: string; file: File }[]> {
+  if (entry.isFile) {
+    const file = await new Promise<File>((resolve, reject) => {
+      (entry as FileSystemFileEntry).file(resolve, reject);
+    });
+    return [{ path: entry.fullPath.slice(1), file }];
+  }
+  const reader = (entry as FileSystemDirectoryEntry).createReader();
+  const all: FileSystemEntry[] = [];
+  for (;;) {
+    // A reader hands a folder out in parts, the last of which is empty.
+    const part = await new Promise<FileSystemEntry[]>((resolve, reject) => {
+      reader.readEntries(resolve, reject);
+    });
+    if (part.length === 0) break;
+    all.push(...part);
+  }
+  return (await Promise.all(all.map(filesBelow))).flat();
+}

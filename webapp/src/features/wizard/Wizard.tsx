@@ -1,0 +1,328 @@
+import {
+  Button,
+  Code,
+  Group,
+  NativeSelect,
+  SegmentedControl,
+  Stack,
+  Stepper,
+  Text,
+  Textarea,
+  TextInput,
+} from '@mantine/core';
+import { useState } from 'react';
+import type { Activity, Diagnostic } from '@/shared/api';
+import { Diagnostics, ProblemAlert, Section, UserText } from '@/shared/ui';
+import { EMPTY, LANGUAGES, likelyClass, pathsOf, type Language, type WizardDraft } from './draft';
+import { FilePicker } from './FilePicker';
+import { useCheck, useCreateActivity } from './queries';
+
+const LAST_STEP = 3;
+
+/** A new activity in four steps (Fig. 13); what is wrong shows where it is mended. */
+export function Wizard({ onCreated }: { onCreated: (activity: Activity) => void }) {
+  const [step, setStep] = useState(0);
+  const [draft, setDraft] = useState<WizardDraft>(EMPTY);
+  const check = useCheck(draft, step);
+  const create = useCreateActivity();
+  const problems = check.data?.diagnostics ?? [];
+  const set = (changes: Partial<WizardDraft>) => {
+    setDraft({ ...draft, ...changes });
+  };
+  const props: StepProps = { draft, set, problems };
+  const errors = problems.filter(({ severity }) => severity === 'ERROR');
+  return (
+    <Stack gap="lg">
+      <Stepper active={step} onStepClick={setStep} size="sm">
+        <Stepper.Step label="Component" description="profile" />
+        <Stepper.Step label="Library" description="or sources" />
+        <Stepper.Step label="Interfaces" description="and libraries" />
+        <Stepper.Step label="Skeleton" description="world, summary" />
+      </Stepper>
+      {step === 0 && <ComponentStep {...props} />}
+      {step === 1 && <SourcesStep {...props} />}
+      {step === 2 && <InterfacesStep {...props} />}
+      {step === LAST_STEP && <SummaryStep {...props} />}
+      {create.isError && (
+        <ProblemAlert
+          title="The activity was not created"
+          error={create.error}
+          onClose={create.reset}
+        />
+      )}
+      <Group justify="space-between">
+        <Button
+          variant="default"
+          disabled={step === 0}
+          onClick={() => {
+            setStep(step - 1);
+          }}
+        >
+          Back
+        </Button>
+        {step < LAST_STEP ? (
+          <Button
+            onClick={() => {
+              setStep(step + 1);
+            }}
+          >
+            Next
+          </Button>
+        ) : (
+          <Button
+            disabled={errors.length > 0 || check.isFetching}
+            loading={create.isPending}
+            onClick={() => {
+              create.mutate(draft, { onSuccess: onCreated });
+            }}
+          >
+            Create the activity
+          </Button>
+        )}
+      </Group>
+    </Stack>
+  );
+}
+
+interface StepProps {
+  draft: WizardDraft;
+  set: (changes: Partial<WizardDraft>) => void;
+  problems: readonly Diagnostic[];
+}
+
+/** The problem of an entry of the profile, once there is something to judge. */
+function problemOf(problems: readonly Diagnostic[], element: string, value: string) {
+  return value === ''
+    ? undefined
+    : problems.find((p) => p.file === 'activity.yaml' && p.element === element)?.message;
+}
+
+/** Problems of files, or of entries that begin so. */
+function Problems({ items }: { items: readonly Diagnostic[] }) {
+  return items.length > 0 ? <Diagnostics items={items} /> : null;
+}
+
+function ComponentStep({ draft, set, problems }: StepProps) {
+  return (
+    <Stack gap="md">
+      <TextInput
+        label="Name of the activity"
+        description="Letters, digits, ., _ and -"
+        required
+        value={draft.name}
+        error={problemOf(problems, 'name', draft.name)}
+        onChange={(event) => {
+          set({ name: event.currentTarget.value });
+        }}
+      />
+      <Textarea
+        label="Description"
+        autosize
+        value={draft.description}
+        onChange={(event) => {
+          set({ description: event.currentTarget.value });
+        }}
+      />
+      <Group align="end">
+        <NativeSelect
+          label="Language of the component"
+          data={[...LANGUAGES]}
+          value={draft.language}
+          onChange={(event) => {
+            const language = languageOf(event.currentTarget.value);
+            set({ language, harness: language });
+          }}
+        />
+        <NativeSelect
+          label="The component is made"
+          data={[
+            { value: 'case', label: 'anew for each case' },
+            { value: 'suite', label: 'once for all cases' },
+          ]}
+          value={draft.lifeCycle}
+          onChange={(event) => {
+            set({ lifeCycle: event.currentTarget.value === 'suite' ? 'suite' : 'case' });
+          }}
+        />
+      </Group>
+      <Group align="start" grow>
+        <Textarea
+          label="Properties"
+          description="NAME: VALUE a line, set before the first call"
+          autosize
+          value={draft.properties}
+          onChange={(event) => {
+            set({ properties: event.currentTarget.value });
+          }}
+        />
+        <Textarea
+          label="Calls before the one under test"
+          description="One a line, such as Enable()"
+          autosize
+          value={draft.before}
+          onChange={(event) => {
+            set({ before: event.currentTarget.value });
+          }}
+        />
+      </Group>
+      <FilePicker
+        label="Component profile"
+        description="The OPRoS XML of the component, where there is one"
+        single
+        files={draft.profile}
+        onFiles={(profile) => {
+          set({ profile });
+        }}
+      />
+      <Problems items={problems.filter((p) => draft.profile.has(p.file))} />
+    </Stack>
+  );
+}
+
+function SourcesStep({ draft, set, problems }: StepProps) {
+  const [kind, setKind] = useState(draft.library.size > 0 ? 'library' : 'sources');
+  const suggestion = likelyClass(draft);
+  const className = draft.className;
+  return (
+    <Stack gap="md">
+      <SegmentedControl
+        aria-label="What the component is given as"
+        value={kind}
+        onChange={(value) => {
+          setKind(value);
+          set(value === 'library' ? { sources: new Map() } : { library: new Map() });
+        }}
+        data={[
+          { value: 'sources', label: 'Sources' },
+          { value: 'library', label: 'Built library' },
+        ]}
+      />
+      {kind === 'sources' ? (
+        <FilePicker
+          label="Sources of the component"
+          description="Drop a folder, a zip or files here"
+          folder
+          files={draft.sources}
+          onFiles={(sources) => {
+            const found = likelyClass({ ...draft, sources });
+            set({ sources, ...(className === '' && { className: found }) });
+          }}
+        />
+      ) : (
+        <FilePicker
+          label="Library of the component"
+          description="A .jar, .so or Python package"
+          single
+          files={draft.library}
+          onFiles={(library) => {
+            set({ library });
+          }}
+        />
+      )}
+      <TextInput
+        label="Class of the component"
+        description={
+          suggestion && suggestion !== className
+            ? `Qualified as its language writes it; the sources declare ${suggestion}`
+            : 'Qualified as its language writes it'
+        }
+        required
+        value={className}
+        error={problemOf(problems, 'component.class', className)}
+        onChange={(event) => {
+          set({ className: event.currentTarget.value });
+        }}
+      />
+      {draft.sources.size + draft.library.size > 0 && (
+        <Problems
+          items={problems.filter((p) =>
+            ['component.sources', 'component.library'].includes(p.element),
+          )}
+        />
+      )}
+    </Stack>
+  );
+}
+
+function InterfacesStep({ draft, set, problems }: StepProps) {
+  const given = [...draft.provided.keys(), ...draft.required.keys()];
+  return (
+    <Stack gap="md">
+      <FilePicker
+        label="Interfaces that the component provides"
+        description="OPRoS XML, OMG IDL, ROS msg, srv or action, protobuf"
+        files={draft.provided}
+        onFiles={(provided) => {
+          set({ provided });
+        }}
+      />
+      <FilePicker
+        label="Interfaces that it requires"
+        description="The test stub stands in for these; none where it calls no other component"
+        files={draft.required}
+        onFiles={(required) => {
+          set({ required });
+        }}
+      />
+      <FilePicker
+        label="External libraries"
+        description="What the component needs besides, optional"
+        files={draft.libraries}
+        onFiles={(libraries) => {
+          set({ libraries });
+        }}
+      />
+      <Problems
+        items={problems.filter(
+          (p) =>
+            given.some((path) => path === p.file) ||
+            (given.length > 0 && ['provided', 'required', 'libraries'].includes(p.element)),
+        )}
+      />
+    </Stack>
+  );
+}
+
+function SummaryStep({ draft, set, problems }: StepProps) {
+  return (
+    <Stack gap="md">
+      <NativeSelect
+        label="Type of the skeleton code"
+        description="The language of the generated test application"
+        data={[...LANGUAGES]}
+        value={draft.harness}
+        onChange={(event) => {
+          set({ harness: languageOf(event.currentTarget.value) });
+        }}
+      />
+      <FilePicker
+        label="World of the simulation"
+        description="NAME.world.yaml with its MJCF; none where the component needs no simulation"
+        folder
+        files={draft.world}
+        onFiles={(world) => {
+          set({ world });
+        }}
+      />
+      <Section title="Summary">
+        <Text>
+          <UserText>{`${draft.name || 'Without a name'}: ${draft.className || 'no class'} in ${
+            LANGUAGES.find(({ value }) => value === draft.language)?.label ?? ''
+          }`}</UserText>
+        </Text>
+        <Code block aria-label="Files of the activity">
+          {pathsOf(draft).join('\n')}
+        </Code>
+        {problems.length > 0 ? (
+          <Diagnostics items={problems} />
+        ) : (
+          <Text role="status">Nothing is wrong with it.</Text>
+        )}
+      </Section>
+    </Stack>
+  );
+}
+
+function languageOf(value: string): Language {
+  return LANGUAGES.find((known) => known.value === value)?.value ?? 'java';
+}

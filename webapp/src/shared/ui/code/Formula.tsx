@@ -1,0 +1,52 @@
+import { Input, useComputedColorScheme } from '@mantine/core';
+import { useEffect, useRef } from 'react';
+import classes from './code.module.css';
+import type { Editor } from './editor';
+
+interface FormulaProps {
+  label: string;
+  description?: string | undefined;
+  error?: string | undefined;
+  text: string;
+  words: readonly { label: string; detail: string }[];
+  onChange: (text: string) => void;
+}
+
+/** A field for a CEL expression that completes the names it may use. */
+export function Formula({ label, description, error, text, words, onChange }: FormulaProps) {
+  const place = useRef<HTMLDivElement>(null);
+  const editor = useRef<Editor>(undefined);
+  const latest = useRef({ text, onChange });
+  const dark = useComputedColorScheme('light') === 'dark';
+  const key = JSON.stringify(words);
+  useEffect(() => {
+    latest.current = { text, onChange };
+    editor.current?.setText(text);
+  }, [text, onChange]);
+  useEffect(() => {
+    let gone = false;
+    void import('./editor').then(({ createFormula }) => {
+      if (gone || !place.current) return;
+      editor.current = createFormula({
+        parent: place.current,
+        text: latest.current.text,
+        dark,
+        label,
+        words: JSON.parse(key) as { label: string; detail: string }[],
+        onChange: (next) => {
+          latest.current.onChange(next);
+        },
+      });
+    });
+    return () => {
+      gone = true;
+      editor.current?.destroy();
+      editor.current = undefined;
+    };
+  }, [dark, label, key]);
+  return (
+    <Input.Wrapper label={label} description={description} error={error} labelElement="div">
+      <div ref={place} className={classes.formula} />
+    </Input.Wrapper>
+  );
+}

@@ -1,0 +1,195 @@
+import { autocompletion, type CompletionSource } from '@codemirror/autocomplete';
+import { defaultKeymap, history, historyKeymap } from '@codemirror/commands';
+import { cpp } from '@codemirror/lang-cpp';
+import { java } from '@codemirror/lang-java';
+import { python } from '@codemirror/lang-python';
+import { xml } from '@codemirror/lang-xml';
+import { yaml } from '@codemirror/lang-yaml';
+import {
+  bracketMatching,
+  defaultHighlightStyle,
+  foldGutter,
+  HighlightStyle,
+  syntaxHighlighting,
+} from '@codemirror/language';
+import { MergeView } from '@codemirror/merge';
+import { Compartment, EditorState, type Extension } from '@codemirror/state';
+import {
+  drawSelection,
+  EditorView,
+  highlightActiveLine,
+  highlightSpecialChars,
+  keymap,
+  lineNumbers,
+} from '@codemirror/view';
+import { tags } from '@lezer/highlight';
+
+const LANGUAGES: readonly [RegExp, () => Extension][] = [
+  [/\.java$/, java],
+  [/\.(c|cc|cpp|cxx|h|hpp|hxx|idl|proto)$/, cpp],
+  [/\.py$/, python],
+  [/\.(xml|xsd|urdf|sdf)$/, xml],
+  [/\.ya?ml$/, yaml],
+];
+
+const DARK = HighlightStyle.define([
+  { tag: tags.keyword, color: '#c792ea' },
+  { tag: [tags.string, tags.attributeValue], color: '#a5d68f' },
+  { tag: [tags.number, tags.bool, tags.null], color: '#f5a97f' },
+  { tag: [tags.comment, tags.meta], color: '#9aa5b1', fontStyle: 'italic' },
+  { tag: [tags.typeName, tags.className, tags.tagName], color: '#7fc8ff' },
+  { tag: [tags.propertyName, tags.attributeName], color: '#e6c97a' },
+]);
+
+export interface EditorSettings {
+  parent: HTMLElement;
+  /** Its ending says which language it is. */
+  path: string;
+  text: string;
+  dark: boolean;
+  readOnly: boolean;
+  label: string;
+  onChange: (text: string) => void;
+}
+
+export interface Editor {
+  destroy: () => void;
+  setText: (text: string) => void;
+  reveal: (line: number) => void;
+}
+
+function basics(path: string, dark: boolean, label: string): Extension[] {
+  return [
+    lineNumbers(),
+    foldGutter(),
+    // Control and direction marks become visible.
+    highlightSpecialChars(),
+    drawSelection(),
+    bracketMatching(),
+    syntaxHighlighting(dark ? DARK : defaultHighlightStyle),
+    EditorView.theme({}, { dark }),
+    EditorView.contentAttributes.of({ 'aria-label': label }),
+    LANGUAGES.find(([ending]) => ending.test(path))?.[1]() ?? [],
+  ];
+}
+
+export function createEditor(settings: EditorSettings): Editor {
+  const { parent, path, text, dark, readOnly, label, onChange } = settings;
+  const editable = new Compartment();
+  const view = new EditorView({
+    parent,
+    state: EditorState.create({
+      doc: text,
+      extensions: [
+        basics(path, dark, label),
+        history(),
+        highlightActiveLine(),
+        keymap.of([...defaultKeymap, ...historyKeymap]),
+        // Tab stays the way out of the editor for those who use the keyboard.
+        editable.of([EditorState.readOnly.of(readOnly)]),
+        EditorView.updateListener.of((update) => {
+          if (update.docChanged) onChange(update.state.doc.toString());
+        }),
+      ],
+    }),
+  });
+  return {
+    destroy: () => {
+      view.destroy();
+    },
+    setText: (next) => {
+      if (next === view.state.doc.toString()) return;
+      view.dispatch({ changes: { from: 0, to: view.state.doc.length, insert: next } });
+    },
+    reveal: (line) => {
+      const at = view.state.doc.line(Math.min(Math.max(1, line), view.state.doc.lines)).from;
+      view.dispatch({ selection: { anchor: at }, effects: EditorView.scrollIntoView(at) });
+      view.focus();
+    },
+  };
+}
+
+export interface DifferenceSettings {
+  parent: HTMLElement;
+  path: string;
+  before: string;
+  now: string;
+  dark: boolean;
+  label: string;
+}
+
+/** Two texts beside each other, their differences marked. */
+export function createDifference(settings: DifferenceSettings): { destroy: () => void } {
+  const { parent, path, before, now, dark, label } = settings;
+  const side = (text: string, name: string) => ({
+    doc: text,
+    extensions: [basics(path, dark, `${label}: ${name}`), EditorState.readOnly.of(true)],
+  });
+  const view = new MergeView({
+    parent,
+    a: side(before, 'generated'),
+    b: side(now, 'yours'),
+    collapseUnchanged: { margin: 3, minSize: 6 },
+  });
+  return {
+    destroy: () => {
+      view.destroy();
+    },
+  };
+}
+
+export interface FormulaSettings {
+  parent: HTMLElement;
+  text: string;
+  dark: boolean;
+  label: string;
+  /** What can be written, with a word on each. */
+  words: readonly { label: string; detail: string }[];
+  onChange: (text: string) => void;
+}
+
+/** A line of CEL with completion of what it may name. */
+export function createFormula(settings: FormulaSettings): Editor {
+  const { parent, text, dark, label, words, onChange } = settings;
+  const complete: CompletionSource = (context) => {
+    const word = context.matchBefore(/[\w.[\]]*/);
+    if (!word || (word.from === word.to && !context.explicit)) return null;
+    return {
+      from: word.from,
+      options: words.map(({ label: name, detail }) => ({ label: name, detail, type: 'variable' })),
+    };
+  };
+  const view = new EditorView({
+    parent,
+    state: EditorState.create({
+      doc: text,
+      extensions: [
+        history(),
+        highlightSpecialChars(),
+        bracketMatching(),
+        cpp(),
+        syntaxHighlighting(dark ? DARK : defaultHighlightStyle),
+        EditorView.theme({}, { dark }),
+        EditorView.contentAttributes.of({ 'aria-label': label }),
+        EditorView.lineWrapping,
+        autocompletion({ override: [complete] }),
+        keymap.of([...defaultKeymap, ...historyKeymap]),
+        EditorView.updateListener.of((update) => {
+          if (update.docChanged) onChange(update.state.doc.toString());
+        }),
+      ],
+    }),
+  });
+  return {
+    destroy: () => {
+      view.destroy();
+    },
+    setText: (next) => {
+      if (next === view.state.doc.toString()) return;
+      view.dispatch({ changes: { from: 0, to: view.state.doc.length, insert: next } });
+    },
+    reveal: () => {
+      view.focus();
+    },
+  };
+}
