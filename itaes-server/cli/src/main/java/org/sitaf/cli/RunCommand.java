@@ -185,6 +185,9 @@ final class RunCommand implements Callable<Integer> {
 
   private List<TestModel> models(Activity activity) {
     if (modelName == null) {
+      if (activity.models().isEmpty()) {
+        throw InvalidInputException.of(folder.toString(), "names no test model: nothing to run");
+      }
       return activity.models();
     }
     return List.of(

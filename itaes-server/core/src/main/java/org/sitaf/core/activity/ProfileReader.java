@@ -65,8 +65,10 @@ final class ProfileReader {
         root.text("harness")
             .flatMap(spelling -> language(root, "harness", spelling))
             .orElse(component.language());
-    required(root, "provided", root.texts("provided"));
-    required(root, "models", root.texts("models"));
+    // Models may come later: an activity begins with the component and its interfaces.
+    if (root.texts("provided").isEmpty()) {
+      root.problem("provided", "must name at least one file");
+    }
     return new ActivityProfile(
         name,
         root.text("description").orElse(""),
@@ -79,12 +81,6 @@ final class ProfileReader {
         root.texts("models"),
         root.truth("parallel").orElse(false),
         root.mapping("limits").map(ProfileReader::limits).orElse(Limits.DEFAULT));
-  }
-
-  private static void required(YamlMapping root, String entry, List<String> items) {
-    if (items.isEmpty()) {
-      root.problem(entry, "must name at least one file");
-    }
   }
 
   private static Component component(YamlMapping root) {
