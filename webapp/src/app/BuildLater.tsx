@@ -39,7 +39,7 @@ export function BuildLater({ suiteId }: { suiteId: string }) {
             </Button>
             {reserve.isSuccess && (
               <Text size="sm" role="status">
-                Reserved for {formatInstant(reserve.data.at)}.{' '}
+                Reserved for {formatInstant(reserve.data.next ?? reserve.variables.at)}.{' '}
                 <RouteLink to="/schedules" underline="always" size="sm">
                   All schedules
                 </RouteLink>

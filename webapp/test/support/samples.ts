@@ -86,6 +86,8 @@ export function build(id: string, changes: Partial<Build> = {}): Build {
     created: THEN,
     version: 1,
     casesTotal: 55,
+    priority: 0,
+    requirements: [],
     casesDone: 0,
     ...changes,
   };
@@ -169,6 +171,9 @@ export const AGENT: Agent = {
   state: 'ONLINE',
   slots: 2,
   busy: 0,
+  labels: [],
+  simulation: true,
+  standing: 'ACTIVE',
   toolchains: [{ language: 'java', version: '17' }],
   lastSeen: THEN,
 };

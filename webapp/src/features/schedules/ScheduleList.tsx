@@ -1,6 +1,7 @@
 import { Button, Stack, Table, Text } from '@mantine/core';
 import { formatInstant } from '@/shared/lib/format';
-import { Loading, Pager, ProblemAlert, RouteLink, ScrollTable } from '@/shared/ui';
+import type { Schedule } from '@/shared/api';
+import { Loading, Pager, ProblemAlert, RouteLink, ScrollTable, UserText } from '@/shared/ui';
 import { SCHEDULES_PER_PAGE, useDeleteSchedule, useSchedules } from './queries';
 
 interface ScheduleListProps {
@@ -17,7 +18,7 @@ export function ScheduleList({ page, onPage, upcoming = false }: ScheduleListPro
   if (!schedules.data) {
     return <ProblemAlert title="The schedules could not be read" error={schedules.error} />;
   }
-  const items = schedules.data.items.filter(({ fired }) => !upcoming || !fired);
+  const items = schedules.data.items.filter(({ next, paused }) => !upcoming || (next && !paused));
   if (items.length === 0) {
     return <Text c="dimmed">{upcoming ? 'Nothing is scheduled.' : 'No schedule yet.'}</Text>;
   }
@@ -33,28 +34,36 @@ export function ScheduleList({ page, onPage, upcoming = false }: ScheduleListPro
       <ScrollTable label="Schedules" minWidth={320}>
         <Table.Thead>
           <Table.Tr>
-            <Table.Th>When</Table.Th>
-            <Table.Th>Suite</Table.Th>
+            <Table.Th>Next</Table.Th>
+            <Table.Th>Times</Table.Th>
+            <Table.Th>Builds</Table.Th>
             <Table.Th>State</Table.Th>
-            <Table.Th />
+            <Table.Th aria-label="Actions" />
           </Table.Tr>
         </Table.Thead>
         <Table.Tbody>
           {items.map((schedule) => (
             <Table.Tr key={schedule.id}>
-              <Table.Td>{formatInstant(schedule.at)}</Table.Td>
+              <Table.Td>{schedule.next ? formatInstant(schedule.next) : '–'}</Table.Td>
               <Table.Td>
-                <RouteLink to="/suites/$suiteId" params={{ suiteId: schedule.suiteId }} size="sm">
-                  Test cases
-                </RouteLink>
+                <UserText>{timesOf(schedule)}</UserText>
               </Table.Td>
-              <Table.Td>{schedule.fired ? 'Requested' : 'Waiting'}</Table.Td>
+              <Table.Td>
+                {schedule.suiteId ? (
+                  <RouteLink to="/suites/$suiteId" params={{ suiteId: schedule.suiteId }} size="sm">
+                    Test cases
+                  </RouteLink>
+                ) : (
+                  <UserText>{schedule.model ?? ''}</UserText>
+                )}
+              </Table.Td>
+              <Table.Td>{stateOf(schedule)}</Table.Td>
               <Table.Td ta="right">
-                {!schedule.fired && (
+                {schedule.next && (
                   <Button
                     size="compact-xs"
                     variant="default"
-                    aria-label={`Give up the build of ${formatInstant(schedule.at)}`}
+                    aria-label={`Give up the build of ${formatInstant(schedule.next)}`}
                     onClick={() => {
                       remove.mutate(schedule.id);
                     }}
@@ -78,4 +87,17 @@ export function ScheduleList({ page, onPage, upcoming = false }: ScheduleListPro
       )}
     </Stack>
   );
+}
+
+/** When it fires, as it was asked for. */
+function timesOf({ at, cron, everyMinutes, zone }: Schedule): string {
+  if (cron) return `${cron} (${zone ?? 'UTC'})`;
+  if (everyMinutes) return `every ${everyMinutes} min`;
+  return at ? 'once' : '';
+}
+
+function stateOf({ paused, next, fired }: Schedule): string {
+  if (paused) return 'Paused';
+  if (next) return 'Waiting';
+  return fired ? 'Requested' : 'Over';
 }

@@ -23,6 +23,7 @@ export type ModelPreview = Schemas['ModelPreview'];
 export type ResultComparison = Schemas['ResultComparison'];
 export type ResultOfBuild = Schemas['ResultOfBuild'];
 export type ResultStatistics = Schemas['ResultStatistics'];
+export type Schedule = Schemas['Schedule'];
 export type SourceProblem = Schemas['SourceProblem'];
 export type Suite = Schemas['Suite'];
 export type SuiteCase = Schemas['SuiteCase'];
