@@ -9,7 +9,6 @@ import org.sitaf.core.expression.Variables;
 import org.sitaf.core.model.InputElement;
 import org.sitaf.core.model.OutputElement;
 import org.sitaf.core.model.TestModel;
-import org.sitaf.core.model.Value;
 
 /** A CEL expression that works out what an output should be, case by case. */
 public final class ExpectedFormula {
@@ -57,7 +56,7 @@ public final class ExpectedFormula {
     Variables variables = new Variables().put(Variables.VALID, testCase.valid());
     for (int i = 0; i < testCase.values().size(); i++) {
       InputElement input = model.inputs().get(i);
-      variables.put(input.name(), Value.parse(testCase.values().get(i), input.type()));
+      variables.put(input.name(), testCase.values().get(i), input.type());
     }
     String literal = Oracle.literal(expression.evaluate(variables.map()), output.type());
     return new ExpectedValue(model.outputs().size() == 1 ? "" : output.name(), literal);
