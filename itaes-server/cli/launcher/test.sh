@@ -32,6 +32,9 @@ cd "$home/tba-agent/runtime-python"
 bash check.sh "$python"
 "$python" -m pytest -q
 
+section "Runtime of C++ tests: format, tests"
+bash "$home/tba-agent/runtime-cpp/check.sh"
+
 section "Java and portal: format, lint, types, tests"
 cd "$home"
 if $fast; then

@@ -1,0 +1,15 @@
+#!/usr/bin/env bash
+# Format and tests of the runtime, as far as this machine can: what needs the simulator is tested across rooms.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")"
+if ! command -v g++ >/dev/null || [ ! -e /usr/include/doctest/doctest.h ] || [ ! -e /usr/include/expat.h ]; then
+  echo "skipped: needs './sitaf doctor --install cpp' and apt-get install -y doctest-dev"
+  exit 0
+fi
+if command -v clang-format >/dev/null; then
+  find include src tests -name '*.?pp' -print0 | xargs -0 clang-format --dry-run --Werror
+fi
+build=$(mktemp -d)
+trap 'rm -rf "$build"' EXIT
+g++ -std=c++17 -O0 -Wall -Wextra -Werror -Iinclude -Isrc tests/*.cpp src/suite/*.cpp -lexpat -o "$build/tests"
+"$build/tests"

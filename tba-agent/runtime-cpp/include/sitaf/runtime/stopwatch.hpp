@@ -1,0 +1,99 @@
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+
+namespace sitaf::runtime {
+
+/// Measures one call of the component by the monotonic clock, and apart from it what the call spends in virtual hardware and in stubs.
+/// Only the thread that started the watch counts: what other threads of the component do goes on beside the call.
+class Stopwatch {
+ public:
+  using Moment = std::chrono::steady_clock::time_point;
+
+  /// Begins to measure; an earlier measurement is forgotten.
+  void start() {
+    hardware_ = {};
+    stub_ = {};
+    total_ = {};
+    called_ = true;
+    owner_ = std::this_thread::get_id();
+    running_ = true;
+    began_ = std::chrono::steady_clock::now();
+  }
+
+  /// Ends the measurement.
+  void stop() {
+    total_ = std::chrono::steady_clock::now() - began_;
+    running_ = false;
+  }
+
+  /// Forgets the call before.
+  void reset() {
+    running_ = false;
+    called_ = false;
+  }
+
+  /// Whether a call is being measured: what is thrown now, the component throws.
+  bool isRunning() const { return running_; }
+
+  /// Whether a call was begun since the last reset.
+  bool wasStarted() const { return called_; }
+
+  /// Counts the time of its life as spent in virtual hardware or in a stub; nested ones count once.
+  class Aside {
+   public:
+    enum class Kind { hardware, stub };
+
+    Aside(Stopwatch& watch, Kind kind) : watch_(watch), kind_(kind) {
+      counts_ = watch.running_ && watch.owner_ == std::this_thread::get_id() && !watch.aside_;
+      if (counts_) {
+        watch.aside_ = true;
+        entered_ = std::chrono::steady_clock::now();
+      }
+    }
+    ~Aside() {
+      if (counts_) {
+        (kind_ == Kind::hardware ? watch_.hardware_ : watch_.stub_) += std::chrono::steady_clock::now() - entered_;
+        watch_.aside_ = false;
+      }
+    }
+    Aside(const Aside&) = delete;
+    Aside& operator=(const Aside&) = delete;
+
+   private:
+    Stopwatch& watch_;
+    Kind kind_;
+    bool counts_;
+    Moment entered_;
+  };
+
+  /// The component's own time in microseconds: the call without virtual hardware and stubs.
+  double componentMicros() const {
+    const double own = micros(total_) - micros(hardware_) - micros(stub_);
+    return own > 0 ? own : 0;
+  }
+
+  /// Time spent in virtual hardware, in microseconds.
+  double hardwareMicros() const { return micros(hardware_); }
+
+  /// Time spent in stubs, in microseconds.
+  double stubMicros() const { return micros(stub_); }
+
+ private:
+  using Span = std::chrono::steady_clock::duration;
+
+  static double micros(Span span) { return std::chrono::duration<double, std::micro>(span).count(); }
+
+  std::thread::id owner_;
+  std::atomic<bool> running_{false};
+  bool called_ = false;
+  bool aside_ = false;
+  Moment began_;
+  Span total_{};
+  Span hardware_{};
+  Span stub_{};
+};
+
+}  // namespace sitaf::runtime

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace sitaf {
+
+/// A picture, row by row from the top.
+struct Image {
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+  /// `rgb8`: bytes red, green, blue; `32FC1`: metres, as little-endian floats.
+  std::string encoding;
+  std::vector<std::uint8_t> data;
+};
+
+/// A camera; shape of sensor_msgs/Image. Unlike all others it is read from the simulator at each call.
+class Camera {
+ public:
+  virtual ~Camera() = default;
+
+  /// The device's name in the world description.
+  virtual const std::string& name() const = 0;
+
+  /// The picture at the current step.
+  virtual Image image() const = 0;
+};
+
+}  // namespace sitaf

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace sitaf::simulation {
+
+/// The simulator did not do what it was asked to.
+class SimulationError : public std::runtime_error {
+ public:
+  SimulationError(const std::string& message, bool lost) : std::runtime_error(message), lost_(lost) {}
+
+  /// Whether the simulator or the session is gone, so that no further case can run; otherwise it refused one request, and the next may
+  /// succeed.
+  bool isLost() const { return lost_; }
+
+ private:
+  bool lost_;
+};
+
+/// A case lets more simulation time pass than it may.
+class CaseTooLong : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace sitaf::simulation

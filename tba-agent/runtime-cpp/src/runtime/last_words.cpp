@@ -1,0 +1,169 @@
+#include "runtime/last_words.hpp"
+
+#include <dlfcn.h>
+#include <execinfo.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <ctime>
+#include <exception>
+#include <string>
+
+#include "runtime/thrown.hpp"
+
+namespace sitaf::runtime {
+namespace {
+
+constexpr int maxFrames = 64;
+constexpr int shownFrames = 16;
+/// A stack overflow leaves no room for its own report.
+constexpr std::size_t alternateStackBytes = 1U << 16U;
+
+char alternateStack[alternateStackBytes];
+char reason[1024];
+void (*flushCoverage)() = nullptr;
+
+void write(const char* text) {
+  const auto ignored = ::write(STDERR_FILENO, text, std::strlen(text));
+  (void)ignored;
+}
+
+/// Function, file and line of an address by addr2line, which comes with the compiler; the symbol alone where it is not there.
+std::string placeOf(void* address) {
+  Dl_info info{};
+  if (::dladdr(address, &info) == 0 || info.dli_fname == nullptr) {
+    return "";
+  }
+  // A return address stands behind the call.
+  const auto offset = static_cast<char*>(address) - static_cast<char*>(info.dli_fbase) - 1;
+  const std::string module = info.dli_fname;
+  const bool ofSystem =
+      module.compare(0, 5, "/usr/") == 0 || module.compare(0, 5, "/lib/") == 0 || module.find("libsitaf") != std::string::npos;
+  if (ofSystem) {
+    return "";
+  }
+  char command[4096];
+  std::snprintf(command, sizeof command, "addr2line -Cfpe '%s' 0x%lx 2>/dev/null", module.c_str(), static_cast<unsigned long>(offset));
+  std::string line;
+  if (module.find('\'') == std::string::npos) {
+    if (std::FILE* pipe = ::popen(command, "r")) {
+      char buffer[2048];
+      while (std::fgets(buffer, sizeof buffer, pipe) != nullptr) {
+        line = line.empty() ? buffer : line;
+      }
+      ::pclose(pipe);
+    }
+  }
+  while (!line.empty() && (line.back() == '\n' || line.back() == ' ')) {
+    line.pop_back();
+  }
+  if ((line.empty() || line.compare(0, 2, "??") == 0) && info.dli_sname != nullptr) {
+    line = demangled(info.dli_sname);
+  }
+  const std::string unknown = " at ??:?";
+  if (line.size() > unknown.size() && line.compare(line.size() - unknown.size(), unknown.size(), unknown) == 0) {
+    line.resize(line.size() - unknown.size());
+  }
+  return line.compare(0, 2, "??") == 0 ? "" : line;
+}
+
+bool isOfTest(const std::string& place) {
+  return place.compare(0, 7, "sitaf::") == 0 || place.compare(0, 5, "main ") == 0 || place == "main" || place == "_start" ||
+         place.find(" sitaf::runtime::") != std::string::npos;
+}
+
+void report(void** frames, int count, const char* what) {
+  std::string innermost;
+  int shown = 0;
+  for (int i = 0; i < count && shown < shownFrames; ++i) {
+    const std::string place = placeOf(frames[i]);
+    if (place.empty()) {
+      continue;
+    }
+    ++shown;
+    write(("    at " + place + "\n").c_str());
+    if (innermost.empty() && !isOfTest(place)) {
+      innermost = place;
+    }
+  }
+  write((std::string(what) + (innermost.empty() ? "" : " in " + innermost) + "\n").c_str());
+}
+
+/// Frames and names are found by a child, since what is broken may be the heap; it has two seconds.
+void onSignal(int number) {
+  void* frames[maxFrames];
+  const int count = ::backtrace(frames, maxFrames);
+  const char* what = number == SIGQUIT ? "hangs" : reason[0] != '\0' ? reason : ::strsignal(number);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGSYS, SIGQUIT}) {
+      ::signal(signal, SIG_DFL);
+    }
+    ::alarm(2);
+    report(frames, count, what);
+    keepCoverage(true);
+    ::_exit(0);
+  }
+  if (child < 0) {
+    write(what);
+    write("\n");
+  }
+  for (int i = 0; child > 0 && i < 250 && ::waitpid(child, nullptr, WNOHANG) == 0; ++i) {
+    const timespec pause{0, 10000000};
+    ::nanosleep(&pause, nullptr);
+  }
+  if (child > 0) {
+    ::kill(child, SIGKILL);
+    ::waitpid(child, nullptr, 0);
+  }
+  ::signal(number, SIG_DFL);
+  ::raise(number);
+}
+
+[[noreturn]] void onTerminate() {
+  const std::exception_ptr thrown = std::current_exception();
+  const std::string text =
+      thrown ? "std::terminate: " + describe(thrown) : "std::terminate: a thread was still joinable, or an exception met another one";
+  std::snprintf(reason, sizeof reason, "%s", text.c_str());
+  for (char& c : reason) {
+    c = c == '\n' || c == '\r' ? ' ' : c;
+  }
+  std::abort();
+}
+
+}  // namespace
+
+void sayLastWords(void (*coverage)()) {
+  flushCoverage = coverage;
+  // Loads what backtrace needs while all is well.
+  void* frame[1];
+  ::backtrace(frame, 1);
+  stack_t stack{};
+  stack.ss_sp = alternateStack;
+  stack.ss_size = sizeof alternateStack;
+  ::sigaltstack(&stack, nullptr);
+  struct sigaction action {};
+  action.sa_handler = onSignal;
+  action.sa_flags = SA_ONSTACK | static_cast<int>(SA_RESETHAND);
+  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGSYS, SIGQUIT}) {
+    ::sigaction(signal, &action, nullptr);
+  }
+  std::set_terminate(onTerminate);
+}
+
+void keepCoverage(bool end) {
+  static auto last = std::chrono::steady_clock::now();
+  const auto now = std::chrono::steady_clock::now();
+  if (flushCoverage != nullptr && (end || now - last > std::chrono::milliseconds(500))) {
+    last = now;
+    flushCoverage();
+  }
+}
+
+}  // namespace sitaf::runtime

@@ -1,0 +1,212 @@
+#include "sitaf/runtime/test_run.hpp"
+
+#include <cstdio>
+#include <optional>
+#include <stdexcept>
+
+#include "runtime/command_line.hpp"
+#include "runtime/last_words.hpp"
+#include "runtime/thrown.hpp"
+#include "sitaf/runtime/suite_driver.hpp"
+#include "suite/results_file.hpp"
+#include "suite/suite_reader.hpp"
+
+namespace sitaf {
+namespace {
+
+/// A process runs one suite, so one place is enough.
+Hardware* currentHardware = nullptr;
+
+}  // namespace
+
+Hardware& Hardware::current() {
+  if (currentHardware == nullptr) {
+    throw std::logic_error("there is no virtual hardware: no test with a simulated world is running (does the activity name a world?)");
+  }
+  return *currentHardware;
+}
+
+namespace runtime {
+namespace {
+
+constexpr int exitDone = 0;
+constexpr int exitCannotRun = 3;
+
+int cannotRun(const std::string& reason) {
+  std::string line;
+  for (const char c : reason) {
+    line += c == '\n' ? ';' : c == '\r' ? ' ' : c;
+  }
+  std::fflush(stdout);
+  std::fprintf(stderr, "sitaf: %s\n", line.c_str());
+  return exitCannotRun;
+}
+
+/// Does what follows a case; what goes wrong then is told, and changes no result.
+template <class Closing>
+void closing(const std::string& what, Closing close) {
+  try {
+    close();
+  } catch (...) {
+    std::fprintf(stderr, "sitaf: %s: %s\n", what.c_str(), describe(std::current_exception()).c_str());
+  }
+}
+
+}  // namespace
+
+class TestRun::State {
+ public:
+  explicit State(const CommandLine& command) : from_(command.from), suite(command.suite), results(command.results, command.from > 0) {
+    if (command.bridge) {
+      simulation.emplace(*command.bridge, *command.world, command.seed, stopwatch);
+      currentHardware = &simulation->hardware();
+      if (command.caseTime) {
+        simulation->limitCases(*command.caseTime);
+      }
+      if (!command.recording.empty()) {
+        simulation->record(command.recording);
+      }
+    }
+  }
+  ~State() { currentHardware = nullptr; }
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+
+  void save(suite::CaseResult& result) {
+    if (addition) {
+      addition(result);
+    }
+    results.save(result);
+  }
+
+  void runAll(Driver& driver) {
+    bool there = suite.next();
+    while (there && from_ > 0 && suite.current().no() != from_) {
+      there = suite.next();
+    }
+    if (from_ > 0 && !there) {
+      throw CannotRun("--from " + std::to_string(from_) + ": the suite has no case of that number");
+    }
+    results.ready();
+    for (; there; there = suite.next()) {
+      runOne(driver, suite.current());
+      keepCoverage(false);
+    }
+    closing("closing the component", [&] { driver.close(); });
+  }
+
+ private:
+  void runOne(Driver& driver, const suite::TestCase& testCase) {
+    suite::CaseResult result(testCase);
+    stopwatch.reset();
+    try {
+      if (!driver.runAndSave(testCase, result)) {
+        throw CannotRun("the test driver ended case " + std::to_string(testCase.no()) + " without save(result)");
+      }
+    } catch (...) {
+      const std::exception_ptr thrown = std::current_exception();
+      if (driver.isSaved()) {
+        std::fprintf(stderr, "sitaf: after case %d: %s\n", testCase.no(), describe(thrown).c_str());
+      } else {
+        end(result, thrown);
+        save(result);
+      }
+    }
+    if (simulation) {
+      closing("recording case " + std::to_string(testCase.no()), [&] { simulation->saveMotion(testCase.no()); });
+    }
+    closing("closing the component after case " + std::to_string(testCase.no()), [&] { driver.endCase(); });
+  }
+
+  /// Gives a case that did not come to its end its verdict; throws on where no further case can run.
+  void end(suite::CaseResult& result, const std::exception_ptr& thrown) {
+    const std::string text = describe(thrown);
+    try {
+      std::rethrow_exception(thrown);
+    } catch (const simulation::CaseTooLong& tooLong) {
+      result.endedWith(suite::Verdict::error, tooLong.what());
+      return;
+    } catch (...) {
+      if (stopwatch.isRunning()) {
+        stopwatch.stop();
+        if (result.threw(simpleTypeOf(thrown))) {
+          result.took(stopwatch.componentMicros(), stopwatch.hardwareMicros(), stopwatch.stubMicros());
+        } else {
+          result.endedWith(suite::Verdict::error, text);
+        }
+        return;
+      }
+    }
+    try {
+      std::rethrow_exception(thrown);
+    } catch (const CannotRun&) {
+      throw;
+    } catch (const simulation::SimulationError& refused) {
+      if (refused.isLost()) {
+        throw;
+      }
+      result.endedWith(stopwatch.wasStarted() ? suite::Verdict::error : suite::Verdict::dont, refused.what());
+    } catch (const suite::CaseDataError& unreadable) {
+      result.endedWith(suite::Verdict::dont, unreadable.what());
+    } catch (...) {
+      result.endedWith(suite::Verdict::error, text);
+    }
+  }
+
+  const int from_;
+
+ public:
+  Stopwatch stopwatch;
+  suite::SuiteReader suite;
+  suite::ResultsFile results;
+  std::optional<simulation::Simulation> simulation;
+  std::function<void(suite::CaseResult&)> addition;
+};
+
+simulation::Simulation& TestRun::simulation() {
+  if (!state_.simulation) {
+    throw CannotRun("this test needs a simulation: start it with --bridge TARGET --world FILE.world.yaml");
+  }
+  return *state_.simulation;
+}
+
+Hardware* TestRun::hardware() { return state_.simulation ? &state_.simulation->hardware() : nullptr; }
+
+Stopwatch& TestRun::stopwatch() { return state_.stopwatch; }
+
+suite::Upcoming& TestRun::upcoming() { return state_.suite; }
+
+void TestRun::beforeSaving(std::function<void(suite::CaseResult&)> addition) { state_.addition = std::move(addition); }
+
+void TestRun::save(suite::CaseResult& result) { state_.save(result); }
+
+bool Driver::runAndSave(const suite::TestCase& testCase, suite::CaseResult& result) {
+  saved_ = false;
+  runCase(testCase, result);
+  return saved_;
+}
+
+void Driver::save(suite::CaseResult& result) {
+  const Stopwatch& watch = run_.stopwatch();
+  result.took(watch.componentMicros(), watch.hardwareMicros(), watch.stubMicros());
+  run_.save(result);
+  saved_ = true;
+}
+
+int start(int argc, char** argv, const TestRun::Factory& factory, void (*coverage)()) {
+  sayLastWords(coverage);
+  try {
+    TestRun::State state(CommandLine::parse(argc, argv));
+    TestRun run(state);
+    const std::unique_ptr<Driver> driver = factory(run);
+    state.runAll(*driver);
+    return exitDone;
+  } catch (const std::exception& e) {
+    return cannotRun(e.what());
+  } catch (...) {
+    return cannotRun(describe(std::current_exception()));
+  }
+}
+
+}  // namespace runtime
+}  // namespace sitaf

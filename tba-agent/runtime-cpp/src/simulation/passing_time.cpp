@@ -1,0 +1,145 @@
+#include "simulation/passing_time.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "sitaf/simulation/simulation_error.hpp"
+#include "sitaf/suite/literals.hpp"
+
+namespace sitaf::simulation {
+namespace {
+
+constexpr std::uint64_t never = std::numeric_limits<std::uint64_t>::max();
+
+}  // namespace
+
+void PassingTime::restart(Duration settled) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  driver_ = std::this_thread::get_id();
+  periods_.reset();
+  followed_ = {};
+  followedEnded_.reset();
+  waiting_.clear();
+  step_ = 0;
+  settled_ = settled;
+  changed_.notify_all();
+}
+
+void PassingTime::every(Duration period, std::function<void()> tick) {
+  if (period.count() <= 0) {
+    throw std::invalid_argument("the period must be above zero");
+  }
+  const std::lock_guard<std::mutex> lock(mutex_);
+  periods_ = Periods{period.count(), std::move(tick), step_};
+}
+
+void PassingTime::follow(std::thread::id thread, std::shared_ptr<std::atomic<bool>> ended) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  followed_ = thread;
+  followedEnded_ = std::move(ended);
+}
+
+void PassingTime::end() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  ended_ = true;
+  changed_.notify_all();
+}
+
+void PassingTime::pass(Duration time) {
+  const std::uint64_t steps = stepsIn(time);
+  if (steps == 0) {
+    return;
+  }
+  if (std::this_thread::get_id() == driver_) {
+    move(steps);
+  } else {
+    await(steps);
+  }
+}
+
+std::uint64_t PassingTime::stepsIn(Duration time) const {
+  return time.count() <= 0 ? 0 : static_cast<std::uint64_t>((time.count() - 1) / timestep_ + 1);
+}
+
+std::uint64_t PassingTime::at(const Periods& periods) const {
+  const auto due = static_cast<std::int64_t>(periods.count) * periods.nanos;
+  return periods.begin + static_cast<std::uint64_t>((due - 1) / timestep_ + 1);
+}
+
+std::uint64_t PassingTime::nextTick() {
+  if (!periods_ || periods_->atWork) {
+    return never;
+  }
+  // A component that let time pass itself skips the ticks that it slept through.
+  while (at(*periods_) <= step_) {
+    ++periods_->count;
+  }
+  return at(*periods_);
+}
+
+void PassingTime::move(std::uint64_t steps) {
+  const std::uint64_t end = step_ + steps;
+  const Duration total = settled_ + Duration(static_cast<std::int64_t>(end) * timestep_);
+  if (most_ && total > *most_) {
+    throw CaseTooLong("the case took more than " + suite::literals::spelling(std::chrono::duration<double>(*most_).count()) +
+                      " s of simulation time");
+  }
+  while (step_ < end) {
+    std::uint64_t stop = 0;
+    {
+      std::unique_lock<std::mutex> lock(mutex_);
+      awaitFollowed(lock);
+      stop = std::min(end, nextTick());
+      for (const auto& [thread, target] : waiting_) {
+        stop = target > step_ ? std::min(stop, target) : stop;
+      }
+    }
+    simulator_(stop - step_);
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      step_ = stop;
+      for (auto waiter = waiting_.begin(); waiter != waiting_.end();) {
+        waiter = waiter->second <= step_ ? waiting_.erase(waiter) : std::next(waiter);
+      }
+      changed_.notify_all();
+    }
+    tickIfDue();
+  }
+  std::unique_lock<std::mutex> lock(mutex_);
+  awaitFollowed(lock);
+}
+
+void PassingTime::tickIfDue() {
+  if (!periods_ || periods_->atWork || at(*periods_) != step_) {
+    return;
+  }
+  ++periods_->count;
+  periods_->atWork = true;
+  try {
+    periods_->tick();
+  } catch (...) {
+    periods_->atWork = false;
+    throw;
+  }
+  periods_->atWork = false;
+}
+
+void PassingTime::await(std::uint64_t steps) {
+  std::unique_lock<std::mutex> lock(mutex_);
+  const std::thread::id self = std::this_thread::get_id();
+  waiting_[self] = step_ + steps;
+  changed_.notify_all();
+  changed_.wait(lock, [&] { return ended_ || waiting_.count(self) == 0; });
+}
+
+/// Until the thread that is followed waits for simulation time, or is at its end.
+void PassingTime::awaitFollowed(std::unique_lock<std::mutex>& lock) {
+  // The end of a thread notifies nobody here.
+  while (followedEnded_ && !*followedEnded_ && waiting_.count(followed_) == 0) {
+    changed_.wait_for(lock, std::chrono::milliseconds(1));
+  }
+}
+
+}  // namespace sitaf::simulation

@@ -1,0 +1,355 @@
+#include "sitaf/simulation/simulation.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <mutex>
+#include <optional>
+
+#include "simulation/passing_time.hpp"
+#include "simulation/simulated_hardware.hpp"
+#include "simulation/wire.hpp"
+#include "simulation/world_files.hpp"
+
+namespace sitaf::simulation {
+namespace {
+
+namespace wire = sim::v1;
+using Control = wire::SimulationControl::Stub;
+
+/// The first bulk call is small, so that the first case does not wait for it; then they grow.
+constexpr std::size_t firstBatch = 64;
+constexpr std::size_t largestBatch = 4096;
+constexpr std::size_t growth = 8;
+
+/// Simulation time between two frames of a recording: 50 a second.
+constexpr std::int64_t frameNanos = 20000000;
+constexpr std::size_t mostRecorded = 64U << 20U;
+
+wire::CreateSessionResponse create(Wire& wire, const std::string& worldDescription, std::uint64_t seed) {
+  wire::CreateSessionRequest request;
+  *request.mutable_world() = readWorld(worldDescription);
+  request.set_seed(seed);
+  const std::string file = worldDescription.substr(worldDescription.rfind('/') + 1);
+  auto created = wire.control("opening the world " + file, &Control::CreateSession, request);
+  if (created.world().timestep_ns() <= 0) {
+    throw SimulationError("the simulator names no length of a step", false);
+  }
+  return created;
+}
+
+std::string spelled(const Simulation::Names& parameters, const std::vector<double>& values) {
+  std::string text = "setting {";
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    text += (i == 0 ? "" : ", ") + parameters[i] + "=" + suite::literals::spelling(values[i]);
+  }
+  return text + "}";
+}
+
+/// Cases that were prepared in one call, from the first that has not run yet.
+struct Batch {
+  wire::PrepareManyResponse answer;
+  std::vector<int> numbers;
+  std::vector<double> values;
+  std::size_t columns = 0;
+  std::size_t parameters = 0;
+  std::size_t cases = 0;
+  std::size_t next = 0;
+
+  bool diverged(std::size_t index) const {
+    for (const auto found : answer.diverged_cases()) {
+      if (found == index) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Whether a case is among those that have not run yet; those before it were never prepared, and are passed over.
+  bool reaches(int no) {
+    while (next < cases && numbers[next] != no) {
+      ++next;
+    }
+    return next < cases;
+  }
+
+  /// The row of the next case, if it is one of these values and went well; null otherwise.
+  const double* take(const std::vector<double>& wanted) {
+    const std::size_t index = next++;
+    // Bits, not numbers: -0.0 is another value than 0.0.
+    const bool same = parameters == 0 || (wanted.size() == parameters &&
+                                          std::memcmp(wanted.data(), values.data() + index * parameters, parameters * sizeof(double)) == 0);
+    return same && !diverged(index) ? answer.readings().data() + index * columns : nullptr;
+  }
+};
+
+}  // namespace
+
+class Simulation::Session : public Simulator {
+ public:
+  Session(const std::string& target, const std::string& worldDescription, std::uint64_t seed, runtime::Stopwatch& stopwatch)
+      : wire_(target),
+        created_(create(wire_, worldDescription, seed)),
+        layout_(created_),
+        world_(layout_),
+        hardware_(layout_, world_, stopwatch, *this),
+        time_(std::chrono::nanoseconds(created_.world().timestep_ns()), [this](std::uint64_t steps) { step(steps); }) {
+    world_.freeze(created_.state());
+    const auto& lease = created_.lease();
+    lease_.emplace(wire_, created_.session_id(), std::chrono::milliseconds(lease.seconds() * 1000 + lease.nanos() / 1000000));
+  }
+
+  ~Session() override {
+    time_.end();
+    lease_.reset();
+    wire::DeleteSessionRequest request;
+    request.set_session_id(created_.session_id());
+    try {
+      wire_.control("closing the session", &Control::DeleteSession, request);
+    } catch (const SimulationError&) {
+      // A simulator that is gone has done so already.
+    }
+  }
+
+  Hardware& hardware() { return hardware_; }
+
+  void prepare(const Names& parameters, const std::vector<double>& values, std::chrono::nanoseconds settle) {
+    wire::PrepareRequest request;
+    request.set_session_id(created_.session_id());
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+      (*request.mutable_parameters())[parameters[i]] = values[i];
+    }
+    request.set_settle_ns(settle.count());
+    pending_.reset();
+    time_.restart(settle);
+    world_.freeze(wire_.control(spelled(parameters, values), &Control::Prepare, request).state());
+  }
+
+  void prepareAhead(const Names& parameters, const std::vector<double>& values, std::chrono::nanoseconds settle,
+                    suite::Upcoming& upcoming) {
+    const suite::TestCase* current = alone_ ? nullptr : upcoming.peek(0);
+    if (current != nullptr && !batch_.reaches(current->no())) {
+      fetch(parameters, settle, upcoming);
+    }
+    const bool prepared = current != nullptr && batch_.reaches(current->no());
+    const double* row = prepared ? batch_.take(values) : nullptr;
+    if (row == nullptr) {
+      prepare(parameters, values, settle);
+      return;
+    }
+    pending_ = {parameters, values, settle};
+    time_.restart(settle);
+    const std::int64_t step = created_.world().timestep_ns();
+    world_.freeze(std::chrono::nanoseconds((settle.count() + step - 1) / step * step), row);
+  }
+
+  void advance(std::chrono::nanoseconds time) {
+    if (time.count() > 0) {
+      makeLive();
+      time_.pass(time);
+    }
+  }
+
+  PassingTime& time() { return time_; }
+
+  void record(const std::string& folder) {
+    recording_ = folder;
+    std::filesystem::create_directories(folder);
+    alone_ = true;
+    wire::RecordMotionRequest request;
+    request.set_session_id(created_.session_id());
+    request.set_interval_ns(frameNanos);
+    wire_.control("recording", &Control::RecordMotion, request);
+  }
+
+  void saveMotion(int no) {
+    if (recording_.empty() || recorded_ >= mostRecorded) {
+      return;
+    }
+    wire::TakeMotionRequest request;
+    request.set_session_id(created_.session_id());
+    wire::TakeMotionResponse taken;
+    try {
+      taken = wire_.control("taking the recording of case " + std::to_string(no), &Control::TakeMotion, request);
+    } catch (const SimulationError& e) {
+      if (e.isLost()) {
+        throw;
+      }
+      // A world that diverged has nothing to show.
+      return;
+    }
+    recorded_ += taken.gltf().size();
+    if (recorded_ <= mostRecorded) {
+      std::ofstream file(recording_ + "/" + std::to_string(no) + ".glb", std::ios::binary);
+      file.write(taken.gltf().data(), static_cast<std::streamsize>(taken.gltf().size()));
+    }
+  }
+
+  double observation(std::string_view name) const {
+    const auto& names = layout_.observations();
+    std::string there;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (names[i] == name) {
+        return world_.read(layout_.firstObservation() + i, [](const double* at) { return *at; });
+      }
+      there += (there.empty() ? "" : ", ") + names[i];
+    }
+    throw SimulationError("the world has no observation '" + std::string(name) + "'; it has [" + there + "]", false);
+  }
+
+  void write(wire::DeviceCommand command) override {
+    const std::lock_guard<std::recursive_mutex> lock(acting_);
+    makeLive();
+    const std::string device = command.device();
+    wire::WriteDevicesRequest request;
+    request.set_session_id(created_.session_id());
+    *request.add_commands() = std::move(command);
+    world_.freeze(wire_.hardware("commanding " + device, &wire::VirtualHardware::Stub::WriteDevices, request).state());
+  }
+
+  wire::Image look(const std::string& camera) override {
+    makeLive();
+    wire::ReadDevicesRequest request;
+    request.set_session_id(created_.session_id());
+    request.add_devices(camera);
+    const auto answer = wire_.hardware("looking through " + camera, &wire::VirtualHardware::Stub::ReadDevices, request);
+    if (answer.state().readings_size() == 0) {
+      throw SimulationError("simulator: looking through " + camera + ": no picture came", false);
+    }
+    return answer.state().readings(0).image();
+  }
+
+  void sleep(std::chrono::nanoseconds time) override { advance(time); }
+
+ private:
+  struct Pending {
+    Names parameters;
+    std::vector<double> values;
+    std::chrono::nanoseconds settle;
+  };
+
+  void step(std::uint64_t steps) {
+    wire::StepSimulationRequest request;
+    request.set_session_id(created_.session_id());
+    request.set_steps(steps);
+    world_.freeze(wire_.control("advancing by " + std::to_string(steps) + " steps", &Control::StepSimulation, request).state());
+  }
+
+  /// The component acts: the session is brought to where the bulk call saw the world, and from now on each case is prepared alone.
+  void makeLive() {
+    const std::lock_guard<std::recursive_mutex> lock(acting_);
+    if (pending_) {
+      const Pending pending = *pending_;
+      alone_ = true;
+      prepare(pending.parameters, pending.values, pending.settle);
+    }
+  }
+
+  /// Prepares the cases from the current one on. Where the simulator refuses one of them, they are prepared alone, each with its own
+  /// answer.
+  void fetch(const Names& parameters, std::chrono::nanoseconds settle, suite::Upcoming& upcoming) {
+    batch_ = Batch();
+    batch_.parameters = parameters.size();
+    std::size_t count = 0;
+    for (const suite::TestCase* ahead = nullptr; count < batchSize_ && (ahead = upcoming.peek(count)) != nullptr; ++count) {
+      try {
+        for (const std::string& name : parameters) {
+          batch_.values.push_back(ahead->value<double>(name));
+        }
+        batch_.numbers.push_back(ahead->no());
+      } catch (const suite::CaseDataError&) {
+        // Told when that case is read.
+        batch_.values.resize(count * parameters.size());
+        break;
+      }
+    }
+    batch_.cases = count;
+    if (count < 2) {
+      batch_.cases = 0;
+      return;
+    }
+    wire::PrepareManyRequest request;
+    request.set_session_id(created_.session_id());
+    *request.mutable_parameters() = {parameters.begin(), parameters.end()};
+    *request.mutable_values() = {batch_.values.begin(), batch_.values.end()};
+    request.set_cases(static_cast<std::uint32_t>(count));
+    request.set_settle_ns(settle.count());
+    try {
+      batch_.answer = wire_.control("preparing " + std::to_string(count) + " cases", &Control::PrepareMany, request);
+    } catch (const SimulationError& e) {
+      if (e.isLost()) {
+        throw;
+      }
+      batchSize_ = firstBatch;
+      refuseAll();
+      return;
+    }
+    batch_.columns = static_cast<std::size_t>(batch_.answer.columns_size());
+    const bool known =
+        std::equal(batch_.answer.columns().begin(), batch_.answer.columns().end(), layout_.columns().begin(), layout_.columns().end());
+    if (!known || batch_.answer.readings_size() != static_cast<int>(count * batch_.columns)) {
+      alone_ = true;
+      batch_.cases = 0;
+      return;
+    }
+    batchSize_ = std::min(largestBatch, batchSize_ * growth);
+  }
+
+  /// The cases of this batch are each prepared alone: no row is any of theirs.
+  void refuseAll() {
+    batch_.answer.Clear();
+    for (std::size_t i = 0; i < batch_.cases; ++i) {
+      batch_.answer.add_diverged_cases(static_cast<std::uint32_t>(i));
+    }
+  }
+
+  Wire wire_;
+  const wire::CreateSessionResponse created_;
+  const Layout layout_;
+  FrozenWorld world_;
+  SimulatedHardware hardware_;
+  std::optional<Lease> lease_;
+  PassingTime time_;
+  std::recursive_mutex acting_;
+  std::string recording_;
+  std::size_t recorded_ = 0;
+  Batch batch_;
+  std::size_t batchSize_ = firstBatch;
+  std::optional<Pending> pending_;
+  bool alone_ = false;
+};
+
+Simulation::Simulation(const std::string& target, const std::string& worldDescription, std::uint64_t seed, runtime::Stopwatch& stopwatch)
+    : session_(std::make_unique<Session>(target, worldDescription, seed, stopwatch)) {}
+
+Simulation::~Simulation() = default;
+
+Hardware& Simulation::hardware() { return session_->hardware(); }
+
+void Simulation::prepare(const Names& parameters, const std::vector<double>& values, std::chrono::nanoseconds settle) {
+  session_->prepare(parameters, values, settle);
+}
+
+void Simulation::prepareAhead(const Names& parameters, const std::vector<double>& values, std::chrono::nanoseconds settle,
+                              suite::Upcoming& upcoming) {
+  session_->prepareAhead(parameters, values, settle, upcoming);
+}
+
+void Simulation::advance(std::chrono::nanoseconds time) { session_->advance(time); }
+
+void Simulation::every(std::chrono::nanoseconds period, std::function<void()> task) { session_->time().every(period, std::move(task)); }
+
+void Simulation::follow(std::thread::id thread, std::shared_ptr<std::atomic<bool>> ended) {
+  session_->time().follow(thread, std::move(ended));
+}
+
+void Simulation::limitCases(std::chrono::nanoseconds most) { session_->time().limit(most); }
+
+void Simulation::record(const std::string& folder) { session_->record(folder); }
+
+void Simulation::saveMotion(int no) { session_->saveMotion(no); }
+
+double Simulation::observation(std::string_view name) const { return session_->observation(name); }
+
+}  // namespace sitaf::simulation

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <grpcpp/grpcpp.h>
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "sitaf/sim/v1/simulation.grpc.pb.h"
+
+namespace sitaf::simulation {
+
+/// The simulator's services, with failures as exceptions.
+class Wire {
+ public:
+  explicit Wire(const std::string& target);
+
+  /// Makes a unary call of the simulation control; SimulationError when it fails, with what was being done.
+  template <class Request, class Response>
+  Response control(const std::string& what,
+                   grpc::Status (sim::v1::SimulationControl::Stub::*rpc)(grpc::ClientContext*, const Request&, Response*),
+                   const Request& request) {
+    return call<Response>(
+        what, false, [&](grpc::ClientContext* context, Response* response) { return (control_.get()->*rpc)(context, request, response); });
+  }
+
+  /// As control, of the virtual hardware. What a device does not take is the component's doing: a std::invalid_argument.
+  template <class Request, class Response>
+  Response hardware(const std::string& what,
+                    grpc::Status (sim::v1::VirtualHardware::Stub::*rpc)(grpc::ClientContext*, const Request&, Response*),
+                    const Request& request) {
+    return call<Response>(
+        what, true, [&](grpc::ClientContext* context, Response* response) { return (hardware_.get()->*rpc)(context, request, response); });
+  }
+
+ private:
+  static void limit(grpc::ClientContext& context);
+  static void require(const grpc::Status& status, const std::string& what, bool ofComponent);
+
+  template <class Response, class Call>
+  static Response call(const std::string& what, bool ofComponent, Call make) {
+    grpc::ClientContext context;
+    limit(context);
+    Response response;
+    require(make(&context, &response), what, ofComponent);
+    return response;
+  }
+
+  std::unique_ptr<sim::v1::SimulationControl::Stub> control_;
+  std::unique_ptr<sim::v1::VirtualHardware::Stub> hardware_;
+};
+
+/// Renews a session's lease in the background, so that a long call of the component does not end it.
+class Lease {
+ public:
+  Lease(Wire& wire, std::string session, std::chrono::milliseconds length);
+  ~Lease();
+  Lease(const Lease&) = delete;
+  Lease& operator=(const Lease&) = delete;
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable ended_;
+  bool over_ = false;
+  std::thread clock_;
+};
+
+}  // namespace sitaf::simulation

@@ -1,0 +1,170 @@
+#include "suite/result_line.hpp"
+
+#include <charconv>
+#include <cstdint>
+#include <cstdio>
+
+namespace sitaf::suite {
+namespace {
+
+/// Longest message; what a component puts into an exception has no bound of its own.
+constexpr std::size_t maxMessageLength = 8000;
+
+std::string_view nameOf(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::pass:
+      return "PASS";
+    case Verdict::fail:
+      return "FAIL";
+    case Verdict::error:
+      return "ERROR";
+    case Verdict::dont:
+      return "DONT";
+  }
+  return "ERROR";
+}
+
+/// The character that begins at a place, and how many bytes it has; a byte that is no UTF-8 stands for itself, with length 0.
+struct Character {
+  std::uint32_t code;
+  std::size_t length;
+};
+
+Character characterAt(std::string_view text, std::size_t at) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char first = byte(at);
+  if (first < 0x80) {
+    return {first, 1};
+  }
+  const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+  if (first < 0xC2 || first > 0xF4 || at + length > text.size()) {
+    return {first, 0};
+  }
+  std::uint32_t code = first & (0xFFU >> (length + 1));
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(at + i) & 0xC0U) != 0x80U) {
+      return {first, 0};
+    }
+    code = code << 6U | (byte(at + i) & 0x3FU);
+  }
+  const bool overlong = (length == 3 && code < 0x800) || (length == 4 && code < 0x10000);
+  return overlong || code > 0x10FFFF ? Character{first, 0} : Character{code, length};
+}
+
+/// Char of XML 1.0.
+bool isXml(std::uint32_t c) { return (c >= 0x20 && c <= 0xD7FF) || (c >= 0xE000 && c <= 0xFFFD) || c >= 0x10000; }
+
+}  // namespace
+
+ResultLine::ResultLine(int no, Verdict verdict) {
+  xml_.reserve(512);
+  xml_ += "<test_result no=\"" + std::to_string(no) + "\" verdict=\"";
+  xml_ += nameOf(verdict);
+  xml_ += "\">";
+}
+
+void ResultLine::time(double component, double hardware, double stub) {
+  const auto number = [this](double micros) {
+    char buffer[64];
+    xml_.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, micros, std::chars_format::fixed, 3).ptr);
+  };
+  xml_ += "<processing_time unit=\"us\" hardware=\"";
+  number(hardware);
+  xml_ += "\" stub=\"";
+  number(stub);
+  xml_ += "\">";
+  number(component);
+  xml_ += "</processing_time>";
+}
+
+void ResultLine::calls(const StubCalls& calls) {
+  for (const StubCall& call : calls.first) {
+    xml_ += "<call method=\"";
+    escape(call.method);
+    xml_ += "\">";
+    for (const auto& [name, literal] : call.arguments) {
+      element("argument", name, literal);
+    }
+    xml_ += "</call>";
+  }
+  std::size_t all = 0;
+  for (const auto& count : calls.counts) {
+    all += count.second;
+  }
+  if (all > calls.first.size()) {
+    element("calls_left_out", "", std::to_string(all - calls.first.size()));
+  }
+}
+
+void ResultLine::message(std::string_view text) {
+  if (text.size() <= maxMessageLength) {
+    element("message", "", text);
+    return;
+  }
+  std::size_t end = maxMessageLength;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) {
+    --end;
+  }
+  element("message", "", std::string(text.substr(0, end)) + " ... (" + std::to_string(text.size()) + " bytes)");
+}
+
+std::string ResultLine::close() {
+  xml_ += "</test_result>\n";
+  return std::move(xml_);
+}
+
+void ResultLine::element(std::string_view element, std::string_view name, std::string_view content) {
+  xml_ += '<';
+  xml_ += element;
+  if (!name.empty()) {
+    xml_ += " name=\"";
+    escape(name);
+    xml_ += '"';
+  }
+  xml_ += '>';
+  escape(content);
+  xml_ += "</";
+  xml_ += element;
+  xml_ += '>';
+}
+
+void ResultLine::escape(std::string_view text) {
+  for (std::size_t at = 0; at < text.size();) {
+    const Character c = characterAt(text, at);
+    switch (c.code) {
+      case '&':
+        xml_ += "&amp;";
+        break;
+      case '<':
+        xml_ += "&lt;";
+        break;
+      case '>':
+        xml_ += "&gt;";
+        break;
+      case '"':
+        xml_ += "&quot;";
+        break;
+      // A reader that splits lines by Unicode's rules must find one line, too.
+      case '\n':
+      case '\r':
+      case '\t':
+      case 0x2028:
+      case 0x2029:
+        xml_ += "&#" + std::to_string(c.code) + ";";
+        break;
+      default:
+        if (c.length > 0 && c.code == 0x85) {
+          xml_ += "&#133;";
+        } else if (c.length > 0 && isXml(c.code)) {
+          xml_ += text.substr(at, c.length);
+        } else {
+          char buffer[16];
+          std::snprintf(buffer, sizeof buffer, "\\u%04X", static_cast<unsigned>(c.code));
+          xml_ += buffer;
+        }
+    }
+    at += c.length == 0 ? 1 : c.length;
+  }
+}
+
+}  // namespace sitaf::suite

@@ -1,0 +1,41 @@
+#include "sitaf/suite/test_case.hpp"
+
+namespace sitaf::suite {
+
+bool TestCase::has(std::string_view parameter) const {
+  for (const std::string& name : *names_) {
+    if (name == parameter) {
+      return true;
+    }
+  }
+  return false;
+}
+
+const std::string& TestCase::literal(std::string_view parameter) const {
+  for (std::size_t i = 0; i < names_->size(); ++i) {
+    if ((*names_)[i] == parameter) {
+      return values_[i];
+    }
+  }
+  std::string there;
+  for (const std::string& name : *names_) {
+    there += (there.empty() ? "" : ", ") + name;
+  }
+  throw CaseDataError("the suite has no parameter '" + std::string(parameter) + "'; it has [" + there +
+                      "]: generate the test application anew");
+}
+
+const std::string* TestCase::expected(std::string_view output) const {
+  const std::string* only = nullptr;
+  for (const auto& [name, literal] : expectations_) {
+    if (name == output) {
+      return &literal;
+    }
+    if (name.empty()) {
+      only = &literal;
+    }
+  }
+  return only;
+}
+
+}  // namespace sitaf::suite
