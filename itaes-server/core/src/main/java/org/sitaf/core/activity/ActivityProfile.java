@@ -68,6 +68,8 @@ public record ActivityProfile(
    * @param sources folder of sources; null where a library or a package is given
    * @param library built library; null where sources or a package are given
    * @param headers folder of headers of a C++ library, or null
+   * @param header the header that declares a C++ class, as an include names it; null where it is
+   *     found by its content
    * @param packageName package of the language's ecosystem; null where sources or a library are
    *     given
    * @param className class, qualified as its language writes it
@@ -82,6 +84,7 @@ public record ActivityProfile(
       @Nullable String sources,
       @Nullable String library,
       @Nullable String headers,
+      @Nullable String header,
       @Nullable String packageName,
       String className,
       @Nullable String adapter,

@@ -5,6 +5,7 @@ import org.sitaf.core.activity.ActivityProfile.Language;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.diagnostic.InvalidInputException;
+import org.sitaf.core.harness.cpp.CppHarness;
 import org.sitaf.core.harness.java.JavaHarness;
 import org.sitaf.core.harness.plan.HarnessPlan;
 import org.sitaf.core.harness.plan.HarnessPlanner;
@@ -60,12 +61,8 @@ public final class InterfaceTestApplicationGenerator {
     Language language = activity.profile().harness();
     return switch (language) {
       case JAVA -> new JavaHarness();
+      case CPP -> new CppHarness(activity);
       case PYTHON -> new PythonHarness();
-      case CPP ->
-          throw InvalidInputException.of(
-              HarnessPlanner.PROFILE,
-              "harness: test applications are generated in java and python, not yet in "
-                  + language.spelling());
     };
   }
 }

@@ -230,14 +230,4 @@ class GeneratedHarnessTest {
         .isInstanceOf(InvalidInputException.class)
         .hasMessageContaining("component.execution");
   }
-
-  @Test
-  void anotherLanguageIsRefusedClearly() {
-    Map<String, String> files = files();
-    files.put("activity.yaml", PROFILE + "harness: cpp\n");
-    assertThatThrownBy(() -> generate(files))
-        .isInstanceOf(InvalidInputException.class)
-        .hasMessageContaining(
-            "harness: test applications are generated in java and python, not yet in cpp");
-  }
 }

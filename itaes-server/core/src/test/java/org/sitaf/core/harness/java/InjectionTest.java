@@ -92,6 +92,7 @@ class InjectionTest {
             null,
             null,
             null,
+            null,
             className,
             null,
             null,

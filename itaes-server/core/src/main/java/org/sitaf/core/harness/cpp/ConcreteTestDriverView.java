@@ -1,0 +1,86 @@
+package org.sitaf.core.harness.cpp;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.sitaf.core.description.DataType;
+import org.sitaf.core.harness.cpp.spelling.CppNames;
+import org.sitaf.core.harness.cpp.spelling.CppText;
+import org.sitaf.core.harness.cpp.spelling.CppType;
+
+/** What the template of the concrete test driver prints. */
+record ConcreteTestDriverView(
+    String namespace,
+    List<String> includes,
+    String documentation,
+    List<String> properties,
+    List<String> before,
+    String callHead,
+    String call) {
+
+  static ConcreteTestDriverView of(CppPlan plan) {
+    boolean returns = !plan.plan().returnsNothing();
+    List<DataType> types = new ArrayList<>();
+    plan.plan().before().forEach(c -> c.method().parameters().forEach(p -> types.add(p.type())));
+    return new ConcreteTestDriverView(
+        plan.namespace(),
+        new Includes().own("TestDriver.hpp").types(types).lines(),
+        documentation(plan),
+        properties(plan),
+        before(plan),
+        plan.callHead(2, "", "call", " override {"),
+        CppText.list(
+            4,
+            (returns ? "return " : "") + "component." + plan.plan().method().name() + "(",
+            plan.arguments().stream().map(CppPlan.Argument::local).toList(),
+            ");"));
+  }
+
+  private static String documentation(CppPlan plan) {
+    return CppText.documentation(
+        0,
+        List.of(
+            "Concrete test driver: what is particular about testing "
+                + plan.called()
+                + ", to be changed freely.",
+            "Keep a changed version in the activity as harness/"
+                + CppText.comment(plan.plan().modelName())
+                + "/ConcreteTestDriver.cpp: it is used from then on, and never generated over."));
+  }
+
+  private static List<String> properties(CppPlan plan) {
+    List<String> statements = new ArrayList<>();
+    plan.plan()
+        .component()
+        .properties()
+        .forEach(
+            (name, value) -> {
+              String setter = "set" + CppNames.raised(name);
+              statements.add(
+                  CppText.list(
+                      4,
+                      "runtime::setProperty(",
+                      List.of(
+                          "*component",
+                          CppText.string(name),
+                          CppText.string(value),
+                          CppNames.isName(setter)
+                              ? "SITAF_SETTER(" + setter + ")"
+                              : "runtime::NoSetter{}"),
+                      ");"));
+            });
+    return statements;
+  }
+
+  private static List<String> before(CppPlan plan) {
+    List<String> statements = new ArrayList<>();
+    for (var call : plan.plan().before()) {
+      List<String> arguments = new ArrayList<>();
+      for (int i = 0; i < call.arguments().size(); i++) {
+        arguments.add(
+            CppType.expression(call.arguments().get(i), call.method().parameters().get(i).type()));
+      }
+      statements.add(CppText.list(4, "component->" + call.method().name() + "(", arguments, ");"));
+    }
+    return statements;
+  }
+}

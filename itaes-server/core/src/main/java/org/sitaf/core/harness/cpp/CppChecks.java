@@ -1,0 +1,112 @@
+package org.sitaf.core.harness.cpp;
+
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.sitaf.core.description.DataType;
+import org.sitaf.core.description.InterfaceDescription;
+import org.sitaf.core.description.Method;
+import org.sitaf.core.diagnostic.Diagnostics;
+import org.sitaf.core.harness.cpp.spelling.CppNames;
+import org.sitaf.core.harness.cpp.spelling.CppType;
+import org.sitaf.core.harness.plan.HarnessPlan;
+import org.sitaf.core.harness.plan.HarnessPlanner;
+
+/** Tells what C++ cannot express of a plan. */
+final class CppChecks {
+  private final Diagnostics diagnostics;
+
+  /** What each name in {@code sitaf::interfaces} stands for. */
+  private final Map<String, String> shared = new HashMap<>();
+
+  CppChecks(Diagnostics diagnostics) {
+    this.diagnostics = diagnostics;
+  }
+
+  void check(HarnessPlan plan) {
+    String className = plan.component().className();
+    if (!CppNames.isQualifiedName(className)) {
+      diagnostics.error(
+          HarnessPlanner.PROFILE,
+          0,
+          "component.class",
+          "'" + className + "' is not a class as C++ names it, such as robot::InfraredSensor");
+    }
+    method(plan.interfaceName(), plan.method());
+    plan.before().forEach(call -> method(HarnessPlanner.PROFILE, call.method()));
+    if (plan.component().adapter() != null) {
+      for (InterfaceDescription provided : plan.provided()) {
+        type(provided.source(), provided.name(), "interface");
+        methods(provided.source(), provided.methods());
+      }
+    }
+    for (HarnessPlan.Stub stub : plan.stubs()) {
+      type(stub.source(), stub.name(), "interface");
+      methods(stub.source(), stub.methods().stream().map(HarnessPlan.StubMethod::method).toList());
+    }
+    plan.types().forEach(type -> declared(plan, type));
+    plan.errors().forEach(error -> type(plan.interfaceName(), error, "error"));
+  }
+
+  private void methods(String source, List<Method> methods) {
+    Set<String> signatures = new HashSet<>();
+    for (Method method : methods) {
+      method(source, method);
+      String signature =
+          method.parameters().stream()
+              .map(p -> CppType.parameter(p, "", true))
+              .collect(Collectors.joining(",", method.name() + "(", ")"));
+      if (!signatures.add(signature)) {
+        problem(source, method, "has the same parameters in C++ as another overload");
+      }
+    }
+  }
+
+  private void method(String source, Method method) {
+    if (!CppNames.isName(method.name())) {
+      problem(source, method, "is not a name that a C++ method can have");
+    }
+  }
+
+  private void declared(HarnessPlan plan, DataType type) {
+    type(plan.interfaceName(), HarnessPlan.simpleName(type), "type");
+    List<String> names =
+        type instanceof DataType.Struct struct
+            ? struct.members().stream().map(DataType.Member::name).toList()
+            : ((DataType.Enumeration) type).literals();
+    for (String name : names) {
+      if (!CppNames.isName(name)) {
+        diagnostics.error(
+            plan.interfaceName(),
+            0,
+            "type " + type.spelling(),
+            "'" + name + "' is not a name that C++ can spell");
+      }
+    }
+    if (names.isEmpty()) {
+      diagnostics.error(
+          plan.interfaceName(), 0, "type " + type.spelling(), "has neither members nor literals");
+    }
+  }
+
+  private void type(String source, String name, String kind) {
+    if (!CppNames.isTypeName(name)) {
+      diagnostics.error(
+          source,
+          0,
+          kind + " " + name,
+          "is not a name that a C++ class can have, or one that test applications use themselves");
+    }
+    String other = shared.put(name, kind);
+    if (other != null && !(other.equals(kind) && kind.equals("interface"))) {
+      diagnostics.error(source, 0, kind + " " + name, "is also the name of an " + other);
+    }
+  }
+
+  private void problem(String source, Method method, String problem) {
+    diagnostics.error(source, method.line(), "method " + method.name(), problem);
+  }
+}

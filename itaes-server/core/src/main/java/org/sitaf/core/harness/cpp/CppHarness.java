@@ -1,0 +1,118 @@
+package org.sitaf.core.harness.cpp;
+
+import com.samskivert.mustache.Mustache;
+import com.samskivert.mustache.Template;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.InputStreamReader;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import org.sitaf.core.activity.Activity;
+import org.sitaf.core.activity.FileTree;
+import org.sitaf.core.description.DataType;
+import org.sitaf.core.description.InterfaceDescription;
+import org.sitaf.core.diagnostic.Diagnostics;
+import org.sitaf.core.harness.cpp.spelling.ComponentHeader;
+import org.sitaf.core.harness.cpp.spelling.CppNames;
+import org.sitaf.core.harness.plan.HarnessPlan;
+import org.sitaf.core.harness.plan.HarnessWriter;
+
+/**
+ * The C++ sources of a test application: test driver, simulation control, test stub, and the
+ * concrete test driver that the user may edit (paper, Figs. 10, 13(e) and 16).
+ */
+public final class CppHarness implements HarnessWriter {
+  private static final String CONCRETE = "ConcreteTestDriver.cpp";
+
+  private static final Mustache.Compiler TEMPLATES = Mustache.compiler().escapeHTML(false);
+
+  private final Activity activity;
+
+  /** A writer for tests of a component; which header declares it, its files tell. */
+  public CppHarness(Activity activity) {
+    this.activity = activity;
+  }
+
+  @Override
+  public FileTree write(HarnessPlan plan, Diagnostics diagnostics) {
+    new CppChecks(diagnostics).check(plan);
+    Optional<String> header = ComponentHeader.find(activity, diagnostics);
+    if (header.isEmpty() || diagnostics.hasErrors()) {
+      return FileTree.of(Map.of());
+    }
+    CppPlan spelled = CppPlan.of(plan, header.get());
+    String folder = spelled.namespace() + "/";
+    Map<String, byte[]> files = new HashMap<>();
+    for (String extension : new String[] {".hpp", ".cpp"}) {
+      files.put(
+          folder + "SimulationControl" + extension,
+          print("SimulationControl" + extension, SimulationControlView.of(spelled)));
+      files.put(
+          folder + "TestStub" + extension, print("TestStub" + extension, TestStubView.of(spelled)));
+      files.put(
+          folder + "TestDriver" + extension,
+          print("TestDriver" + extension, TestDriverView.of(spelled)));
+    }
+    files.put(folder + CONCRETE, print(CONCRETE, ConcreteTestDriverView.of(spelled)));
+    interfaces(plan, files);
+    return FileTree.of(files);
+  }
+
+  /** What the component and the test share. */
+  private static void interfaces(HarnessPlan plan, Map<String, byte[]> files) {
+    if (plan.component().adapter() != null) {
+      for (InterfaceDescription provided : plan.provided()) {
+        put(
+            files,
+            provided.name(),
+            "Interface",
+            InterfaceView.of(provided.name(), provided.source(), provided.methods(), false));
+      }
+    }
+    for (HarnessPlan.Stub stub : plan.stubs()) {
+      var methods = stub.methods().stream().map(HarnessPlan.StubMethod::method).toList();
+      put(
+          files,
+          stub.name(),
+          "Interface",
+          InterfaceView.of(stub.name(), stub.source(), methods, true));
+    }
+    for (DataType type : plan.types()) {
+      put(files, HarnessPlan.simpleName(type), "Type", TypeView.of(type));
+    }
+    for (String error : plan.errors()) {
+      put(files, error, "Type", TypeView.ofError(error));
+    }
+  }
+
+  private static void put(Map<String, byte[]> files, String name, String template, Object view) {
+    files.put("sitaf/interfaces/" + name + ".hpp", print(template + ".hpp", view));
+  }
+
+  @Override
+  public String entryPoint(String modelName) {
+    return CppNames.namespace(modelName);
+  }
+
+  @Override
+  public String editableFile(String modelName) {
+    return CppNames.namespace(modelName) + "/" + CONCRETE;
+  }
+
+  private static byte[] print(String template, Object view) {
+    return load(template).execute(view).getBytes(StandardCharsets.UTF_8);
+  }
+
+  private static Template load(String name) {
+    try (InputStream stream = CppHarness.class.getResourceAsStream(name + ".mustache")) {
+      return TEMPLATES.compile(
+          new InputStreamReader(Objects.requireNonNull(stream, name), StandardCharsets.UTF_8));
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+}

@@ -1,0 +1,175 @@
+package org.sitaf.core.harness.cpp;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.description.Direction;
+import org.sitaf.core.description.Parameter;
+import org.sitaf.core.harness.cpp.spelling.CppNames;
+import org.sitaf.core.harness.cpp.spelling.CppText;
+import org.sitaf.core.harness.cpp.spelling.CppType;
+import org.sitaf.core.harness.plan.HarnessPlan;
+
+/**
+ * A test application with the names that its parts have in C++.
+ *
+ * @param plan what it holds
+ * @param namespace its innermost namespace
+ * @param header that declares the component
+ * @param answers in the order of the stubs' methods
+ */
+record CppPlan(
+    HarnessPlan plan,
+    String namespace,
+    String header,
+    List<Argument> arguments,
+    List<Setting> settings,
+    List<Stub> stubs) {
+
+  /** An argument of the call under test and the local that holds it. */
+  record Argument(HarnessPlan.Argument argument, String local) {
+    Parameter parameter() {
+      return argument.parameter();
+    }
+
+    /** Whether it is read from the case as a whole, so that nothing changes it before the call. */
+    boolean isConstant() {
+      return parameter().direction() == Direction.IN
+          && argument.given().size() == 1
+          && argument.given().get(0).path().isEmpty();
+    }
+  }
+
+  /** A parameter of the world and the local that holds it. */
+  record Setting(HarnessPlan.World.Setting setting, String local) {}
+
+  /**
+   * A required interface.
+   *
+   * @param className of its stub
+   * @param name of the function that gives it, and with {@code _} of the member
+   */
+  record Stub(HarnessPlan.Stub stub, String className, String name, List<StubMethod> methods) {}
+
+  /** A method of it. */
+  record StubMethod(HarnessPlan.StubMethod method, List<Answers> answers) {
+    /**
+     * What answers for the return value, or for delays and errors alone; null where nothing does.
+     */
+    @Nullable Answers returned() {
+      return answers.stream().filter(a -> a.parameter() == null).findFirst().orElse(null);
+    }
+  }
+
+  /**
+   * What the cases answer for the return value or one out-parameter.
+   *
+   * @param member of the stub's class, without its {@code _}
+   */
+  record Answers(String member, @Nullable Parameter parameter, String type, List<Answer> byCall) {}
+
+  /** An answer and the local that holds it. */
+  record Answer(HarnessPlan.Answer answer, String local) {}
+
+  static CppPlan of(HarnessPlan plan, String header) {
+    CppNames locals = new CppNames();
+    List<Argument> arguments =
+        plan.arguments().stream().map(a -> new Argument(a, locals.local(a.name()))).toList();
+    List<Setting> settings =
+        plan.world() == null
+            ? List.of()
+            : plan.world().settings().stream()
+                .map(s -> new Setting(s, locals.local(s.name())))
+                .toList();
+    CppNames members = new CppNames();
+    List<Stub> stubs =
+        plan.stubs().stream()
+            .map(
+                s ->
+                    new Stub(s, s.name() + "Stub", members.local(s.name()), stubMethods(s, locals)))
+            .toList();
+    return new CppPlan(
+        plan, CppNames.namespace(plan.modelName()), header, arguments, settings, stubs);
+  }
+
+  private static List<StubMethod> stubMethods(HarnessPlan.Stub stub, CppNames locals) {
+    CppNames members = new CppNames();
+    List<StubMethod> methods = new ArrayList<>();
+    for (HarnessPlan.StubMethod method : stub.methods()) {
+      List<Answers> answers = new ArrayList<>();
+      for (HarnessPlan.Answer answer : method.answers()) {
+        Parameter parameter = answer.parameter();
+        Answer spelled = new Answer(answer, locals.local(answer.column()));
+        Answers last = answers.isEmpty() ? null : answers.get(answers.size() - 1);
+        if (last != null && java.util.Objects.equals(last.parameter(), parameter)) {
+          List<Answer> more = new ArrayList<>(last.byCall());
+          more.add(spelled);
+          answers.set(answers.size() - 1, new Answers(last.member(), parameter, last.type(), more));
+          continue;
+        }
+        String name =
+            method.method().name() + (parameter == null ? "" : CppNames.raised(parameter.name()));
+        String type =
+            HarnessPlan.isVoid(answer.type()) ? "runtime::Nothing" : CppType.of(answer.type());
+        answers.add(new Answers(members.local(name), parameter, type, List.of(spelled)));
+      }
+      methods.add(new StubMethod(method, answers));
+    }
+    return methods;
+  }
+
+  /** All that the cases answer, in the order of interfaces, methods, parameters and calls. */
+  List<Answer> answers() {
+    return answerSets().flatMap(a -> a.byCall().stream()).toList();
+  }
+
+  private Stream<Answers> answerSets() {
+    return stubs.stream().flatMap(s -> s.methods().stream()).flatMap(m -> m.answers().stream());
+  }
+
+  /** The type of an answer. */
+  String typeOf(Answer answer) {
+    return answerSets().filter(a -> a.byCall().contains(answer)).findFirst().orElseThrow().type();
+  }
+
+  boolean hasWorld() {
+    return plan.world() != null;
+  }
+
+  boolean isPeriodic() {
+    return plan.component().period() != null;
+  }
+
+  /** Whether simulation time passes after the call. */
+  boolean runsOn() {
+    return plan.world() != null && !plan.world().runFor().isZero();
+  }
+
+  boolean observes() {
+    return plan.outputs().stream()
+        .anyMatch(o -> o.source() instanceof HarnessPlan.Source.Observation);
+  }
+
+  /** The class under test, from the outermost namespace on. */
+  String component() {
+    return "::" + plan.component().className();
+  }
+
+  String returnType() {
+    return CppType.of(plan.method().returnType());
+  }
+
+  /** The head of the function that makes the call. */
+  String callHead(int indent, String before, String name, String tail) {
+    List<String> parameters = new ArrayList<>();
+    parameters.add("Component& component");
+    arguments.forEach(a -> parameters.add(CppType.parameter(a.parameter(), a.local(), false)));
+    return CppText.list(indent, before + returnType() + " " + name + "(", parameters, ")" + tail);
+  }
+
+  /** {@code Interface.Method}, fit for a comment. */
+  String called() {
+    return CppText.comment(plan.methodName());
+  }
+}

@@ -1,0 +1,117 @@
+package org.sitaf.core.harness.cpp;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+import org.sitaf.core.harness.cpp.spelling.CppText;
+import org.sitaf.core.harness.plan.HarnessPlan.World;
+
+/** What the templates of the simulation control print. */
+record SimulationControlView(
+    String namespace,
+    boolean hasWorld,
+    List<String> includes,
+    String documentation,
+    String prepareDocumentation,
+    String prepareDeclaration,
+    String prepareHead,
+    String prepareStatement,
+    String constructor,
+    String settle,
+    String runFor,
+    String period,
+    boolean ahead,
+    boolean periodic,
+    boolean runsOn,
+    boolean observes) {
+
+  static SimulationControlView of(CppPlan plan) {
+    World world = plan.plan().world();
+    // A component that only reads finds the world as a bulk call has prepared it.
+    boolean ahead = world != null && !plan.runsOn() && !plan.isPeriodic();
+    List<String> parameters = plan.settings().stream().map(s -> "double " + s.local()).toList();
+    return new SimulationControlView(
+        plan.namespace(),
+        world != null,
+        includes(plan),
+        CppText.documentation(
+            0,
+            List.of(
+                world == null
+                    ? "Simulation control (SC): the activity names no world, so that there is nothing to set."
+                    : "Simulation control (SC): sets the virtual environment that "
+                        + CppText.comment(world.path())
+                        + " describes.")),
+        prepareDocumentation(plan),
+        CppText.list(2, "void prepare(", parameters, ");"),
+        CppText.list(0, "void SimulationControl::prepare(", parameters, ") {"),
+        world == null ? "" : prepareStatement(plan, ahead),
+        CppText.constructor(
+            "SimulationControl::SimulationControl(runtime::TestRun& run)",
+            ahead
+                ? List.of("simulation_(run.simulation())", "upcoming_(run.upcoming())")
+                : List.of("simulation_(run.simulation())")),
+        world == null ? "" : duration(world.settle()),
+        world == null ? "" : duration(world.runFor()),
+        plan.isPeriodic() ? duration(Objects.requireNonNull(plan.plan().component().period())) : "",
+        ahead,
+        plan.isPeriodic(),
+        plan.runsOn(),
+        plan.observes());
+  }
+
+  private static List<String> includes(CppPlan plan) {
+    Includes includes = new Includes().own("sitaf/runtime/test_run.hpp");
+    if (plan.isPeriodic()) {
+      includes.standard("functional");
+    }
+    if (plan.observes()) {
+      includes.standard("string");
+    }
+    return includes.lines();
+  }
+
+  private static String prepareDocumentation(CppPlan plan) {
+    List<String> paragraphs = new ArrayList<>();
+    paragraphs.add(
+        plan.isPeriodic()
+            ? "Puts the world into the state of a case, from a clean reset."
+            : "Puts the world into the state of a case, from a clean reset, and lets it settle.");
+    plan.settings()
+        .forEach(
+            s ->
+                paragraphs.add(
+                    "- "
+                        + s.local()
+                        + ": "
+                        + s.setting().name()
+                        + " in "
+                        + CppText.comment(s.setting().unit())
+                        + ", from "
+                        + s.setting().min()
+                        + " to "
+                        + s.setting().max()));
+    return CppText.documentation(2, paragraphs);
+  }
+
+  private static String prepareStatement(CppPlan plan, boolean ahead) {
+    String names =
+        String.join(
+            ", ", plan.settings().stream().map(s -> CppText.string(s.setting().name())).toList());
+    String values =
+        String.join(", ", plan.settings().stream().map(CppPlan.Setting::local).toList());
+    String settle = plan.isPeriodic() ? "std::chrono::nanoseconds(0)" : "settleTime";
+    return CppText.list(
+        2,
+        ahead ? "simulation_.prepareAhead(" : "simulation_.prepare(",
+        ahead
+            ? List.of("{" + names + "}", "{" + values + "}", settle, "upcoming_")
+            : List.of("{" + names + "}", "{" + values + "}", settle),
+        ");");
+  }
+
+  private static String duration(Duration time) {
+    return CppText.duration(time);
+  }
+}

@@ -1,0 +1,233 @@
+package org.sitaf.core.harness.cpp;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import org.sitaf.core.activity.ActivityProfile.LifeCycle;
+import org.sitaf.core.description.CallType;
+import org.sitaf.core.description.DataType;
+import org.sitaf.core.description.MemberPath.Step;
+import org.sitaf.core.harness.cpp.spelling.CppText;
+import org.sitaf.core.harness.cpp.spelling.CppType;
+import org.sitaf.core.harness.plan.HarnessPlan;
+import org.sitaf.core.harness.plan.HarnessPlan.Output;
+import org.sitaf.core.harness.plan.HarnessPlan.Source;
+import org.sitaf.core.model.Tolerance;
+
+/** What the templates of the test driver print: the five steps of Fig. 10. */
+record TestDriverView(
+    String namespace,
+    List<String> includes,
+    String documentation,
+    String component,
+    String lifeCycle,
+    String callDocumentation,
+    String callDeclaration,
+    String newComponent,
+    List<String> reads,
+    String prepareWorld,
+    String prepareStub,
+    boolean settles,
+    boolean blocking,
+    String call,
+    String collect,
+    boolean runOn,
+    List<String> outputs) {
+
+  static TestDriverView of(CppPlan plan) {
+    boolean blocking = plan.plan().method().callType() != CallType.NONBLOCKING;
+    String returned =
+        plan.plan().returnsNothing() ? "" : "const " + plan.returnType() + " returned = ";
+    List<String> arguments =
+        Stream.concat(
+                Stream.of("component"), plan.arguments().stream().map(CppPlan.Argument::local))
+            .toList();
+    return new TestDriverView(
+        plan.namespace(),
+        includes(plan),
+        documentation(plan),
+        plan.component(),
+        plan.plan().component().lifeCycle() == LifeCycle.SUITE ? "suite" : "perCase",
+        CppText.documentation(
+            2, List.of("The call under test, " + plan.called() + "; nothing else is timed.")),
+        plan.callHead(2, "virtual ", "call", " = 0;"),
+        CppText.list(2, "return runtime::createComponent<Component>(", offered(plan), ");"),
+        reads(plan),
+        CppText.list(
+            2,
+            "simulationControl_.prepare(",
+            plan.settings().stream().map(CppPlan.Setting::local).toList(),
+            ");"),
+        CppText.list(
+            2,
+            "testStub_.prepare(",
+            plan.answers().stream().map(CppPlan.Answer::local).toList(),
+            ");"),
+        plan.isPeriodic() && plan.hasWorld(),
+        blocking,
+        blocking
+            ? CppText.list(2, returned + "call(", arguments, ");")
+            : CppText.list(
+                2,
+                "auto pending = callAside(",
+                List.of("[&] { return call(" + String.join(", ", arguments) + "); }"),
+                ");"),
+        "  " + returned + "pending.get();",
+        plan.runsOn(),
+        plan.plan().outputs().stream().map(o -> output(plan, o)).toList());
+  }
+
+  private static List<String> includes(CppPlan plan) {
+    List<DataType> types = new ArrayList<>();
+    types.add(plan.plan().method().returnType());
+    plan.arguments().forEach(a -> types.add(a.parameter().type()));
+    return new Includes()
+        .standard("memory")
+        .own(
+            plan.header(),
+            "SimulationControl.hpp",
+            "TestStub.hpp",
+            "sitaf/runtime/suite_driver.hpp")
+        .types(types)
+        .lines();
+  }
+
+  private static String documentation(CppPlan plan) {
+    List<String> paragraphs = new ArrayList<>();
+    paragraphs.add(
+        "Test driver (TD) of "
+            + plan.called()
+            + ": runs the cases of the test model "
+            + CppText.comment(plan.plan().modelName())
+            + ".");
+    if (!plan.plan().description().isBlank()) {
+      paragraphs.add(CppText.comment(plan.plan().description()));
+    }
+    return CppText.documentation(0, paragraphs);
+  }
+
+  /** What a constructor may ask for. */
+  private static List<String> offered(CppPlan plan) {
+    List<String> offered = new ArrayList<>();
+    if (plan.hasWorld()) {
+      offered.add("*run().hardware()");
+    }
+    plan.stubs().forEach(s -> offered.add("testStub_." + s.name() + "()"));
+    return offered;
+  }
+
+  private static List<String> reads(CppPlan plan) {
+    List<String> reads = new ArrayList<>();
+    for (CppPlan.Argument argument : plan.arguments()) {
+      String type = CppType.of(argument.parameter().type());
+      if (argument.isConstant()) {
+        reads.add(read("const auto " + argument.local(), type, argument.argument().name()));
+      } else {
+        reads.add("  " + type + " " + argument.local() + "{};");
+        sizes(argument).forEach((path, size) -> reads.add("  " + path + ".resize(" + size + ");"));
+        for (HarnessPlan.Given given : argument.argument().given()) {
+          reads.add(
+              read(
+                  path(argument.local(), given.path(), false),
+                  CppType.of(given.type()),
+                  given.column()));
+        }
+      }
+    }
+    plan.settings()
+        .forEach(s -> reads.add(read("const auto " + s.local(), "double", s.setting().name())));
+    for (CppPlan.Answer answer : plan.answers()) {
+      reads.add(
+          CppText.assignment(
+              2,
+              "const auto " + answer.local(),
+              "runtime::answer<"
+                  + plan.typeOf(answer)
+                  + ">(testCase, "
+                  + CppText.string(answer.answer().column())
+                  + ")"));
+    }
+    return reads;
+  }
+
+  private static String read(String left, String type, String column) {
+    return CppText.assignment(
+        2, left, "testCase.value<" + type + ">(" + CppText.string(column) + ")");
+  }
+
+  /** How long each sequence must be that the cases set elements of, outer ones first. */
+  private static Map<String, Integer> sizes(CppPlan.Argument argument) {
+    Map<String, Integer> sizes = new LinkedHashMap<>();
+    for (HarnessPlan.Given given : argument.argument().given()) {
+      DataType type = argument.parameter().type();
+      String path = argument.local();
+      for (Step step : given.path()) {
+        if (step instanceof Step.Element element) {
+          if (type instanceof DataType.Sequence sequence) {
+            sizes.merge(path, element.index() + 1, Math::max);
+            type = sequence.element();
+          } else if (type instanceof DataType.FixedArray array) {
+            type = array.element();
+          }
+          path += "[" + element.index() + "]";
+        } else if (step instanceof Step.Member member && type instanceof DataType.Struct struct) {
+          type =
+              struct.members().stream()
+                  .filter(m -> m.name().equals(member.name()))
+                  .findFirst()
+                  .orElseThrow()
+                  .type();
+          path += "." + member.name();
+        }
+      }
+    }
+    return sizes;
+  }
+
+  /** A part of a value; where its elements may be missing, an access that says so. */
+  private static String path(String root, List<Step> steps, boolean checked) {
+    StringBuilder path = new StringBuilder(root);
+    for (Step step : steps) {
+      if (step instanceof Step.Member member) {
+        path.append('.').append(member.name());
+      } else if (step instanceof Step.Element element) {
+        path.append(checked ? ".at(" : "[").append(element.index()).append(checked ? ")" : "]");
+      }
+    }
+    return path.toString();
+  }
+
+  private static String output(CppPlan plan, Output output) {
+    String value;
+    if (output.source() instanceof Source.Returned returned) {
+      value = path("returned", returned.path(), true);
+    } else if (output.source() instanceof Source.OutParameter out) {
+      String local =
+          plan.arguments().stream()
+              .filter(a -> a.argument().name().equals(out.parameter()))
+              .findFirst()
+              .orElseThrow()
+              .local();
+      value = path(local, out.path(), true);
+    } else if (output.source() instanceof Source.Observation observation) {
+      value = "simulationControl_.observe(" + CppText.string(observation.name()) + ")";
+    } else {
+      Source.DataPort port = (Source.DataPort) output.source();
+      value = "component." + port.name() + "()";
+    }
+    List<String> arguments = new ArrayList<>(List.of(CppText.string(output.name()), value));
+    Tolerance tolerance = output.tolerance();
+    if (tolerance != null && (tolerance.absolute() != 0 || tolerance.relative() != 0)) {
+      arguments.add(
+          "{"
+              + CppText.real(tolerance.absolute())
+              + ", "
+              + CppText.real(tolerance.relative())
+              + "}");
+    }
+    return CppText.list(
+        2, tolerance == null ? "result.record(" : "result.compare(", arguments, ");");
+  }
+}

@@ -1,0 +1,190 @@
+package org.sitaf.core.harness.cpp;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import org.sitaf.core.description.DataType;
+import org.sitaf.core.description.Direction;
+import org.sitaf.core.description.Method;
+import org.sitaf.core.description.Parameter;
+import org.sitaf.core.harness.cpp.spelling.CppNames;
+import org.sitaf.core.harness.cpp.spelling.CppText;
+import org.sitaf.core.harness.cpp.spelling.CppType;
+import org.sitaf.core.harness.plan.HarnessPlan;
+
+/** What the templates of the test stub print. */
+record TestStubView(
+    String namespace,
+    boolean hasStubs,
+    List<String> includes,
+    List<Interface> interfaces,
+    String prepareDeclaration,
+    String prepareHead,
+    List<String> settings,
+    List<Error> errors,
+    String constructor,
+    String begin) {
+
+  /** An interface that the stub answers for. */
+  record Interface(
+      String name,
+      String className,
+      String field,
+      List<String> declarations,
+      List<Function> functions,
+      List<String> members) {}
+
+  /** A method of it, defined. */
+  record Function(String head, List<String> body) {}
+
+  /** An error that answers raise. */
+  record Error(String name, String literal) {}
+
+  static TestStubView of(CppPlan plan) {
+    List<String> parameters =
+        plan.answers().stream()
+            .map(a -> "const runtime::Answer<" + plan.typeOf(a) + ">& " + a.local())
+            .toList();
+    return new TestStubView(
+        plan.namespace(),
+        !plan.stubs().isEmpty(),
+        includes(plan),
+        plan.stubs().stream().map(TestStubView::answering).toList(),
+        CppText.list(2, "void prepare(", parameters, ");"),
+        CppText.list(0, "void TestStub::prepare(", parameters, ") {"),
+        settings(plan),
+        plan.plan().errors().stream().map(e -> new Error(e, CppText.string(e))).toList(),
+        CppText.constructor(
+            "TestStub::TestStub(runtime::TestRun& run)",
+            Stream.concat(
+                    Stream.of("stubbing_(run, raise)"),
+                    plan.stubs().stream().map(stub -> stub.name() + "_(stubbing_)"))
+                .toList()),
+        CppText.list(
+            2,
+            "stubbing_.begin(",
+            List.of("{" + String.join(", ", methodNames(plan)) + "}"),
+            ");"));
+  }
+
+  private static List<String> methodNames(CppPlan plan) {
+    return plan.stubs().stream()
+        .flatMap(
+            s ->
+                s.stub().methods().stream()
+                    .map(m -> CppText.string(s.stub().name() + "." + m.method().name())))
+        .distinct()
+        .toList();
+  }
+
+  private static List<String> includes(CppPlan plan) {
+    List<DataType> types =
+        plan.stubs().stream()
+            .flatMap(s -> s.stub().methods().stream())
+            .flatMap(TestStubView::typesOf)
+            .toList();
+    Includes includes = new Includes().own("sitaf/runtime/stub.hpp").types(types);
+    plan.stubs().forEach(s -> includes.own("sitaf/interfaces/" + s.stub().name() + ".hpp"));
+    return includes.lines();
+  }
+
+  private static Stream<DataType> typesOf(HarnessPlan.StubMethod method) {
+    return Stream.concat(
+        Stream.of(method.method().returnType()),
+        method.method().parameters().stream().map(Parameter::type));
+  }
+
+  private static List<String> settings(CppPlan plan) {
+    List<String> statements = new ArrayList<>();
+    for (CppPlan.Stub stub : plan.stubs()) {
+      for (CppPlan.StubMethod method : stub.methods()) {
+        for (CppPlan.Answers answers : method.answers()) {
+          String member = stub.name() + "_." + answers.member() + "_";
+          statements.add("  " + member + ".reset();");
+          for (CppPlan.Answer answer : answers.byCall()) {
+            statements.add(
+                CppText.list(
+                    2,
+                    member + ".set(",
+                    List.of(Integer.toString(answer.answer().fromCall()), answer.local()),
+                    ");"));
+          }
+        }
+      }
+    }
+    return statements;
+  }
+
+  private static Interface answering(CppPlan.Stub stub) {
+    List<String> declarations = new ArrayList<>();
+    List<Function> functions = new ArrayList<>();
+    List<String> members = new ArrayList<>();
+    for (CppPlan.StubMethod method : stub.methods()) {
+      Method prototype = method.method().method();
+      CppNames scope = new CppNames();
+      List<String> locals =
+          prototype.parameters().stream().map(p -> scope.local(p.name())).toList();
+      List<String> parameters = new ArrayList<>();
+      for (int i = 0; i < locals.size(); i++) {
+        parameters.add(CppType.parameter(prototype.parameters().get(i), locals.get(i), false));
+      }
+      String returns = CppType.of(prototype.returnType());
+      declarations.add(
+          CppText.list(2, returns + " " + prototype.name() + "(", parameters, ") override;"));
+      functions.add(
+          new Function(
+              CppText.list(
+                  0,
+                  returns + " " + stub.className() + "::" + prototype.name() + "(",
+                  parameters,
+                  ") {"),
+              body(stub, method, locals)));
+      for (CppPlan.Answers answers : method.answers()) {
+        members.add("  runtime::Answers<" + answers.type() + "> " + answers.member() + "_;");
+      }
+    }
+    return new Interface(
+        stub.stub().name(), stub.className(), stub.name(), declarations, functions, members);
+  }
+
+  private static List<String> body(
+      CppPlan.Stub stub, CppPlan.StubMethod method, List<String> locals) {
+    Method prototype = method.method().method();
+    List<String> body = new ArrayList<>();
+    List<String> given = new ArrayList<>();
+    for (int i = 0; i < locals.size(); i++) {
+      Parameter parameter = prototype.parameters().get(i);
+      if (parameter.direction() != Direction.OUT) {
+        given.add(
+            "runtime::argument(" + CppText.string(parameter.name()) + ", " + locals.get(i) + ")");
+      }
+    }
+    body.add(
+        CppText.list(
+            2,
+            "const runtime::StubbedCall call(",
+            List.of(
+                "stubbing_",
+                CppText.string(stub.stub().name() + "." + prototype.name()),
+                "{" + String.join(", ", given) + "}"),
+            ");"));
+    for (int i = 0; i < locals.size(); i++) {
+      Parameter parameter = prototype.parameters().get(i);
+      for (CppPlan.Answers answers : method.answers()) {
+        if (parameter.equals(answers.parameter())) {
+          body.add("  " + locals.get(i) + " = " + answers.member() + "_.give(call);");
+        }
+      }
+    }
+    CppPlan.Answers returned = method.returned();
+    if (HarnessPlan.isVoid(prototype.returnType())) {
+      if (returned != null) {
+        body.add("  " + returned.member() + "_.give(call);");
+      }
+    } else {
+      body.add(
+          returned == null ? "  return {};" : "  return " + returned.member() + "_.give(call);");
+    }
+    return body;
+  }
+}

@@ -1,0 +1,77 @@
+package org.sitaf.core.harness.cpp;
+
+import java.util.List;
+import org.sitaf.core.description.DataType;
+import org.sitaf.core.harness.cpp.spelling.CppText;
+import org.sitaf.core.harness.cpp.spelling.CppType;
+import org.sitaf.core.harness.plan.HarnessPlan;
+
+/** What the template of a struct, an enumeration or an error prints. */
+record TypeView(
+    String name,
+    List<String> includes,
+    boolean struct,
+    boolean enumeration,
+    boolean error,
+    List<Part> parts) {
+
+  /** A member of a struct, or a literal of an enumeration. */
+  record Part(String type, String name, boolean last) {}
+
+  static TypeView of(DataType type) {
+    String name = HarnessPlan.simpleName(type);
+    if (type instanceof DataType.Struct struct) {
+      List<DataType.Member> members = struct.members();
+      return new TypeView(
+          name,
+          new Includes().own("sitaf/suite/value.hpp").types(struct.parts()).lines(),
+          true,
+          false,
+          false,
+          members.stream()
+              .map(
+                  m ->
+                      new Part(
+                          CppType.within(m.type()), m.name(), m == members.get(members.size() - 1)))
+              .toList());
+    }
+    List<String> literals = ((DataType.Enumeration) type).literals();
+    return new TypeView(
+        name,
+        new Includes()
+            .standard("array", "string_view", "utility")
+            .own("sitaf/suite/value.hpp")
+            .lines(),
+        false,
+        true,
+        false,
+        literals.stream()
+            .map(l -> new Part("", l, l.equals(literals.get(literals.size() - 1))))
+            .toList());
+  }
+
+  static TypeView ofError(String name) {
+    return new TypeView(
+        name, new Includes().standard("stdexcept").lines(), false, false, true, List.of());
+  }
+
+  /** The enumeration itself. */
+  String declaration() {
+    return CppText.list(
+        0, "enum class " + name + " { ", parts.stream().map(Part::name).toList(), " };");
+  }
+
+  /** How many literals an enumeration has. */
+  int count() {
+    return parts.size();
+  }
+
+  /** Brackets that a template would take for its own. */
+  String open() {
+    return "{{";
+  }
+
+  String close() {
+    return "}}";
+  }
+}

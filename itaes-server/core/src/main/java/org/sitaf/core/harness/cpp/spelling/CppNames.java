@@ -1,0 +1,130 @@
+package org.sitaf.core.harness.cpp.spelling;
+
+import java.util.Arrays;
+import java.util.HashSet;
+import java.util.Locale;
+import java.util.Set;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+
+/**
+ * Names of users' documents in C++ sources. What is called must keep its name and is refused where
+ * C++ cannot spell it; locals are only named after something, and step aside.
+ */
+public final class CppNames {
+  private static final Pattern NAME = Pattern.compile("[A-Za-z_][A-Za-z0-9_]*");
+
+  private static final Set<String> KEYWORDS =
+      words(
+          """
+          alignas alignof and and_eq asm atomic_cancel atomic_commit atomic_noexcept auto bitand bitor bool break case
+          catch char char8_t char16_t char32_t class compl concept const consteval constexpr constinit const_cast
+          continue co_await co_return co_yield decltype default delete do double dynamic_cast else enum explicit export
+          extern false float for friend goto if inline int long mutable namespace new noexcept not not_eq nullptr
+          operator or or_eq private protected public reflexpr register reinterpret_cast requires return short signed
+          sizeof static static_assert static_cast struct switch synchronized template this thread_local throw true try
+          typedef typeid typename union unsigned using virtual void volatile wchar_t while xor xor_eq""");
+
+  /** Macros of the headers that test applications include. */
+  private static final Set<String> MACROS =
+      words(
+          """
+          BUFSIZ CHAR_BIT CHAR_MAX CHAR_MIN EDOM EILSEQ EOF ERANGE EXIT_FAILURE EXIT_SUCCESS FLT_MAX FLT_MIN HUGE_VAL
+          INFINITY INT_MAX INT_MIN L_tmpnam LONG_MAX LONG_MIN MATH_ERREXCEPT NAN NDEBUG NULL RAND_MAX SEEK_CUR SEEK_END
+          SEEK_SET SITAF_SETTER SITAF_GETTER SIZE_MAX UINT_MAX assert errno i386 linux major minor makedev offsetof
+          setjmp signals slots stderr stdin stdout unix va_arg va_copy va_end va_start""");
+
+  /** Types and namespaces that generated sources use by a simple name. */
+  private static final Set<String> USED_TYPES =
+      words(
+          """
+          Component ConcreteTestDriver SimulationControl TestDriver TestStub harness interfaces runtime simulation
+          sitaf std suite""");
+
+  /** Locals and members of generated code, and the first parts of qualified names. */
+  private static final Set<String> USED_LOCALS =
+      words(
+          """
+          actual argc argv call component interfaces main pending result returned run runtime simulation
+          simulationControl sitaf std stopwatch suite testCase testStub value""");
+
+  private final Set<String> taken = new HashSet<>(USED_LOCALS);
+
+  private static Set<String> words(String text) {
+    return Arrays.stream(text.split("\\s+")).collect(Collectors.toUnmodifiableSet());
+  }
+
+  /** Whether C++ spells a method, a member or a literal so. */
+  public static boolean isName(String name) {
+    return NAME.matcher(name).matches()
+        && !KEYWORDS.contains(name)
+        && !MACROS.contains(name)
+        // The compiler's own.
+        && !name.contains("__")
+        && !name.matches("_[A-Z].*");
+  }
+
+  /**
+   * Whether C++ spells a type of an interface so, and generated sources mean nothing else by it.
+   */
+  public static boolean isTypeName(String name) {
+    return isName(name) && !USED_TYPES.contains(name);
+  }
+
+  /** Whether a class can be named so: words, joined by {@code ::}. */
+  public static boolean isQualifiedName(String name) {
+    return Arrays.stream(name.split("::", -1)).allMatch(CppNames::isName);
+  }
+
+  /**
+   * The innermost namespace, and the folder, of a model's test application: its name in lower case,
+   * with what C++ cannot spell replaced.
+   */
+  public static String namespace(String modelName) {
+    String part = modelName.toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]+", "_");
+    if (part.isEmpty() || !Character.isLetter(part.charAt(0))) {
+      part = "model" + (part.startsWith("_") ? "" : "_") + part;
+    }
+    return isTypeName(part) ? part : part + "_model";
+  }
+
+  /**
+   * A name for a local: {@code IndexOfSensor} gives {@code indexOfSensor}, {@code Finder.GetRange}
+   * gives {@code finderGetRange}.
+   */
+  public String local(String documentName) {
+    StringBuilder joined = new StringBuilder();
+    for (String part : documentName.split("[^A-Za-z0-9]+")) {
+      joined.append(joined.isEmpty() ? lowered(part) : raised(part));
+    }
+    String wanted =
+        joined.isEmpty() || Character.isDigit(joined.charAt(0))
+            ? "value" + joined
+            : joined.toString();
+    String name = isName(wanted) ? wanted : wanted + "Value";
+    for (int i = 2; !taken.add(name); i++) {
+      name = wanted + "Value" + (i == 2 ? "" : i - 1);
+    }
+    return name;
+  }
+
+  /**
+   * {@code IndexOfSensor} to {@code indexOfSensor}, {@code IRSensor} to {@code irSensor}, {@code
+   * ID} to {@code id}.
+   */
+  private static String lowered(String part) {
+    int upper = 0;
+    while (upper < part.length() && Character.isUpperCase(part.charAt(upper))) {
+      upper++;
+    }
+    int lowered = upper > 1 && upper < part.length() ? upper - 1 : upper;
+    return part.substring(0, lowered).toLowerCase(Locale.ROOT) + part.substring(lowered);
+  }
+
+  /** {@code pose} to {@code Pose}. */
+  public static String raised(String part) {
+    return part.isEmpty()
+        ? part
+        : part.substring(0, 1).toUpperCase(Locale.ROOT) + part.substring(1);
+  }
+}

@@ -1,0 +1,107 @@
+package org.sitaf.core.harness.cpp;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.sitaf.core.activity.Activity;
+import org.sitaf.core.activity.FileTree;
+import org.sitaf.core.harness.InterfaceTestApplicationGenerator;
+import org.sitaf.core.harness.TestApplication;
+import org.sitaf.core.suite.GenerationOptions;
+import org.sitaf.core.suite.TestCaseGenerator;
+
+/** The C++ sources of examples, letter by letter. */
+class GoldenHarnessTest {
+  private static final Path RESOURCES = Path.of("src/test/resources/org/sitaf/core/harness/cpp");
+  private static final boolean RENEW = Boolean.getBoolean("sitaf.golden.renew");
+
+  static TestApplication generate(FileTree files) {
+    Activity activity = Activity.read(files);
+    var model = activity.models().get(0);
+    return InterfaceTestApplicationGenerator.generate(
+        activity, model, TestCaseGenerator.generate(model, GenerationOptions.DEFAULT).suite());
+  }
+
+  static FileTree tree(Path folder) throws IOException {
+    Map<String, byte[]> files = new HashMap<>();
+    try (var walk = Files.walk(folder)) {
+      for (Path file : walk.filter(Files::isRegularFile).toList()) {
+        files.put(folder.relativize(file).toString(), Files.readAllBytes(file));
+      }
+    }
+    return FileTree.of(files);
+  }
+
+  /**
+   * The paper's example; and one with everything that it lacks: stubs, structs, enumerations,
+   * parts, errors, a period, observations.
+   */
+  @ParameterizedTest
+  @ValueSource(strings = {"ir-sensor", "wide"})
+  void theSourcesAreThoseThatWereReviewed(String name) throws IOException {
+    Path activity =
+        name.equals("wide")
+            ? RESOURCES.resolve("wide-activity")
+            : Path.of("../../examples/ir-sensor-cpp");
+    FileTree harness = generate(tree(activity)).harness();
+    Path golden = RESOURCES.resolve(name);
+    if (RENEW) {
+      for (String path : harness.paths()) {
+        Files.createDirectories(golden.resolve(path).getParent());
+        Files.write(golden.resolve(path), harness.content(path).orElseThrow());
+      }
+    }
+    assertThat(harness.paths()).containsExactlyInAnyOrderElementsOf(tree(golden).paths());
+    for (String path : harness.paths()) {
+      assertThat(harness.text(path))
+          .as(
+              "%s (after a wanted change: run this test with -Dsitaf.golden.renew=true, and review the diff)",
+              path)
+          .contains(Files.readString(golden.resolve(path)));
+    }
+  }
+
+  @Test
+  void theFiveStepsStandInTheirOrder() throws IOException {
+    String driver =
+        generate(tree(Path.of("../../examples/ir-sensor-cpp")))
+            .harness()
+            .text("getinfrareddata/TestDriver.cpp")
+            .orElseThrow();
+    assertThat(
+            driver
+                .lines()
+                .map(String::strip)
+                .filter(l -> l.matches("// \\d\\..*|.*(prepare|start|stop|save|call)\\(.*;")))
+        .containsExactly(
+            "// 1. Read the test case.",
+            "// 2. Simulation control sets the virtual environment (TDSD).",
+            "simulationControl_.prepare(distance);",
+            "// 3. The test stub gets what the required interfaces answer (TDTS).",
+            "testStub_.prepare();",
+            "// 4. The component is called with the input (TDI), and timed.",
+            "stopwatch().start();",
+            "const double returned = call(component, indexOfSensor, numOfSensor);",
+            "stopwatch().stop();",
+            "// 5. The result is compared with what is expected, and saved.",
+            "save(result);");
+  }
+
+  @Test
+  void aDriverThatTheUserKeepsIsTakenAsItIs() throws IOException {
+    FileTree files =
+        tree(Path.of("../../examples/ir-sensor-cpp"))
+            .with(
+                "harness/GetInfraredData/ConcreteTestDriver.cpp",
+                "// mine\n".getBytes(java.nio.charset.StandardCharsets.UTF_8));
+    assertThat(generate(files).harness().text("getinfrareddata/ConcreteTestDriver.cpp"))
+        .contains("// mine\n");
+  }
+}

@@ -1,0 +1,53 @@
+#include "TestDriver.hpp"
+
+namespace sitaf::harness::plan {
+
+TestDriver::TestDriver(runtime::TestRun& run)
+    : SuiteDriver(run, runtime::LifeCycle::perCase), simulationControl_(run), testStub_(run) {}
+
+std::unique_ptr<Component> TestDriver::newComponent() {
+  return runtime::createComponent<Component>(*run().hardware(), testStub_.rangeFinder());
+}
+
+void TestDriver::runCase(const suite::TestCase& testCase, suite::CaseResult& result) {
+  // 1. Read the test case.
+  interfaces::Point goal{};
+  goal.x = testCase.value<double>("goal.x");
+  std::vector<double> weights{};
+  weights.resize(2);
+  weights[1] = testCase.value<double>("weights[1]");
+  bool found{};
+  std::int32_t budget{};
+  budget = testCase.value<std::int32_t>("budget");
+  const auto distance = testCase.value<double>("Distance");
+  const auto rangeFinderRange = runtime::answer<double>(testCase, "RangeFinder.Range");
+  const auto rangeFinderRange2 = runtime::answer<double>(testCase, "RangeFinder.Range#2");
+  const auto rangeFinderRangeQuality =
+      runtime::answer<double>(testCase, "RangeFinder.Range.quality");
+
+  // 2. Simulation control sets the virtual environment (TDSD).
+  simulationControl_.prepare(distance);
+
+  // 3. The test stub gets what the required interfaces answer (TDTS).
+  testStub_.prepare(rangeFinderRange, rangeFinderRange2, rangeFinderRangeQuality);
+
+  // 4. The component is called with the input (TDI), and timed.
+  Component& component = this->component();
+  simulationControl_.settle([&component] { runtime::execute(component); });
+  beforeCase(component, testCase);
+  stopwatch().start();
+  const interfaces::Path returned = call(component, goal, weights, found, budget);
+  stopwatch().stop();
+  simulationControl_.runOn();
+  afterCase(component, testCase);
+
+  // 5. The result is compared with what is expected, and saved.
+  result.record("return", returned);
+  result.record("found", found);
+  result.record("budget", budget);
+  result.compare("return.points[0].x", returned.points.at(0).x, {1.0e-6, 0.0});
+  result.compare("robot_x", simulationControl_.observe("robot_x"));
+  save(result);
+}
+
+}  // namespace sitaf::harness::plan

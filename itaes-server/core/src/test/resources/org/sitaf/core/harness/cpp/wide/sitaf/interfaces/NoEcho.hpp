@@ -1,0 +1,14 @@
+#pragma once
+
+#include <stdexcept>
+
+namespace sitaf::interfaces {
+
+/// The error NoEcho of the interfaces.
+class NoEcho : public std::runtime_error {
+ public:
+  NoEcho() : std::runtime_error("NoEcho") {}
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace sitaf::interfaces
