@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import org.sitaf.agent.toolchain.ToolchainLookup.Found;
 import org.sitaf.agent.toolchain.ToolchainLookup.Missing;
+import org.sitaf.agent.toolchain.cpp.CppToolchain;
 import org.sitaf.agent.toolchain.java.JavaToolchain;
 import org.sitaf.agent.toolchain.python.PythonToolchain;
 import org.sitaf.core.activity.ActivityProfile.Language;
@@ -26,8 +27,8 @@ public final class Toolchains {
   private ToolchainLookup look(Language language) {
     return switch (language) {
       case JAVA -> JavaToolchain.find(places);
+      case CPP -> CppToolchain.find(places);
       case PYTHON -> PythonToolchain.find(places);
-      case CPP -> new Missing("this release of the agent does not know it", "use a later release");
     };
   }
 

@@ -1,0 +1,148 @@
+package org.sitaf.agent.toolchain.cpp;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.sitaf.agent.sandbox.Confinement;
+import org.sitaf.agent.sandbox.ProcessLimits;
+import org.sitaf.agent.sandbox.ToolEnd;
+import org.sitaf.agent.toolchain.Compilation;
+import org.sitaf.agent.toolchain.CompilationException;
+import org.sitaf.agent.toolchain.SourceDiagnostic;
+import org.sitaf.core.activity.ActivityProfile;
+
+/**
+ * What a component comes with beyond sources: its own library, external ones, and packages of the
+ * system that pkg-config knows.
+ *
+ * @param compileFlags for every translation unit
+ * @param linkFlags behind the object files
+ */
+record CppLibraries(List<String> compileFlags, List<String> linkFlags) {
+  private static final Pattern PACKAGE =
+      Pattern.compile("([A-Za-z0-9][A-Za-z0-9+._-]*)(?:==([A-Za-z0-9.+~:-]+))?");
+  private static final Pattern SONAME = Pattern.compile("\\(SONAME\\).*\\[([^/\\]]+)]");
+
+  CppLibraries {
+    compileFlags = List.copyOf(compileFlags);
+    linkFlags = List.copyOf(linkFlags);
+  }
+
+  /** Checks the libraries, and puts shared ones beside the program. */
+  static CppLibraries of(Compilation compilation)
+      throws CompilationException, IOException, InterruptedException {
+    ActivityProfile profile = compilation.application().activity().profile();
+    List<SourceDiagnostic> problems = new ArrayList<>();
+    List<String> compile = new ArrayList<>();
+    List<String> link = new ArrayList<>();
+    List<String> wanted = new ArrayList<>(profile.libraries());
+    if (profile.component().library() != null) {
+      wanted.add(0, profile.component().library());
+    }
+    for (String library : wanted) {
+      String file = library.substring(library.lastIndexOf('/') + 1);
+      Path path = compilation.activity().resolve(library);
+      if (!file.matches(".+\\.(a|so(\\.[0-9]+)*)")) {
+        problems.add(
+            inProfile("library " + library + ": expected a .so or .a for a C++ component"));
+      } else if (!compilation.application().activity().files().contains(library)) {
+        problems.add(inProfile("library " + library + ": no such file in the activity"));
+      } else if (file.endsWith(".a")) {
+        link.add(path.toString());
+      } else {
+        link.add(beside(compilation, path).toString());
+      }
+    }
+    String name = profile.component().packageName();
+    if (name != null) {
+      addPackage(name, compile, link, problems);
+    }
+    if (!problems.isEmpty()) {
+      throw new CompilationException("the component's libraries cannot be used", problems);
+    }
+    return new CppLibraries(compile, link);
+  }
+
+  private static void addPackage(
+      String wanted, List<String> compile, List<String> link, List<SourceDiagnostic> problems) {
+    Matcher parts = PACKAGE.matcher(wanted);
+    if (!parts.matches()) {
+      problems.add(
+          inProfile("package: '" + wanted + "' is not a name such as orocos-kdl or eigen3==3.4.0"));
+      return;
+    }
+    Optional<String> known =
+        List.of(parts.group(1), parts.group(1).replace('-', '_'), parts.group(1).replace('_', '-'))
+            .stream()
+            .filter(name -> Tools.ask(List.of("pkg-config", "--exists", name)).isPresent())
+            .findFirst();
+    if (known.isEmpty()) {
+      problems.add(
+          inProfile(
+              "package: pkg-config of this machine does not know "
+                  + parts.group(1)
+                  + "; install the Debian package that holds "
+                  + parts.group(1)
+                  + ".pc (often lib"
+                  + parts.group(1)
+                  + "-dev)"));
+      return;
+    }
+    String version = Tools.ask(List.of("pkg-config", "--modversion", known.get())).orElse("");
+    if (parts.group(2) != null && !parts.group(2).equals(version)) {
+      problems.add(
+          inProfile(
+              "package: "
+                  + known.get()
+                  + " is here in version "
+                  + version
+                  + ", not "
+                  + parts.group(2)));
+      return;
+    }
+    compile.addAll(words(known.get(), "--cflags"));
+    link.addAll(words(known.get(), "--libs"));
+  }
+
+  private static List<String> words(String name, String which) {
+    return Arrays.stream(Tools.ask(List.of("pkg-config", which, name)).orElse("").split("\\s+"))
+        .filter(word -> !word.isEmpty())
+        .toList();
+  }
+
+  /** Copies a shared library to where the program finds it: under its name, and the one it says. */
+  private static Path beside(Compilation compilation, Path library)
+      throws IOException, InterruptedException {
+    Path folder = Files.createDirectories(compilation.output().resolve("lib"));
+    Path copy = folder.resolve(library.getFileName());
+    Files.copy(library, copy, StandardCopyOption.REPLACE_EXISTING);
+    Path working = Files.createTempDirectory(compilation.scratch(), "tool");
+    ToolEnd end =
+        compilation
+            .sandbox()
+            .run(
+                Confinement.of(
+                        List.of("readelf", "-dW", library.toString()),
+                        working,
+                        working,
+                        ProcessLimits.TOOL)
+                    .reading(List.of(library)),
+                compilation.atMost());
+    Matcher soname = SONAME.matcher(end.output());
+    if (soname.find() && !soname.group(1).equals(library.getFileName().toString())) {
+      Files.copy(library, folder.resolve(soname.group(1)), StandardCopyOption.REPLACE_EXISTING);
+    }
+    return copy;
+  }
+
+  private static SourceDiagnostic inProfile(String message) {
+    return SourceDiagnostic.ofFile("activity/activity.yaml", message);
+  }
+}

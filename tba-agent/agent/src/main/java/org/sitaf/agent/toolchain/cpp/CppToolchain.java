@@ -1,0 +1,107 @@
+package org.sitaf.agent.toolchain.cpp;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.sitaf.agent.toolchain.Compilation;
+import org.sitaf.agent.toolchain.CompilationException;
+import org.sitaf.agent.toolchain.CompiledApplication;
+import org.sitaf.agent.toolchain.Toolchain;
+import org.sitaf.agent.toolchain.ToolchainLookup;
+import org.sitaf.agent.toolchain.ToolchainLookup.Found;
+import org.sitaf.agent.toolchain.ToolchainLookup.Missing;
+import org.sitaf.agent.toolchain.ToolchainPlaces;
+import org.sitaf.core.activity.ActivityProfile.Language;
+
+/**
+ * Compiles C++ test applications with this machine's compiler. The runtime, which alone knows gRPC,
+ * is compiled once for a machine and a compiler, and shared by all applications.
+ */
+public final class CppToolchain implements Toolchain {
+  private static final String REMEDY = "./sitaf doctor --install cpp";
+
+  private final Compiler compiler;
+  private final CppRuntime runtime;
+  private final ObjectCache objects;
+
+  private CppToolchain(Compiler compiler, CppRuntime runtime, ObjectCache objects) {
+    this.compiler = compiler;
+    this.runtime = runtime;
+    this.objects = objects;
+  }
+
+  /** Looks for the compiler and for what the runtime is made of. */
+  public static ToolchainLookup find(ToolchainPlaces places) {
+    Optional<Path> program = Tools.find("g++", "clang++");
+    if (program.isEmpty()) {
+      return new Missing("neither g++ nor clang++ is there", REMEDY);
+    }
+    List<String> missing = new ArrayList<>();
+    for (String tool : List.of("pkg-config", "protoc", "grpc_cpp_plugin")) {
+      if (Tools.find(tool).isEmpty()) {
+        missing.add(tool);
+      }
+    }
+    if (missing.isEmpty()) {
+      for (String library : CppRuntime.LIBRARIES) {
+        if (Tools.ask(List.of("pkg-config", "--modversion", library)).isEmpty()) {
+          missing.add("the library " + library);
+        }
+      }
+    }
+    if (!missing.isEmpty()) {
+      return new Missing(
+          program.get().getFileName()
+              + " is there, but "
+              + String.join(" and ", missing)
+              + (missing.size() == 1 ? " is not" : " are not"),
+          REMEDY);
+    }
+    Path sources = places.runtimes().resolve("runtime-cpp");
+    if (!Files.isDirectory(sources.resolve("src"))) {
+      return new Missing(
+          sources + " does not hold the runtime of C++ test applications",
+          "install the agent with its runtime folders beside it");
+    }
+    Compiler compiler = Compiler.of(program.get());
+    Path cache = places.cache().resolve("cpp");
+    return new Found(
+        new CppToolchain(
+            compiler,
+            new CppRuntime(compiler, sources, cache.resolve("runtime")),
+            new ObjectCache(cache.resolve("objects"))));
+  }
+
+  @Override
+  public Language language() {
+    return Language.CPP;
+  }
+
+  @Override
+  public String version() {
+    return compiler.version();
+  }
+
+  @Override
+  public String identity() throws IOException {
+    return compiler.version() + " " + Compiler.OPTIONS + "\n" + runtime.digest();
+  }
+
+  @Override
+  public void compile(Compilation compilation)
+      throws CompilationException, InterruptedException, IOException {
+    CppRuntime.Built built = runtime.build();
+    new CppCompilation(compilation, compiler, built, objects).run();
+  }
+
+  @Override
+  public CompiledApplication open(Compilation compilation)
+      throws InterruptedException, IOException {
+    CppRuntime.Built built = runtime.build();
+    return new CppApplication(
+        compilation.output(), compilation.application().entryPoint(), built.library());
+  }
+}

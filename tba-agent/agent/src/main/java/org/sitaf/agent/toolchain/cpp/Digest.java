@@ -1,0 +1,49 @@
+package org.sitaf.agent.toolchain.cpp;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.stream.Stream;
+
+/** SHA-256 over texts and files, each with its length, so that no two sequences are the same. */
+final class Digest {
+  private final MessageDigest digest;
+
+  Digest() {
+    try {
+      digest = MessageDigest.getInstance("SHA-256");
+    } catch (NoSuchAlgorithmException e) {
+      throw new AssertionError(e);
+    }
+  }
+
+  void add(String text) {
+    add(text.getBytes(StandardCharsets.UTF_8));
+  }
+
+  void add(byte[] content) {
+    digest.update((content.length + ":").getBytes(StandardCharsets.US_ASCII));
+    digest.update(content);
+  }
+
+  /** All files of a folder with their paths, in the order of these. */
+  void addFolder(Path folder) throws IOException {
+    List<Path> files;
+    try (Stream<Path> walk = Files.walk(folder)) {
+      files = walk.filter(Files::isRegularFile).sorted().toList();
+    }
+    for (Path file : files) {
+      add(folder.relativize(file).toString());
+      add(Files.readAllBytes(file));
+    }
+  }
+
+  String hexadecimal() {
+    return HexFormat.of().formatHex(digest.digest());
+  }
+}
