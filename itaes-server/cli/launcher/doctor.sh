@@ -1,7 +1,26 @@
 #!/usr/bin/env bash
 # What is installed, what is missing, and the one command that installs it. Needs nothing but a shell.
+# doctor --install cpp: installs what tests of C++ components need.
 set -uo pipefail
 missing=()
+# The compiler, gRPC and expat for the runtime of test applications, gcovr for the coverage of components.
+cpp_packages=(g++ pkg-config libgrpc++-dev libprotobuf-dev protobuf-compiler protobuf-compiler-grpc libexpat1-dev gcovr)
+
+if [ $# -gt 0 ]; then
+  if [ "$*" != "--install cpp" ]; then
+    echo "sitaf: doctor knows '--install cpp' only, not '$*'" >&2
+    exit 2
+  fi
+  command -v apt-get >/dev/null || {
+    echo "sitaf: there is no apt-get on this machine; install what Debian calls: ${cpp_packages[*]}" >&2
+    exit 1
+  }
+  as_root=()
+  [ "$(id -u)" -eq 0 ] || as_root=(sudo)
+  "${as_root[@]}" apt-get update -qq &&
+    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${cpp_packages[@]}"
+  exit
+fi
 
 # check NAME WANTED FOUND PACKAGES: FOUND is the version that was found, or empty.
 check() {
@@ -43,6 +62,12 @@ check "flock" "util-linux" "$(command -v flock >/dev/null && version_of flock --
 
 echo
 echo "SITAF is better with:"
+cpp=$(command -v g++ >/dev/null && command -v grpc_cpp_plugin >/dev/null && pkg-config --exists grpc++ protobuf expat 2>/dev/null && version_of g++ -dumpfullversion)
+if [ -n "$cpp" ]; then
+  printf '  %-12s %-28s %s\n' "C++" "g++ $cpp, gRPC $(pkg-config --modversion grpc++)" "ok"
+else
+  printf '  %-12s %-28s %s\n' "C++" "not found" "components in C++; ./sitaf doctor --install cpp"
+fi
 better "bubblewrap" "the sandbox of components" "$(command -v bwrap >/dev/null && version_of bwrap --version)" bubblewrap
 
 home=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../../.." && pwd)
