@@ -281,8 +281,7 @@ final class CaseCombination {
     List<TestValue> row = keptRow(keptCase);
     Variables variables = new Variables();
     for (int p = 0; p < row.size(); p++) {
-      variables.put(
-          model.inputs().get(p).name(), row.get(p).value(), model.inputs().get(p).type());
+      variables.put(model.inputs().get(p).name(), row.get(p).value(), model.inputs().get(p).type());
     }
     variables.put(Variables.VALID, row.stream().allMatch(TestValue::valid));
     Optional<Expression> broken =
