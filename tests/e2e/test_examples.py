@@ -19,7 +19,7 @@ def test_an_example_passes(sitaf, example):
     run = sitaf("run", f"examples/{example}")
     assert run.returncode == 0, run.stdout + run.stderr
     cases, passed = verdicts(run)
-    assert cases == passed > 4
+    assert cases == passed >= 4
 
 
 def test_the_record_of_the_stub_shows_what_the_step_asked_of_its_wheels(sitaf):

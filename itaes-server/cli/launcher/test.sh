@@ -49,9 +49,9 @@ locked
 keep_java
 unlocked
 
-if ! "$python" -c 'import playwright' 2>/dev/null; then
-  # Drives Debian's Chromium; brings no browser of its own.
-  "$python" -m pip install --quiet playwright==1.65.2
+if ! "$python" -c 'import playwright, schemathesis' 2>/dev/null; then
+  # One drives Debian's Chromium and brings no browser of its own; the other asks the server whatever its description allows.
+  "$python" -m pip install --quiet playwright==1.65.2 schemathesis==4.32.5
 fi
 
 section "Across rooms: the wire of the simulator, and the launcher as a person uses it"
