@@ -1,20 +1,25 @@
 package org.sitaf.agent.toolchain.cpp;
 
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.toolchain.CompiledApplication;
 import org.sitaf.agent.toolchain.ProcessPlace;
+import org.sitaf.core.verdict.Coverage;
 
 /**
  * A test application as a program.
  *
  * @param folder holds the program, and the component's libraries in {@code lib}
  * @param runtime folder of the runtime's library
+ * @param recording null where nothing is recorded
  */
-record CppApplication(Path folder, String program, Path runtime) implements CompiledApplication {
+record CppApplication(Path folder, String program, Path runtime, @Nullable CppCoverage recording)
+    implements CompiledApplication {
   /** What the runtime says last when it is asked where it is. */
   private static final String HANGS = "hangs in ";
 
@@ -54,6 +59,16 @@ record CppApplication(Path folder, String program, Path runtime) implements Comp
         .filter(line -> line.startsWith(HANGS))
         .map(line -> line.substring(HANGS.length()))
         .findFirst();
+  }
+
+  @Override
+  public boolean recordsCoverage() {
+    return recording != null;
+  }
+
+  @Override
+  public Optional<Coverage> coverage(Path data) throws IOException, InterruptedException {
+    return recording == null ? Optional.empty() : Optional.of(recording.read(data));
   }
 
   @Override

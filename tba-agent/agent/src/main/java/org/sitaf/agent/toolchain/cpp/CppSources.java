@@ -129,7 +129,7 @@ final class CppSources {
     return UNITS.contains(path.substring(path.lastIndexOf('.') + 1));
   }
 
-  private static String withSlash(String folder) {
-    return folder.endsWith("/") ? folder : folder + "/";
+  static String withSlash(String folder) {
+    return folder.isEmpty() || folder.endsWith("/") ? folder : folder + "/";
   }
 }

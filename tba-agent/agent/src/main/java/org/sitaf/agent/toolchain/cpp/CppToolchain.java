@@ -102,6 +102,9 @@ public final class CppToolchain implements Toolchain {
       throws InterruptedException, IOException {
     CppRuntime.Built built = runtime.build();
     return new CppApplication(
-        compilation.output(), compilation.application().entryPoint(), built.library());
+        compilation.output(),
+        compilation.application().entryPoint(),
+        built.library(),
+        CppCoverage.of(compilation).orElse(null));
   }
 }

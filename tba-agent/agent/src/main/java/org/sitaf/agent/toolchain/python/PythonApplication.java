@@ -1,6 +1,7 @@
 package org.sitaf.agent.toolchain.python;
 
 import java.io.File;
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -9,20 +10,26 @@ import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.toolchain.CompiledApplication;
 import org.sitaf.agent.toolchain.ProcessPlace;
+import org.sitaf.core.verdict.Coverage;
 
 /**
  * A Python test application.
  *
  * @param environment with the packages of the component and the runtime
  * @param path where modules are looked for
- * @param component folders of the component among them, whose coverage counts
  * @param entryPoint the module of the concrete test driver
  * @param prefixes where Python's own library lies
+ * @param recording null where nothing is recorded
  */
 record PythonApplication(
-    Path environment, List<Path> path, List<Path> component, String entryPoint, List<Path> prefixes)
+    Path environment,
+    List<Path> path,
+    String entryPoint,
+    List<Path> prefixes,
+    @Nullable PythonCoverage recording)
     implements CompiledApplication {
 
   /** The interpreter and gRPC. */
@@ -33,7 +40,6 @@ record PythonApplication(
 
   PythonApplication {
     path = List.copyOf(path);
-    component = List.copyOf(component);
     prefixes = List.copyOf(prefixes);
   }
 
@@ -43,11 +49,8 @@ record PythonApplication(
     command.add(Environments.python(environment).toString());
     command.add("-s");
     command.add("-P");
-    if (place.coverage() != null) {
-      command.addAll(List.of("-m", "coverage", "run", "--branch"));
-      command.add("--data-file=" + place.coverage().resolve("python.coverage"));
-      command.add(
-          "--source=" + component.stream().map(Path::toString).collect(Collectors.joining(",")));
+    if (recording != null && place.coverage() != null) {
+      command.addAll(recording.recorder(place.coverage()));
     }
     command.addAll(List.of("-m", "sitaf_runtime", entryPoint));
     return command;
@@ -101,6 +104,16 @@ record PythonApplication(
     return frames.isEmpty()
         ? Optional.empty()
         : Optional.of(String.join(", ", frames.subList(0, Math.min(FRAMES, frames.size()))));
+  }
+
+  @Override
+  public boolean recordsCoverage() {
+    return recording != null;
+  }
+
+  @Override
+  public Optional<Coverage> coverage(Path data) throws IOException, InterruptedException {
+    return recording == null ? Optional.empty() : Optional.of(recording.read(data));
   }
 
   @Override

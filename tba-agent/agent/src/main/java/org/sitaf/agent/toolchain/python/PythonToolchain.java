@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.sandbox.Confinement;
@@ -129,19 +130,37 @@ public final class PythonToolchain implements Toolchain {
   public CompiledApplication open(Compilation compilation)
       throws CompilationException, InterruptedException, IOException {
     ActivityProfile profile = compilation.application().activity().profile();
+    Map<String, String> roots = roots(profile);
     List<Path> path = new ArrayList<>();
-    List<Path> component = new ArrayList<>();
     path.add(compilation.output().resolve(HARNESS));
-    for (String folder : roots(profile).values()) {
-      component.add(compilation.output().resolve(folder));
+    for (String folder : roots.values()) {
+      path.add(compilation.output().resolve(folder));
     }
-    path.addAll(component);
+    Path environment = environment(compilation);
     return new PythonApplication(
-        environment(compilation),
+        environment,
         path,
-        component,
         compilation.application().entryPoint(),
-        interpreter.prefixes());
+        interpreter.prefixes(),
+        coverage(compilation, roots, environment));
+  }
+
+  private @Nullable PythonCoverage coverage(
+      Compilation compilation, Map<String, String> roots, Path environment) {
+    String sources = compilation.application().activity().profile().component().sources();
+    if (!compilation.coverage() || sources == null) {
+      return null;
+    }
+    String folder = withSlash(sources);
+    List<Path> readable = new ArrayList<>(interpreter.prefixes());
+    readable.add(environment);
+    return new PythonCoverage(
+        Environments.python(environment),
+        readable,
+        compilation.output().resolve(Objects.requireNonNull(roots.get(folder))),
+        folder,
+        compilation.scratch().resolve("coverage"),
+        compilation.sandbox());
   }
 
   private Path environment(Compilation compilation)
@@ -186,8 +205,12 @@ public final class PythonToolchain implements Toolchain {
 
   private static void put(Map<String, String> roots, @Nullable String folder, String name) {
     if (folder != null) {
-      roots.putIfAbsent(folder.isEmpty() || folder.endsWith("/") ? folder : folder + "/", name);
+      roots.putIfAbsent(withSlash(folder), name);
     }
+  }
+
+  private static String withSlash(String folder) {
+    return folder.isEmpty() || folder.endsWith("/") ? folder : folder + "/";
   }
 
   /** A module that is not there is told before anything runs; what a package holds pip knows. */
