@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.InputStreamReader;
 import java.io.Reader;
+import java.math.BigDecimal;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -126,7 +127,13 @@ final class HarnessProcess implements AutoCloseable {
     arguments.add(Long.toString(request.suite().generation().seed()));
     arguments.add("--from");
     arguments.add(Integer.toString(fromCase));
+    arguments.add("--case-sim");
+    arguments.add(seconds(request.limits().caseSimulation()));
     return arguments;
+  }
+
+  private static String seconds(Duration duration) {
+    return BigDecimal.valueOf(duration.toNanos(), 9).stripTrailingZeros().toPlainString();
   }
 
   /** Waits for the end; true when it came within that time. */
