@@ -79,6 +79,8 @@ TEST_CASE("a tolerance is absolute, relative, or counted in units of the last pl
   CHECK(difference("1.0", valueOf(next), Tolerance{0, 0, 1}).empty());
   CHECK_FALSE(difference("1.0", valueOf(std::nextafter(next, 2.0)), Tolerance{0, 0, 1}).empty());
   CHECK(difference("-0.0", valueOf(std::nextafter(0.0, 1.0)), Tolerance{0, 0, 1}).empty());
+  CHECK(difference("1.0", valueOf(std::nextafter(next, 2.0)), Tolerance{0, 0, 2.5}).empty());
+  CHECK(difference("1.0", valueOf(std::nextafter(next, 2.0)), Tolerance{2.3e-16, 0, 1}).empty());
   CHECK(difference("1.0", valueOf(std::nextafterf(1.0F, 2.0F)), Tolerance{0, 0, 1}).empty());
 }
 

@@ -91,8 +91,10 @@ def test_numbers_compare_within_the_tolerance():
     assert difference("Infinity", 1e308, Tolerance(absolute=1e308)) == "expected Infinity, but was 1e+308"
     assert difference("1", 3, EXACT) == "expected 1, but was 3"
     assert difference("9007199254740993", 9007199254740992, EXACT) is not None
-    assert difference("1.0", math.nextafter(1.0, 2), Tolerance(ulps=1)) is None
-    assert difference("1.0", math.nextafter(math.nextafter(1.0, 2), 2), Tolerance(ulps=1)) is not None
+    assert difference("1.0", math.nextafter(1.0, 2), Tolerance(ulp=1)) is None
+    assert difference("1.0", math.nextafter(math.nextafter(1.0, 2), 2), Tolerance(ulp=1)) is not None
+    assert difference("1.0", math.nextafter(math.nextafter(1.0, 2), 2), Tolerance(ulp=2.5)) is None
+    assert difference("1.0", math.nextafter(math.nextafter(1.0, 2), 2), Tolerance(absolute=2.3e-16, ulp=1)) is None
 
 
 def test_a_float_is_expected_as_a_float():

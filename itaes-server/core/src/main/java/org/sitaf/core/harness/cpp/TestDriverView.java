@@ -219,12 +219,13 @@ record TestDriverView(
     }
     List<String> arguments = new ArrayList<>(List.of(CppText.string(output.name()), value));
     Tolerance tolerance = output.tolerance();
-    if (tolerance != null && (tolerance.absolute() != 0 || tolerance.relative() != 0)) {
+    if (tolerance != null && !tolerance.equals(Tolerance.EXACT)) {
       arguments.add(
           "{"
               + CppText.real(tolerance.absolute())
               + ", "
               + CppText.real(tolerance.relative())
+              + (tolerance.ulp() == 0 ? "" : ", " + CppText.real(tolerance.ulp()))
               + "}");
     }
     return CppText.list(

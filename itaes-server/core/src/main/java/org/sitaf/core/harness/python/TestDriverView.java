@@ -248,6 +248,7 @@ record TestDriverView(
                 + PythonText.real(tolerance.absolute())
                 + ", "
                 + PythonText.real(tolerance.relative())
+                + (tolerance.ulp() == 0 ? "" : ", " + PythonText.real(tolerance.ulp()))
                 + ")");
     return new Group("result.compare(", arguments, ")").at(8);
   }

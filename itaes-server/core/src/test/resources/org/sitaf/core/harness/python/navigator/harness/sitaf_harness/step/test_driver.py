@@ -88,6 +88,6 @@ class TestDriver(SuiteDriver[Navigator]):
         result.record("target", target.value, struct(Point))
         result.record("heading", heading.value, FLOAT64)
         result.compare(
-            "target.x", part_of(target.value, "x"), FLOAT64, Tolerance(1.0e-9, 0.0)
+            "target.x", part_of(target.value, "x"), FLOAT64, Tolerance(1.0e-9, 0.0, 4.0)
         )
         self.save(result)
