@@ -93,9 +93,7 @@ public final class Variables {
    * @throws IllegalArgumentException when the type cannot hold it
    */
   public static Object plain(String literal, DataType type) {
-    return literal.startsWith(Value.MARK_OF_ERROR) || literal.startsWith(Value.MARK_OF_DELAY)
-        ? literal
-        : StructuredLiteral.plain(literal, type);
+    return Value.isErrorOrDelay(literal) ? literal : StructuredLiteral.plain(literal, type);
   }
 
   private static List<Object> path(String name) {

@@ -67,9 +67,12 @@ public sealed interface Value {
    * @throws IllegalArgumentException when it is neither; the message says what was expected
    */
   static Value parseAnswer(String literal, DataType type) {
-    return literal.startsWith(MARK_OF_ERROR) || literal.startsWith(MARK_OF_DELAY)
-        ? new Text(literal)
-        : parse(literal, type);
+    return isErrorOrDelay(literal) ? new Text(literal) : parse(literal, type);
+  }
+
+  /** Whether an answer of the test stub is more than a value of its type. */
+  static boolean isErrorOrDelay(String literal) {
+    return literal.startsWith(MARK_OF_ERROR) || literal.startsWith(MARK_OF_DELAY);
   }
 
   /**

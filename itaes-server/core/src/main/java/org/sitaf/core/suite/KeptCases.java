@@ -11,6 +11,7 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.model.InputElement;
+import org.sitaf.core.model.InputKind;
 import org.sitaf.core.model.KeptCase;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.model.Value;
@@ -126,7 +127,9 @@ final class KeptCases {
   private static @Nullable Value value(
       String literal, InputElement input, String where, String suite, Diagnostics diagnostics) {
     try {
-      return Value.parse(literal, input.type());
+      return input.kind() == InputKind.TDTS
+          ? Value.parseAnswer(literal, input.type())
+          : Value.parse(literal, input.type());
     } catch (IllegalArgumentException e) {
       diagnostics.error(suite, 0, where + "/" + input.name(), String.valueOf(e.getMessage()));
       return null;

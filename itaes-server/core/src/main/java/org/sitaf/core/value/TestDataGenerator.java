@@ -8,6 +8,7 @@ import java.util.Map;
 import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.ScalarType;
 import org.sitaf.core.model.InputElement;
+import org.sitaf.core.model.InputKind;
 import org.sitaf.core.model.TestSpec;
 import org.sitaf.core.model.Value;
 
@@ -44,8 +45,8 @@ public final class TestDataGenerator {
       collected.add(new TestValue(new Value.Truth(true), true));
     }
     for (Value value : element.userValues()) {
-      // An error or a delay of the test stub is no number of the specification.
-      boolean special = value instanceof Value.Text && isNumber(element.type());
+      // An error or a delay of the test stub is no value that the specification speaks of.
+      boolean special = element.kind() == InputKind.TDTS && Value.isErrorOrDelay(value.literal());
       collected.add(new TestValue(value, spec == null || special || isValid(value, spec)));
     }
     List<TestValue> values = new ArrayList<>(collected.byLiteral.values());
