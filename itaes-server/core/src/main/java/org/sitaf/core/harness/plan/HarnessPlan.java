@@ -237,7 +237,11 @@ public record HarnessPlan(
    * {@code geometry_msgs/Pose} and of {@code geometry.Pose}. No two {@link #types} share one.
    */
   public static String simpleName(DataType type) {
-    String name = type.spelling();
+    return simpleName(type.spelling());
+  }
+
+  /** A name without its scope. */
+  static String simpleName(String name) {
     return name.substring(
         Math.max(Math.max(name.lastIndexOf(':'), name.lastIndexOf('/')), name.lastIndexOf('.'))
             + 1);

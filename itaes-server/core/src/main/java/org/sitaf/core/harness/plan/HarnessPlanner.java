@@ -57,9 +57,12 @@ public final class HarnessPlanner {
   }
 
   private HarnessPlan plan() {
+    var exceptions = new DeclaredExceptions(diagnostics);
+    List<InterfaceDescription> provided = exceptions.withSimpleNames(activity.provided());
+    List<InterfaceDescription> required = exceptions.withSimpleNames(activity.required());
     TargetMethod target;
     try {
-      target = TargetMethod.find(model, activity.provided());
+      target = TargetMethod.find(model, provided);
     } catch (IllegalArgumentException e) {
       throw InvalidInputException.of(model.source(), "target: " + e.getMessage());
     }
@@ -74,26 +77,24 @@ public final class HarnessPlanner {
     }
     List<Argument> arguments = new ArgumentPlanner(target, model, suite, diagnostics).plan();
     World world = world();
-    StubPlanner stubPlanner = new StubPlanner(activity.required(), model, suite, diagnostics);
+    StubPlanner stubPlanner = new StubPlanner(required, model, suite, diagnostics);
     List<Stub> stubs = stubPlanner.plan();
     List<Output> outputs = new OutputPlanner(method, model, activity, diagnostics).plan();
-    var before =
-        new BeforeCalls(activity.provided(), diagnostics).plan(component.before(), PROFILE);
+    var before = new BeforeCalls(provided, diagnostics).plan(component.before(), PROFILE);
     DeclaredTypes types = new DeclaredTypes(diagnostics);
     types.reach(target.declaring().source(), method);
-    for (InterfaceDescription description : activity.required()) {
+    for (InterfaceDescription description : required) {
       description.methods().forEach(m -> types.reach(description.source(), m));
     }
     before.forEach(call -> types.reach(PROFILE, call.method()));
     // The component names the types of all its methods; an adapter implements all of them.
-    for (InterfaceDescription description : activity.provided()) {
+    for (InterfaceDescription description : provided) {
       description.methods().stream()
           .filter(m -> component.adapter() != null || !holdsUnknown(m))
           .forEach(m -> types.reach(description.source(), m));
     }
     SortedSet<String> errors = new TreeSet<>(stubPlanner.errors());
-    activity.required().forEach(i -> i.methods().forEach(m -> errors.addAll(m.raises())));
-    activity.provided().forEach(i -> i.methods().forEach(m -> errors.addAll(m.raises())));
+    errors.addAll(exceptions.names());
     return new HarnessPlan(
         model.name(),
         model.description(),
@@ -105,7 +106,7 @@ public final class HarnessPlanner {
         world,
         stubs,
         before,
-        activity.provided(),
+        provided,
         types.inOrder(),
         List.copyOf(errors),
         activity.profile().limits());

@@ -1,14 +1,17 @@
 package org.sitaf.core.harness.java;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.nio.file.Path;
+import java.util.HashMap;
 import java.util.Map;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sitaf.core.activity.Activity;
 import org.sitaf.core.combine.Effort;
+import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.harness.InterfaceTestApplicationGenerator;
 import org.sitaf.core.harness.TestApplication;
 import org.sitaf.core.model.TestModel;
@@ -34,13 +37,13 @@ class StubAnswersTest {
           "sensors.idl",
           """
           enum Mode { SLEEP, WAKE };
-          exception NoEcho {};
+          module hw { exception NoEcho {}; };
           interface Sensors {
-            double Range() raises (NoEcho);
-            octet Level() raises (NoEcho);
-            boolean Bumped() raises (NoEcho);
-            string Label() raises (NoEcho);
-            Mode Current() raises (NoEcho);
+            double Range() raises (hw::NoEcho);
+            octet Level() raises (hw::NoEcho);
+            boolean Bumped() raises (hw::NoEcho);
+            string Label() raises (hw::NoEcho);
+            Mode Current() raises (hw::NoEcho);
           };
           """,
           "model.xml",
@@ -138,6 +141,28 @@ class StubAnswersTest {
         TestCaseGenerator.generate(
             model, new GenerationOptions(null, null, 1, Effort.DEFAULT, earlier));
     assertThat(again.suite().cases()).isEqualTo(earlier.cases());
+  }
+
+  @Test
+  void exceptionsOfAModuleLoseTheirScopeUnlessTwoWouldHaveOneName() {
+    Activity activity = activity();
+    TestModel model = activity.models().get(0);
+    assertThat(
+            InterfaceTestApplicationGenerator.generate(activity, model, suite(model))
+                .harness()
+                .text("sitaf/interfaces/Sensors.java")
+                .orElseThrow())
+        .contains("double Range() throws NoEcho;");
+    Map<String, String> files = new HashMap<>(FILES);
+    files.put(
+        "watcher.idl",
+        "module sw { exception NoEcho {}; };"
+            + " interface Watcher { string Watch() raises (sw::NoEcho); };");
+    Activity twice = Activity.read(HarnessBuild.tree(files));
+    assertThatThrownBy(() -> InterfaceTestApplicationGenerator.generate(twice, model, suite(model)))
+        .isInstanceOf(InvalidInputException.class)
+        .hasMessageContaining(
+            "the exceptions sw::NoEcho and hw::NoEcho have the same name in a test");
   }
 
   @Tag("slow")
