@@ -27,8 +27,8 @@ kdl = requires("grpc++", "protobuf", "expat", "orocos-kdl")
 
 
 @pytest.fixture
-def cpp_activity(home, tmp_path):
-    return shutil.copytree(home / "examples" / "ir-sensor-cpp", tmp_path / "activity")
+def cpp_activity(sitaf, tmp_path):
+    return shutil.copytree(sitaf.root / "examples" / "ir-sensor-cpp", tmp_path / "activity")
 
 
 def replace(path, old, new):
