@@ -95,3 +95,19 @@ def test_a_case_may_not_take_more_simulation_time_than_it_is_given(bridge, tmp_p
     errors = [r.findtext("message") for r in results.values() if r.attrib["verdict"] == "ERROR"]
     assert errors
     assert set(errors) == {"the case took more than 2 s of simulation time"}
+
+
+def test_what_moved_in_each_case_is_recorded(bridge, tmp_path):
+    folder = tmp_path / "recording"
+    ended, results = run(
+        ENTRY,
+        GOLDEN / "suite.xml",
+        tmp_path / "results",
+        [GOLDEN / "harness", EXAMPLE / "component"],
+        *("--bridge", bridge, "--world", WORLD, "--recording", folder),
+    )
+    assert ended.returncode == 0, ended.stderr
+    assert not ended.stderr
+    assert verdicts(results) == dict.fromkeys(range(1, 56), "PASS")
+    assert {file.name for file in folder.iterdir()} == {f"{no}.glb" for no in range(1, 56)}
+    assert all(file.read_bytes().startswith(b"glTF") for file in folder.iterdir())

@@ -18,7 +18,7 @@ class CommandLine:
 
     `bridge` is the gRPC target of the simulator and `world` the world description; both None where the component needs
     no simulation. `first` is the number of the first case to run; 0 for all. `case_sim_s` is the simulation time that
-    one case may take.
+    one case may take. `recording` is where a file of each case goes that shows what moved in it; None for none.
     """
 
     suite: Path

@@ -58,6 +58,8 @@ class TestRun:
             self._simulation = Simulation(
                 command.bridge, command.world, command.seed, self.stopwatch, self._coming, command.case_sim_s
             )
+            if command.recording is not None:
+                self._simulation.record(command.recording)
 
     @property
     def simulation(self) -> Simulation:
@@ -140,6 +142,9 @@ class TestRun:
             else:
                 self._end(result, case, raised)
         finally:
+            if self._simulation is not None:
+                simulation = self._simulation
+                _closing(f"recording case {case.no}", lambda: simulation.save_motion(case.no))
             _closing(f"closing the component after case {case.no}", driver.end_case)
 
     def _end(self, result: CaseResult, case: TestCase, raised: BaseException) -> None:

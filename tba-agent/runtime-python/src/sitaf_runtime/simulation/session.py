@@ -18,6 +18,7 @@ from sitaf_runtime.simulation.ahead import Preparation
 from sitaf_runtime.simulation.frozen import Layout
 from sitaf_runtime.simulation.hardware import SimulatedHardware
 from sitaf_runtime.simulation.passing_time import PassingTime
+from sitaf_runtime.simulation.recording import Recording
 from sitaf_runtime.simulation.wire.service import client
 from sitaf_runtime.simulation.wire.sitaf.sim.v1 import simulation_pb2 as pb
 from sitaf_runtime.simulation.world_files import read_world
@@ -27,6 +28,8 @@ from sitaf_runtime.suite.test_case import TestCase
 _LONGEST_CALL_S = 60.0
 _MAX_MESSAGE_BYTES = 256 << 20
 _NANOS = 1_000_000_000
+# Simulation time between two frames of a recording: 50 a second.
+_FRAME_NS = 20_000_000
 _REFUSED = (
     grpc.StatusCode.INVALID_ARGUMENT,
     grpc.StatusCode.OUT_OF_RANGE,
@@ -85,6 +88,7 @@ class Simulation:
         self._ahead = Preparation(self._layout, coming, self._prepare_many)
         # Set while the session itself lags behind the readings, which came in bulk.
         self._behind: pb.PrepareRequest | None = None
+        self._recording: Recording | None = None
         self._limit_ns = None if limit_s is None else round(limit_s * _NANOS)
         self._passed_ns = 0
         self._time = PassingTime(self._timestep_ns, self._step)
@@ -145,6 +149,27 @@ class Simulation:
             names = ", ".join(self._layout.observations)
             raise SimulationError(f"the world has no observation '{name}'; it has {names or 'none'}")
         return self._hardware.world.numbers[at]
+
+    def record(self, folder: Path) -> None:
+        """Record from now on what moves, for `save_motion`. Raises OSError when the folder cannot be made."""
+        self._recording = Recording(folder)
+        # What is read ahead moves in no session.
+        self._ahead.stop()
+        request = pb.RecordMotionRequest(session_id=self._session, interval_ns=_FRAME_NS)
+        self._ask("recording", self._control.RecordMotion, request)
+
+    def save_motion(self, no: int) -> None:
+        """Save what moved since the case was prepared; nothing where nothing is recorded or the simulation diverged."""
+        if self._recording is None or self._recording.is_full:
+            return
+        request = pb.TakeMotionRequest(session_id=self._session)
+        try:
+            taken = self._control.TakeMotion(request, timeout=_LONGEST_CALL_S)
+        except grpc.RpcError as e:
+            if _status(e)[0] == grpc.StatusCode.DATA_LOSS:
+                return
+            raise _failure(f"taking the recording of case {no}", e) from None
+        self._recording.save(no, taken.gltf)
 
     def close(self) -> None:
         """Free the session; a simulator that is gone has done so already."""
