@@ -154,6 +154,11 @@ void sayLastWords(void (*coverage)()) {
   for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGSYS, SIGQUIT}) {
     ::sigaction(signal, &action, nullptr);
   }
+  // A JVM blocks SIGQUIT in its threads, and so in what it starts.
+  sigset_t asked;
+  ::sigemptyset(&asked);
+  ::sigaddset(&asked, SIGQUIT);
+  ::pthread_sigmask(SIG_UNBLOCK, &asked, nullptr);
   std::set_terminate(onTerminate);
 }
 

@@ -198,6 +198,8 @@ def start(factory: Callable[[TestRun], SuiteDriver[Any]], arguments: list[str] |
     faulthandler.enable()
     if hasattr(faulthandler, "register"):
         faulthandler.register(signal.SIGQUIT, all_threads=True)
+        # A JVM blocks it in its threads, and so in what it starts.
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGQUIT})
     end(execute(sys.argv[1:] if arguments is None else arguments, factory))
 
 
