@@ -30,6 +30,7 @@ import org.sitaf.core.suite.TestCaseGenerator;
 public final class EchoActivity {
   private final Map<String, String> files = new HashMap<>();
   private String language = "java";
+  private String componentClass = "demo.Component";
   private String limits = "{case_wall_s: 10, case_sim_s: 60, memory_mb: 128}";
   private String extra = "";
   private int cases = 5;
@@ -55,6 +56,22 @@ public final class EchoActivity {
     EchoActivity activity = new EchoActivity();
     activity.files.put("component/demo/Component.java", source);
     return activity;
+  }
+
+  /** A class in C++; its files are added by {@link #file} below {@code component/}. */
+  public static EchoActivity inCpp(String className) {
+    return in("cpp", className);
+  }
+
+  /** A class in Python; its files are added by {@link #file} below {@code component/}. */
+  public static EchoActivity inPython(String className) {
+    return in("python", className);
+  }
+
+  private static EchoActivity in(String language, String className) {
+    EchoActivity activity = new EchoActivity().language(language);
+    activity.componentClass = className;
+    return activity.profileLine("harness: " + language);
   }
 
   public EchoActivity language(String name) {
@@ -115,12 +132,12 @@ public final class EchoActivity {
         component:
           language: %s
           sources: component/
-          class: demo.Component
+          class: %s
         provided: [EchoService.xml]
         models: [Echo.xml]
         limits: %s
         %s"""
-        .formatted(language, limits, extra);
+        .formatted(language, componentClass, limits, extra);
   }
 
   private String model() {
