@@ -3,7 +3,10 @@ package org.sitaf.cli;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
+import java.nio.file.OpenOption;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Objects;
@@ -49,9 +52,21 @@ final class HarnessCommand implements Callable<Integer> {
       description = "Folder that the sources are written into; without it, they are printed.")
   private @Nullable Path output;
 
+  @Option(
+      names = "--adapter",
+      description =
+          "The beginning of an adapter instead, in the component's language: a class with every"
+              + " method of the provided interfaces, in the folder that adapter: names. It is"
+              + " written into the activity, or below DIR; no file is written over.")
+  private boolean adapter;
+
   @Override
   public Integer call() throws IOException {
     PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
+    if (adapter) {
+      adapter(out);
+      return 0;
+    }
     Activity activity = Activity.read(UserFiles.folder(folder));
     Map<String, byte[]> files = new HashMap<>();
     for (TestModel each : activity.models()) {
@@ -84,6 +99,23 @@ final class HarnessCommand implements Callable<Integer> {
     return 0;
   }
 
+  private void adapter(PrintWriter out) throws IOException {
+    FileTree sources =
+        InterfaceTestApplicationGenerator.adapter(
+            Activity.readWithoutComponent(UserFiles.folder(folder)));
+    Path below = output == null ? folder : output;
+    for (String path : sources.paths()) {
+      if (Files.exists(below.resolve(path), LinkOption.NOFOLLOW_LINKS)) {
+        throw InvalidInputException.of(
+            below.resolve(path).toString(),
+            "is there already and is not written over; name another folder with -o");
+      }
+    }
+    write(sources, below, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
+    sources.paths().forEach(path -> out.println(Printable.line(below.resolve(path).toString())));
+    out.flush();
+  }
+
   private static void print(FileTree sources, PrintWriter out) {
     for (String path : sources.paths()) {
       out.println("==> " + path + " <==");
@@ -92,11 +124,12 @@ final class HarnessCommand implements Callable<Integer> {
     }
   }
 
-  private static void write(FileTree sources, Path folder) throws IOException {
+  private static void write(FileTree sources, Path folder, OpenOption... options)
+      throws IOException {
     for (String path : sources.paths()) {
       Path file = folder.resolve(path);
       Files.createDirectories(Objects.requireNonNull(file.getParent()));
-      Files.write(file, sources.content(path).orElseThrow());
+      Files.write(file, sources.content(path).orElseThrow(), options);
     }
   }
 }

@@ -45,6 +45,16 @@ public record Activity(
   }
 
   /**
+   * Reads an activity whose component, or the adapter to it, is not written yet: all of it is
+   * verified but that these are there.
+   *
+   * @throws org.sitaf.core.diagnostic.InvalidInputException with every problem of every document
+   */
+  public static Activity readWithoutComponent(FileTree files) {
+    return new ActivityReader(files).readWithoutComponent();
+  }
+
+  /**
    * A model as it stands in this activity, which need not hold it: its enumerations get their
    * literals from the interfaces.
    */

@@ -37,6 +37,14 @@ final class ActivityReader {
   }
 
   Activity read() {
+    return read(true);
+  }
+
+  Activity readWithoutComponent() {
+    return read(false);
+  }
+
+  private Activity read(boolean withComponent) {
     String text =
         files
             .text(PROFILE)
@@ -54,7 +62,9 @@ final class ActivityReader {
         models(profile.models()).stream()
             .map(m -> InterfaceTypes.resolve(m, provided, required))
             .toList();
-    ComponentFiles.verify(profile, files, PROFILE, diagnostics);
+    if (withComponent) {
+      ComponentFiles.verify(profile, files, PROFILE, diagnostics);
+    }
     if (!diagnostics.hasErrors()) {
       for (TestModel model : models) {
         diagnostics.addAll(TestCaseGenerator.verifyConditions(model));

@@ -3,6 +3,7 @@ package org.sitaf.core.activity;
 import java.util.List;
 import java.util.Objects;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import org.sitaf.core.activity.ActivityProfile.Component;
 import org.sitaf.core.activity.ActivityProfile.Language;
 import org.sitaf.core.diagnostic.Diagnostics;
@@ -15,13 +16,17 @@ final class ComponentFiles {
   private static final Pattern JAVA_CLASS =
       Pattern.compile("[A-Za-z_$][A-Za-z0-9_$]*(\\.[A-Za-z_$][A-Za-z0-9_$]*)*");
 
+  /** What helps where an adapter is not written yet. */
+  private static final String SKELETON =
+      "; ./sitaf harness ACTIVITY_DIR --adapter writes the beginning of an adapter";
+
   private ComponentFiles() {}
 
   static void verify(
       ActivityProfile profile, FileTree files, String file, Diagnostics diagnostics) {
     Component component = profile.component();
     folder(component.sources(), "component.sources", files, file, diagnostics);
-    folder(component.adapter(), "component.adapter", files, file, diagnostics);
+    adapter(component, files, file, diagnostics);
     folder(component.headers(), "component.headers", files, file, diagnostics);
     existing(component.library(), "component.library", files, file, diagnostics);
     existing(component.profile(), "component.profile", files, file, diagnostics);
@@ -69,7 +74,48 @@ final class ComponentFiles {
               + className
               + "; expected "
               + expected
-              + (javaFiles.isEmpty() ? ", but there is no .java file" : ", found " + javaFiles));
+              + (javaFiles.isEmpty() ? ", but there is no .java file" : ", found " + javaFiles)
+              + (component.adapter() == null ? "" : SKELETON));
+    }
+  }
+
+  private static void adapter(
+      Component component, FileTree files, String file, Diagnostics diagnostics) {
+    String folder = component.adapter();
+    if (folder == null) {
+      return;
+    }
+    if (files.below(folder).paths().isEmpty()) {
+      diagnostics.error(
+          file,
+          0,
+          "component.adapter",
+          "there is no file below '" + folder + "' in the activity" + SKELETON);
+    } else if (component.language() == Language.PYTHON) {
+      pythonModule(component, files, file, diagnostics);
+    }
+  }
+
+  /** The module of the class may also be one of the component's own. */
+  private static void pythonModule(
+      Component component, FileTree files, String file, Diagnostics diagnostics) {
+    String className = component.className();
+    int dot = className.lastIndexOf('.');
+    if (dot < 0 || component.library() != null) {
+      return;
+    }
+    String module = className.substring(0, dot).replace('.', '/');
+    boolean there =
+        Stream.of(component.adapter(), component.sources())
+            .filter(Objects::nonNull)
+            .map(files::below)
+            .anyMatch(f -> f.contains(module + ".py") || f.contains(module + "/__init__.py"));
+    if (!there) {
+      diagnostics.error(
+          file,
+          0,
+          "component.class",
+          "there is no " + module + ".py below '" + component.adapter() + "'" + SKELETON);
     }
   }
 

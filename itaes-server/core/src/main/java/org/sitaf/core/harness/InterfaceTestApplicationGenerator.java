@@ -1,6 +1,8 @@
 package org.sitaf.core.harness;
 
+import java.util.Map;
 import org.sitaf.core.activity.Activity;
+import org.sitaf.core.activity.ActivityProfile.Component;
 import org.sitaf.core.activity.ActivityProfile.Language;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.diagnostic.Diagnostics;
@@ -57,8 +59,40 @@ public final class InterfaceTestApplicationGenerator {
     return writer(activity).editableFile(model.name());
   }
 
+  /**
+   * Generates the beginning of the adapter between a component and the interfaces of its test, in
+   * the component's language: a class with every method, for the user to pass the calls on.
+   *
+   * @return the sources by path within the activity
+   * @throws InvalidInputException when the activity names no adapter, or one that the language
+   *     cannot express
+   */
+  public static FileTree adapter(Activity activity) {
+    Component component = activity.profile().component();
+    if (component.adapter() == null) {
+      throw InvalidInputException.of(
+          HarnessPlanner.PROFILE,
+          "component.adapter names no folder; name one, such as adapter: adapter/, and the"
+              + " adapter's class as class:");
+    }
+    Diagnostics diagnostics = new Diagnostics();
+    HarnessPlan.Adapter plan = HarnessPlanner.adapter(activity, diagnostics);
+    diagnostics.throwIfErrors();
+    FileTree sources = writer(component.language(), activity).adapter(plan, diagnostics);
+    diagnostics.throwIfErrors();
+    try {
+      return FileTree.of(Map.of()).with(component.adapter(), sources);
+    } catch (IllegalArgumentException e) {
+      throw InvalidInputException.of(
+          HarnessPlanner.PROFILE, "component.adapter: " + e.getMessage());
+    }
+  }
+
   private static HarnessWriter writer(Activity activity) {
-    Language language = activity.profile().harness();
+    return writer(activity.profile().harness(), activity);
+  }
+
+  private static HarnessWriter writer(Language language, Activity activity) {
     return switch (language) {
       case JAVA -> new JavaHarness();
       case CPP -> new CppHarness(activity);

@@ -26,8 +26,15 @@ final class CppChecks {
     this.diagnostics = diagnostics;
   }
 
-  void check(HarnessPlan plan) {
-    String className = plan.component().className();
+  void check(HarnessPlan.Adapter plan) {
+    className(plan.className());
+    for (InterfaceDescription provided : plan.provided()) {
+      type(provided.source(), provided.name(), "interface");
+      methods(provided.source(), provided.methods());
+    }
+  }
+
+  private void className(String className) {
     if (!CppNames.isQualifiedName(className)) {
       diagnostics.error(
           HarnessPlanner.PROFILE,
@@ -35,6 +42,10 @@ final class CppChecks {
           "component.class",
           "'" + className + "' is not a class as C++ names it, such as robot::InfraredSensor");
     }
+  }
+
+  void check(HarnessPlan plan) {
+    className(plan.component().className());
     method(plan.interfaceName(), plan.method());
     plan.before().forEach(call -> method(HarnessPlanner.PROFILE, call.method()));
     if (plan.component().adapter() != null) {

@@ -94,6 +94,19 @@ public final class CppHarness implements HarnessWriter {
   }
 
   @Override
+  public FileTree adapter(HarnessPlan.Adapter plan, Diagnostics diagnostics) {
+    new CppChecks(diagnostics).check(plan);
+    if (diagnostics.hasErrors()) {
+      return FileTree.of(Map.of());
+    }
+    AdapterView view = AdapterView.of(plan);
+    return FileTree.of(
+        Map.of(
+            view.file() + ".hpp", print("Adapter.hpp", view),
+            view.file() + ".cpp", print("Adapter.cpp", view)));
+  }
+
+  @Override
   public String entryPoint(String modelName) {
     return CppNames.namespace(modelName);
   }

@@ -59,6 +59,14 @@ public final class JavaHarness implements HarnessWriter {
   }
 
   @Override
+  public FileTree adapter(HarnessPlan.Adapter plan, Diagnostics diagnostics) {
+    AdapterView view = AdapterView.of(plan, diagnostics);
+    return diagnostics.hasErrors()
+        ? FileTree.of(Map.of())
+        : FileTree.of(Map.of(plan.className().replace('.', '/') + ".java", print("Adapter", view)));
+  }
+
+  @Override
   public String entryPoint(String modelName) {
     return JavaPlanner.packageName(modelName) + "." + CONCRETE;
   }

@@ -222,6 +222,26 @@ public record HarnessPlan(
     }
   }
 
+  /**
+   * What an adapter between a component and the interfaces of its test has to be.
+   *
+   * @param className as its language qualifies it
+   * @param provided the interfaces that it implements
+   * @param required names of the interfaces that it is given
+   * @param hardware whether there is a world, the devices of which it is given
+   */
+  public record Adapter(
+      String className,
+      List<InterfaceDescription> provided,
+      List<String> required,
+      boolean hardware) {
+    public Adapter {
+      Objects.requireNonNull(className);
+      provided = List.copyOf(provided);
+      required = List.copyOf(required);
+    }
+  }
+
   /** The method under test as documents name it. */
   public String methodName() {
     return interfaceName + "." + method.name();

@@ -56,6 +56,32 @@ public final class HarnessPlanner {
     return new HarnessPlanner(activity, model, suite, diagnostics).plan();
   }
 
+  /**
+   * Plans the adapter to a component.
+   *
+   * @param diagnostics gets everything that no language can spell
+   */
+  public static HarnessPlan.Adapter adapter(Activity activity, Diagnostics diagnostics) {
+    List<InterfaceDescription> provided =
+        new DeclaredExceptions(diagnostics).withSimpleNames(activity.provided());
+    DeclaredTypes types = new DeclaredTypes(diagnostics);
+    for (InterfaceDescription description : provided) {
+      for (Method method : description.methods()) {
+        if (StubPlanner.isSpelled(description, method, diagnostics)) {
+          types.reach(description.source(), method);
+        }
+      }
+    }
+    if (provided.isEmpty()) {
+      diagnostics.error(PROFILE, 0, "provided", "names no interface that an adapter could have");
+    }
+    return new HarnessPlan.Adapter(
+        activity.profile().component().className(),
+        provided,
+        activity.required().stream().map(InterfaceDescription::name).toList(),
+        activity.world() != null);
+  }
+
   private HarnessPlan plan() {
     var exceptions = new DeclaredExceptions(diagnostics);
     List<InterfaceDescription> provided = exceptions.withSimpleNames(activity.provided());

@@ -19,6 +19,14 @@ public interface HarnessWriter {
   FileTree write(HarnessPlan plan, Diagnostics diagnostics);
 
   /**
+   * The beginning of an adapter, for its user to go on with.
+   *
+   * @param diagnostics as for {@link #write}
+   * @return the sources by path below the adapter's folder
+   */
+  FileTree adapter(HarnessPlan.Adapter plan, Diagnostics diagnostics);
+
+  /**
    * What to start: the qualified name of the main class in Java, of the module in Python, the name
    * of the executable in C++.
    */

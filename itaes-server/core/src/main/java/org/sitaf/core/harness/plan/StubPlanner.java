@@ -67,7 +67,7 @@ final class StubPlanner {
               description.name(),
               description.source(),
               description.methods().stream()
-                  .filter(m -> isSpelled(description, m))
+                  .filter(m -> isSpelled(description, m, diagnostics))
                   .map(m -> new StubMethod(m, answers(description, m)))
                   .toList()));
     }
@@ -95,7 +95,9 @@ final class StubPlanner {
         .toList();
   }
 
-  private boolean isSpelled(InterfaceDescription description, Method method) {
+  /** Whether all names of a method can be names of a program; those that cannot are told. */
+  static boolean isSpelled(
+      InterfaceDescription description, Method method, Diagnostics diagnostics) {
     List<String> problems = new ArrayList<>();
     if (!Words.isWord(method.name())) {
       problems.add("is not a name that a method can have");

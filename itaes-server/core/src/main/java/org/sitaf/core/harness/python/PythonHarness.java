@@ -82,6 +82,14 @@ public final class PythonHarness implements HarnessWriter {
   }
 
   @Override
+  public FileTree adapter(HarnessPlan.Adapter plan, Diagnostics diagnostics) {
+    AdapterView view = AdapterView.of(plan, diagnostics);
+    return diagnostics.hasErrors()
+        ? FileTree.of(Map.of())
+        : FileTree.of(Map.of(view.module().replace('.', '/') + ".py", print("adapter", view)));
+  }
+
+  @Override
   public String entryPoint(String modelName) {
     return PythonPlanner.packageName(modelName) + "." + CONCRETE;
   }

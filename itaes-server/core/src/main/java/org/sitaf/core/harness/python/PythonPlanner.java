@@ -35,11 +35,12 @@ final class PythonPlanner {
   private PythonPlan plan() {
     String qualified = neutral.component().className();
     int dot = qualified.lastIndexOf('.');
-    component(qualified);
+    component(qualified, diagnostics);
     String simple = qualified.substring(dot + 1);
     names();
     if (neutral.component().period() != null && neutral.world() == null) {
       inProfile(
+          diagnostics,
           "component.execution",
           "a periodic component needs simulation time, but activity.yaml names no world");
     }
@@ -64,22 +65,30 @@ final class PythonPlanner {
         neutral.stubs().stream().map(this::stub).toList());
   }
 
-  private void component(String qualified) {
+  /** Tells what keeps a class from being named so. */
+  static void component(String qualified, Diagnostics diagnostics) {
     String[] parts = qualified.split("\\.", -1);
     for (String part : parts) {
       if (!PythonNames.isName(part)) {
         inProfile(
-            "component.class", "'" + qualified + "' is not the qualified name of a Python class");
+            diagnostics,
+            "component.class",
+            "'" + qualified + "' is not the qualified name of a Python class");
         return;
       }
     }
     if (parts.length == 1) {
       inProfile(
-          "component.class", qualified + " must name its module, such as sensors." + qualified);
+          diagnostics,
+          "component.class",
+          qualified + " must name its module, such as sensors." + qualified);
     } else if (parts[0].equals("sitaf_harness")
         || parts[0].equals("sitaf_interfaces")
         || parts[0].equals("sitaf_runtime")) {
-      inProfile("component.class", "the module " + parts[0] + " is SITAF's own; name it otherwise");
+      inProfile(
+          diagnostics,
+          "component.class",
+          "the module " + parts[0] + " is SITAF's own; name it otherwise");
     }
   }
 
@@ -131,6 +140,11 @@ final class PythonPlanner {
   }
 
   private void method(String source, Method method) {
+    method(source, method, diagnostics);
+  }
+
+  /** Tells when a method cannot have its name in Python. */
+  static void method(String source, Method method, Diagnostics diagnostics) {
     if (!PythonNames.isName(method.name())) {
       diagnostics.error(
           source,
@@ -190,7 +204,7 @@ final class PythonPlanner {
     return new PythonPlan.Stub(stub, locals.local(stub.name()), methods);
   }
 
-  private void inProfile(String element, String problem) {
+  private static void inProfile(Diagnostics diagnostics, String element, String problem) {
     diagnostics.error(HarnessPlanner.PROFILE, 0, element, problem);
   }
 }

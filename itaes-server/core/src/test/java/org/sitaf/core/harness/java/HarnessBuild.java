@@ -65,7 +65,9 @@ final class HarnessBuild {
         .filter(
             p ->
                 p.endsWith(".java")
-                    && (p.startsWith("harness/") || p.startsWith("activity/component/")))
+                    && (p.startsWith("harness/")
+                        || p.startsWith("activity/component/")
+                        || p.startsWith("activity/adapter/")))
         .forEach(p -> arguments.add(folder.resolve(p).toString()));
     JavaCompiler javac = ToolProvider.getSystemJavaCompiler();
     var messages = new java.io.ByteArrayOutputStream();

@@ -192,6 +192,31 @@ class StructuredHarnessTest {
   }
 
   @Test
+  void theBeginningOfAnAdapterCompilesAndSaysWhatIsMissing() throws Exception {
+    Map<String, String> files = files();
+    files.put(
+        "activity.yaml",
+        PROFILE
+            .replace("class: robot.Planner", "class: bound.PlannerAdapter\n  adapter: adapter/")
+            .replace("  before: [Configure(FAST)]\n", ""));
+    var adapter =
+        InterfaceTestApplicationGenerator.adapter(
+            Activity.readWithoutComponent(HarnessBuild.tree(files)));
+    files.remove("component/robot/Planner.java");
+    files.put("component/robot/Unbound.java", "package robot; final class Unbound {}");
+    files.put(
+        "adapter/bound/PlannerAdapter.java",
+        adapter.text("adapter/bound/PlannerAdapter.java").orElseThrow());
+    TestApplication application = generate(files);
+    HarnessBuild build = new HarnessBuild(folder);
+    build.compile(application);
+    assertThat(build.run(application))
+        .hasSize(2)
+        .allMatch(line -> line.contains("verdict=\"ERROR\""))
+        .allMatch(line -> line.contains("Plan is not passed on yet"));
+  }
+
+  @Test
   void theSourcesReadAsAPersonWouldWriteThem() {
     TestApplication application = generate(files());
     assertThat(application.harness().text("sitaf/harness/plan/TestDriver.java").orElseThrow())

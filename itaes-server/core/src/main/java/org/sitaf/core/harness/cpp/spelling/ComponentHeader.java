@@ -71,7 +71,10 @@ public final class ComponentHeader {
             + (folders.isEmpty() ? "is in the activity" : "in " + String.join(", ", folders))
             + " that declares "
             + className
-            + "; declare it in one, or name the header as the compiler finds it as header:");
+            + "; declare it in one, or name the header as the compiler finds it as header:"
+            + (component.adapter() == null
+                ? ""
+                : "; ./sitaf harness ACTIVITY_DIR --adapter writes the beginning of an adapter"));
     return Optional.empty();
   }
 

@@ -26,6 +26,11 @@ public final class CppType {
     return spell(type, "");
   }
 
+  /** The type as components write it. */
+  public static String outside(DataType type) {
+    return spell(type, "sitaf::interfaces::");
+  }
+
   private static String spell(DataType type, String scope) {
     if (type instanceof DataType.Scalar scalar) {
       return switch (scalar.type()) {
@@ -49,7 +54,15 @@ public final class CppType {
 
   /** A parameter of a function: single values as they are, others by reference. */
   public static String parameter(Parameter parameter, String name, boolean within) {
-    String type = within ? within(parameter.type()) : of(parameter.type());
+    return parameter(parameter, name, within ? within(parameter.type()) : of(parameter.type()));
+  }
+
+  /** A parameter of a function, as components write it. */
+  public static String outsideParameter(Parameter parameter, String name) {
+    return parameter(parameter, name, outside(parameter.type()));
+  }
+
+  private static String parameter(Parameter parameter, String name, String type) {
     if (parameter.direction() != Direction.IN) {
       return type + "& " + name;
     }

@@ -65,10 +65,28 @@ public final class JavaPlanner {
     return "sitaf.harness." + JavaNames.packagePart(modelName);
   }
 
+  /** A variable that is named after something of a document. */
+  public static String local(String documentName) {
+    return new JavaNames().local(documentName);
+  }
+
+  /** The interfaces that an adapter implements; what Java cannot spell is told. */
+  public static List<Interface> interfaces(HarnessPlan.Adapter plan, Diagnostics diagnostics) {
+    className(plan.className(), diagnostics);
+    JavaInterfaces spelling = new JavaInterfaces(diagnostics);
+    List<Interface> interfaces = new ArrayList<>();
+    for (InterfaceDescription provided : plan.provided()) {
+      spelling
+          .of(provided.name(), provided.source(), "provided", provided.methods())
+          .ifPresent(interfaces::add);
+    }
+    return interfaces;
+  }
+
   private JavaPlan plan() {
     String className = plan.component().className().replace('$', '.');
     String simpleName = className.substring(className.lastIndexOf('.') + 1);
-    className(className);
+    className(className, diagnostics);
     methodName(plan.interfaceName(), plan.method());
     List<Argument> arguments = arguments();
     World world = world();
@@ -110,7 +128,7 @@ public final class JavaPlanner {
         plan.errors());
   }
 
-  private void className(String className) {
+  private static void className(String className, Diagnostics diagnostics) {
     String[] parts = className.split("\\.", -1);
     for (String part : parts) {
       if (!JavaNames.isTypeName(part)) {

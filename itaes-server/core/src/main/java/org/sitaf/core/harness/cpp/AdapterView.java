@@ -1,0 +1,119 @@
+package org.sitaf.core.harness.cpp;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.sitaf.core.description.DataType;
+import org.sitaf.core.description.InterfaceDescription;
+import org.sitaf.core.description.Method;
+import org.sitaf.core.harness.cpp.spelling.CppNames;
+import org.sitaf.core.harness.cpp.spelling.CppText;
+import org.sitaf.core.harness.cpp.spelling.CppType;
+import org.sitaf.core.harness.plan.HarnessPlan;
+
+/** What the templates of an adapter's beginning print. */
+record AdapterView(
+    String file,
+    boolean hasNamespace,
+    String namespace,
+    List<String> includes,
+    String name,
+    String bases,
+    String constructor,
+    List<String> declarations,
+    List<String> fields,
+    String constructorBody,
+    List<String> definitions) {
+
+  static AdapterView of(HarnessPlan.Adapter plan) {
+    int colon = plan.className().lastIndexOf("::");
+    String name = plan.className().substring(colon < 0 ? 0 : colon + 2);
+    Includes includes = new Includes();
+    List<DataType> types = new ArrayList<>();
+    Set<String> written = new HashSet<>();
+    List<String> declarations = new ArrayList<>();
+    List<String> definitions = new ArrayList<>();
+    for (InterfaceDescription provided : plan.provided()) {
+      includes.own("sitaf/interfaces/" + provided.name() + ".hpp");
+      for (Method method : provided.methods()) {
+        types.add(method.returnType());
+        method.parameters().forEach(p -> types.add(p.type()));
+        method.raises().forEach(e -> includes.own("sitaf/interfaces/" + e + ".hpp"));
+        // What two interfaces have in common is one method.
+        if (written.add(method.name() + "(" + method.signature())) {
+          declarations.add(head(2, "", method, ") override;"));
+          definitions.add(definition(name, method));
+        }
+      }
+    }
+    List<String> parameters = new ArrayList<>();
+    List<String> fields = new ArrayList<>();
+    List<String> initialisers = new ArrayList<>();
+    if (plan.hardware()) {
+      includes.own("sitaf/hardware.hpp");
+      parameters.add("sitaf::Hardware& hardware");
+      fields.add("  sitaf::Hardware& hardware_;");
+      initialisers.add("hardware_(hardware)");
+    }
+    CppNames scope = new CppNames();
+    for (String required : plan.required()) {
+      includes.own("sitaf/interfaces/" + required + ".hpp");
+      String local = scope.local(required);
+      parameters.add("sitaf::interfaces::" + required + "& " + local);
+      fields.add("  sitaf::interfaces::" + required + "& " + local + "_;");
+      initialisers.add(local + "_(" + local + ")");
+    }
+    String explicit = parameters.size() == 1 ? "explicit " : "";
+    return new AdapterView(
+        fileName(name),
+        colon >= 0,
+        colon < 0 ? "" : plan.className().substring(0, colon),
+        includes.types(types).lines(),
+        name,
+        plan.provided().stream()
+            .map(p -> "public sitaf::interfaces::" + p.name())
+            .collect(Collectors.joining(", ")),
+        CppText.list(2, explicit + name + "(", parameters, ");"),
+        declarations,
+        fields,
+        CppText.list(0, name + "::" + name + "(", parameters, ")")
+            + (initialisers.isEmpty() ? "" : "\n    : " + String.join(", ", initialisers))
+            + " {",
+        definitions);
+  }
+
+  /** {@code KdlAdapter} lies in {@code kdl_adapter.hpp}. */
+  private static String fileName(String name) {
+    return name.replaceAll("(?<=[a-z0-9])(?=[A-Z])", "_").toLowerCase(Locale.ROOT);
+  }
+
+  private static String head(int indent, String scope, Method method, String tail) {
+    CppNames names = new CppNames();
+    return CppText.list(
+        indent,
+        CppType.outside(method.returnType()) + " " + scope + method.name() + "(",
+        method.parameters().stream()
+            .map(p -> CppType.outsideParameter(p, names.local(p.name())))
+            .toList(),
+        tail);
+  }
+
+  private static String definition(String name, Method method) {
+    String errors =
+        method.raises().isEmpty()
+            ? ""
+            : "\n  // It may throw, of sitaf::interfaces: "
+                + String.join(", ", method.raises())
+                + ".";
+    return head(0, name + "::", method, ") {")
+        + "\n  // Pass the call on to the component"
+        + (HarnessPlan.isVoid(method.returnType()) ? "." : ", and return what it answers.")
+        + errors
+        + "\n  throw std::logic_error("
+        + CppText.string(method.name() + " is not passed on yet")
+        + ");\n}";
+  }
+}

@@ -1,0 +1,103 @@
+package org.sitaf.core.harness.java;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.SortedSet;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+import org.sitaf.core.diagnostic.Diagnostics;
+import org.sitaf.core.harness.java.plan.JavaPlan.Interface;
+import org.sitaf.core.harness.java.plan.JavaPlan.JavaParameter;
+import org.sitaf.core.harness.java.plan.JavaPlan.Signature;
+import org.sitaf.core.harness.java.plan.JavaPlanner;
+import org.sitaf.core.harness.java.plan.JavaText;
+import org.sitaf.core.harness.java.plan.JavaType;
+import org.sitaf.core.harness.plan.HarnessPlan;
+import org.sitaf.core.harness.plan.HarnessPlanner;
+
+/** What the template of an adapter's beginning prints. */
+record AdapterView(
+    String packageName,
+    SortedSet<String> imports,
+    String documentation,
+    String name,
+    String interfaces,
+    String constructor,
+    List<String> methods) {
+
+  static AdapterView of(HarnessPlan.Adapter plan, Diagnostics diagnostics) {
+    List<Interface> interfaces = JavaPlanner.interfaces(plan, diagnostics);
+    int dot = plan.className().lastIndexOf('.');
+    String name = plan.className().substring(dot + 1);
+    SortedSet<String> imports = new TreeSet<>();
+    List<String> methods = new ArrayList<>();
+    Set<String> written = new HashSet<>();
+    for (Interface provided : interfaces) {
+      imports.add(JavaType.INTERFACES + "." + provided.name());
+      for (Signature method : provided.methods()) {
+        InterfaceView.addTypes(method, imports);
+        method.errors().forEach(e -> imports.add(JavaType.INTERFACES + "." + e));
+        // What two interfaces have in common is one method.
+        if (written.add(method.name() + method.parameters().stream().map(p -> p.type()).toList())) {
+          methods.add(method(method));
+        }
+      }
+    }
+    plan.required().forEach(r -> imports.add(JavaType.INTERFACES + "." + r));
+    if (plan.hardware()) {
+      imports.add("org.sitaf.runtime.Hardware");
+    }
+    if (imports.stream().anyMatch(i -> i.endsWith("." + name))) {
+      diagnostics.error(
+          HarnessPlanner.PROFILE,
+          0,
+          "component.class",
+          name + " is also a name of the interfaces; name the adapter otherwise");
+    }
+    return new AdapterView(
+        dot < 0 ? "" : plan.className().substring(0, dot),
+        imports,
+        JavaText.javadoc(
+            0, List.of("Binds the component to the interfaces of its test."), List.of()),
+        name,
+        interfaces.stream().map(Interface::name).collect(Collectors.joining(", ")),
+        constructor(name, plan),
+        methods);
+  }
+
+  private static String constructor(String name, HarnessPlan.Adapter plan) {
+    List<String> parameters = new ArrayList<>();
+    if (plan.hardware()) {
+      parameters.add("Hardware hardware");
+    }
+    for (String required : plan.required()) {
+      parameters.add(required + " " + JavaPlanner.local(required));
+    }
+    return JavaText.declaration(2, "public " + name, parameters, false, " {")
+        + "\n    // Make the component here, and keep it in a field."
+        + (plan.hardware() ? "\n    // Through the hardware it reaches the simulated devices." : "")
+        + (plan.required().isEmpty() ? "" : "\n    // The test stub answers for what it requires.")
+        + "\n  }";
+  }
+
+  private static String method(Signature method) {
+    String errors =
+        method.errors().isEmpty() ? "" : " throws " + String.join(", ", method.errors());
+    boolean outs = method.parameters().stream().anyMatch(p -> p.declaration().startsWith("Out<"));
+    return "  @Override\n"
+        + JavaText.declaration(
+            2,
+            "public " + method.returnName() + " " + method.name(),
+            method.parameters().stream().map(JavaParameter::declaration).toList(),
+            false,
+            errors + " {")
+        + "\n    // Pass the call on to the component"
+        + (method.returns() == null ? "" : ", and return what it answers")
+        + (outs ? ".\n    // What comes back in a parameter goes there by set()." : ".")
+        + "\n    throw new UnsupportedOperationException("
+        + JavaText.string(method.name() + " is not passed on yet")
+        + ");\n  }";
+  }
+}

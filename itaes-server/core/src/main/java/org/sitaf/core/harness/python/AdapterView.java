@@ -1,0 +1,115 @@
+package org.sitaf.core.harness.python;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.sitaf.core.description.Direction;
+import org.sitaf.core.description.InterfaceDescription;
+import org.sitaf.core.description.Method;
+import org.sitaf.core.diagnostic.Diagnostics;
+import org.sitaf.core.harness.plan.HarnessPlan;
+import org.sitaf.core.harness.python.PythonPlan.StubMethod;
+
+/** What the template of an adapter's beginning prints. */
+record AdapterView(
+    String module,
+    boolean hasImports,
+    String imports,
+    String name,
+    String constructor,
+    List<String> methods) {
+
+  static AdapterView of(HarnessPlan.Adapter plan, Diagnostics diagnostics) {
+    PythonPlanner.component(plan.className(), diagnostics);
+    int dot = plan.className().lastIndexOf('.');
+    Imports imports = new Imports();
+    if (plan.hardware()) {
+      imports.add("sitaf_runtime", "Hardware");
+    }
+    plan.required().forEach(r -> imports.add("sitaf_interfaces", r));
+    Map<String, Method> written = new HashMap<>();
+    List<String> methods = new ArrayList<>();
+    for (InterfaceDescription provided : plan.provided()) {
+      for (Method method : provided.methods()) {
+        PythonPlanner.method(provided.source(), method, diagnostics);
+        PythonType.importHint(method.returnType(), imports);
+        method.parameters().forEach(p -> PythonType.importHint(p.type(), imports));
+        Method other = written.putIfAbsent(method.name(), method);
+        if (other == null) {
+          methods.add(method(method));
+        } else if (!other.signature().equals(method.signature())) {
+          diagnostics.error(
+              provided.source(),
+              method.line(),
+              "method " + method.name(),
+              "is overloaded, and Python has one method of a name only");
+        }
+      }
+    }
+    return new AdapterView(
+        dot < 0 ? "" : plan.className().substring(0, dot),
+        !imports.isEmpty(),
+        imports.text(),
+        plan.className().substring(dot + 1),
+        constructor(plan),
+        methods);
+  }
+
+  private static String constructor(HarnessPlan.Adapter plan) {
+    List<String> parameters = new ArrayList<>(List.of("self"));
+    List<String> body = new ArrayList<>();
+    body.add("# Make the component here, and keep it in an attribute.");
+    if (plan.hardware()) {
+      parameters.add("hardware: Hardware");
+      body.add("# Through the hardware it reaches the simulated devices.");
+      body.add("self._hardware = hardware");
+    }
+    if (!plan.required().isEmpty()) {
+      body.add("# The test stub answers for what it requires.");
+    }
+    PythonNames scope = new PythonNames();
+    for (String required : plan.required()) {
+      String local = scope.local(required);
+      parameters.add(local + ": " + required);
+      body.add("self._" + local + " = " + local);
+    }
+    if (body.size() == 1) {
+      body.add("pass");
+    }
+    String head = new PythonText.Group("def __init__(", parameters, ") -> None:").at(4);
+    return head + "\n        " + String.join("\n        ", body);
+  }
+
+  private static String method(Method method) {
+    PythonNames scope = new PythonNames();
+    StubMethod spelled =
+        new StubMethod(
+            new HarnessPlan.StubMethod(method, List.of()),
+            "",
+            null,
+            method.parameters().stream()
+                .filter(p -> p.direction() != Direction.OUT)
+                .map(p -> scope.local(p.name()))
+                .toList(),
+            List.of());
+    boolean answers =
+        !HarnessPlan.isVoid(method.returnType()) || !spelled.parameters(true).isEmpty();
+    String errors =
+        method.raises().isEmpty()
+            ? ""
+            : "\n        # It may raise, of sitaf_interfaces: "
+                + String.join(", ", method.raises())
+                + ".";
+    return TestStubView.declaration(spelled)
+        + "\n        # Pass the call on to the component"
+        + (answers ? ", and return what it answers." : ".")
+        + errors
+        + "\n"
+        + new PythonText.Group(
+                "raise NotImplementedError(",
+                ")",
+                PythonText.string(method.name() + " is not passed on yet"))
+            .at(8);
+  }
+}
