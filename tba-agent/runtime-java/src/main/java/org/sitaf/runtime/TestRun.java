@@ -32,14 +32,14 @@ public final class TestRun {
   private final @Nullable Simulation simulation;
   private final Stubbing stubbing;
 
-  private TestRun(ResultsFile results, CommandLine command) throws IOException {
+  private TestRun(ResultsFile results, CommandLine command, SuiteReader suite) throws IOException {
     this.results = results;
     String bridge = command.bridge();
     Path world = command.world();
     this.simulation =
         bridge == null || world == null
             ? null
-            : Simulation.open(bridge, world, command.seed(), stopwatch);
+            : Simulation.open(bridge, world, command.seed(), stopwatch, suite::coming);
     Duration atMost = command.caseSimulation();
     if (atMost != null && simulation != null) {
       simulation.limit(atMost);
@@ -66,7 +66,7 @@ public final class TestRun {
       CommandLine command = CommandLine.parse(arguments);
       try (SuiteReader suite = SuiteReader.open(command.suite());
           ResultsFile results = openResults(command)) {
-        new TestRun(results, command).runAll(suite, command.from(), driver);
+        new TestRun(results, command, suite).runAll(suite, command.from(), driver);
       }
       return EXIT_DONE;
     } catch (CannotRunException | SimulationException | CaseDataException e) {

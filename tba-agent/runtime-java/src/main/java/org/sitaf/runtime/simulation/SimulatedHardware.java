@@ -22,6 +22,7 @@ import org.sitaf.runtime.sensor.JointEncoder;
 import org.sitaf.runtime.sensor.LaserScanner;
 import org.sitaf.runtime.sensor.Magnetometer;
 import org.sitaf.runtime.sensor.PoseSensor;
+import org.sitaf.runtime.simulation.frozen.FrozenWorld;
 import org.sitaf.sim.v1.DeviceCommand;
 import org.sitaf.sim.v1.Reading;
 
@@ -189,7 +190,7 @@ final class SimulatedHardware implements Hardware {
     <V> V read(Function<Reading, V> part) {
       long entered = stopwatch.enter();
       try {
-        return part.apply(world.readings().getOrDefault(name, Reading.getDefaultInstance()));
+        return part.apply(world.reading(name));
       } finally {
         stopwatch.leaveHardware(entered);
       }

@@ -9,18 +9,26 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.TimeUnit;
+import java.util.function.IntFunction;
 import java.util.function.Supplier;
 import java.util.logging.Level;
 import java.util.logging.Logger;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.runtime.Hardware;
 import org.sitaf.runtime.Stopwatch;
+import org.sitaf.runtime.simulation.frozen.FrozenWorld;
+import org.sitaf.runtime.simulation.frozen.Preparation;
+import org.sitaf.runtime.suite.TestCase;
 import org.sitaf.sim.v1.CreateSessionRequest;
 import org.sitaf.sim.v1.CreateSessionResponse;
 import org.sitaf.sim.v1.DeleteSessionRequest;
 import org.sitaf.sim.v1.DeviceCommand;
+import org.sitaf.sim.v1.PrepareManyRequest;
+import org.sitaf.sim.v1.PrepareManyResponse;
 import org.sitaf.sim.v1.PrepareRequest;
 import org.sitaf.sim.v1.ReadDevicesRequest;
 import org.sitaf.sim.v1.Reading;
@@ -60,13 +68,29 @@ public final class Simulation implements AutoCloseable {
   private final PassingTime time;
   private final SimulatedHardware hardware;
   private final Lease lease;
+  private final long timestepNanos;
+  private final Preparation preparation;
+  private final Object acting = new Object();
   private volatile FrozenWorld world;
+
+  /** Set while the session itself lags behind the readings, which came in bulk. */
+  private @Nullable Prepared behind;
+
   private @Nullable Recording recording;
 
-  private Simulation(ManagedChannel channel, CreateSessionResponse created, Stopwatch stopwatch) {
+  /** How a case is prepared. */
+  private record Prepared(Map<String, Double> parameters, Duration settle) {}
+
+  private Simulation(
+      ManagedChannel channel,
+      CreateSessionResponse created,
+      Stopwatch stopwatch,
+      IntFunction<List<TestCase>> coming) {
     this.channel = channel;
     this.session = created.getSessionId();
-    this.time = new PassingTime(created.getWorld().getTimestepNs(), this::step);
+    this.timestepNanos = created.getWorld().getTimestepNs();
+    this.time = new PassingTime(timestepNanos, this::step);
+    this.preparation = new Preparation(created, coming, this::prepareMany);
     this.world = FrozenWorld.of(created.getState());
     Map<String, String> kinds = new HashMap<>();
     created.getWorld().getDevicesList().forEach(d -> kinds.put(d.getName(), d.getKind()));
@@ -85,10 +109,16 @@ public final class Simulation implements AutoCloseable {
    * @param worldDescription a {@code *.world.yaml}; the world's files are all files of its folder
    * @param seed of everything random in the simulation
    * @param stopwatch counts what components spend in the hardware
+   * @param coming gives up to so many of the cases after the current one, to be prepared with it
    * @throws IOException when the world cannot be read
    */
   public static Simulation open(
-      String target, Path worldDescription, long seed, Stopwatch stopwatch) throws IOException {
+      String target,
+      Path worldDescription,
+      long seed,
+      Stopwatch stopwatch,
+      IntFunction<List<TestCase>> coming)
+      throws IOException {
     CreateSessionRequest request =
         CreateSessionRequest.newBuilder()
             .setWorld(WorldFiles.read(worldDescription))
@@ -109,7 +139,7 @@ public final class Simulation implements AutoCloseable {
       if (created.getWorld().getTimestepNs() <= 0) {
         throw new SimulationException("the simulator names no length of a step");
       }
-      return new Simulation(channel, created, stopwatch);
+      return new Simulation(channel, created, stopwatch, coming);
     } catch (RuntimeException e) {
       channel.shutdownNow();
       throw e;
@@ -122,20 +152,27 @@ public final class Simulation implements AutoCloseable {
   }
 
   /**
-   * Prepares a case from a clean reset.
+   * Prepares a case from a clean reset. Coming cases are prepared at the same time, as long as the
+   * component only reads; one that commands its hardware or waits finds the session live, and from
+   * then on each case is prepared alone, with the same result.
    *
    * @param parameters in the unit of each parameter of the world; those not named take their
    *     default
    * @param settle simulation time that passes afterwards
    */
   public void prepare(Map<String, Double> parameters, Duration settle) {
-    PrepareRequest request =
-        PrepareRequest.newBuilder()
-            .setSessionId(session)
-            .putAllParameters(parameters)
-            .setSettleNs(settle.toNanos())
-            .build();
-    freeze(ask("setting " + parameters, () -> stub(channel).prepare(request).getState()));
+    Prepared current = new Prepared(parameters, settle);
+    synchronized (acting) {
+      behind = null;
+      Optional<FrozenWorld> known =
+          preparation.world(parameters, settle.toNanos(), time.stepsIn(settle) * timestepNanos);
+      if (known.isPresent()) {
+        behind = current;
+        show(known.get());
+      } else {
+        prepareAlone(current);
+      }
+    }
     time.restart();
   }
 
@@ -188,6 +225,7 @@ public final class Simulation implements AutoCloseable {
    */
   public void record(Path folder) throws IOException {
     recording = new Recording(folder);
+    preparation.stop();
     RecordMotionRequest request =
         RecordMotionRequest.newBuilder().setSessionId(session).setIntervalNs(FRAME_NANOS).build();
     ask("recording", () -> stub(channel).recordMotion(request));
@@ -230,7 +268,41 @@ public final class Simulation implements AutoCloseable {
     }
   }
 
+  private void prepareAlone(Prepared prepared) {
+    PrepareRequest request =
+        PrepareRequest.newBuilder()
+            .setSessionId(session)
+            .putAllParameters(prepared.parameters())
+            .setSettleNs(prepared.settle().toNanos())
+            .build();
+    freeze(
+        ask("setting " + prepared.parameters(), () -> stub(channel).prepare(request).getState()));
+  }
+
+  /** A refusal names no single case; the session tells of each when it prepares it alone. */
+  private Optional<PrepareManyResponse> prepareMany(PrepareManyRequest cases) {
+    PrepareManyRequest request = cases.toBuilder().setSessionId(session).build();
+    try {
+      return Optional.of(stub(channel).prepareMany(request));
+    } catch (StatusRuntimeException e) {
+      return Optional.empty();
+    }
+  }
+
+  /** Brings the session to where the readings of the current case are from. */
+  private void goLive() {
+    synchronized (acting) {
+      Prepared current = behind;
+      if (current != null) {
+        behind = null;
+        preparation.stop();
+        prepareAlone(current);
+      }
+    }
+  }
+
   private void step(long steps) {
+    goLive();
     StepSimulationRequest request =
         StepSimulationRequest.newBuilder().setSessionId(session).setSteps(steps).build();
     freeze(
@@ -244,14 +316,19 @@ public final class Simulation implements AutoCloseable {
   }
 
   private void freeze(WorldState state) {
-    world = FrozenWorld.of(state);
-    hardware.freeze(world);
+    show(FrozenWorld.of(state));
+  }
+
+  private void show(FrozenWorld shown) {
+    world = shown;
+    hardware.freeze(shown);
   }
 
   /** What devices ask of the simulator. */
   private final class Wire implements SimulatedHardware.Simulator {
     @Override
     public void write(DeviceCommand command) {
+      goLive();
       WriteDevicesRequest request =
           WriteDevicesRequest.newBuilder().setSessionId(session).addCommands(command).build();
       try {
@@ -263,6 +340,7 @@ public final class Simulation implements AutoCloseable {
 
     @Override
     public Reading look(String camera) {
+      goLive();
       ReadDevicesRequest request =
           ReadDevicesRequest.newBuilder().setSessionId(session).addDevices(camera).build();
       return ask(

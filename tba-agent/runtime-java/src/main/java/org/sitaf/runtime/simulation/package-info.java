@@ -1,4 +1,4 @@
-/** The client of the robot simulator; no type of its wire leaves this package. */
+/** The client of the robot simulator; no type of its wire leaves this package and those below. */
 @NullMarked
 package org.sitaf.runtime.simulation;
 

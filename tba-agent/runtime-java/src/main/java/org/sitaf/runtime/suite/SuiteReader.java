@@ -4,7 +4,9 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -24,6 +26,8 @@ public final class SuiteReader implements AutoCloseable {
   private final XMLStreamReader xml;
   private final String document;
   private final List<String> parameters = new ArrayList<>();
+  private final Deque<TestCase> ahead = new ArrayDeque<>();
+  private @Nullable CaseDataException trouble;
   private int casesRead;
 
   private SuiteReader(InputStream stream, XMLStreamReader xml, String document) {
@@ -65,6 +69,35 @@ public final class SuiteReader implements AutoCloseable {
    * @throws CaseDataException when the document is malformed
    */
   public Optional<TestCase> next() {
+    if (!ahead.isEmpty()) {
+      return Optional.of(ahead.remove());
+    }
+    if (trouble != null) {
+      throw trouble;
+    }
+    return read();
+  }
+
+  /**
+   * Up to so many of the cases that {@link #next} gives from now on. Where the document is
+   * malformed they end; {@code next} tells of it when it comes there.
+   */
+  public List<TestCase> coming(int count) {
+    try {
+      while (ahead.size() < count && trouble == null) {
+        Optional<TestCase> next = read();
+        if (next.isEmpty()) {
+          break;
+        }
+        ahead.add(next.get());
+      }
+    } catch (CaseDataException e) {
+      trouble = e;
+    }
+    return ahead.stream().limit(count).toList();
+  }
+
+  private Optional<TestCase> read() {
     try {
       while (xml.hasNext()) {
         int event = advance();

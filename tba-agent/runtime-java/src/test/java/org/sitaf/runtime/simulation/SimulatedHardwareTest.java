@@ -16,6 +16,7 @@ import org.sitaf.runtime.geometry.Vector;
 import org.sitaf.runtime.sensor.Camera;
 import org.sitaf.runtime.sensor.ImuSensor;
 import org.sitaf.runtime.sensor.LaserScanner;
+import org.sitaf.runtime.simulation.frozen.FrozenWorld;
 import org.sitaf.sim.v1.Contact;
 import org.sitaf.sim.v1.DeviceCommand;
 import org.sitaf.sim.v1.DriveCommand;

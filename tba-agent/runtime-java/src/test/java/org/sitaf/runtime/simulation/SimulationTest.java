@@ -174,7 +174,8 @@ class SimulationTest {
   }
 
   private Simulation open() throws IOException {
-    return Simulation.open("127.0.0.1:" + server.getPort(), world, 7, stopwatch);
+    return Simulation.open(
+        "127.0.0.1:" + server.getPort(), world, 7, stopwatch, count -> List.of());
   }
 
   @Test
@@ -240,7 +241,8 @@ class SimulationTest {
                 .channelType(EpollServerDomainSocketChannel.class)
                 .bossEventLoopGroup(loop)
                 .workerEventLoopGroup(loop));
-    try (Simulation simulation = Simulation.open("unix:" + socket, world, 1, stopwatch)) {
+    try (Simulation simulation =
+        Simulation.open("unix:" + socket, world, 1, stopwatch, count -> List.of())) {
       assertThat(simulation.hardware().rangeSensor("ir1").range()).isEqualTo(5);
     } finally {
       local.shutdownNow().awaitTermination(5, TimeUnit.SECONDS);

@@ -99,6 +99,26 @@ class SuiteReaderTest {
   }
 
   @Test
+  void lookingAheadTakesNothingAwayAndTellsOfNoTroubleBeforeItsTime() throws IOException {
+    Path file =
+        Files.writeString(
+            folder.resolve("suite.xml"),
+            HEAD
+                + "\n<case_list><case no='4'><value>1</value><value>2</value></case>"
+                + "<case no='5'><value>1</value><value>2</value></case>"
+                + "<case no='6'><value>1</value></case></case_list></test_suite_data>");
+    try (SuiteReader reader = SuiteReader.open(file)) {
+      assertThat(reader.coming(1)).extracting(TestCase::no).containsExactly(4);
+      assertThat(reader.coming(10)).extracting(TestCase::no).containsExactly(4, 5);
+      assertThat(reader.next()).map(TestCase::no).contains(4);
+      assertThat(reader.coming(10)).extracting(TestCase::no).containsExactly(5);
+      assertThat(reader.next()).map(TestCase::no).contains(5);
+      assertThat(reader.coming(10)).isEmpty();
+      assertThatThrownBy(reader::next).hasMessageContaining("case 6 has 1 values");
+    }
+  }
+
+  @Test
   void sequencesAreReadElementByElement() throws IOException {
     TestCase testCase =
         read(HEAD

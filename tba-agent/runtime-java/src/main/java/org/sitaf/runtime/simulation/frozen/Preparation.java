@@ -1,0 +1,155 @@
+package org.sitaf.runtime.simulation.frozen;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.function.IntFunction;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.runtime.suite.CaseDataException;
+import org.sitaf.runtime.suite.TestCase;
+import org.sitaf.sim.v1.CreateSessionResponse;
+import org.sitaf.sim.v1.PrepareManyRequest;
+import org.sitaf.sim.v1.PrepareManyResponse;
+
+/**
+ * Prepares the coming cases in bulk, while nothing but readings depends on the simulator. A case
+ * whose values were not foreseen, that diverged or is refused is not known here, and neither is any
+ * after {@link #stop}: the session itself prepares it then, with the same result.
+ */
+public final class Preparation {
+  /** The first batch is small, so that the first case does not wait for it; then they grow. */
+  private static final int FIRST = 32;
+
+  private static final int MOST = 4096;
+
+  /** Batches grow fast, and where some are refused with care: they would be asked for in vain. */
+  private static final int GROWTH = 8;
+
+  private static final int CAREFUL_GROWTH = 2;
+
+  /** Where one of so few is refused, each is prepared alone. */
+  private static final int FEW = 8;
+
+  private static final int MOST_NUMBERS = 1_000_000;
+
+  private final Layout layout;
+  private final IntFunction<List<TestCase>> coming;
+  private final Function<PrepareManyRequest, Optional<PrepareManyResponse>> simulator;
+  private @Nullable Batch batch;
+  private int size = FIRST;
+  private int growth = GROWTH;
+  private int alone;
+  private boolean stopped;
+
+  /**
+   * A preparation that has nothing yet.
+   *
+   * @param coming gives up to so many of the cases after the current one
+   * @param simulator prepares many cases; empty when one of them is refused
+   */
+  public Preparation(
+      CreateSessionResponse created,
+      IntFunction<List<TestCase>> coming,
+      Function<PrepareManyRequest, Optional<PrepareManyResponse>> simulator) {
+    this.layout = new Layout(created);
+    this.coming = coming;
+    this.simulator = simulator;
+  }
+
+  /** Looks ahead no more: each case needs the session itself. */
+  public void stop() {
+    stopped = true;
+    batch = null;
+  }
+
+  /**
+   * The world of the current case; empty when the session must prepare it.
+   *
+   * @param timeNanos simulation time at its end
+   */
+  public Optional<FrozenWorld> world(
+      Map<String, Double> parameters, long settleNanos, long timeNanos) {
+    if (stopped) {
+      return Optional.empty();
+    }
+    List<String> names = List.copyOf(parameters.keySet());
+    Batch known = batch;
+    if (known == null || !known.finds(parameters, settleNanos)) {
+      if (alone > 0) {
+        alone--;
+        return Optional.empty();
+      }
+      if (known != null && known.wasInVain()) {
+        // The suite's values are not those that reach the simulator.
+        stop();
+        return Optional.empty();
+      }
+      known = lookAhead(names, parameters, settleNanos);
+      batch = known;
+    }
+    return known == null ? Optional.empty() : known.take(timeNanos);
+  }
+
+  private @Nullable Batch lookAhead(
+      List<String> names, Map<String, Double> current, long settleNanos) {
+    int width = Math.max(1, Math.max(layout.columns().size(), names.size()));
+    List<double[]> rows = rows(names, current, Math.min(size, MOST_NUMBERS / width));
+    if (rows.size() < 2) {
+      return null;
+    }
+    Optional<PrepareManyResponse> answer = ask(names, rows, settleNanos);
+    if (answer.isEmpty()) {
+      growth = CAREFUL_GROWTH;
+    }
+    while (answer.isEmpty() && rows.size() > FEW) {
+      rows = rows.subList(0, Math.max(FEW, rows.size() / GROWTH));
+      size = rows.size();
+      answer = ask(names, rows, settleNanos);
+    }
+    if (answer.isEmpty()) {
+      alone = rows.size() - 1;
+      size = FEW;
+      return null;
+    }
+    PrepareManyResponse prepared = answer.get();
+    if (!prepared.getColumnsList().equals(layout.columns())
+        || prepared.getReadingsCount() != rows.size() * layout.columns().size()) {
+      stop();
+      return null;
+    }
+    size = Math.min(MOST, size * growth);
+    return new Batch(layout, names, settleNanos, rows, prepared);
+  }
+
+  /** The values of the current case and of those after it. */
+  private List<double[]> rows(List<String> names, Map<String, Double> current, int most) {
+    List<double[]> rows = new ArrayList<>();
+    rows.add(names.stream().mapToDouble(current::get).toArray());
+    for (TestCase next : coming.apply(most - 1)) {
+      try {
+        rows.add(names.stream().mapToDouble(next::doubleValue).toArray());
+      } catch (CaseDataException e) {
+        // Told when that case is read.
+        break;
+      }
+    }
+    return rows;
+  }
+
+  private Optional<PrepareManyResponse> ask(
+      List<String> names, List<double[]> rows, long settleNanos) {
+    PrepareManyRequest.Builder request =
+        PrepareManyRequest.newBuilder()
+            .addAllParameters(names)
+            .setCases(rows.size())
+            .setSettleNs(settleNanos);
+    for (double[] row : rows) {
+      for (double value : row) {
+        request.addValues(value);
+      }
+    }
+    return simulator.apply(request.build());
+  }
+}

@@ -1,0 +1,18 @@
+package org.sitaf.runtime.simulation.frozen;
+
+import java.util.List;
+import java.util.Map;
+import org.sitaf.sim.v1.Reading;
+
+/** A world as a row of numbers; only readings that are asked for become messages. */
+record PreparedWorld(long timeNanos, Layout layout, List<Double> row) implements FrozenWorld {
+  @Override
+  public Reading reading(String device) {
+    return layout.reading(device, row);
+  }
+
+  @Override
+  public Map<String, Double> observations() {
+    return layout.observations(row);
+  }
+}
