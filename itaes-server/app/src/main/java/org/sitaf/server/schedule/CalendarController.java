@@ -8,6 +8,7 @@ import java.time.LocalDate;
 import java.util.List;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.server.refusal.Refusal;
 import org.sitaf.server.schedule.timing.LeftOutDays;
 import org.springframework.http.HttpStatus;
 import org.springframework.web.bind.annotation.DeleteMapping;
@@ -59,9 +60,7 @@ class CalendarController {
       summary = "Makes a calendar or changes it, and with it the schedules that leave its days out")
   CalendarView save(@PathVariable String name, @RequestBody CalendarDays request) {
     LeftOutDays days =
-        new LeftOutDays(
-            request.days() == null ? Set.of() : request.days(),
-            request.weekdays() == null ? Set.of() : request.weekdays());
+        new LeftOutDays(given("days", request.days()), given("weekdays", request.weekdays()));
     schedules.saveCalendar(name, days);
     return CalendarView.of(name, days);
   }
@@ -74,5 +73,18 @@ class CalendarController {
   @ResponseStatus(HttpStatus.NO_CONTENT)
   void delete(@PathVariable String name) {
     schedules.deleteCalendar(name);
+  }
+
+  /** An empty text is read as null, and is no day. */
+  private static <T> Set<T> given(String field, @Nullable Set<T> days) {
+    if (days == null) {
+      return Set.of();
+    }
+    for (T day : days) {
+      if (day == null) {
+        throw Refusal.malformed(field + " holds an empty entry; leave it out or give a day.");
+      }
+    }
+    return days;
   }
 }
