@@ -89,8 +89,8 @@ function Editor({ activityId, existing }: EditorProps) {
         description={description.data}
         {...(existing && { existing })}
         generating={generate.isPending}
-        onSaved={(_, model) => {
-          if (!existing && !generate.isPending) {
+        onSaved={(model) => {
+          if (!existing) {
             void navigate({
               to: '/activities/$activityId/models/$model',
               params: { activityId, model },

@@ -16,7 +16,8 @@ interface ModelEditorProps {
   description: Description;
   /** The model as it is; absent for a new one. */
   existing?: { name: string; draft: ModelDraft; version: number };
-  onSaved: (activity: Activity, model: string) => void;
+  /** Called once all is stored and nothing more was asked for. */
+  onSaved: (model: string) => void;
   /** Called once all is stored and the cases are to be generated. */
   onGenerate: (model: string) => void;
   generating: boolean;
@@ -38,10 +39,12 @@ export function ModelEditor({
     () => existing?.draft ?? firstDraft(activity, description),
   );
   const [stored, setStored] = useState(existing ? writeModel(existing.draft) : '');
+  // A new model that is stored is new no more, though the page is still the one it began on.
+  const [storedAs, setStoredAs] = useState(existing?.name);
   const [version, setVersion] = useState(existing?.version ?? activity.version);
   const document = useMemo(() => writeModel(draft), [draft]);
   const preview = usePreview(activity.id, document, step === LAST_STEP);
-  const save = useSaveModel(activity, existing?.name);
+  const save = useSaveModel(activity, storedAs);
   const changed = document !== stored;
   const method = description.provided
     .filter(({ name }) => draft.target.interface === '' || name === draft.target.interface)
@@ -61,7 +64,7 @@ export function ModelEditor({
     const fresh = draftFor(interfaceName, chosen, namesOf(activity), overloaded);
     setDraft({
       ...draft,
-      name: existing ? draft.name : fresh.name,
+      name: storedAs === undefined ? fresh.name : draft.name,
       target: { ...fresh.target, settle: draft.target.settle, runFor: draft.target.runFor },
       // What the world and the stubs give stays; the arguments are another method's.
       inputs: [
@@ -72,15 +75,15 @@ export function ModelEditor({
     });
   }
 
-  function store(then?: () => void) {
+  function store(then: (model: string) => void) {
     save.mutate(
       { name: draft.name, document, version },
       {
         onSuccess: (now) => {
           setStored(document);
+          setStoredAs(draft.name);
           setVersion(now.version);
-          onSaved(now, draft.name);
-          then?.();
+          then(draft.name);
         },
       },
     );
@@ -99,7 +102,7 @@ export function ModelEditor({
         <MethodStep
           description={description}
           draft={draft}
-          isNew={!existing}
+          isNew={storedAs === undefined}
           onChange={setDraft}
           onMethod={choose}
         />
@@ -156,7 +159,7 @@ export function ModelEditor({
             disabled={!changed}
             loading={save.isPending}
             onClick={() => {
-              store();
+              store(onSaved);
             }}
           >
             Save
@@ -174,11 +177,8 @@ export function ModelEditor({
               loading={save.isPending || generating}
               disabled={errors.length > 0}
               onClick={() => {
-                const generate = () => {
-                  onGenerate(draft.name);
-                };
-                if (changed) store(generate);
-                else generate();
+                if (changed) store(onGenerate);
+                else onGenerate(draft.name);
               }}
             >
               Generate test cases
