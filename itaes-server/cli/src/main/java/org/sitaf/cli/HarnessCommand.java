@@ -16,7 +16,6 @@ import org.sitaf.core.activity.Activity;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.harness.InterfaceTestApplicationGenerator;
-import org.sitaf.core.harness.TestApplication;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.suite.GenerationOptions;
 import org.sitaf.core.suite.TestCaseGenerator;
@@ -31,7 +30,8 @@ import picocli.CommandLine.Spec;
     name = "harness",
     description =
         "Shows the sources of an activity's test applications: driver, stub, simulation control,"
-            + " concrete driver, and the interfaces and types that a component names. Exit code 2:"
+            + " concrete driver, and the interfaces and types that a component names; all as they"
+            + " are generated now, even where the activity keeps a driver of its own. Exit code 2:"
             + " the activity cannot be used.",
     mixinStandardHelpOptions = true)
 final class HarnessCommand implements Callable<Integer> {
@@ -71,12 +71,11 @@ final class HarnessCommand implements Callable<Integer> {
     Map<String, byte[]> files = new HashMap<>();
     for (TestModel each : activity.models()) {
       if (model == null || each.name().equals(model)) {
-        TestApplication application =
-            InterfaceTestApplicationGenerator.generate(
+        FileTree harness =
+            InterfaceTestApplicationGenerator.sources(
                 activity,
                 each,
                 TestCaseGenerator.generate(each, GenerationOptions.DEFAULT).suite());
-        FileTree harness = application.harness();
         harness.paths().forEach(p -> files.put(p, harness.content(p).orElseThrow()));
       }
     }

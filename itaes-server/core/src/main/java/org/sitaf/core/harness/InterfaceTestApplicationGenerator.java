@@ -32,10 +32,7 @@ public final class InterfaceTestApplicationGenerator {
    */
   public static TestApplication generate(Activity activity, TestModel model, TestSuite suite) {
     HarnessWriter writer = writer(activity);
-    Diagnostics diagnostics = new Diagnostics();
-    HarnessPlan plan = HarnessPlanner.plan(activity, model, suite, diagnostics);
-    FileTree sources = writer.write(plan, diagnostics);
-    diagnostics.throwIfErrors();
+    FileTree sources = sources(activity, model, suite);
     FileTree withKept =
         activity
             .files()
@@ -43,6 +40,20 @@ public final class InterfaceTestApplicationGenerator {
             .map(kept -> sources.with(writer.editableFile(model.name()), kept))
             .orElse(sources);
     return new TestApplication(activity, model, suite, withKept, writer.entryPoint(model.name()));
+  }
+
+  /**
+   * Generates the sources alone, with the generated concrete test driver even where the activity
+   * keeps one.
+   *
+   * @throws InvalidInputException as {@link #generate} does
+   */
+  public static FileTree sources(Activity activity, TestModel model, TestSuite suite) {
+    Diagnostics diagnostics = new Diagnostics();
+    HarnessPlan plan = HarnessPlanner.plan(activity, model, suite, diagnostics);
+    FileTree sources = writer(activity).write(plan, diagnostics);
+    diagnostics.throwIfErrors();
+    return sources;
   }
 
   /**

@@ -47,7 +47,11 @@ public record TestApplicationCompiler(
     CompileCache compiled = new CompileCache(cache, CACHE_BYTES);
     String key = CompileKey.of(application, toolchain, coverage);
     if (!compiled.restore(key, compilation.output())) {
-      toolchain.compile(compilation);
+      try {
+        toolchain.compile(compilation);
+      } catch (CompilationException e) {
+        throw KeptDriver.explained(e, application);
+      }
       compiled.keep(key, compilation.output());
     }
     return toolchain.open(compilation);

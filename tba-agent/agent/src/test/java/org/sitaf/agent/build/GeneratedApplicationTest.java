@@ -87,6 +87,32 @@ class GeneratedApplicationTest {
   }
 
   @Test
+  void aKeptDriverThatTheInterfaceLeftBehindIsToldAsSuch() throws Exception {
+    EchoActivity activity = EchoActivity.doing("return value;");
+    String editable = "sitaf/harness/echo/ConcreteTestDriver.java";
+    String generated = activity.generated().harness().text(editable).orElseThrow();
+    String outdated = generated.replace("int value", "String value");
+    assertThat(outdated).isNotEqualTo(generated);
+    BuildOutcome outcome =
+        build(
+            activity.file("harness/Echo/ConcreteTestDriver.java", outdated).generated(),
+            Simulator.none());
+
+    assertThat(((CompilationFailed) outcome).diagnostics())
+        .filteredOn(d -> d.file().equals("activity/harness/Echo/ConcreteTestDriver.java"))
+        .isNotEmpty()
+        .allSatisfy(
+            d -> {
+              assertThat(d.generated()).isFalse();
+              assertThat(d.line()).isPositive();
+              assertThat(d.message())
+                  .contains(
+                      "the interface may have changed since this file was kept",
+                      "./sitaf harness ACTIVITY_DIR");
+            });
+  }
+
+  @Test
   void theEvaluationOfThePaperPassesInAllOfIts55Cases() throws Exception {
     try (Simulator simulator = Simulator.started(RealBridge.command(), directory)) {
       BuildOutcome outcome = build(infrared(Map.of()), simulator);
