@@ -9,12 +9,27 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /** Makes a component and sets its properties, by what its class offers. */
 public final class ComponentUnderTest {
+  /** By their names; a component that lives for one case is set up anew in each. */
+  private static final ClassValue<Map<String, List<Method>>> SETTERS =
+      new ClassValue<>() {
+        @Override
+        protected Map<String, List<Method>> computeValue(Class<?> type) {
+          return Arrays.stream(type.getMethods())
+              .filter(m -> m.getName().startsWith("set"))
+              .filter(m -> !Modifier.isStatic(m.getModifiers()) && !m.isBridge())
+              .sorted(Comparator.comparing(Method::toString))
+              .collect(Collectors.groupingBy(Method::getName));
+        }
+      };
+
   private ComponentUnderTest() {}
 
   /**
@@ -142,11 +157,8 @@ public final class ComponentUnderTest {
     return interfaces.length == 0 ? object.getClass().getName() : typesOf(interfaces);
   }
 
-  private static java.util.stream.Stream<Method> setters(Class<?> type, String name) {
-    return Arrays.stream(type.getMethods())
-        .filter(
-            m -> m.getName().equals(name) && !Modifier.isStatic(m.getModifiers()) && !m.isBridge())
-        .sorted(Comparator.comparing(Method::toString));
+  private static Stream<Method> setters(Class<?> type, String name) {
+    return SETTERS.get(type).getOrDefault(name, List.of()).stream();
   }
 
   private static void invoke(Method method, Object component, Object... arguments)
