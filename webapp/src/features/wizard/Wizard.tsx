@@ -27,7 +27,8 @@ export function Wizard({ onCreated }: { onCreated: (activity: Activity) => void 
   const create = useCreateActivity();
   const problems = check.data?.diagnostics ?? [];
   const set = (changes: Partial<WizardDraft>) => {
-    setDraft({ ...draft, ...changes });
+    // Files take a while to be read; what was typed meanwhile stays.
+    setDraft((known) => ({ ...known, ...changes }));
   };
   const props: StepProps = { draft, set, problems };
   const errors = problems.filter(({ severity }) => severity === 'ERROR');
