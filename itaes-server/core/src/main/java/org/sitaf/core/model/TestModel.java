@@ -78,9 +78,4 @@ public record TestModel(
     }
     return outputs.stream().filter(o -> o.name().equals(outputName)).findFirst();
   }
-
-  /** Whether anything decides about a case: an expected value or a post-condition. */
-  public boolean judges() {
-    return !postConditions.isEmpty() || outputs.stream().anyMatch(o -> o.expected() != null);
-  }
 }

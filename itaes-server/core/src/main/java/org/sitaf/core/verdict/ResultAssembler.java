@@ -102,7 +102,7 @@ public final class ResultAssembler {
     return new TestResult(
         model.name(),
         provenance,
-        Statistics.of(all, model.judges()),
+        Statistics.of(all, !model.postConditions().isEmpty()),
         suite.parameters(),
         all,
         null);

@@ -10,9 +10,9 @@ final class Statistics {
   /**
    * Counts verdicts and works out the times of PASS and FAIL cases.
    *
-   * @param judges whether the model decides about cases at all
+   * @param postConditions whether the model has any; without, only expected values judge a case
    */
-  static Summary of(List<CaseResult> cases, boolean judges) {
+  static Summary of(List<CaseResult> cases, boolean postConditions) {
     int pass = count(cases, Verdict.PASS);
     double[] times =
         cases.stream()
@@ -21,7 +21,10 @@ final class Statistics {
             .filter(Objects::nonNull)
             .mapToDouble(CaseResult.ProcessingTime::total)
             .toArray();
-    int unjudged = judges ? 0 : pass;
+    int unjudged =
+        postConditions
+            ? 0
+            : count(cases.stream().filter(c -> c.expected().isEmpty()).toList(), Verdict.PASS);
     return new Summary(
         cases.size(),
         pass,
