@@ -61,7 +61,10 @@ class SandboxedComponentsTest extends HostileComponentsTest {
                     return value;""")
                 .caseWallSeconds(2));
 
-    onlyThirdIsError(result, "no answer within 2 s");
+    // It waits, unless its bomb took the last process before the JVM could watch over it.
+    onlyThirdIsError(result, "");
+    assertThat(result.cases().get(2).message())
+        .containsPattern("no answer within 2 s|process/resource limits reached");
     theNextBuildIsClean();
   }
 
