@@ -173,6 +173,7 @@ def test_the_evaluation_of_the_paper_by_mouse_and_keyboard(page, tmp_path):
     page.get_by_role("table", name="Cases").wait_for()
     page.get_by_text("All passed").wait_for()
     playwright.expect(page.get_by_role("table", name="Cases")).to_have_attribute("aria-rowcount", "57")
+    playwright.expect(page.get_by_text("without being judged")).to_have_count(0)
     shot(page, "result-table")
     page.get_by_role("tab", name="Graphs").click()
     page.get_by_role("img", name=re.compile("Of 55 cases 55 pass")).locator("canvas").wait_for()
