@@ -38,7 +38,7 @@ def link(sitaf, tmp_path_factory):
             if (found := re.search(r"Open it signed in, once: (http\S+)", line))
         )
     finally:
-        system.send_signal(signal.SIGINT)
+        system.send_signal(signal.SIGTERM)
         system.wait(timeout=60)
 
 
