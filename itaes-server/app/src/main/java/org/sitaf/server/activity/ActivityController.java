@@ -14,6 +14,7 @@ import java.net.URI;
 import java.nio.charset.StandardCharsets;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.activity.ActivityArchive;
+import org.sitaf.server.refusal.Refusal;
 import org.sitaf.server.web.Listing;
 import org.sitaf.server.web.Requests;
 import org.springframework.data.domain.Sort;
@@ -129,6 +130,9 @@ class ActivityController {
   @GetMapping(path = "/{id}/files/{*path}", produces = MediaType.APPLICATION_OCTET_STREAM_VALUE)
   @Operation(operationId = "downloadFile", summary = "A file of an activity")
   ResponseEntity<byte[]> file(@PathVariable String id, @PathVariable String path) {
+    if (path.length() < 2) {
+      throw Refusal.notFound("file", path);
+    }
     String inside = path.substring(1);
     String name = inside.substring(inside.lastIndexOf('/') + 1);
     // Never as a type that a browser would run: the file is a user's.

@@ -4,6 +4,7 @@ import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.time.Clock;
 import java.time.temporal.ChronoUnit;
+import java.util.Arrays;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.UUID;
@@ -133,6 +134,10 @@ public class Suites {
     TestSuite edited = edit.apply(suite(seen), model);
     requireFit(edited, model);
     byte[] document = document(edited);
+    if (Arrays.equals(document, seen.document())) {
+      // Nothing changed, so there is nothing to bring back.
+      return;
+    }
     transaction.executeWithoutResult(
         status -> {
           StoredSuite stored = find(id);

@@ -58,6 +58,9 @@ public record Listing<T>(
               + size
               + ".");
     }
+    if ((long) page * size > Integer.MAX_VALUE) {
+      throw Refusal.malformed("page " + page + " lies beyond what a list can hold.");
+    }
     return PageRequest.of(page, size, sort);
   }
 }

@@ -2,6 +2,7 @@ package org.sitaf.server.web;
 
 import io.swagger.v3.oas.annotations.media.Schema;
 import java.util.List;
+import org.apache.tomcat.util.http.InvalidParameterException;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.server.refusal.Refusal;
@@ -55,6 +56,12 @@ class Problems extends ResponseEntityExceptionHandler {
           case OUTDATED -> problem(HttpStatus.PRECONDITION_FAILED, "Changed meanwhile", e);
           case TOO_LARGE -> problem(HttpStatus.CONTENT_TOO_LARGE, "Too large", e);
         });
+  }
+
+  /** A query or form that cannot be read. */
+  @ExceptionHandler
+  ResponseEntity<ProblemDetail> unreadable(InvalidParameterException e) {
+    return answer(problem(HttpStatus.BAD_REQUEST, "The request is wrong", e));
   }
 
   @ExceptionHandler

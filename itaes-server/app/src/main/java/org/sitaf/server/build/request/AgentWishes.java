@@ -1,5 +1,6 @@
 package org.sitaf.server.build.request;
 
+import java.util.Objects;
 import java.util.Set;
 import java.util.regex.Pattern;
 import org.sitaf.server.refusal.Refusal;
@@ -18,6 +19,9 @@ public record AgentWishes(String toolchain, Set<String> labels) {
   private static final int MAX_LABELS = 20;
 
   public AgentWishes {
+    if (labels.stream().anyMatch(Objects::isNull)) {
+      throw Refusal.malformed("labels holds an empty entry; leave it out or name a label.");
+    }
     labels = Set.copyOf(labels);
     if (!toolchain.isEmpty() && !WORD.matcher(toolchain).matches()) {
       throw Refusal.malformed("toolchain: must be a version such as 17 or 3.11.");
