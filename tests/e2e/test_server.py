@@ -111,6 +111,9 @@ def test_nothing_that_the_description_allows_breaks_the_server(server, tmp_path)
             # What would take away the right to ask on.
             *(word for name in ("signOut", "revokeToken", "deleteUser", "changeUser", "resetPassword", "changePassword")
               for word in ("--exclude-operation-id", name)),
+            # It cannot make zips; what is wrong with them is tested with the archive's reader.
+            *(word for name in ("createActivity", "checkActivity", "replaceActivity")
+              for word in ("--exclude-operation-id", name)),
             "--request-timeout", "30",
         ],
         cwd=tmp_path,
