@@ -5,6 +5,7 @@ import io.grpc.stub.StreamObserver;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Map;
 import java.util.concurrent.SynchronousQueue;
 import org.sitaf.runtime.RangeSensor;
@@ -134,7 +135,7 @@ public final class Calls {
 
   /** Nanoseconds that a component waits for a reading between two steps. */
   private static double read(String target, Path world) throws Exception {
-    try (Simulation simulation = Simulation.open(target, world, 1, new Stopwatch())) {
+    try (Simulation simulation = Simulation.open(target, world, 1, new Stopwatch(), count -> List.of())) {
       simulation.prepare(Map.of("Distance", 0.3), Duration.ZERO);
       RangeSensor sensor = simulation.hardware().rangeSensor("ir1");
       double sum = 0;
