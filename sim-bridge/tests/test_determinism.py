@@ -41,6 +41,16 @@ def test_a_recording_has_the_same_digest_in_another_process(bridge: Bridge) -> N
         other.channel.close()
 
 
+def test_a_session_that_was_reset_is_as_good_as_new(bridge: Bridge) -> None:
+    new, used = bridge.create(maze(), seed=5), bridge.create(maze(), seed=5)
+    drive(used)
+    used.set(Friction=0.9, StartX=0.7)
+    used.reset()
+    assert used.read() == new.read()
+    assert used.parameters() == new.parameters()
+    assert drive(used).digest == drive(new).digest
+
+
 def test_threads_do_not_change_a_bit(bridge: Bridge) -> None:
     session = bridge.create(maze(), seed=3)
     values = [0.1 * i - 1.2 for i in range(20)]

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from sitaf_bridge.world.devices import DeviceDeclaration
 from sitaf_bridge.world.devices.range import RangeBank
-from sitaf_bridge.world.driving.simulation import FATAL
+from sitaf_bridge.world.driving.divergence import FATAL
 from sitaf_bridge.world.geometry.solids import PLANE
 from sitaf_bridge.world.parameters.gap import BoundGap
 from sitaf_bridge.world.parameters.settings import JointPosition, MocapPosition, Setting

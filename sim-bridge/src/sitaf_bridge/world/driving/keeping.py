@@ -2,12 +2,14 @@
 
 import hashlib
 import struct
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
+from sitaf_bridge.world.parameters.settings import Setting
 from sitaf_bridge.world.sensing.sensing import Memory
 from sitaf_bridge.world.state import WorldState
 from sitaf_bridge.world.world import World
@@ -24,6 +26,22 @@ class Kept:
     step: int
     frozen: str | None
     memory: Memory
+
+
+@dataclass(frozen=True)
+class Begun:
+    """What a session begins with: all of MuJoCo's data, what is seen of it, and what parameters wrote to the model."""
+
+    data: mujoco.MjData
+    state: WorldState
+    settings: tuple[float, ...]
+
+    def put_back(self, model: mujoco.MjModel, data: mujoco.MjData, settings: Sequence[Setting]) -> None:
+        """Make a model of the same world, and its data, what they were."""
+        for setting, value in zip(settings, self.settings, strict=True):
+            setting.put(model, data, value)
+        # After the settings, some of which leave traces in the data.
+        mujoco.mj_copyData(data, model, self.data)
 
 
 def digest_of(kept: Kept, seen: WorldState, before: bytes = b"") -> bytes:
