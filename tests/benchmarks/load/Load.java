@@ -1,6 +1,4 @@
-import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
-import com.google.gson.JsonParser;
 import com.google.protobuf.ByteString;
 import io.grpc.ManagedChannel;
 import io.grpc.Metadata;
@@ -9,17 +7,10 @@ import io.grpc.stub.MetadataUtils;
 import io.grpc.stub.StreamObserver;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
-import java.net.URI;
-import java.net.http.HttpClient;
-import java.net.http.HttpRequest;
-import java.net.http.HttpRequest.BodyPublishers;
-import java.net.http.HttpResponse.BodyHandlers;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.security.MessageDigest;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
@@ -53,11 +44,9 @@ public final class Load {
   private static final int CASES_OF_LARGE = 2000;
   private static final int HEARTBEAT_S = 4;
 
-  private final int http;
+  private final Rest rest;
   private final int grpc;
-  private final String token;
   private final String enrolment;
-  private final HttpClient client = HttpClient.newBuilder().version(HttpClient.Version.HTTP_1_1).build();
   private final ScheduledExecutorService timer = Executors.newScheduledThreadPool(4);
   private final ExecutorService workers = Executors.newFixedThreadPool(64);
   private final Map<String, Long> assigned = new ConcurrentHashMap<>();
@@ -67,21 +56,20 @@ public final class Load {
   private final AtomicInteger registered = new AtomicInteger();
   private final AtomicInteger lost = new AtomicInteger();
   private final AtomicLong rows = new AtomicLong();
+  private final AtomicInteger underWay = new AtomicInteger();
   private final List<ManagedChannel> channels = new ArrayList<>();
 
-  private Load(int http, int grpc, String token, String enrolment) {
-    this.http = http;
+  private Load(Rest rest, int grpc, String enrolment) {
+    this.rest = rest;
     this.grpc = grpc;
-    this.token = token;
     this.enrolment = enrolment;
   }
 
   public static void main(String[] arguments) throws Exception {
     Load load =
         new Load(
-            Integer.parseInt(arguments[0]),
+            new Rest(Integer.parseInt(arguments[0]), System.getenv("SITAF_TOKEN")),
             Integer.parseInt(arguments[1]),
-            System.getenv("SITAF_TOKEN"),
             System.getenv("SITAF_ENROLMENT_TOKEN"));
     int agents = Integer.parseInt(arguments[2]);
     int seconds = Integer.parseInt(arguments[3]);
@@ -94,8 +82,8 @@ public final class Load {
     load.connect(agents);
     load.phase("warm-up", small, 5, large, 1, 5, 10);
     load.phase("builds", small, 20, large, 0, 0, seconds);
-    load.phase("rows", small, 0, large, 10_000 / CASES_OF_LARGE, 20, seconds);
-    load.phase("mixed", small, 10, large, 5_000 / CASES_OF_LARGE, 10, seconds);
+    load.phase("rows", small, 0, large, 10_000.0 / CASES_OF_LARGE, 20, seconds);
+    load.phase("mixed", small, 10, large, 5_000.0 / CASES_OF_LARGE, 10, seconds);
     System.exit(0);
   }
 
@@ -188,7 +176,7 @@ public final class Load {
           SubmitResultRequest.newBuilder()
               .setAttempt(attempt)
               .setResultDescriptor(ByteString.copyFrom(document))
-              .setSha256(sha256(document))
+              .setSha256(Rest.sha256(document))
               .build();
       calls.submitResult(
           request,
@@ -228,7 +216,8 @@ public final class Load {
 
   // --- phases
 
-  private void phase(String name, String small, int smallRate, String large, int largeRate, int readRate, int seconds)
+  private void phase(
+      String name, String small, double smallRate, String large, double largeRate, double readRate, int seconds)
       throws Exception {
     assigned.clear();
     finished.clear();
@@ -248,7 +237,7 @@ public final class Load {
     double tookS = (System.nanoTime() - began) / 1e9;
     int finishedInTime = finished.size();
     long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(120);
-    while (finished.size() < requested.size() && System.nanoTime() < end) {
+    while ((underWay.get() > 0 || !finished.keySet().containsAll(requested.keySet())) && System.nanoTime() < end) {
       Thread.sleep(50);
     }
     long[] dispatch =
@@ -262,7 +251,7 @@ public final class Load {
     said.addProperty("phase", name);
     said.addProperty("seconds", tookS);
     said.addProperty("requested", requested.size());
-    said.addProperty("finished", finished.size());
+    said.addProperty("finished", requested.keySet().stream().filter(finished::containsKey).count());
     said.addProperty("finishedPerSecond", finishedInTime / tookS);
     said.addProperty("rowsPerSecond", accepted / tookS);
     said.addProperty("dispatchP50", percentile(dispatch, 0.5));
@@ -277,19 +266,31 @@ public final class Load {
   }
 
   /** Runs the action so many times a second, whether or not earlier ones have ended. */
-  private Runnable atRate(int perSecond, Runnable action) {
+  private Runnable atRate(double perSecond, Runnable action) {
     if (perSecond == 0) {
       return () -> {};
     }
     var future =
-        timer.scheduleAtFixedRate(() -> workers.execute(action), 0, 1_000_000 / perSecond, TimeUnit.MICROSECONDS);
+        timer.scheduleAtFixedRate(() -> start(action), 0, Math.round(1_000_000 / perSecond), TimeUnit.MICROSECONDS);
     return () -> future.cancel(false);
+  }
+
+  private void start(Runnable action) {
+    underWay.incrementAndGet();
+    workers.execute(
+        () -> {
+          try {
+            action.run();
+          } finally {
+            underWay.decrementAndGet();
+          }
+        });
   }
 
   private void request(String suite, Map<String, Long> requested, ConcurrentLinkedQueue<String> seen, AtomicInteger failures) {
     long now = System.nanoTime();
     try {
-      String id = post("/api/v1/builds", "{\"suiteId\":\"" + suite + "\"}").get("id").getAsString();
+      String id = rest.post("/api/v1/builds", "{\"suiteId\":\"" + suite + "\"}").get("id").getAsString();
       requested.put(id, now);
       seen.add(id);
     } catch (Exception e) {
@@ -312,7 +313,7 @@ public final class Load {
     String path = paths[(int) (System.nanoTime() / 1000 % paths.length)];
     long began = System.nanoTime();
     try {
-      send(HttpRequest.newBuilder(URI.create("http://127.0.0.1:" + http + path)).GET());
+      rest.get(path);
       times.add(System.nanoTime() - began);
     } catch (Exception e) {
       failures.incrementAndGet();
@@ -328,9 +329,8 @@ public final class Load {
 
   private String suite(byte[] zip) throws Exception {
     JsonObject activity =
-        json(send(HttpRequest.newBuilder(URI.create("http://127.0.0.1:" + http + "/api/v1/activities"))
-            .header("Content-Type", "application/zip").POST(BodyPublishers.ofByteArray(zip))));
-    return post("/api/v1/activities/" + activity.get("id").getAsString() + "/models/GetInfraredData/suites", "{}")
+        rest.post("/api/v1/activities", "application/zip", zip);
+    return rest.post("/api/v1/activities/" + activity.get("id").getAsString() + "/models/GetInfraredData/suites", "{}")
         .get("id").getAsString();
   }
 
@@ -346,48 +346,20 @@ public final class Load {
     TestSuiteXml.write(
         new TestSuite(suite.name(), suite.description(), suite.modelName(), suite.generation(), suite.parameters(), cases),
         xml);
-    send(HttpRequest.newBuilder(URI.create("http://127.0.0.1:" + http + "/api/v1/suites/" + suiteId + "/document"))
-        .header("Content-Type", "application/xml").PUT(BodyPublishers.ofByteArray(xml.toByteArray())));
+    rest.put("/api/v1/suites/" + suiteId + "/document", "application/xml", xml.toByteArray());
   }
 
   private TestSuite document(String suiteId) throws Exception {
-    byte[] xml = send(HttpRequest.newBuilder(URI.create("http://127.0.0.1:" + http + "/api/v1/suites/" + suiteId + "/document")).GET());
+    byte[] xml = rest.get("/api/v1/suites/" + suiteId + "/document");
     return TestSuiteXml.read(new ByteArrayInputStream(xml), "suite");
   }
 
   /** Makes the result that the agents will answer with, in which each case passes. */
   private void prepare(String suiteId) throws Exception {
-    byte[] xml = send(HttpRequest.newBuilder(URI.create("http://127.0.0.1:" + http + "/api/v1/suites/" + suiteId + "/document")).GET());
+    byte[] xml = rest.get("/api/v1/suites/" + suiteId + "/document");
     TestSuite suite = TestSuiteXml.read(new ByteArrayInputStream(xml), "suite");
     ByteArrayOutputStream written = new ByteArrayOutputStream();
     TestSuiteXml.write(suite, written);
-    results.put(sha256(written.toByteArray()), Results.of(suite));
-  }
-
-  // --- HTTP
-
-  private JsonObject post(String path, String body) throws Exception {
-    return json(send(HttpRequest.newBuilder(URI.create("http://127.0.0.1:" + http + path))
-        .header("Content-Type", "application/json").POST(BodyPublishers.ofString(body))));
-  }
-
-  private byte[] send(HttpRequest.Builder request) throws Exception {
-    var answer = client.send(request.header("Authorization", "Bearer " + token).build(), BodyHandlers.ofByteArray());
-    if (answer.statusCode() / 100 != 2) {
-      throw new IllegalStateException(answer.statusCode() + ": " + new String(answer.body()));
-    }
-    return answer.body();
-  }
-
-  private static JsonObject json(byte[] body) {
-    return JsonParser.parseString(new String(body)).getAsJsonObject();
-  }
-
-  static String sha256(byte[] content) {
-    try {
-      return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(content));
-    } catch (java.security.NoSuchAlgorithmException e) {
-      throw new IllegalStateException(e);
-    }
+    results.put(Rest.sha256(written.toByteArray()), Results.of(suite));
   }
 }
