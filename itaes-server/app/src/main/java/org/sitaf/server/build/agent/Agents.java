@@ -2,6 +2,7 @@ package org.sitaf.server.build.agent;
 
 import io.grpc.Status;
 import java.time.Clock;
+import java.time.Duration;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
 import java.util.Collection;
@@ -10,6 +11,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.atomic.AtomicReference;
 import org.sitaf.agent.v1.Cancellation;
 import org.sitaf.agent.v1.Register;
 import org.sitaf.agent.v1.ServerMessage;
@@ -27,6 +29,10 @@ import org.springframework.transaction.support.TransactionTemplate;
 /** The agents: who is connected, and who ever was. */
 @Component
 class Agents {
+  /** How long what other servers with the same database change may go unseen. */
+  private static final Duration SHOWN_FOR = Duration.ofSeconds(1);
+
+  private final AtomicReference<Shown> shown = new AtomicReference<>(Shown.nothing());
   private final Map<String, AgentSession> sessions = new ConcurrentHashMap<>();
   private final KnownAgentRepository known;
   private final Attempts attempts;
@@ -74,8 +80,8 @@ class Agents {
   }
 
   private void remember(String name, Register register) {
-    transaction.executeWithoutResult(
-        status -> {
+    change(
+        () -> {
           KnownAgent agent = known.findById(name).orElseGet(() -> new KnownAgent(name));
           agent.register(
               register.getVersion(),
@@ -91,9 +97,8 @@ class Agents {
   void remove(AgentSession session) {
     session.close(null);
     if (sessions.remove(session.name(), session)) {
-      transaction.executeWithoutResult(
-          status ->
-              known.findById(session.name()).ifPresent(a -> a.disconnect(session.lastHeard())));
+      change(
+          () -> known.findById(session.name()).ifPresent(a -> a.disconnect(session.lastHeard())));
     }
   }
 
@@ -109,9 +114,14 @@ class Agents {
    * A sign of life of an agent: renews its leases, and stops what it should not work on any more.
    */
   void heard(AgentSession session, Collection<AttemptKey> running) {
-    Set<AttemptKey> outdated = attempts.renew(session.name(), running);
+    // Most agents are idle most of the time, and hundreds of them need no transaction to say so.
+    Set<AttemptKey> outdated =
+        running.isEmpty() ? Set.of() : attempts.renew(session.name(), running);
     session.heard(running, now());
-    session.free(attempts.over(session.unspokenOf(running)));
+    Set<Long> unspoken = session.unspokenOf(running);
+    if (!unspoken.isEmpty()) {
+      session.free(attempts.over(unspoken));
+    }
     outdated.forEach(
         key -> {
           session.stopped(key);
@@ -155,6 +165,33 @@ class Agents {
     return known.findAllByOrderByName();
   }
 
+  /**
+   * All that there are, for the eyes of people: many look at once, and hundreds of agents may be.
+   */
+  List<KnownAgent> shown() {
+    Instant now = now();
+    Shown last = shown.get();
+    if (now.isBefore(last.until())) {
+      return last.agents();
+    }
+    Shown fresh = new Shown(all(), now.plus(SHOWN_FOR));
+    // Not if an agent changed meanwhile: this may have been read before that.
+    var unused = shown.compareAndSet(last, fresh);
+    return fresh.agents();
+  }
+
+  private record Shown(List<KnownAgent> agents, Instant until) {
+    /** Another one each time, so that what is shown is never taken for what was. */
+    static Shown nothing() {
+      return new Shown(List.of(), Instant.MIN);
+    }
+  }
+
+  private void change(Runnable change) {
+    transaction.executeWithoutResult(status -> change.run());
+    shown.set(Shown.nothing());
+  }
+
   KnownAgent find(String name) {
     return known.findById(name).orElseThrow(() -> Refusal.notFound("agent", name));
   }
@@ -166,8 +203,8 @@ class Agents {
 
   /** What people decide about an agent; one that is disabled loses what it works on to others. */
   void stand(String name, Standing standing) {
-    transaction.executeWithoutResult(
-        status -> {
+    change(
+        () -> {
           KnownAgent agent = find(name);
           agent.stand(standing);
           known.save(agent);
@@ -179,8 +216,8 @@ class Agents {
 
   /** Forgets an agent that is not connected. */
   void forget(String name) {
-    transaction.executeWithoutResult(
-        status -> {
+    change(
+        () -> {
           KnownAgent agent = find(name);
           if (isOnline(agent)) {
             throw Refusal.conflict(

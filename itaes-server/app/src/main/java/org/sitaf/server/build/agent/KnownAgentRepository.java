@@ -5,6 +5,7 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import org.springframework.data.jpa.repository.EntityGraph;
 import org.springframework.data.jpa.repository.Modifying;
 import org.springframework.data.jpa.repository.Query;
 import org.springframework.data.repository.Repository;
@@ -12,6 +13,8 @@ import org.springframework.data.repository.Repository;
 interface KnownAgentRepository extends Repository<KnownAgent, String> {
   Optional<KnownAgent> findById(String name);
 
+  /** With their toolchains in one query, not in one an agent. */
+  @EntityGraph(attributePaths = "toolchains")
   List<KnownAgent> findAllByOrderByName();
 
   @Query(

@@ -28,7 +28,7 @@ public class WaitingReason {
     if (notBefore.isAfter(clock.instant())) {
       return "it failed for a reason outside of it and is tried again at " + notBefore;
     }
-    List<KnownAgent> known = agents.all();
+    List<KnownAgent> known = agents.shown();
     List<KnownAgent> online = known.stream().filter(agents::isOnline).toList();
     String others = offline(known.size() - online.size());
     if (online.isEmpty()) {
