@@ -9,8 +9,6 @@ import jakarta.xml.bind.ValidationEvent;
 import java.io.InputStream;
 import java.io.OutputStream;
 import java.io.StringReader;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Set;
 import java.util.logging.Level;
 import java.util.logging.Logger;
@@ -121,42 +119,6 @@ public final class XmlDocuments {
     } catch (XMLStreamException e) {
       throw malformed(e, file);
     }
-  }
-
-  /**
-   * Reads one element from each of many lines, in a third of the time that they take one by one.
-   *
-   * @throws InvalidInputException when any line is not such an element; the message does not say
-   *     which
-   */
-  public static <T> List<T> readLines(List<String> lines, String file, Class<T> type) {
-    Diagnostics diagnostics = new Diagnostics();
-    List<T> results = new ArrayList<>();
-    try {
-      String all = "<lines>" + String.join("\n", lines) + "</lines>";
-      XMLStreamReader reader =
-          new WithoutDocumentType(inputFactory().createXMLStreamReader(new StringReader(all)));
-      reader.nextTag();
-      Unmarshaller unmarshaller = CONTEXT.createUnmarshaller();
-      unmarshaller.setEventHandler(event -> report(event, file, diagnostics));
-      reader.nextTag();
-      while (reader.isStartElement()) {
-        results.add(unmarshaller.unmarshal(reader, type).getValue());
-        while (!reader.isStartElement() && !reader.isEndElement()) {
-          reader.next();
-        }
-      }
-    } catch (XMLStreamException e) {
-      throw malformed(e, file);
-    } catch (JAXBException e) {
-      throw InvalidInputException.of(file, "cannot be read: " + e.getMessage());
-    }
-    diagnostics.throwIfErrors();
-    if (results.size() != lines.size()) {
-      throw InvalidInputException.of(
-          file, lines.size() + " lines hold " + results.size() + " elements");
-    }
-    return results;
   }
 
   /**

@@ -49,19 +49,6 @@ final class CaseProgress {
     return results.size();
   }
 
-  /** Takes lines of the results file, as {@link #acceptLine} takes one. */
-  void acceptLines(List<String> lines) {
-    List<CaseResult> read;
-    try {
-      read = TestResultXml.readCases(lines);
-    } catch (InvalidInputException e) {
-      // One of them is none: one by one, to tell which.
-      lines.forEach(this::acceptLine);
-      return;
-    }
-    read.forEach(this::acceptRead);
-  }
-
   /**
    * Takes a line of the results file; a line that is none is remarked in the log and changes
    * nothing.
@@ -75,10 +62,6 @@ final class CaseProgress {
           "a line of the results file is not a test_result and was left out: " + e.getMessage());
       return;
     }
-    acceptRead(result);
-  }
-
-  private void acceptRead(CaseResult result) {
     if (!numbers.contains(result.no())) {
       sink.remark(
           "a result of case " + result.no() + ", which the suite does not hold, was left out");

@@ -42,17 +42,22 @@ final class ResultsFile implements AutoCloseable {
         return lines;
       }
       position += read;
-      buffer.flip();
-      while (buffer.hasRemaining()) {
-        byte b = buffer.get();
-        if (b == '\n') {
+      byte[] bytes = buffer.array();
+      int from = 0;
+      for (int i = 0; i < read; i++) {
+        if (bytes[i] == '\n') {
+          keep(bytes, from, i);
           lines.add(incomplete.toString(StandardCharsets.UTF_8));
           incomplete.reset();
-        } else if (incomplete.size() < MAX_LINE) {
-          incomplete.write(b);
+          from = i + 1;
         }
       }
+      keep(bytes, from, read);
     }
+  }
+
+  private void keep(byte[] bytes, int from, int to) {
+    incomplete.write(bytes, from, Math.min(to - from, MAX_LINE - incomplete.size()));
   }
 
   /**

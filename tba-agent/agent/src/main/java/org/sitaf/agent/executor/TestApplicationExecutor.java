@@ -193,10 +193,7 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow) {
       List<String> lines = results.newLines();
       // An empty line says that the test application is ready to begin its first case.
       ready |= !lines.isEmpty();
-      List<String> told = lines.stream().filter(line -> !line.isBlank()).toList();
-      if (!told.isEmpty()) {
-        progress.acceptLines(told);
-      }
+      lines.stream().filter(line -> !line.isBlank()).forEach(progress::acceptLine);
       return !lines.isEmpty();
     }
   }
