@@ -225,6 +225,28 @@ class PreparedAheadTest {
   }
 
   @Test
+  void casesOfTheSameValuesFindTheSameWorldAgain() throws Exception {
+    List<TestCase> cases =
+        cases(
+            Map.of(
+                "StartX", List.of("-1.0", "0.0", "-0.0", "1.0"),
+                "LidarNoise", List.of("0.1", "0.05")),
+            200);
+    List<String> names = List.of("StartX", "LidarNoise");
+    Path world = example("worlds/maze/maze.world.yaml");
+    try (Simulator simulator = Simulator.started(RealBridge.command(), directory)) {
+      String target = simulator.target();
+      List<String> alone =
+          run(target, world, cases, names, List.of("robot_x"), false, (s, c) -> {});
+      long before = preparedAlone(target);
+      List<String> ahead = run(target, world, cases, names, List.of("robot_x"), true, (s, c) -> {});
+
+      assertThat(ahead).isEqualTo(alone);
+      assertThat(preparedAlone(target)).isEqualTo(before);
+    }
+  }
+
+  @Test
   void aRefusedCaseAmongTheOthersIsToldInTheSameWords() throws Exception {
     List<String> distances = new ArrayList<>(evenly(-0.5, 15, 400));
     distances.set(5, "20.5");

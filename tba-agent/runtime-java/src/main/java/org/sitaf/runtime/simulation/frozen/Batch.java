@@ -1,58 +1,67 @@
 package org.sitaf.runtime.simulation.frozen;
 
+import java.util.ArrayList;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import org.sitaf.sim.v1.PrepareManyResponse;
 
-/** Cases that were prepared in one call, in the order of the suite. */
+/**
+ * Worlds that were prepared in one call, one for each combination of values: every case begins from
+ * a clean reset, so that cases with the same values find the same world.
+ */
 final class Batch {
   private final Layout layout;
   private final List<String> names;
   private final long settleNanos;
-  private final List<double[]> rows;
+  private final Map<List<Double>, Integer> rows = new LinkedHashMap<>();
   private final List<Double> readings;
   private final Set<Integer> diverged;
-  private int next;
-  private int taken;
+  private final Set<Integer> taken = new HashSet<>();
 
+  /**
+   * What a call brought.
+   *
+   * @param rows the values of each world by the names, each combination once
+   */
   Batch(
       Layout layout,
       List<String> names,
       long settleNanos,
-      List<double[]> rows,
+      List<List<Double>> rows,
       PrepareManyResponse prepared) {
     this.layout = layout;
     this.names = names;
     this.settleNanos = settleNanos;
-    this.rows = List.copyOf(rows);
+    rows.forEach(row -> this.rows.put(row, this.rows.size()));
     this.readings = prepared.getReadingsList();
     this.diverged = new HashSet<>(prepared.getDivergedCasesList());
   }
 
-  /**
-   * Goes on to the first case of these values, and says whether there is one. Cases before it did
-   * not get as far as their preparation.
-   */
-  boolean finds(Map<String, Double> parameters, long settle) {
+  /** Which world has these values; null where none has. */
+  @Nullable Integer find(Map<String, Double> parameters, long settle) {
     if (settle != settleNanos || parameters.size() != names.size()) {
-      return false;
+      return null;
     }
-    for (int row = next; row < rows.size(); row++) {
-      if (holds(rows.get(row), parameters)) {
-        next = row;
-        return true;
+    List<Double> row = new ArrayList<>(names.size());
+    for (String name : names) {
+      Double value = parameters.get(name);
+      if (value == null) {
+        return null;
       }
+      row.add(value);
     }
-    return false;
+    // Doubles are equal by their bits: -0.0 is another value than 0.0.
+    return rows.get(row);
   }
 
-  /** The world of the case that was found; empty when it diverged. */
-  Optional<FrozenWorld> take(long timeNanos) {
-    int row = next++;
-    taken++;
+  /** A world; empty when it diverged. */
+  Optional<FrozenWorld> take(int row, long timeNanos) {
+    taken.add(row);
     if (diverged.contains(row)) {
       return Optional.empty();
     }
@@ -63,17 +72,6 @@ final class Batch {
 
   /** Whether most of it was of no use. */
   boolean wasInVain() {
-    return taken * 2 < rows.size();
-  }
-
-  private boolean holds(double[] row, Map<String, Double> parameters) {
-    for (int i = 0; i < row.length; i++) {
-      Double value = parameters.get(names.get(i));
-      // Bits, not numbers: -0.0 is another value than 0.0.
-      if (value == null || Double.doubleToLongBits(value) != Double.doubleToLongBits(row[i])) {
-        return false;
-      }
-    }
-    return true;
+    return taken.size() * 2 < rows.size();
   }
 }

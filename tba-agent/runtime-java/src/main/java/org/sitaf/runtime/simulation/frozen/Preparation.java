@@ -1,9 +1,10 @@
 package org.sitaf.runtime.simulation.frozen;
 
-import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Function;
 import java.util.function.IntFunction;
 import org.jspecify.annotations.Nullable;
@@ -74,9 +75,9 @@ public final class Preparation {
     if (stopped) {
       return Optional.empty();
     }
-    List<String> names = List.copyOf(parameters.keySet());
     Batch known = batch;
-    if (known == null || !known.finds(parameters, settleNanos)) {
+    Integer row = known == null ? null : known.find(parameters, settleNanos);
+    if (row == null) {
       if (alone > 0) {
         alone--;
         return Optional.empty();
@@ -86,19 +87,21 @@ public final class Preparation {
         stop();
         return Optional.empty();
       }
-      known = lookAhead(names, parameters, settleNanos);
+      known = lookAhead(List.copyOf(parameters.keySet()), parameters, settleNanos);
       batch = known;
+      row = 0;
     }
-    return known == null ? Optional.empty() : known.take(timeNanos);
+    return known == null ? Optional.empty() : known.take(row, timeNanos);
   }
 
   private @Nullable Batch lookAhead(
       List<String> names, Map<String, Double> current, long settleNanos) {
     int width = Math.max(1, Math.max(layout.columns().size(), names.size()));
-    List<double[]> rows = rows(names, current, Math.min(size, MOST_NUMBERS / width));
-    if (rows.size() < 2) {
+    List<TestCase> next = coming.apply(Math.min(size, MOST_NUMBERS / width) - 1);
+    if (next.isEmpty()) {
       return null;
     }
+    List<List<Double>> rows = rows(names, current, next);
     Optional<PrepareManyResponse> answer = ask(names, rows, settleNanos);
     if (answer.isEmpty()) {
       growth = CAREFUL_GROWTH;
@@ -109,7 +112,7 @@ public final class Preparation {
       answer = ask(names, rows, settleNanos);
     }
     if (answer.isEmpty()) {
-      alone = rows.size() - 1;
+      alone = FEW - 1;
       size = FEW;
       return null;
     }
@@ -123,33 +126,30 @@ public final class Preparation {
     return new Batch(layout, names, settleNanos, rows, prepared);
   }
 
-  /** The values of the current case and of those after it. */
-  private List<double[]> rows(List<String> names, Map<String, Double> current, int most) {
-    List<double[]> rows = new ArrayList<>();
-    rows.add(names.stream().mapToDouble(current::get).toArray());
-    for (TestCase next : coming.apply(most - 1)) {
+  /** The values of the current case and of those after it, each combination once. */
+  private List<List<Double>> rows(
+      List<String> names, Map<String, Double> current, List<TestCase> next) {
+    Set<List<Double>> rows = new LinkedHashSet<>();
+    rows.add(names.stream().map(current::get).toList());
+    for (TestCase testCase : next) {
       try {
-        rows.add(names.stream().mapToDouble(next::doubleValue).toArray());
+        rows.add(names.stream().map(testCase::doubleValue).toList());
       } catch (CaseDataException e) {
         // Told when that case is read.
         break;
       }
     }
-    return rows;
+    return List.copyOf(rows);
   }
 
   private Optional<PrepareManyResponse> ask(
-      List<String> names, List<double[]> rows, long settleNanos) {
+      List<String> names, List<List<Double>> rows, long settleNanos) {
     PrepareManyRequest.Builder request =
         PrepareManyRequest.newBuilder()
             .addAllParameters(names)
             .setCases(rows.size())
             .setSettleNs(settleNanos);
-    for (double[] row : rows) {
-      for (double value : row) {
-        request.addValues(value);
-      }
-    }
+    rows.forEach(request::addAllValues);
     return simulator.apply(request.build());
   }
 }
