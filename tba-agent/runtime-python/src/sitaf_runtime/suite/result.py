@@ -19,6 +19,9 @@ from sitaf_runtime.suite.tolerance import Tolerance
 _MAX_MESSAGE_LENGTH = 8000
 _ERROR = "!error:"
 
+# How many results a machine may lose with its power; a process that is killed loses none.
+_LINES_TO_SYNC = 4096
+
 
 class Verdict(enum.IntEnum):
     """How a case ended; the worse is the greater."""
@@ -139,6 +142,7 @@ class ResultsFile:
         """Open a file; what is there is emptied, or gone on with behind its last line, which is ended first."""
         flags = os.O_CREAT | os.O_RDWR | os.O_CLOEXEC | (0 if append else os.O_TRUNC)
         self._descriptor = os.open(file, flags, 0o644)
+        self._unsynced = 0
         end = os.lseek(self._descriptor, 0, os.SEEK_END)
         if end and os.pread(self._descriptor, 1, end - 1) != b"\n":
             os.write(self._descriptor, b"\n")
@@ -152,6 +156,10 @@ class ResultsFile:
         line = result.line()
         while line:
             line = line[os.write(self._descriptor, line) :]
+        self._unsynced += 1
+        if self._unsynced >= _LINES_TO_SYNC:
+            self._unsynced = 0
+            os.fsync(self._descriptor)
 
     def close(self) -> None:
         """Hand the rest to the disk and close."""

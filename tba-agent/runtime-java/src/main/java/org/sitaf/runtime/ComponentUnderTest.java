@@ -30,6 +30,18 @@ public final class ComponentUnderTest {
         }
       };
 
+  /** Public ones, those with the most parameters first. */
+  private static final ClassValue<List<Constructor<?>>> CONSTRUCTORS =
+      new ClassValue<>() {
+        @Override
+        protected List<Constructor<?>> computeValue(Class<?> type) {
+          return Arrays.stream(type.getConstructors())
+              .sorted(
+                  Comparator.<Constructor<?>>comparingInt(c -> c.getParameterCount()).reversed())
+              .toList();
+        }
+      };
+
   private ComponentUnderTest() {}
 
   /**
@@ -44,13 +56,17 @@ public final class ComponentUnderTest {
     if (type.isInterface() || Modifier.isAbstract(type.getModifiers())) {
       throw new CannotRunException(type.getName() + " is abstract: name a class that can be made");
     }
-    return Arrays.stream(type.getConstructors())
-        .sorted(Comparator.comparingInt(Constructor<?>::getParameterCount).reversed())
-        .map(constructor -> call(type, constructor, available))
-        .flatMap(Optional::stream)
-        .findFirst()
-        .orElseThrow(() -> noConstructor(type, available))
-        .make();
+    for (Constructor<?> constructor : CONSTRUCTORS.get(type)) {
+      Optional<Object[]> arguments = arguments(constructor, available);
+      if (arguments.isPresent()) {
+        try {
+          return type.cast(constructor.newInstance(arguments.get()));
+        } catch (InvocationTargetException e) {
+          throw thrownBy(e);
+        }
+      }
+    }
+    throw noConstructor(type, available);
   }
 
   /**
@@ -102,19 +118,8 @@ public final class ComponentUnderTest {
             + "' of activity.yaml");
   }
 
-  /** A constructor with the arguments that it asks for. */
-  private record Creation<T>(Constructor<T> constructor, Object[] arguments) {
-    T make() throws Exception {
-      try {
-        return constructor.newInstance(arguments);
-      } catch (InvocationTargetException e) {
-        throw thrownBy(e);
-      }
-    }
-  }
-
-  private static <T> Optional<Creation<T>> call(
-      Class<T> type, Constructor<?> constructor, Object[] available) {
+  /** What a constructor asks for; empty where not all of it is at hand. */
+  private static Optional<Object[]> arguments(Constructor<?> constructor, Object[] available) {
     List<Object> arguments = new ArrayList<>();
     for (Class<?> wanted : constructor.getParameterTypes()) {
       Optional<Object> fitting = Arrays.stream(available).filter(wanted::isInstance).findFirst();
@@ -123,12 +128,7 @@ public final class ComponentUnderTest {
       }
       arguments.add(fitting.get());
     }
-    try {
-      Constructor<T> typed = type.getConstructor(constructor.getParameterTypes());
-      return Optional.of(new Creation<>(typed, arguments.toArray()));
-    } catch (NoSuchMethodException e) {
-      throw new AssertionError(e);
-    }
+    return Optional.of(arguments.toArray());
   }
 
   private static CannotRunException noConstructor(Class<?> type, Object[] available) {

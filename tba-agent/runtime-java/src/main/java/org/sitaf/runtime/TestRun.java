@@ -136,7 +136,7 @@ public final class TestRun {
       for (; next.isPresent(); next = suite.next()) {
         runOne(driver, next.get());
       }
-      closing("closing the component", driver::close);
+      closing("closing the component", 0, driver::close);
     } finally {
       CurrentHardware.set(null);
     }
@@ -161,9 +161,9 @@ public final class TestRun {
       }
     } finally {
       if (simulation != null) {
-        closing("recording case " + testCase.no(), () -> simulation.saveMotion(testCase.no()));
+        closing("recording case", testCase.no(), () -> simulation.saveMotion(testCase.no()));
       }
-      closing("closing the component after case " + testCase.no(), driver::endCase);
+      closing("closing the component after case", testCase.no(), driver::endCase);
     }
   }
 
@@ -206,12 +206,17 @@ public final class TestRun {
     }
   }
 
-  /** Does what follows a case; what goes wrong then is told, and changes no result. */
-  private static void closing(String what, Closing closing) {
+  /**
+   * Does what follows a case; what goes wrong then is told, and changes no result.
+   *
+   * @param no of the case; 0 after the last
+   */
+  private static void closing(String what, int no, Closing closing) {
     try {
       closing.run();
     } catch (Exception | Error e) {
-      System.err.println("sitaf: " + what + ": " + ThrownByComponent.describe(e));
+      String which = no == 0 ? "" : " " + no;
+      System.err.println("sitaf: " + what + which + ": " + ThrownByComponent.describe(e));
     }
   }
 

@@ -41,6 +41,9 @@ class TestRunTest {
         Thread.currentThread().interrupt();
         throw new StackOverflowError();
       }
+      if (divisor == 98) {
+        Thread.currentThread().interrupt();
+      }
       return 100 / divisor;
     }
 
@@ -209,6 +212,16 @@ class TestRunTest {
                         run(LifeCycle.CASE, "--bridge", "127.0.0.1:1", "--world", world.toString()))
                     .isEqualTo(3));
     assertThat(errors).startsWith("sitaf: simulator: opening the world w.world.yaml: UNAVAILABLE");
+  }
+
+  @Test
+  void anInterruptThatTheComponentLeavesBehindCostsNoResult() throws IOException {
+    suiteOf("5", "98", "5");
+
+    assertThat(run(LifeCycle.CASE)).isZero();
+    assertThat(Thread.interrupted()).isTrue();
+    assertThat(lines()).hasSize(3);
+    assertThat(lines().get(2)).contains("verdict=\"PASS\"");
   }
 
   @Test

@@ -18,10 +18,21 @@ import org.jspecify.annotations.Nullable;
  * 2.5]}, structs as <code>{x: 1.0}</code>, with strings inside them in double quotes.
  */
 final class Literals {
+  /** With 15 digits a number is below 2^53, and held exactly by a double. */
+  private static final int PLAIN_LENGTH = 15;
+
+  /** Held exactly, all of them. */
+  private static final double[] POWERS_OF_TEN = {
+    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15
+  };
+
   private Literals() {}
 
   /** A floating-point number. */
   static double real(String literal) {
+    if (isPlain(literal, true)) {
+      return plain(literal);
+    }
     String text = literal.strip();
     switch (text.toLowerCase(Locale.ROOT)) {
       case "nan", ".nan":
@@ -49,7 +60,8 @@ final class Literals {
   static long whole(String literal, long min, long max) {
     long number;
     try {
-      number = decimal(literal).longValueExact();
+      number =
+          isPlain(literal, false) ? Long.parseLong(literal) : decimal(literal).longValueExact();
     } catch (ArithmeticException e) {
       throw new CaseDataException("'" + literal + "' is not a whole number of 64 bits", e);
     }
@@ -57,6 +69,44 @@ final class Literals {
       throw new CaseDataException(literal + " is outside of " + min + " to " + max);
     }
     return number;
+  }
+
+  /** Whether a number is written in so few digits, without an exponent, that it is easily read. */
+  private static boolean isPlain(String literal, boolean point) {
+    int length = literal.length();
+    if (length > PLAIN_LENGTH) {
+      return false;
+    }
+    int digits = 0;
+    boolean seen = !point;
+    for (int i = 0; i < length; i++) {
+      char c = literal.charAt(i);
+      if (c >= '0' && c <= '9') {
+        digits++;
+      } else if (c == '.' && !seen && digits > 0) {
+        seen = true;
+      } else if (c != '-' || i > 0) {
+        return false;
+      }
+    }
+    return digits > 0 && literal.charAt(length - 1) != '.';
+  }
+
+  /** Both numbers are exact, so that their quotient is the nearest to what is written. */
+  private static double plain(String literal) {
+    long digits = 0;
+    int decimals = -1;
+    for (int i = 0; i < literal.length(); i++) {
+      char c = literal.charAt(i);
+      if (c >= '0' && c <= '9') {
+        digits = 10 * digits + (c - '0');
+        decimals += decimals < 0 ? 0 : 1;
+      } else if (c == '.') {
+        decimals = 0;
+      }
+    }
+    double number = decimals <= 0 ? digits : digits / POWERS_OF_TEN[decimals];
+    return literal.charAt(0) == '-' ? -number : number;
   }
 
   static boolean truth(String literal) {

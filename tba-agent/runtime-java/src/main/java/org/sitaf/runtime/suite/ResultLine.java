@@ -92,9 +92,24 @@ final class ResultLine {
   }
 
   private void escape(String text) {
+    if (isPlain(text)) {
+      xml.append(text);
+      return;
+    }
     for (int i = 0; i < text.length(); i += Character.charCount(text.codePointAt(i))) {
       escape(text.codePointAt(i));
     }
+  }
+
+  /** Whether there is nothing to escape, as in almost all literals. */
+  private static boolean isPlain(String text) {
+    for (int i = 0; i < text.length(); i++) {
+      char c = text.charAt(i);
+      if (c < ' ' || c > '~' || c == '&' || c == '<' || c == '>' || c == '"') {
+        return false;
+      }
+    }
+    return true;
   }
 
   private void escape(int c) {

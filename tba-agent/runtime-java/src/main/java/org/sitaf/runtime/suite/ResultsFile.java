@@ -1,31 +1,31 @@
 package org.sitaf.runtime.suite;
 
+import java.io.FileOutputStream;
 import java.io.IOException;
-import java.nio.ByteBuffer;
-import java.nio.channels.FileChannel;
+import java.io.RandomAccessFile;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
 
 /**
  * Where the results go, one line a case. Each line is handed to the kernel in one write the moment
  * its case ends, so that the end of the process, however sudden, loses none of them.
  */
 public final class ResultsFile implements AutoCloseable {
-  private final FileChannel channel;
+  /** How many results a machine may lose with its power; a process that is killed loses none. */
+  private static final int LINES_TO_SYNC = 4096;
 
-  private ResultsFile(FileChannel channel) {
-    this.channel = channel;
+  /** Not a channel: an interrupt that the component left behind would close it. */
+  private final FileOutputStream file;
+
+  private int unsynced;
+
+  private ResultsFile(FileOutputStream file) {
+    this.file = file;
   }
 
   /** Begins a new file; one that is there is emptied. */
   public static ResultsFile create(Path file) throws IOException {
-    return new ResultsFile(
-        FileChannel.open(
-            file,
-            StandardOpenOption.CREATE,
-            StandardOpenOption.WRITE,
-            StandardOpenOption.TRUNCATE_EXISTING));
+    return new ResultsFile(new FileOutputStream(file.toFile()));
   }
 
   /**
@@ -33,19 +33,18 @@ public final class ResultsFile implements AutoCloseable {
    * ended first.
    */
   public static ResultsFile append(Path file) throws IOException {
-    FileChannel channel =
-        FileChannel.open(
-            file, StandardOpenOption.CREATE, StandardOpenOption.READ, StandardOpenOption.WRITE);
-    long end = channel.size();
-    if (end > 0) {
-      ByteBuffer last = ByteBuffer.allocate(1);
-      channel.read(last, end - 1);
-      channel.position(end);
-      if (last.get(0) != '\n') {
-        channel.write(ByteBuffer.wrap(new byte[] {'\n'}));
+    boolean torn = false;
+    try (RandomAccessFile before = new RandomAccessFile(file.toFile(), "rw")) {
+      if (before.length() > 0) {
+        before.seek(before.length() - 1);
+        torn = before.read() != '\n';
       }
     }
-    return new ResultsFile(channel);
+    FileOutputStream appended = new FileOutputStream(file.toFile(), true);
+    if (torn) {
+      appended.write('\n');
+    }
+    return new ResultsFile(appended);
   }
 
   /**
@@ -53,19 +52,23 @@ public final class ResultsFile implements AutoCloseable {
    * a case holds.
    */
   public void ready() throws IOException {
-    channel.write(ByteBuffer.wrap(new byte[] {'\n'}));
+    file.write('\n');
   }
 
   /** Writes the line of a case. */
   public void save(CaseResult result) throws IOException {
-    ByteBuffer line = ByteBuffer.wrap(result.line().getBytes(StandardCharsets.UTF_8));
-    while (line.hasRemaining()) {
-      channel.write(line);
+    file.write(result.line().getBytes(StandardCharsets.UTF_8));
+    if (++unsynced >= LINES_TO_SYNC) {
+      unsynced = 0;
+      file.getFD().sync();
     }
   }
 
+  /** Hands the rest to the disk and closes. */
   @Override
   public void close() throws IOException {
-    channel.close();
+    try (file) {
+      file.getFD().sync();
+    }
   }
 }
