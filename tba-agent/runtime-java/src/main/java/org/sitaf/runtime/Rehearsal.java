@@ -1,14 +1,19 @@
 package org.sitaf.runtime;
 
+import io.grpc.Server;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
+import java.util.Map;
+import org.sitaf.runtime.suite.CaseResult;
+import org.sitaf.runtime.suite.TestCase;
+import org.sitaf.runtime.suite.Tolerance;
 
 /**
- * Goes through all that a test application does before its first case, up to a simulator that is
- * not there: what is loaded meanwhile goes into an archive of classes, from which test applications
- * start in half the time. An installation runs it once.
+ * Goes through all that a test application does: what is loaded meanwhile goes into an archive of
+ * classes, from which test applications start in half the time. An installation runs it once.
  */
 final class Rehearsal {
   private static final String SUITE =
@@ -16,12 +21,68 @@ final class Rehearsal {
       <test_suite_data>
         <name>rehearsal</name>
         <test_model_name>rehearsal</test_model_name>
-        <case_param_info><param name="x" type="TDI" real_type="int"/></case_param_info>
-        <case_list><case no="1" class="valid"><value>1</value></case></case_list>
+        <case_param_info>
+          <param name="n" type="TDI" real_type="int"/>
+          <param name="x" type="TDSD" real_type="double"/>
+        </case_param_info>
+        <case_list>
+          <case no="1" class="valid"><value>1</value><value>1.5</value><expected>1.5</expected></case>
+          <case no="2" class="valid"><value>1</value><value>2e0</value><expected>3</expected></case>
+          <case no="3" class="valid"><value>2</value><value>3</value></case>
+        </case_list>
       </test_suite_data>
       """;
 
   private Rehearsal() {}
+
+  /** What is rehearsed with. */
+  public static final class Component {
+    private final RangeSensor sensor;
+    private int size;
+
+    /** A component on a robot. */
+    public Component(Hardware hardware) {
+      sensor = hardware.rangeSensor(RehearsedSimulator.SENSOR);
+    }
+
+    /** As a property of a profile is set. */
+    public void setSize(int size) {
+      this.size = size;
+    }
+
+    double measure(int times) {
+      return times * size * sensor.range();
+    }
+  }
+
+  /** A driver as they are generated. */
+  private static final class Driver extends SuiteDriver<Component> {
+    private final TestRun run;
+
+    Driver(TestRun run) {
+      super(run, LifeCycle.CASE, "measure");
+      this.run = run;
+    }
+
+    @Override
+    protected Component createComponent() throws Exception {
+      Component component = newComponent(Component.class);
+      setProperty(component, "Size", "1");
+      return component;
+    }
+
+    @Override
+    protected void runCase(TestCase testCase, CaseResult result) throws Exception {
+      int times = testCase.intValue("n");
+      run.simulation().prepare(Map.of("x", testCase.doubleValue("x")), Duration.ZERO);
+      Component component = component();
+      stopwatch().start();
+      double returned = component.measure(times);
+      stopwatch().stop();
+      result.compare("return", returned, new Tolerance(1e-9, 0));
+      save(result);
+    }
+  }
 
   /** Needs no arguments; ends with 0 whatever it comes to. */
   public static void main(String[] arguments) throws IOException {
@@ -29,16 +90,21 @@ final class Rehearsal {
     Path suite = Files.writeString(folder.resolve("suite.xml"), SUITE);
     Path world = Files.writeString(folder.resolve("none.world.yaml"), "mjcf: none.xml\n");
     Path results = Files.createFile(folder.resolve("results"));
-    TestRun.execute(
-        new String[] {
-          "--suite", suite.toString(),
-          "--results", results.toString(),
-          "--bridge", "unix:" + folder.resolve("bridge"),
-          "--world", world.toString()
-        },
-        run -> {
-          throw new CannotRunException("this is a rehearsal");
-        });
+    Server simulator = RehearsedSimulator.listening();
+    // Once with answers, and once by the kind of address that agents give, at which nobody listens.
+    for (String target :
+        List.of("127.0.0.1:" + simulator.getPort(), "unix:" + folder.resolve("bridge"))) {
+      TestRun.execute(
+          new String[] {
+            "--suite", suite.toString(),
+            "--results", results.toString(),
+            "--bridge", target,
+            "--world", world.toString(),
+            "--from", "1"
+          },
+          Driver::new);
+    }
+    simulator.shutdownNow();
     for (Path file : List.of(suite, world, results, folder)) {
       Files.delete(file);
     }
