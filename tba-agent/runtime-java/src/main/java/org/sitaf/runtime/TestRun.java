@@ -1,5 +1,6 @@
 package org.sitaf.runtime;
 
+import java.io.Closeable;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -28,11 +29,15 @@ public final class TestRun {
   static final int EXIT_CANNOT_RUN = 3;
 
   private final Stopwatch stopwatch = new Stopwatch();
+  private final CommandLine command;
+  private final SuiteReader suite;
   private final ResultsFile results;
   private final @Nullable Simulation simulation;
   private final Stubbing stubbing;
 
-  private TestRun(ResultsFile results, CommandLine command, SuiteReader suite) throws IOException {
+  private TestRun(CommandLine command, SuiteReader suite, ResultsFile results) throws IOException {
+    this.command = command;
+    this.suite = suite;
     this.results = results;
     String bridge = command.bridge();
     Path world = command.world();
@@ -63,10 +68,10 @@ public final class TestRun {
   /** Runs a suite and gives the exit code. */
   static int execute(String[] arguments, Function<TestRun, ? extends SuiteDriver<?>> driver) {
     try {
-      CommandLine command = CommandLine.parse(arguments);
-      try (SuiteReader suite = SuiteReader.open(command.suite());
-          ResultsFile results = openResults(command)) {
-        new TestRun(results, command, suite).runAll(suite, command.from(), driver);
+      TestRun early = EarlyStart.take(arguments);
+      TestRun run = early == null ? open(arguments) : early;
+      try (Closeable opened = run::close) {
+        run.runAll(driver);
       }
       return EXIT_DONE;
     } catch (CannotRunException | SimulationException | CaseDataException e) {
@@ -75,6 +80,30 @@ public final class TestRun {
       return cannotRun(e.getClass().getSimpleName() + ": " + e.getMessage());
     } catch (LinkageError e) {
       return cannotRun("the test application does not fit together: " + e);
+    }
+  }
+
+  /**
+   * Opens all that a run needs beside the test application itself.
+   *
+   * @throws CannotRunException when the arguments are wrong
+   * @throws CaseDataException when the suite is none
+   * @throws SimulationException when the simulator refuses the world
+   */
+  static TestRun open(String[] arguments) throws IOException {
+    CommandLine command = CommandLine.parse(arguments);
+    SuiteReader suite = SuiteReader.open(command.suite());
+    try {
+      ResultsFile results = openResults(command);
+      try {
+        return new TestRun(command, suite, results);
+      } catch (IOException | RuntimeException e) {
+        results.close();
+        throw e;
+      }
+    } catch (IOException | RuntimeException e) {
+      suite.close();
+      throw e;
     }
   }
 
@@ -118,12 +147,20 @@ public final class TestRun {
         : ResultsFile.create(command.results());
   }
 
-  private void runAll(
-      SuiteReader suite, int from, Function<TestRun, ? extends SuiteDriver<?>> factory)
-      throws IOException {
+  private void close() throws IOException {
+    try (suite;
+        results) {
+      if (simulation != null) {
+        simulation.close();
+      }
+    }
+  }
+
+  private void runAll(Function<TestRun, ? extends SuiteDriver<?>> factory) throws IOException {
+    int from = command.from();
     CurrentHardware.set(hardware().orElse(null));
     CoverageRecord.begin();
-    try (Simulation session = simulation) {
+    try {
       SuiteDriver<?> driver = factory.apply(this);
       Optional<TestCase> next = suite.next();
       while (from > 0 && next.isPresent() && next.get().no() != from) {

@@ -8,9 +8,11 @@ import java.time.Instant;
 import java.time.temporal.ChronoUnit;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.compiler.TestApplicationCompiler;
+import org.sitaf.agent.executor.EarlyProcess;
 import org.sitaf.agent.executor.Execution;
 import org.sitaf.agent.executor.ExecutionRequest;
 import org.sitaf.agent.executor.ExecutionRequest.World;
@@ -20,6 +22,7 @@ import org.sitaf.agent.executor.TestApplicationExecutor;
 import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.agent.simulation.SimulatorClient;
 import org.sitaf.agent.simulation.WorldException;
+import org.sitaf.agent.toolchain.Compilation;
 import org.sitaf.agent.toolchain.CompilationException;
 import org.sitaf.agent.toolchain.CompiledApplication;
 import org.sitaf.agent.toolchain.SourceDiagnostic;
@@ -100,20 +103,27 @@ public final class BuildRun {
       Prepared prepared = prepare(log);
 
       listener.stage(BuildStage.COMPILING);
-      CompiledApplication compiled = compile();
+      Toolchain toolchain = toolchain(application.activity().profile().harness());
+      TestApplicationCompiler compiler =
+          new TestApplicationCompiler(
+              toolchain, settings.toolchains().compiled(), settings.coverage(), settings.sandbox());
+      Compilation compilation =
+          compiler.begin(application, applicationDirectory(), directory.resolve("compilation"));
+      try (EarlyProcess early = startEarly(toolchain, compilation, prepared, log)) {
+        CompiledApplication compiled = compiler.compile(compilation);
 
-      listener.stage(BuildStage.RUNNING);
-      ResultAssembler assembler =
-          new ResultAssembler(
-              application.model(), application.suite(), application.activity().required());
-      ExecutionRequest request = request(compiled, prepared);
-      Execution execution =
-          new ParallelExecutor(TestApplicationExecutor.DEFAULT, sessions())
-              .execute(request, log, result -> announce(assembler.judge(result)));
-      keepRecording(request);
+        listener.stage(BuildStage.RUNNING);
+        ResultAssembler assembler =
+            new ResultAssembler(
+                application.model(), application.suite(), application.activity().required());
+        ExecutionRequest request = request(compiled, prepared);
+        Execution execution =
+            executor().execute(request, early, log, result -> announce(assembler.judge(result)));
+        keepRecording(request);
 
-      TestResult result = report(execution, assembler, prepared.bridge(), started);
-      return new BuildOutcome.Completed(withCoverage(result, compiled, request, log));
+        TestResult result = report(execution, assembler, prepared.bridge(), started);
+        return new BuildOutcome.Completed(withCoverage(result, compiled, request, log));
+      }
     } catch (CompilationException e) {
       return new BuildOutcome.CompilationFailed(String.valueOf(e.getMessage()), e.diagnostics());
     } catch (InvalidInputException e) {
@@ -200,12 +210,22 @@ public final class BuildRun {
     log.remark("the component reaches the network: " + why);
   }
 
-  private CompiledApplication compile()
+  /**
+   * Starts the first process while the application is compiled, where its language can; null where
+   * nothing is started. Not where the cases run in several processes, which would begin apart.
+   */
+  private @Nullable EarlyProcess startEarly(
+      Toolchain toolchain, Compilation compilation, Prepared prepared, BuildLog log)
       throws CompilationException, IOException, InterruptedException {
-    Toolchain toolchain = toolchain(application.activity().profile().harness());
-    return new TestApplicationCompiler(
-            toolchain, settings.toolchains().compiled(), settings.coverage(), settings.sandbox())
-        .compile(application, applicationDirectory(), directory.resolve("compilation"));
+    if (application.suite().cases().isEmpty() || !executor().isInSequence(application.suite())) {
+      return null;
+    }
+    Optional<CompiledApplication> opened = toolchain.openEarly(compilation);
+    return opened.isEmpty() ? null : EarlyProcess.start(request(opened.get(), prepared), log);
+  }
+
+  private ParallelExecutor executor() {
+    return new ParallelExecutor(TestApplicationExecutor.DEFAULT, sessions());
   }
 
   private ExecutionRequest request(CompiledApplication compiled, Prepared prepared)

@@ -122,9 +122,15 @@ record CompileCache(Path directory, long limitBytes) {
     }
   }
 
+  /** Leaves the folder itself, which a process that was started early may see. */
   private static void empty(Path folder) throws IOException {
-    delete(folder);
-    Files.createDirectories(folder);
+    List<Path> inside;
+    try (Stream<Path> files = Files.list(folder)) {
+      inside = files.toList();
+    }
+    for (Path file : inside) {
+      delete(file);
+    }
   }
 
   private static void delete(Path folder) throws IOException {

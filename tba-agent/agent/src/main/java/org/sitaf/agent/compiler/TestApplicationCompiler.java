@@ -25,25 +25,33 @@ public record TestApplicationCompiler(
   private static final Duration LIMIT = Duration.ofMinutes(2);
 
   /**
-   * Compiles an application.
+   * What there is to compile.
    *
    * @param sources where the application's files lie
    * @param directory for what is compiled; created
+   */
+  public Compilation begin(TestApplication application, Path sources, Path directory)
+      throws IOException {
+    return new Compilation(
+        application,
+        sources,
+        Files.createDirectories(directory.resolve("compiled")),
+        Files.createDirectories(directory.resolve("scratch")),
+        LIMIT,
+        coverage,
+        sandbox);
+  }
+
+  /**
+   * Compiles an application.
+   *
    * @throws CompilationException when the user's files are at fault
    * @throws InterruptedException when the build was cancelled meanwhile
    * @throws IOException when this machine is at fault
    */
-  public CompiledApplication compile(TestApplication application, Path sources, Path directory)
+  public CompiledApplication compile(Compilation compilation)
       throws CompilationException, InterruptedException, IOException {
-    Compilation compilation =
-        new Compilation(
-            application,
-            sources,
-            Files.createDirectories(directory.resolve("compiled")),
-            Files.createDirectories(directory.resolve("scratch")),
-            LIMIT,
-            coverage,
-            sandbox);
+    TestApplication application = compilation.application();
     CompileCache compiled = new CompileCache(cache, CACHE_BYTES);
     String key = CompileKey.of(application, toolchain, coverage);
     if (!compiled.restore(key, compilation.output())) {

@@ -73,6 +73,16 @@ public record ExecutionRequest(
         application, sandbox, files, part, file, own, coverage, recording, world, limits);
   }
 
+  /** Where the test application writes its results. */
+  Path results() {
+    return directory.resolve("results");
+  }
+
+  /** Where the simulator answers now; empty where the activity has no world. */
+  String simulatorTarget() throws IOException, InterruptedException {
+    return world == null ? "" : world.simulator().get();
+  }
+
   Path newCoverageFolder() throws IOException {
     return Files.createTempDirectory(Files.createDirectories(coverage), "process");
   }

@@ -63,6 +63,19 @@ final class HarnessProcess implements AutoCloseable {
    */
   static HarnessProcess start(ExecutionRequest request, Path results, int fromCase, OutputSink sink)
       throws IOException, InterruptedException {
+    return start(request, results, fromCase, false, sink);
+  }
+
+  /** As {@link #start}, and it waits for {@link #letGo}. */
+  static HarnessProcess startHeldBack(
+      ExecutionRequest request, Path results, int fromCase, OutputSink sink)
+      throws IOException, InterruptedException {
+    return start(request, results, fromCase, true, sink);
+  }
+
+  private static HarnessProcess start(
+      ExecutionRequest request, Path results, int fromCase, boolean heldBack, OutputSink sink)
+      throws IOException, InterruptedException {
     CompiledApplication application = request.application();
     Path working = Files.createDirectories(request.directory().resolve("run"));
     Path temporary = Files.createDirectories(request.directory().resolve("tmp"));
@@ -95,6 +108,9 @@ final class HarnessProcess implements AutoCloseable {
     }
     if (simulator != null) {
       confinement = simulator.grantedTo(confinement);
+    }
+    if (heldBack) {
+      confinement = confinement.heldBackUntilLetGo();
     }
     return new HarnessProcess(request.sandbox().start(confinement), sink);
   }
@@ -134,6 +150,11 @@ final class HarnessProcess implements AutoCloseable {
 
   private static String seconds(Duration duration) {
     return BigDecimal.valueOf(duration.toNanos(), 9).stripTrailingZeros().toPlainString();
+  }
+
+  /** Lets a process go on that was held back. */
+  void letGo() {
+    process.letGo();
   }
 
   /** Waits for the end; true when it came within that time. */

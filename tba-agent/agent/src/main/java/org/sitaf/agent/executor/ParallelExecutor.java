@@ -9,7 +9,9 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.function.UnaryOperator;
+import org.jspecify.annotations.Nullable;
 import org.sitaf.core.suite.TestCase;
+import org.sitaf.core.suite.TestSuite;
 import org.sitaf.core.verdict.CaseResult;
 
 /**
@@ -30,18 +32,31 @@ public record ParallelExecutor(TestApplicationExecutor each, int sessions) {
     }
   }
 
+  /** Whether the cases of a suite follow each other in one process, as long as none ends it. */
+  public boolean isInSequence(TestSuite suite) {
+    return parts(suite) < 2;
+  }
+
+  private int parts(TestSuite suite) {
+    return Math.min(sessions, suite.cases().size() / FEWEST_CASES);
+  }
+
   /**
    * Runs the cases; see {@link TestApplicationExecutor#execute}.
    *
+   * @param early only where they run in sequence
    * @param onResult is told one result at a time, though from several threads
    */
   public Execution execute(
-      ExecutionRequest request, OutputSink sink, UnaryOperator<CaseResult> onResult)
+      ExecutionRequest request,
+      @Nullable EarlyProcess early,
+      OutputSink sink,
+      UnaryOperator<CaseResult> onResult)
       throws IOException, InterruptedException {
     List<TestCase> cases = request.suite().cases();
-    int parts = Math.min(sessions, cases.size() / FEWEST_CASES);
+    int parts = parts(request.suite());
     if (parts < 2) {
-      return each.execute(request, sink, onResult);
+      return each.execute(request, early, sink, onResult);
     }
     sink.remark("the cases run in " + parts + " simulations at once");
     Object oneAtATime = new Object();
@@ -58,7 +73,7 @@ public record ParallelExecutor(TestApplicationExecutor each, int sessions) {
         List<TestCase> some =
             cases.subList(cases.size() * i / parts, cases.size() * (i + 1) / parts);
         ExecutionRequest part = request.part(i + 1, some);
-        running.add(threads.submit(() -> each.execute(part, sink, inTurn)));
+        running.add(threads.submit(() -> each.execute(part, null, sink, inTurn)));
       }
       return joined(running);
     } finally {

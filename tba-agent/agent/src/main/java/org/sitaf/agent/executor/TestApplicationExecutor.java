@@ -5,7 +5,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Objects;
 import java.util.function.UnaryOperator;
-import org.sitaf.agent.executor.ExecutionRequest.World;
+import org.jspecify.annotations.Nullable;
 import org.sitaf.core.verdict.CaseResult;
 
 /**
@@ -36,16 +36,21 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow) {
   /**
    * Runs the cases.
    *
+   * @param early the first process, started before the application was compiled; null where there
+   *     is none
    * @param onResult is told each result the moment it is known, and may judge it differently
    * @throws IOException when no process can be started at all
    * @throws InterruptedException when the build was cancelled; its processes are gone then
    */
   public Execution execute(
-      ExecutionRequest request, OutputSink sink, UnaryOperator<CaseResult> onResult)
+      ExecutionRequest request,
+      @Nullable EarlyProcess early,
+      OutputSink sink,
+      UnaryOperator<CaseResult> onResult)
       throws IOException, InterruptedException {
     CaseProgress progress = new CaseProgress(request.suite(), onResult, sink);
-    try (ResultsFile results = new ResultsFile(request.directory().resolve("results"))) {
-      Run run = new Run(request, results, progress, sink);
+    try (ResultsFile results = new ResultsFile(request.results())) {
+      Run run = new Run(request, early, results, progress, sink);
       String reason = "";
       while (!progress.isComplete() && reason.isEmpty()) {
         reason = run.oneProcess();
@@ -71,9 +76,16 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow) {
     private int simulatorRestarts;
     private int failedStarts;
     private boolean ready;
+    private @Nullable EarlyProcess early;
 
-    Run(ExecutionRequest request, ResultsFile results, CaseProgress progress, OutputSink sink) {
+    Run(
+        ExecutionRequest request,
+        @Nullable EarlyProcess early,
+        ResultsFile results,
+        CaseProgress progress,
+        OutputSink sink) {
       this.request = request;
+      this.early = early;
       this.results = results;
       this.progress = progress;
       this.sink = sink;
@@ -83,9 +95,13 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow) {
     String oneProcess() throws IOException, InterruptedException {
       int before = progress.count();
       ready = false;
-      String target = simulatorTarget();
+      EarlyProcess waiting = early;
+      early = null;
+      String target = waiting == null ? request.simulatorTarget() : waiting.simulatorTarget();
       try (HarnessProcess process =
-          HarnessProcess.start(request, results.path(), progress.current().no(), sink)) {
+          waiting == null
+              ? HarnessProcess.start(request, results.path(), progress.current().no(), sink)
+              : waiting.letGo()) {
         Follow how = follow(process);
         String where = "";
         if (how == Follow.NO_ANSWER) {
@@ -148,17 +164,12 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow) {
         throws IOException, InterruptedException {
       if (request.world() != null
           && simulatorRestarts < SIMULATOR_RESTARTS
-          && !simulatorTarget().equals(target)) {
+          && !request.simulatorTarget().equals(target)) {
         simulatorRestarts++;
         sink.remark("the simulator was started anew: " + end.reason());
         return "";
       }
       return end.reason().isEmpty() ? "the test application cannot go on" : end.reason();
-    }
-
-    private String simulatorTarget() throws IOException, InterruptedException {
-      World world = request.world();
-      return world == null ? "" : world.simulator().get();
     }
 
     private Follow follow(HarnessProcess process) throws IOException, InterruptedException {

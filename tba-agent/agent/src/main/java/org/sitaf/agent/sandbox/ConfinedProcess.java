@@ -2,6 +2,7 @@ package org.sitaf.agent.sandbox;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.OutputStream;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
@@ -46,11 +47,22 @@ public final class ConfinedProcess implements AutoCloseable {
     ProcessGroup group = new ProcessGroup(ProcessGroup.markOf(confinement.working()));
     environment.put(ProcessGroup.VARIABLE, group.mark());
     Process process = builder.start();
-    process.getOutputStream().close();
+    if (!confinement.heldBack()) {
+      process.getOutputStream().close();
+    }
     ConfinedProcess confined = new ConfinedProcess(process, group, generations);
     int memoryMiB = confinement.limits().memoryMiB();
     MemoryWatch.over(process, memoryMiB, () -> confined.breakOff(memoryMiB));
     return confined;
+  }
+
+  /** Tells a process that was held back to go on: one line, and the end of its input. */
+  public void letGo() {
+    try (OutputStream input = process.getOutputStream()) {
+      input.write('\n');
+    } catch (IOException e) {
+      // It has ended already; how, its end tells.
+    }
   }
 
   public InputStream output() {

@@ -17,6 +17,8 @@ import java.util.TreeMap;
  * @param readable files and folders beyond the system's, absolute
  * @param writable files and folders beyond the two above, absolute; they exist
  * @param network whether it reaches other machines; Unix sockets are files, and named as such
+ * @param heldBack whether its input stays open until {@link ConfinedProcess#letGo}; else it is at
+ *     its end from the beginning
  */
 public record Confinement(
     List<String> command,
@@ -26,6 +28,7 @@ public record Confinement(
     List<Path> readable,
     List<Path> writable,
     boolean network,
+    boolean heldBack,
     ProcessLimits limits) {
   public Confinement {
     command = List.copyOf(command);
@@ -44,14 +47,15 @@ public record Confinement(
   public static Confinement of(
       List<String> command, Path working, Path temporary, ProcessLimits limits) {
     return new Confinement(
-        command, working, temporary, Map.of(), List.of(), List.of(), false, limits);
+        command, working, temporary, Map.of(), List.of(), List.of(), false, false, limits);
   }
 
   /** With these variables too. */
   public Confinement withEnvironment(Map<String, String> more) {
     Map<String, String> all = new TreeMap<>(environment);
     all.putAll(more);
-    return new Confinement(command, working, temporary, all, readable, writable, network, limits);
+    return new Confinement(
+        command, working, temporary, all, readable, writable, network, heldBack, limits);
   }
 
   /** Reading these files and folders too. */
@@ -64,6 +68,7 @@ public record Confinement(
         joined(readable, more),
         writable,
         network,
+        heldBack,
         limits);
   }
 
@@ -77,13 +82,20 @@ public record Confinement(
         readable,
         joined(writable, more),
         network,
+        heldBack,
         limits);
   }
 
   /** Reaching other machines, as what fetches packages must. */
   public Confinement withNetwork() {
     return new Confinement(
-        command, working, temporary, environment, readable, writable, true, limits);
+        command, working, temporary, environment, readable, writable, true, heldBack, limits);
+  }
+
+  /** Waiting for a line on its input, as what is started before it has anything to do. */
+  public Confinement heldBackUntilLetGo() {
+    return new Confinement(
+        command, working, temporary, environment, readable, writable, network, true, limits);
   }
 
   private static List<Path> joined(List<Path> some, List<Path> more) {

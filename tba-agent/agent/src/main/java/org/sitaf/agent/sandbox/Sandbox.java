@@ -21,7 +21,8 @@ public sealed interface Sandbox permits NoSandbox, Bubblewrap {
   boolean isRequired();
 
   /**
-   * Starts a process; its input is at its end, its output and error stream are the caller's.
+   * Starts a process; its input is at its end unless it is held back, its output and error stream
+   * are the caller's.
    *
    * @throws IOException when it cannot be started
    */

@@ -12,7 +12,8 @@ import org.sitaf.core.harness.TestApplication;
  * @param sources where the application's files lie, in the layout of {@link TestApplication};
  *     absolute, not to be written
  * @param output an empty folder for what is compiled, absolute; may be moved when it is complete,
- *     so nothing in it may hold its own path
+ *     so nothing in it may hold its own path; a process that was started early may see it already,
+ *     so that the folder itself stays
  * @param scratch a folder for what nobody needs afterwards, absolute
  * @param atMost a compilation that takes longer is given up
  * @param coverage whether processes are to record which lines of the component they reach

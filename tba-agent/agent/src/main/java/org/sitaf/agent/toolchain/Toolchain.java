@@ -1,6 +1,7 @@
 package org.sitaf.agent.toolchain;
 
 import java.io.IOException;
+import java.util.Optional;
 import org.sitaf.core.activity.ActivityProfile.Language;
 
 /** A language that this machine can compile and run. Safe to use from several threads. */
@@ -26,6 +27,16 @@ public interface Toolchain {
    */
   void compile(Compilation compilation)
       throws CompilationException, InterruptedException, IOException;
+
+  /**
+   * What starts a process of the application before it is compiled, which waits for a line on its
+   * input until it is; the arguments of a test application are appended here too. Empty where
+   * nothing can be started without what the compiler brings.
+   */
+  default Optional<CompiledApplication> openEarly(Compilation compilation)
+      throws CompilationException, InterruptedException, IOException {
+    return Optional.empty();
+  }
 
   /**
    * What starts the application out of the output folder; also fetches packages that it needs at

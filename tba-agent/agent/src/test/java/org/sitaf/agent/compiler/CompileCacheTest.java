@@ -73,9 +73,11 @@ class CompileCacheTest {
   private String compile(Toolchain toolchain, TestApplication application, boolean coverage)
       throws Exception {
     Path build = Files.createTempDirectory(directory, "build");
+    TestApplicationCompiler compiler =
+        new TestApplicationCompiler(
+            toolchain, directory.resolve("cache"), coverage, Sandbox.none());
     CompiledApplication compiled =
-        new TestApplicationCompiler(toolchain, directory.resolve("cache"), coverage, Sandbox.none())
-            .compile(application, build.resolve("application"), build);
+        compiler.compile(compiler.begin(application, build.resolve("application"), build));
     return Files.readString(compiled.readable().get(0).resolve("folder/program"));
   }
 

@@ -16,16 +16,21 @@ import org.sitaf.core.verdict.Coverage;
  * A test application on a JVM.
  *
  * @param classPath runtime, libraries, and last the folder of classes; absolute
+ * @param early whether processes start before the folder of classes is filled, and wait until it is
  * @param archive of the runtime's classes, for a faster start; null where there is none
  * @param recording null where nothing is recorded
  */
 record JavaApplication(
     List<Path> classPath,
     String mainClass,
+    boolean early,
     @Nullable Path archive,
     @Nullable JavaCoverage recording)
     implements CompiledApplication {
   private static final Path JAVA_HOME = Path.of(System.getProperty("java.home"));
+
+  /** Of the runtime; takes the main class as its first argument. */
+  private static final String EARLY_START = "org.sitaf.runtime.EarlyStart";
 
   /** Metaspace, code, stacks and the collector's own. */
   private static final int OVERHEAD_MIB = 256;
@@ -64,6 +69,9 @@ record JavaApplication(
     command.add("-cp");
     command.add(
         classPath.stream().map(Path::toString).collect(Collectors.joining(File.pathSeparator)));
+    if (early) {
+      command.add(EARLY_START);
+    }
     command.add(mainClass);
     return command;
   }

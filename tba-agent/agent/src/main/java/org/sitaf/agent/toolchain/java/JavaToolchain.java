@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
@@ -91,7 +92,18 @@ public final class JavaToolchain implements Toolchain {
   }
 
   @Override
+  public Optional<CompiledApplication> openEarly(Compilation compilation)
+      throws CompilationException {
+    return Optional.of(application(compilation, true));
+  }
+
+  @Override
   public CompiledApplication open(Compilation compilation) throws CompilationException {
+    return application(compilation, false);
+  }
+
+  private JavaApplication application(Compilation compilation, boolean early)
+      throws CompilationException {
     List<Path> classPath = new ArrayList<>(runtimeJars);
     classPath.addAll(libraries(compilation.application(), compilation.activity()));
     classPath.add(compilation.output());
@@ -101,7 +113,7 @@ public final class JavaToolchain implements Toolchain {
             : JavaCoverage.of(compilation.application(), recorder, compilation.output())
                 .orElse(null);
     return new JavaApplication(
-        classPath, compilation.application().entryPoint(), archive, recording);
+        classPath, compilation.application().entryPoint(), early, archive, recording);
   }
 
   @Override

@@ -1,0 +1,56 @@
+package org.sitaf.runtime;
+
+import java.io.IOException;
+import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.Method;
+import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Starts a test application while it is still being compiled, with {@code EarlyStart ENTRY-POINT
+ * ARGUMENTS} in place of {@code ENTRY-POINT ARGUMENTS}: reads the suite and opens the simulation,
+ * which needs none of the application's classes, and waits. A line on standard input says that they
+ * are there; an end of the input without one, that nobody wants them any more.
+ */
+public final class EarlyStart {
+  /** What was opened, for whichever run begins with the same arguments. */
+  private static @Nullable TestRun opened;
+
+  private static String[] openedWith = {};
+
+  private EarlyStart() {}
+
+  /**
+   * Opens, waits and goes on.
+   *
+   * @throws Throwable what the entry point throws
+   */
+  public static void main(String[] arguments) throws Throwable {
+    String entryPoint = arguments[0];
+    String[] itsOwn = Arrays.copyOfRange(arguments, 1, arguments.length);
+    try {
+      opened = TestRun.open(itsOwn);
+      openedWith = itsOwn;
+    } catch (IOException | RuntimeException e) {
+      // The run itself meets the same trouble when it begins, and tells it.
+    }
+    if (System.in.read() < 0) {
+      System.exit(TestRun.EXIT_CANNOT_RUN);
+    }
+    Method main = Class.forName(entryPoint).getMethod("main", String[].class);
+    // As the launcher of Java does, which asks for a public method and not for a public class.
+    main.setAccessible(true);
+    try {
+      main.invoke(null, (Object) itsOwn);
+    } catch (InvocationTargetException e) {
+      throw e.getCause();
+    }
+  }
+
+  /** What was opened with these arguments, once; null where nothing was. */
+  static synchronized @Nullable TestRun take(String[] arguments) {
+    TestRun taken = Arrays.equals(arguments, openedWith) ? opened : null;
+    opened = null;
+    return taken;
+  }
+}
