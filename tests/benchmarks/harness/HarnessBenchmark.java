@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Stream;
+import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.agent.sandbox.SandboxMode;
 import org.sitaf.agent.simulation.Simulator;
 import org.sitaf.agent.toolchain.ToolchainPlaces;
@@ -15,10 +16,12 @@ import org.sitaf.core.activity.ActivityProfile.Language;
 /**
  * Measures test applications against their targets: each language on its infrared example, with the
  * simulation in its own process. Absolute times hold for a quiet machine; the ratios beside them
- * were measured in the same run.
+ * are to what the same machine took in the same run for something that everybody knows.
  */
 public final class HarnessBenchmark {
   private static final int FEW = 1_000;
+  private static final int MANY = 21_000;
+  private static final int RUNS = 3;
   private static final int CHANGES = 9;
   private static final int WARM_UP = 4;
 
@@ -32,39 +35,45 @@ public final class HarnessBenchmark {
           Language.CPP, new Targets("ir-sensor-cpp", 100, 20_000, 1, 6),
           Language.PYTHON, new Targets("ir-sensor-python", 300, 5_000, Double.NaN, 1));
 
-  private double emptyJvmSeconds;
+  private final Path home = Path.of(System.getProperty("sitaf.home"));
   private final List<String> shortOf = new ArrayList<>();
+  private double bareMicros;
+  private double lineMicros;
+  private double clockMicros;
 
+  /** Arguments are languages; without any, all are measured. */
   public static void main(String[] arguments) throws Exception {
-    System.exit(new HarnessBenchmark().measure() ? 0 : 1);
+    System.exit(new HarnessBenchmark().measure(List.of(arguments)) ? 0 : 1);
   }
 
-  private boolean measure() throws Exception {
-    Path home = Path.of(System.getProperty("sitaf.home"));
+  private boolean measure(List<String> languages) throws Exception {
     Path state = home.resolve(".sitaf");
     Path directory = Files.createTempDirectory("sitaf-bench-");
+    // Kept from run to run: a warm agent has its runtimes and environments.
     Toolchains toolchains =
-        new Toolchains(new ToolchainPlaces(state.resolve("dist/agent"), directory.resolve("cache")));
+        new Toolchains(new ToolchainPlaces(state.resolve("dist/agent"), state.resolve("bench")));
     List<String> bridge = List.of(state.resolve("venv/bin/python").toString(), "-m", "sitaf_bridge");
+    Sandbox sandbox = SandboxMode.AUTO.open();
     try (Simulator simulator = Simulator.started(bridge, directory.resolve("simulator"))) {
-      Builds builds = new Builds(simulator, toolchains, SandboxMode.AUTO.open(), directory);
-      System.out.println(SandboxMode.AUTO.open().description());
-      double bare =
+      Builds builds = new Builds(simulator, toolchains, sandbox, directory);
+      System.out.println(sandbox.description());
+      bareMicros =
           BareSimulation.microsPerCase(
               simulator.target(), home.resolve("examples/ir-sensor/world/ir.world.yaml"));
-      System.out.printf(
-          Locale.ROOT, "%-58s %10.1f us%n", "the simulation alone, in bulk, a case", bare);
-      emptyJvmSeconds = emptyJvm();
-      System.out.printf(
-          Locale.ROOT, "%-58s %10.2f s%n", "the start of an empty JVM", emptyJvmSeconds);
+      lineMicros = Alternatives.lineMicros(directory);
+      clockMicros = Alternatives.clockMicros();
+      told("the simulation alone, in bulk, a case", bareMicros, "us");
+      told("the writing of a line alone", lineMicros, "us");
+      told("two readings of the clock alone", clockMicros, "us");
       for (Language language : Language.values()) {
         Path example = home.resolve("examples").resolve(TARGETS.get(language).example());
+        if (!languages.isEmpty() && !languages.contains(language.spelling())) {
+          continue;
+        }
         if (toolchains.of(language).isEmpty()) {
           System.out.println(language.spelling() + ": skipped: " + toolchains.lackOf(language));
-        } else if (!Files.isDirectory(example)) {
-          System.out.println(language.spelling() + ": skipped: there is no " + example);
         } else {
-          measure(language, example, builds, bare);
+          measure(language, example, builds);
         }
       }
     } finally {
@@ -79,52 +88,64 @@ public final class HarnessBenchmark {
     return shortOf.isEmpty();
   }
 
-  private void measure(Language language, Path example, Builds builds, double bare)
-      throws Exception {
+  private void measure(Language language, Path example, Builds builds) throws Exception {
     Targets targets = TARGETS.get(language);
     String name = language.spelling();
-    Builds.Run few = builds.run(example, FEW, "");
-    Builds.Run many = builds.run(example, FEW * 21, "");
-    // Of two lengths of the same suite: what one case takes, without start and end of the process.
-    double perCase = (many.casesMicros() - few.casesMicros()) / (many.cases() - few.cases());
-    row(name + ": a case, end to end", 1e6 / perCase, "cases/s", targets.casesPerSecond(), true, perCase / bare);
-    double overhead = perCase - bare - many.medianComponentMicros();
-    row(name + ": a case beyond simulation and component", overhead, "us", targets.overheadMicros(), false, overhead / bare);
+    builds.run(example, 0, "");
+    Builds.Run few = median(example, FEW, builds);
+    Builds.Run many = median(example, MANY, builds);
+    double overhead = few.casesMicros() / few.cases() - bareMicros - few.medianComponentMicros();
+    row(
+        name + ": a case of 1,000 beyond simulation and component",
+        overhead, "us", targets.overheadMicros(), false,
+        overhead / lineMicros, "the writing of its line alone");
+    double perCase = many.casesMicros() / many.cases();
+    row(
+        name + ": cases end to end, of 21,000",
+        1e6 / perCase, "cases/s", targets.casesPerSecond(), true,
+        perCase / bareMicros, "the time of the simulation alone");
 
     Path empty = EmptyComponent.write(language, builds.directory().resolve("empty-" + name));
     double call = builds.run(empty, FEW, "").medianComponentMicros();
-    row(name + ": processing time of an empty component", call, "us", targets.emptyMicros(), false, Double.NaN);
+    row(
+        name + ": processing time of an empty component",
+        call, "us", targets.emptyMicros(), false,
+        call / clockMicros, "two readings of the clock");
 
     List<Double> seconds = new ArrayList<>();
     for (int i = 0; i < WARM_UP + CHANGES; i++) {
-      double second = builds.run(example, 0, "change " + i).firstCaseSeconds();
+      double second =
+          builds.run(example, 0, "change " + i + " of " + System.nanoTime()).firstCaseSeconds();
       if (i >= WARM_UP) {
         seconds.add(second);
       }
     }
     seconds.sort(null);
-    row(name + ": from a changed source to the first case", seconds.get(CHANGES / 2), "s", targets.changeSeconds(), false, Double.NaN);
-    System.out.printf(
-        Locale.ROOT, "%-58s %.1f times the start of an empty JVM%n", "", seconds.get(CHANGES / 2) / emptyJvmSeconds);
+    double compiler =
+        Alternatives.compilerSeconds(
+            language, example, home.resolve(".sitaf/dist/agent"), builds.directory());
+    double change = seconds.get(CHANGES / 2);
+    row(
+        name + ": from a changed source to the first case",
+        change, "s", targets.changeSeconds(), false,
+        change / compiler, String.format(Locale.ROOT, "its compiler on the component alone (%.2f s)", compiler));
   }
 
-  /** What the machine takes at present to start a process of Java and no more. */
-  private static double emptyJvm() throws Exception {
-    List<Double> seconds = new ArrayList<>();
-    for (int i = 0; i < CHANGES; i++) {
-      long began = System.nanoTime();
-      new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-version")
-          .redirectErrorStream(true)
-          .redirectOutput(ProcessBuilder.Redirect.DISCARD)
-          .start()
-          .waitFor();
-      seconds.add((System.nanoTime() - began) / 1e9);
+  private static Builds.Run median(Path example, int cases, Builds builds) throws Exception {
+    List<Builds.Run> runs = new ArrayList<>();
+    for (int i = 0; i < RUNS; i++) {
+      runs.add(builds.run(example, cases, ""));
     }
-    seconds.sort(null);
-    return seconds.get(CHANGES / 2);
+    runs.sort(Comparator.comparing(Builds.Run::casesMicros));
+    return runs.get(RUNS / 2);
   }
 
-  private void row(String what, double value, String unit, double target, boolean atLeast, double ratio) {
+  private static void told(String what, double value, String unit) {
+    System.out.printf(Locale.ROOT, "%-58s %10.2f %s%n", what, value, unit);
+  }
+
+  private void row(
+      String what, double value, String unit, double target, boolean atLeast, double ratio, String alternative) {
     boolean hasTarget = !Double.isNaN(target);
     boolean held = !hasTarget || (atLeast ? value >= target : value < target);
     if (!held) {
@@ -132,12 +153,13 @@ public final class HarnessBenchmark {
     }
     System.out.printf(
         Locale.ROOT,
-        "%-58s %10s %-8s %-18s %-6s%s%n",
+        "%-58s %10s %-8s %-16s %-6s%.1f times %s%n",
         what,
         String.format(Locale.ROOT, value < 10 ? "%.2f" : "%.0f", value),
         unit,
         hasTarget ? (atLeast ? "at least " : "under ") + (target < 10 ? target : (long) target) : "",
         hasTarget ? (held ? "held" : "SHORT") : "",
-        Double.isNaN(ratio) ? "" : String.format(Locale.ROOT, "%.1f times the simulation alone", ratio));
+        ratio,
+        alternative);
   }
 }
