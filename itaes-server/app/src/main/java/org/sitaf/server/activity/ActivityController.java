@@ -17,7 +17,7 @@ import org.sitaf.core.activity.ActivityArchive;
 import org.sitaf.server.refusal.Refusal;
 import org.sitaf.server.web.Listing;
 import org.sitaf.server.web.Requests;
-import org.springframework.data.domain.Sort;
+import org.sitaf.server.web.Sorting;
 import org.springframework.http.ContentDisposition;
 import org.springframework.http.HttpHeaders;
 import org.springframework.http.HttpStatus;
@@ -38,6 +38,10 @@ import org.springframework.web.bind.annotation.RestController;
 @RequestMapping("/api/v1/activities")
 @Tag(name = "activities")
 class ActivityController {
+  private static final Sorting SORTING = Sorting.by("created", "name", "updated");
+  private static final String SORT =
+      "one of created, name, updated; with a minus before it the largest first; without it -created";
+
   private static final String ZIP = "application/zip";
 
   private final Workspaces workspaces;
@@ -53,10 +57,10 @@ class ActivityController {
   Listing<ActivityView> list(
       @RequestParam(required = false) @Nullable String name,
       @RequestParam(defaultValue = "0") int page,
-      @RequestParam(defaultValue = "50") int size) {
-    Sort newestFirst = Sort.by("created").descending().and(Sort.by("id"));
+      @RequestParam(defaultValue = "50") int size,
+      @Parameter(description = SORT) @RequestParam(required = false) @Nullable String sort) {
     return Listing.of(
-        workspaces.list(name, Listing.request(page, size, newestFirst), ActivityView::of),
+        workspaces.list(name, Listing.request(page, size, SORTING.order(sort)), ActivityView::of),
         view -> view);
   }
 

@@ -1,6 +1,7 @@
 package org.sitaf.server.schedule;
 
 import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.Parameter;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.net.URI;
 import java.time.Clock;
@@ -11,6 +12,7 @@ import org.jspecify.annotations.Nullable;
 import org.sitaf.server.refusal.Refusal;
 import org.sitaf.server.schedule.ScheduleView.FireView;
 import org.sitaf.server.web.Listing;
+import org.sitaf.server.web.Sorting;
 import org.springframework.data.domain.Sort;
 import org.springframework.http.HttpStatus;
 import org.springframework.http.ResponseEntity;
@@ -28,6 +30,10 @@ import org.springframework.web.bind.annotation.RestController;
 @RequestMapping("/api/v1/schedules")
 @Tag(name = "schedules")
 class ScheduleController {
+  private static final Sorting SORTING = Sorting.by("created", "name", "model");
+  private static final String SORT =
+      "one of created, name, model; with a minus before it the largest first; without it -created";
+
   private static final int MAX_TIMES = 100;
 
   private final Schedules schedules;
@@ -62,10 +68,10 @@ class ScheduleController {
   Listing<ScheduleView> list(
       @RequestParam(required = false) @Nullable String activityId,
       @RequestParam(defaultValue = "0") int page,
-      @RequestParam(defaultValue = "50") int size) {
-    Sort newestFirst = Sort.by("created").descending().and(Sort.by("id"));
+      @RequestParam(defaultValue = "50") int size,
+      @Parameter(description = SORT) @RequestParam(required = false) @Nullable String sort) {
     return Listing.of(
-        schedules.list(activityId, Listing.request(page, size, newestFirst)), this::view);
+        schedules.list(activityId, Listing.request(page, size, SORTING.order(sort))), this::view);
   }
 
   @GetMapping("/{id}")

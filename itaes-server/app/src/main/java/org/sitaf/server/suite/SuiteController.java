@@ -14,6 +14,7 @@ import org.jspecify.annotations.Nullable;
 import org.sitaf.server.suite.SuiteView.CaseView;
 import org.sitaf.server.web.Listing;
 import org.sitaf.server.web.Requests;
+import org.sitaf.server.web.Sorting;
 import org.springframework.data.domain.Sort;
 import org.springframework.http.HttpHeaders;
 import org.springframework.http.HttpStatus;
@@ -34,6 +35,10 @@ import org.springframework.web.bind.annotation.RestController;
 @RequestMapping("/api/v1")
 @Tag(name = "suites")
 class SuiteController {
+  private static final Sorting SORTING = Sorting.by("created", "model", "name");
+  private static final String SORT =
+      "one of created, model, name; with a minus before it the largest first; without it -created";
+
   private final Suites suites;
   private final Requests requests;
 
@@ -59,10 +64,10 @@ class SuiteController {
   Listing<SuiteView> list(
       @PathVariable String id,
       @RequestParam(defaultValue = "0") int page,
-      @RequestParam(defaultValue = "50") int size) {
-    Sort newestFirst = Sort.by("created").descending().and(Sort.by("id"));
+      @RequestParam(defaultValue = "50") int size,
+      @Parameter(description = SORT) @RequestParam(required = false) @Nullable String sort) {
     return Listing.of(
-        suites.ofActivity(id, Listing.request(page, size, newestFirst), suites::view),
+        suites.ofActivity(id, Listing.request(page, size, SORTING.order(sort)), suites::view),
         view -> view);
   }
 

@@ -18,7 +18,7 @@ import org.sitaf.server.build.agent.WaitingReason;
 import org.sitaf.server.build.log.BuildLogs;
 import org.sitaf.server.refusal.Refusal;
 import org.sitaf.server.web.Listing;
-import org.springframework.data.domain.Sort;
+import org.sitaf.server.web.Sorting;
 import org.springframework.http.HttpStatus;
 import org.springframework.http.MediaType;
 import org.springframework.http.ResponseEntity;
@@ -36,6 +36,11 @@ import org.springframework.web.context.request.async.DeferredResult;
 @RequestMapping("/api/v1/builds")
 @Tag(name = "builds")
 class BuildController {
+  private static final Sorting SORTING = Sorting.by("created", "activityName", "model", "priority");
+  private static final String SORT =
+      "one of created, activityName, model, priority; with a minus before it the largest first;"
+          + " without it -created";
+
   private static final int MAX_WAIT_S = 60;
   private static final int LOG_EXCERPT = 1 << 20;
 
@@ -82,8 +87,8 @@ class BuildController {
           @RequestParam(required = false)
           @Nullable String parentId,
       @RequestParam(defaultValue = "0") int page,
-      @RequestParam(defaultValue = "50") int size) {
-    Sort newestFirst = Sort.by("created").descending().and(Sort.by("id"));
+      @RequestParam(defaultValue = "50") int size,
+      @Parameter(description = SORT) @RequestParam(required = false) @Nullable String sort) {
     return Listing.of(
         builds.list(
             new Builds.Filter(
@@ -91,7 +96,7 @@ class BuildController {
                 state == null ? null : BuildState.valueOf(state.name()),
                 scheduleId,
                 parentId),
-            Listing.request(page, size, newestFirst),
+            Listing.request(page, size, SORTING.order(sort)),
             this::view),
         view -> view);
   }
