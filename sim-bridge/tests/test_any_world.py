@@ -3,6 +3,7 @@
 import random
 
 import grpc
+import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
@@ -25,6 +26,7 @@ def mutate(content: bytes, choice: random.Random) -> bytes:
     return content
 
 
+@pytest.mark.slow
 @settings(max_examples=150, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(seed=st.integers(0, 2**32), key=st.sampled_from(["ir.xml", "ir.world.yaml"]))
 def test_a_damaged_world_is_accepted_or_refused_and_harms_no_other(

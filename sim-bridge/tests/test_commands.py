@@ -58,6 +58,7 @@ def test_serve_refuses_a_world_that_is_not_there() -> None:
     assert "nowhere/at/all: no such file or folder" in ran.stderr
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT])
 def test_serve_ends_cleanly_on_a_signal(number: signal.Signals) -> None:
     with serve() as process:
@@ -79,6 +80,7 @@ def test_serve_ends_with_its_standard_input() -> None:
         assert process.wait(20) == 0
 
 
+@pytest.mark.slow
 def test_serve_ends_with_its_parent() -> None:
     parent = subprocess.Popen(["sleep", "60"])
     try:
@@ -93,6 +95,7 @@ def test_serve_ends_with_its_parent() -> None:
         parent.wait()
 
 
+@pytest.mark.slow
 def test_no_process_is_left_behind_even_by_a_killed_bridge() -> None:
     with serve() as process:
         bridge = Bridge(first_lines(process)[0].split()[1])
@@ -128,6 +131,7 @@ def _is_running(pid: int) -> bool:
         return False
 
 
+@pytest.mark.slow
 def test_serve_listens_on_a_unix_socket(tmp_path: Path) -> None:
     path = tmp_path / "bridge.sock"
     for _ in range(2):
@@ -145,6 +149,7 @@ def test_serve_refuses_to_be_reached_from_elsewhere(address: str) -> None:
     assert address in ran.stderr
 
 
+@pytest.mark.slow
 def test_two_bridges_never_share_a_port() -> None:
     with running_bridge() as address:
         ran = run("serve", "--listen", address)

@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -29,6 +30,7 @@ def drive(session: TestSession) -> pb.Recording:
     return control.StopRecording(pb.StopRecordingRequest(session_id=session_id)).recording
 
 
+@pytest.mark.slow
 def test_a_recording_has_the_same_digest_in_another_process(bridge: Bridge) -> None:
     with running_bridge() as address:
         other = Bridge(address)

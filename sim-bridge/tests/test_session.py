@@ -213,6 +213,7 @@ def test_a_deleted_session_is_not_found(bridge: Bridge, refused: Refused) -> Non
         assert refused(action)[0] is NOT_FOUND
 
 
+@pytest.mark.slow
 def test_a_session_ends_with_its_lease_and_lives_on_with_every_call(bridge: Bridge, refused: Refused) -> None:
     kept, left = bridge.create(ir_world(), lease_s=0.6), bridge.create(ir_world(), lease_s=0.6)
     assert kept.created.lease.nanos == 600_000_000
@@ -225,6 +226,7 @@ def test_a_session_ends_with_its_lease_and_lives_on_with_every_call(bridge: Brid
     assert refused(kept.read)[0] is NOT_FOUND
 
 
+@pytest.mark.slow
 def test_sessions_whose_clients_died_make_room(refused: Refused) -> None:
     with running_bridge("--max-sessions", "2", "--default-lease", "0.5") as address:
         bridge = Bridge(address)
@@ -238,6 +240,7 @@ def test_sessions_whose_clients_died_make_room(refused: Refused) -> None:
         bridge.channel.close()
 
 
+@pytest.mark.slow
 def test_a_killed_client_loses_its_session_only(bridge: Bridge, ir: TestSession, refused: Refused) -> None:
     # The client dies in the middle of its work, without a word.
     program = (
