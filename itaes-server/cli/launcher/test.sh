@@ -38,7 +38,7 @@ bash "$home/tba-agent/runtime-cpp/check.sh"
 section "Java and portal: format, lint, types, tests"
 cd "$home"
 if $fast; then
-  mvn -B -ntp -q verify -DexcludedGroups=slow -Dsitaf.bridge.python="$python"
+  mvn -B -ntp -q -T 2 verify -DexcludedGroups=slow -Dsitaf.bridge.python="$python"
   exit 0
 fi
 touch "$state/java.begun"

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.sitaf.server.SitafServer;
 import org.springframework.beans.factory.annotation.Autowired;
 import org.springframework.boot.test.context.SpringBootTest;
@@ -29,6 +30,7 @@ import org.springframework.test.context.DynamicPropertySource;
       "sitaf.webhooks.private-addresses=true",
       "sitaf.webhooks.interval=200ms"
     })
+@Tag("slow")
 public abstract class ServerTest {
   /** Of the one who starts the server; an administrator. */
   public static final String TOKEN = "launcher-token-of-the-tests-0123456789";
