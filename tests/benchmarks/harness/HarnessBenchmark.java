@@ -1,3 +1,4 @@
+import java.lang.management.ManagementFactory;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -56,7 +57,12 @@ public final class HarnessBenchmark {
     Sandbox sandbox = SandboxMode.AUTO.open();
     try (Simulator simulator = Simulator.started(bridge, directory.resolve("simulator"))) {
       Builds builds = new Builds(simulator, toolchains, sandbox, directory);
-      System.out.println(sandbox.description());
+      System.out.printf(
+          Locale.ROOT,
+          "%s; %d processors with a load of %.1f%n",
+          sandbox.description(),
+          Runtime.getRuntime().availableProcessors(),
+          ManagementFactory.getOperatingSystemMXBean().getSystemLoadAverage());
       bareMicros =
           BareSimulation.microsPerCase(
               simulator.target(), home.resolve("examples/ir-sensor/world/ir.world.yaml"));

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <mutex>
 #include <optional>
 
@@ -47,19 +48,22 @@ std::string spelled(const Simulation::Names& parameters, const std::vector<doubl
   return text + "}";
 }
 
-/// Cases that were prepared in one call, from the first that has not run yet.
+/// Cases that were prepared in one call, from the first that has not run yet. Cases of the same values share a row: each begins from a
+/// clean reset.
 struct Batch {
   wire::PrepareManyResponse answer;
   std::vector<int> numbers;
+  /// Of each case, which row of values and readings is its own.
+  std::vector<std::size_t> rows;
   std::vector<double> values;
   std::size_t columns = 0;
   std::size_t parameters = 0;
   std::size_t cases = 0;
   std::size_t next = 0;
 
-  bool diverged(std::size_t index) const {
+  bool diverged(std::size_t row) const {
     for (const auto found : answer.diverged_cases()) {
-      if (found == index) {
+      if (found == row) {
         return true;
       }
     }
@@ -76,11 +80,11 @@ struct Batch {
 
   /// The row of the next case, if it is one of these values and went well; null otherwise.
   const double* take(const std::vector<double>& wanted) {
-    const std::size_t index = next++;
+    const std::size_t row = rows[next++];
     // Bits, not numbers: -0.0 is another value than 0.0.
     const bool same = parameters == 0 || (wanted.size() == parameters &&
-                                          std::memcmp(wanted.data(), values.data() + index * parameters, parameters * sizeof(double)) == 0);
-    return same && !diverged(index) ? answer.readings().data() + index * columns : nullptr;
+                                          std::memcmp(wanted.data(), values.data() + row * parameters, parameters * sizeof(double)) == 0);
+    return same && !diverged(row) ? answer.readings().data() + row * columns : nullptr;
   }
 };
 
@@ -252,17 +256,23 @@ class Simulation::Session : public Simulator {
     batch_ = Batch();
     batch_.parameters = parameters.size();
     std::size_t count = 0;
+    std::map<std::string, std::size_t> rows;
+    std::vector<double> row(parameters.size());
     for (const suite::TestCase* ahead = nullptr; count < batchSize_ && (ahead = upcoming.peek(count)) != nullptr; ++count) {
       try {
-        for (const std::string& name : parameters) {
-          batch_.values.push_back(ahead->value<double>(name));
-        }
-        batch_.numbers.push_back(ahead->no());
+        std::transform(parameters.begin(), parameters.end(), row.begin(),
+                       [ahead](const std::string& name) { return ahead->value<double>(name); });
       } catch (const suite::CaseDataError&) {
         // Told when that case is read.
-        batch_.values.resize(count * parameters.size());
         break;
       }
+      const std::string bits(reinterpret_cast<const char*>(row.data()), row.size() * sizeof(double));
+      const auto [at, isNew] = rows.try_emplace(bits, rows.size());
+      if (isNew) {
+        batch_.values.insert(batch_.values.end(), row.begin(), row.end());
+      }
+      batch_.rows.push_back(at->second);
+      batch_.numbers.push_back(ahead->no());
     }
     batch_.cases = count;
     if (count < 2) {
@@ -273,10 +283,10 @@ class Simulation::Session : public Simulator {
     request.set_session_id(created_.session_id());
     *request.mutable_parameters() = {parameters.begin(), parameters.end()};
     *request.mutable_values() = {batch_.values.begin(), batch_.values.end()};
-    request.set_cases(static_cast<std::uint32_t>(count));
+    request.set_cases(static_cast<std::uint32_t>(rows.size()));
     request.set_settle_ns(settle.count());
     try {
-      batch_.answer = wire_.control("preparing " + std::to_string(count) + " cases", &Control::PrepareMany, request);
+      batch_.answer = wire_.control("preparing " + std::to_string(rows.size()) + " worlds", &Control::PrepareMany, request);
     } catch (const SimulationError& e) {
       if (e.isLost()) {
         throw;
@@ -288,7 +298,7 @@ class Simulation::Session : public Simulator {
     batch_.columns = static_cast<std::size_t>(batch_.answer.columns_size());
     const bool known =
         std::equal(batch_.answer.columns().begin(), batch_.answer.columns().end(), layout_.columns().begin(), layout_.columns().end());
-    if (!known || batch_.answer.readings_size() != static_cast<int>(count * batch_.columns)) {
+    if (!known || batch_.answer.readings_size() != static_cast<int>(rows.size() * batch_.columns)) {
       alone_ = true;
       batch_.cases = 0;
       return;
@@ -299,7 +309,8 @@ class Simulation::Session : public Simulator {
   /// The cases of this batch are each prepared alone: no row is any of theirs.
   void refuseAll() {
     batch_.answer.Clear();
-    for (std::size_t i = 0; i < batch_.cases; ++i) {
+    const std::size_t rows = batch_.rows.empty() ? 0 : *std::max_element(batch_.rows.begin(), batch_.rows.end()) + 1;
+    for (std::size_t i = 0; i < rows; ++i) {
       batch_.answer.add_diverged_cases(static_cast<std::uint32_t>(i));
     }
   }
