@@ -76,7 +76,7 @@ def test_a_package_of_debian_is_tested_through_an_adapter(sitaf):
 def test_the_adapter_that_mixes_arguments_up_is_caught(sitaf):
     run = sitaf("run", "examples/orocos-kdl-faulty")
     assert run.returncode == 1, run.stdout + run.stderr
-    assert re.search(r"ProfilePosition: 36 cases, \d+ PASS, [1-9]\d* FAIL, 0 ERROR", run.stdout)
+    assert re.search(r"ProfilePosition: 36 cases, 16 PASS, 20 FAIL, 0 ERROR", run.stdout)
 
 
 @cpp

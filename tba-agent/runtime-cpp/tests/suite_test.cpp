@@ -145,7 +145,7 @@ TEST_CASE("an expected error passes, and its absence fails") {
   CHECK_FALSE(other.threw("OutOfReach"));
   CaseResult returned(testCase);
   returned.compare("return", 3.0, {});
-  CHECK(returned.line().find("expected error NoEcho, but it returned 3.0") != std::string::npos);
+  CHECK(returned.line().find("expected the error NoEcho, but it returned 3.0") != std::string::npos);
 }
 
 TEST_CASE("a suite is read case by case, and ahead") {
@@ -258,9 +258,40 @@ TEST_CASE("a property is set by whichever setter there is") {
 
 TEST_CASE("a component is led through the life that it has") {
   Living living;
-  sitaf::runtime::beginLife(living);
-  sitaf::runtime::endLife(living);
+  sitaf::runtime::beginLife(living, {});
+  sitaf::runtime::endLife(living, {});
   CHECK(living.life == "isp");
   Nothing nothing;
-  sitaf::runtime::beginLife(nothing);
+  sitaf::runtime::beginLife(nothing, {});
+}
+
+TEST_CASE("a method of an interface is no step in a component's life") {
+  Living living;
+  sitaf::runtime::beginLife(living, {"start"});
+  sitaf::runtime::endLife(living, {"stop"});
+  CHECK(living.life == "ip");
+}
+
+TEST_CASE("a data port is a method of its name, its getter or a member") {
+  struct Sender {
+    double speed() { return 1.5; }
+    int getCount() { return 3; }
+    std::vector<double> path{0.5};
+  } sender;
+  CHECK(sitaf::runtime::dataPort(sender, SITAF_METHOD(speed), SITAF_METHOD(getSpeed), SITAF_MEMBER(speed)) == 1.5);
+  CHECK(sitaf::runtime::dataPort(sender, SITAF_METHOD(count), SITAF_METHOD(getCount), SITAF_MEMBER(count)) == 3);
+  CHECK(sitaf::runtime::dataPort(sender, SITAF_METHOD(path), SITAF_METHOD(getPath), SITAF_MEMBER(path)).size() == 1);
+}
+
+TEST_CASE("a method that returns nothing can be expected to return, or to throw") {
+  const auto judged = [](const std::string& expected) {
+    const TestCase testCase = oneCase({}, {}, {{"", expected}});
+    CaseResult result(testCase);
+    result.returnedNothing("return");
+    return result.line();
+  };
+  CHECK(judged("null").find("verdict=\"PASS\"") != std::string::npos);
+  CHECK(judged("!error:TooFast").find("expected the error TooFast, but it returned</message>") != std::string::npos);
+  CHECK(judged("!unevaluated: no such key").find("verdict=\"ERROR\"") != std::string::npos);
+  CHECK(judged("3").find("nothing is returned, so that 3 cannot be expected") != std::string::npos);
 }

@@ -4,13 +4,13 @@ import pytest
 
 from sitaf_runtime.errors import CaseDataError
 from sitaf_runtime.stopwatch import Stopwatch
-from sitaf_runtime.stub import StubbedMethod, StubCalls, answer
+from sitaf_runtime.stub import StubbedMethod, Stubbing, answer
 from sitaf_runtime.suite.kinds import FLOAT64, INT32
 
 
 def test_answers_hold_from_a_call_on():
-    calls = StubCalls()
-    method = StubbedMethod("I.M", Stopwatch(), calls, FLOAT64, {"bearing": FLOAT64})
+    calls = Stubbing(Stopwatch())
+    method = StubbedMethod(calls, "I.M", FLOAT64, {"bearing": FLOAT64})
     assert method.call(1) == 0.0
     method.reset()
     method.answer(1.5)
@@ -22,7 +22,7 @@ def test_answers_hold_from_a_call_on():
 def test_errors_are_raised_and_delays_count_as_the_stubs():
     watch = Stopwatch()
     kind = answer(INT32, {"NoEcho": RuntimeError})
-    method = StubbedMethod("I.M", watch, StubCalls(), INT32)
+    method = StubbedMethod(Stubbing(watch), "I.M", INT32)
     method.answer(kind.parse("!error:NoEcho"))
     with pytest.raises(RuntimeError, match=r"I\.M"):
         method.call()
@@ -38,15 +38,15 @@ def test_errors_are_raised_and_delays_count_as_the_stubs():
 
 
 def test_out_parameters_follow_the_return_value():
-    method = StubbedMethod("I.M", Stopwatch(), StubCalls(), INT32, {}, {"left": FLOAT64, "right": FLOAT64})
+    method = StubbedMethod(Stubbing(Stopwatch()), "I.M", INT32, {}, {"left": FLOAT64, "right": FLOAT64})
     method.answer(1)
     method.answer(0.5, out="right")
     assert method.call() == (1, 0.0, 0.5)
 
 
 def test_calls_beyond_the_most_are_counted():
-    calls = StubCalls()
-    method = StubbedMethod("I.M", Stopwatch(), calls, None)
-    for _ in range(StubCalls.MOST + 5):
+    calls = Stubbing(Stopwatch())
+    method = StubbedMethod(calls, "I.M", None)
+    for _ in range(Stubbing.MOST + 5):
         method.call()
-    assert (len(calls.calls), calls.left_out) == (StubCalls.MOST, 5)
+    assert (len(calls.calls), calls.left_out) == (Stubbing.MOST, 5)

@@ -104,7 +104,25 @@ def test_an_expected_error_passes_and_a_value_instead_fails():
     assert not CaseResult(case).raised(KeyError("no"))
     returned = CaseResult(case)
     returned.compare("return", 1.0, FLOAT64, EXACT)
-    assert b"expected error ValueError, but it returned 1.0" in returned.line()
+    assert b"expected the error ValueError, but it returned 1.0" in returned.line()
+
+
+@pytest.mark.parametrize(
+    ("expected", "verdict", "message"),
+    [
+        ("null", "PASS", ""),
+        ("!error:TooFast", "FAIL", "<message>expected the error TooFast, but it returned</message>"),
+        ("!unevaluated: no such key", "ERROR", "<message>what is expected has no value: no such key</message>"),
+        ("3", "ERROR", "nothing is returned, so that 3 cannot be expected"),
+    ],
+)
+def test_a_method_that_returns_nothing_can_be_expected_to_return_or_to_throw(expected, verdict, message):
+    result = CaseResult(TestCase(1, True, {}, {"": expected}))
+    result.returned_nothing("return")
+    line = result.line().decode()
+    assert f'verdict="{verdict}"' in line
+    assert "<actual>null</actual>" in line
+    assert message in line
 
 
 def test_results_go_on_behind_a_torn_line(tmp_path):

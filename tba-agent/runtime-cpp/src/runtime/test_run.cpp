@@ -170,6 +170,8 @@ simulation::Simulation& TestRun::simulation() {
   return *state_.simulation;
 }
 
+simulation::Simulation* TestRun::simulationIfAny() { return state_.simulation ? &*state_.simulation : nullptr; }
+
 Hardware* TestRun::hardware() { return state_.simulation ? &state_.simulation->hardware() : nullptr; }
 
 Stopwatch& TestRun::stopwatch() { return state_.stopwatch; }

@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
-#include <string>
 
 #include "sitaf/simulation/simulation_error.hpp"
-#include "sitaf/suite/literals.hpp"
 
 namespace sitaf::simulation {
 namespace {
@@ -20,7 +18,6 @@ void PassingTime::restart(Duration settled) {
   driver_ = std::this_thread::get_id();
   periods_.reset();
   followed_ = {};
-  followedEnded_.reset();
   waiting_.clear();
   step_ = 0;
   settled_ = settled;
@@ -35,10 +32,31 @@ void PassingTime::every(Duration period, std::function<void()> tick) {
   periods_ = Periods{period.count(), std::move(tick), step_};
 }
 
-void PassingTime::follow(std::thread::id thread, std::shared_ptr<std::atomic<bool>> ended) {
+void PassingTime::follow(std::thread::id thread) {
   const std::lock_guard<std::mutex> lock(mutex_);
   followed_ = thread;
-  followedEnded_ = std::move(ended);
+  givenUp_ = {};
+}
+
+void PassingTime::leave() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (followed_ == std::this_thread::get_id()) {
+    followed_ = {};
+    changed_.notify_all();
+  }
+}
+
+void PassingTime::passUntilItLeaves() {
+  for (std::uint64_t steps = awaited(); steps > 0; steps = awaited()) {
+    move(steps);
+  }
+}
+
+void PassingTime::giveUp() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  givenUp_ = followed_;
+  followed_ = {};
+  changed_.notify_all();
 }
 
 void PassingTime::end() {
@@ -83,8 +101,7 @@ void PassingTime::move(std::uint64_t steps) {
   const std::uint64_t end = step_ + steps;
   const Duration total = settled_ + Duration(static_cast<std::int64_t>(end) * timestep_);
   if (most_ && total > *most_) {
-    throw CaseTooLong("the case took more than " + suite::literals::spelling(std::chrono::duration<double>(*most_).count()) +
-                      " s of simulation time");
+    throw CaseTooLong(*most_);
   }
   while (step_ < end) {
     std::uint64_t stop = 0;
@@ -131,15 +148,23 @@ void PassingTime::await(std::uint64_t steps) {
   const std::thread::id self = std::this_thread::get_id();
   waiting_[self] = step_ + steps;
   changed_.notify_all();
-  changed_.wait(lock, [&] { return ended_ || waiting_.count(self) == 0; });
+  changed_.wait(lock, [&] { return ended_ || givenUp_ == self || waiting_.count(self) == 0; });
+  if (givenUp_ == self) {
+    waiting_.erase(self);
+    throw SimulationError("the case is over, and no more of its time passes", false);
+  }
 }
 
 /// Until the thread that is followed waits for simulation time, or is at its end.
 void PassingTime::awaitFollowed(std::unique_lock<std::mutex>& lock) {
-  // The end of a thread notifies nobody here.
-  while (followedEnded_ && !*followedEnded_ && waiting_.count(followed_) == 0) {
-    changed_.wait_for(lock, std::chrono::milliseconds(1));
-  }
+  changed_.wait(lock, [&] { return followed_ == std::thread::id() || waiting_.count(followed_) > 0; });
+}
+
+/// Steps that the thread that is followed waits for; 0 when it is at its end.
+std::uint64_t PassingTime::awaited() {
+  std::unique_lock<std::mutex> lock(mutex_);
+  awaitFollowed(lock);
+  return followed_ == std::thread::id() ? 0 : waiting_.at(followed_) - step_;
 }
 
 }  // namespace sitaf::simulation

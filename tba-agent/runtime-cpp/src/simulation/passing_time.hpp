@@ -1,12 +1,10 @@
 #pragma once
 
-#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <functional>
 #include <map>
-#include <memory>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -32,8 +30,18 @@ class PassingTime {
   /// A tick falls on the first step at or after each whole period from now on; ends with the case.
   void every(Duration period, std::function<void()> tick);
 
-  /// Time passes only while this thread waits for it, or has ended.
-  void follow(std::thread::id thread, std::shared_ptr<std::atomic<bool>> ended);
+  /// Time passes only while this thread waits for it, until it leaves or the next case begins: what it does then happens at the same
+  /// simulation time in every run. The thread must do nothing before.
+  void follow(std::thread::id thread);
+
+  /// The calling thread is at its end, and is not followed any longer.
+  void leave();
+
+  /// Lets pass what the thread that is followed still waits for; nothing where none is.
+  void passUntilItLeaves();
+
+  /// Ends the waits of the thread that is followed, each by a SimulationError.
+  void giveUp();
 
   /// Waits are over.
   void end();
@@ -57,6 +65,7 @@ class PassingTime {
   void await(std::uint64_t steps);
   void tickIfDue();
   void awaitFollowed(std::unique_lock<std::mutex>& lock);
+  std::uint64_t awaited();
 
   const std::int64_t timestep_;
   const std::function<void(std::uint64_t)> simulator_;
@@ -67,8 +76,9 @@ class PassingTime {
   std::map<std::thread::id, std::uint64_t> waiting_;
   std::uint64_t step_ = 0;
   std::optional<Periods> periods_;
+  /// No thread where none is followed, or given up.
   std::thread::id followed_;
-  std::shared_ptr<std::atomic<bool>> followedEnded_;
+  std::thread::id givenUp_;
   std::optional<Duration> most_;
   Duration settled_{0};
   bool ended_ = false;

@@ -119,15 +119,8 @@ class Simulation::Session : public Simulator {
   Hardware& hardware() { return hardware_; }
 
   void prepare(const Names& parameters, const std::vector<double>& values, std::chrono::nanoseconds settle) {
-    wire::PrepareRequest request;
-    request.set_session_id(created_.session_id());
-    for (std::size_t i = 0; i < parameters.size(); ++i) {
-      (*request.mutable_parameters())[parameters[i]] = values[i];
-    }
-    request.set_settle_ns(settle.count());
-    pending_.reset();
     time_.restart(settle);
-    world_.freeze(wire_.control(spelled(parameters, values), &Control::Prepare, request).state());
+    prepareAlone({parameters, values, settle});
   }
 
   void prepareAhead(const Names& parameters, const std::vector<double>& values, std::chrono::nanoseconds settle,
@@ -148,12 +141,7 @@ class Simulation::Session : public Simulator {
     world_.freeze(std::chrono::nanoseconds((settle.count() + step - 1) / step * step), row);
   }
 
-  void advance(std::chrono::nanoseconds time) {
-    if (time.count() > 0) {
-      makeLive();
-      time_.pass(time);
-    }
-  }
+  void advance(std::chrono::nanoseconds time) { time_.pass(time); }
 
   PassingTime& time() { return time_; }
 
@@ -233,7 +221,19 @@ class Simulation::Session : public Simulator {
     std::chrono::nanoseconds settle;
   };
 
+  void prepareAlone(const Pending& prepared) {
+    wire::PrepareRequest request;
+    request.set_session_id(created_.session_id());
+    for (std::size_t i = 0; i < prepared.parameters.size(); ++i) {
+      (*request.mutable_parameters())[prepared.parameters[i]] = prepared.values[i];
+    }
+    request.set_settle_ns(prepared.settle.count());
+    pending_.reset();
+    world_.freeze(wire_.control(spelled(prepared.parameters, prepared.values), &Control::Prepare, request).state());
+  }
+
   void step(std::uint64_t steps) {
+    makeLive();
     wire::StepSimulationRequest request;
     request.set_session_id(created_.session_id());
     request.set_steps(steps);
@@ -246,7 +246,7 @@ class Simulation::Session : public Simulator {
     if (pending_) {
       const Pending pending = *pending_;
       alone_ = true;
-      prepare(pending.parameters, pending.values, pending.settle);
+      prepareAlone(pending);
     }
   }
 
@@ -351,9 +351,13 @@ void Simulation::advance(std::chrono::nanoseconds time) { session_->advance(time
 
 void Simulation::every(std::chrono::nanoseconds period, std::function<void()> task) { session_->time().every(period, std::move(task)); }
 
-void Simulation::follow(std::thread::id thread, std::shared_ptr<std::atomic<bool>> ended) {
-  session_->time().follow(thread, std::move(ended));
-}
+void Simulation::follow(std::thread::id thread) { session_->time().follow(thread); }
+
+void Simulation::leave() { session_->time().leave(); }
+
+void Simulation::advanceUntilItLeaves() { session_->time().passUntilItLeaves(); }
+
+void Simulation::giveUp() { session_->time().giveUp(); }
 
 void Simulation::limitCases(std::chrono::nanoseconds most) { session_->time().limit(most); }
 

@@ -10,6 +10,12 @@ namespace {
 /// Stands before the name of an error that a case expects.
 const std::string errorMark = "!error:";
 
+/// Begins an expected value that could not be worked out.
+const std::string unevaluatedMark = "!unevaluated:";
+
+/// What a method returns that returns nothing.
+const std::string nothing = "null";
+
 }  // namespace
 
 void CaseResult::took(double component, double hardware, double stub) {
@@ -35,14 +41,7 @@ void CaseResult::compareValue(std::string_view output, const Value& value, const
   if (expected == nullptr) {
     return;
   }
-  bool byName = false;
-  for (const auto& expectation : testCase_.expectations()) {
-    byName = byName || expectation.first == output;
-  }
-  compared_.insert(byName ? std::string(output) : std::string());
-  if (expected->compare(0, errorMark.size(), errorMark) == 0) {
-    worsen(Verdict::fail,
-           named(output, "expected error " + expected->substr(errorMark.size()) + ", but it returned " + literals::spelling(value)));
+  if (isNoValue(output, *expected, " " + literals::spelling(value))) {
     return;
   }
   try {
@@ -53,6 +52,33 @@ void CaseResult::compareValue(std::string_view output, const Value& value, const
   } catch (const CaseDataError& e) {
     worsen(Verdict::error, named(output, std::string("what is expected cannot be compared with it: ") + e.what()));
   }
+}
+
+void CaseResult::returnedNothing(std::string_view output) {
+  actual_.emplace_back(output, nothing);
+  const std::string* expected = testCase_.expected(output);
+  if (expected != nullptr && !isNoValue(output, *expected, "") && *expected != nothing) {
+    worsen(Verdict::error,
+           "nothing is returned, so that " + *expected + " cannot be expected, but null or an error such as " + errorMark + "NAME");
+  }
+}
+
+/// Judges an output of which no value is expected, but an error, or that is not known.
+bool CaseResult::isNoValue(std::string_view output, const std::string& expected, const std::string& returned) {
+  bool byName = false;
+  for (const auto& expectation : testCase_.expectations()) {
+    byName = byName || expectation.first == output;
+  }
+  compared_.insert(byName ? std::string(output) : std::string());
+  if (expected.compare(0, unevaluatedMark.size(), unevaluatedMark) == 0) {
+    worsen(Verdict::error, "what is expected has no value:" + expected.substr(unevaluatedMark.size()));
+    return true;
+  }
+  if (expected.compare(0, errorMark.size(), errorMark) == 0) {
+    worsen(Verdict::fail, "expected the error " + expected.substr(errorMark.size()) + ", but it returned" + returned);
+    return true;
+  }
+  return false;
 }
 
 void CaseResult::endedWith(Verdict verdict, std::string_view reason) { worsen(verdict, reason); }

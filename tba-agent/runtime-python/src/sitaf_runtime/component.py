@@ -186,11 +186,6 @@ def method_of(component: object, name: str) -> Callable[..., Any]:
     )
 
 
-def has_method(component: object, *names: str) -> str | None:
-    """The first of some names that a component has a method of."""
-    return next((name for name in names if callable(getattr(component, name, None))), None)
-
-
 @functools.cache
 def _takes_holders(function: Any, arguments: int, inputs: int) -> bool:
     """Whether a method takes its out-parameters as `Out`, instead of returning them."""
@@ -246,15 +241,19 @@ def part_of(value: Any, *path: str | int) -> Any:
 
 
 def port_of(component: object, name: str) -> Any:
-    """What a component last sent through an output data port: an attribute, or a method without arguments.
+    """What a component last sent through an output data port: the method of its name or its getter, else the attribute.
 
-    Raises CannotRunError when the class has neither.
+    Raises CannotRunError when the class has none of them.
     """
-    for spelling in (name, snake_case(name)):
+    camel = name[:1].upper() + name[1:]
+    for spelling in (name, snake_case(name), f"get{camel}", f"get_{snake_case(name)}"):
         if hasattr(component, spelling):
             value = getattr(component, spelling)
             return value() if callable(value) else value
-    raise CannotRunError(f"{_named(type(component))} has no attribute {name} or {snake_case(name)} for the data port")
+    raise CannotRunError(
+        f"{_named(type(component))} has neither a method or an attribute {name} or {snake_case(name)} nor a method"
+        f" get_{snake_case(name)} for the data port that the model observes"
+    )
 
 
 def _named(type_: type) -> str:

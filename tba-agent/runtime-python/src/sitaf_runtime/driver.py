@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar
 
 from sitaf_runtime import component as components
+from sitaf_runtime.beside import CallBeside
+from sitaf_runtime.hooks import Hooks
 from sitaf_runtime.stopwatch import Stopwatch
-from sitaf_runtime.stub import StubCalls
 from sitaf_runtime.suite.result import CaseResult, Verdict
 from sitaf_runtime.suite.test_case import TestCase
 
@@ -16,23 +17,25 @@ if TYPE_CHECKING:
     from sitaf_runtime.run import TestRun
 
 C = TypeVar("C")
-
-# Methods of the component's life, in each spelling; those that it has are called.
-_BEGIN = (("on_initialize", "onInitialize", "on_initialise", "onInitialise"), ("on_start", "onStart"))
-_END = (("on_stop", "onStop"), ("on_destroy", "onDestroy"), ("close",))
+T = TypeVar("T")
 
 
 class SuiteDriver(ABC, Generic[C]):
     """A driver within a run.
 
-    The component lives for each case anew, or as long as the suite where `SUITE_LIFE` says so.
+    The component lives for each case anew, or as long as the suite where `SUITE_LIFE` says so. `NOT_HOOKS` names
+    methods of its interfaces, which its life must not call.
     """
 
     SUITE_LIFE: ClassVar[bool] = False
+    NOT_HOOKS: ClassVar[Sequence[str]] = ()
 
     def __init__(self, run: TestRun) -> None:
         self._run = run
+        self._hooks = Hooks(self.NOT_HOOKS)
         self._component: C | None = None
+        self._begun: C | None = None
+        self._pending: CallBeside[Any] | None = None
         self._saved = False
 
     @abstractmethod
@@ -54,26 +57,32 @@ class SuiteDriver(ABC, Generic[C]):
         """Measures the call under test."""
         return self._run.stopwatch
 
-    @property
-    def stub_calls(self) -> StubCalls:
-        """What the stub is called with in a case."""
-        return self._run.stub_calls
-
     def component(self) -> C:
         """The component of this case: made now, or that of the case before where it lives as long as the suite."""
         if self._component is None:
             self._component = self.create_component()
-            for names in _BEGIN:
-                self._call_hook(names)
+            self.begin(self._component)
         return self._component
 
     def make(self, type_: type[C], *stubs: object) -> C:
         """Make a component, with whatever of the hardware and of these stubs its constructor asks for."""
         return components.create(type_, [*stubs, *self._run.hardware()])
 
+    def begin(self, component: C) -> None:
+        """Initialise and start a component, where its class has methods named so; one that has begun does not again."""
+        if self._begun is not component:
+            self._begun = component
+            self._hooks.begin(component)
+
     def execute_periodically(self, component: C, period_s: float) -> None:
-        """Let the component's `on_execute` be called whenever its period has passed in simulation time."""
-        self._run.simulation.every(period_s, components.method_of(component, "onExecute"))
+        """Let the component's `onExecute` be called whenever its period has passed in simulation time."""
+        self._run.simulation.every(period_s, self._hooks.execution(component))
+
+    def beside(self, call: Callable[..., T], *arguments: Any) -> CallBeside[T]:
+        """Begin a nonblocking call of the component; it is timed on its own thread."""
+        beside = CallBeside(self._run.stopwatch, self._run.simulation_if_any, lambda: call(*arguments))
+        self._pending = beside
+        return beside
 
     def timed(self, call: Callable[..., Any], *arguments: Any) -> Any:
         """Make the call under test and give what it returns; nothing else is measured."""
@@ -87,7 +96,7 @@ class SuiteDriver(ABC, Generic[C]):
         """Hand the result of the case, with the time of its call, over to the results file."""
         watch = self._run.stopwatch
         result.took(watch.component_us, watch.hardware_us, watch.stub_us)
-        result.called(self._run.stub_calls.calls, self._run.stub_calls.left_out)
+        result.called(self._run.stubbing.calls, self._run.stubbing.left_out)
         too_long = self._run.took_too_long
         if too_long:
             result.ended_with(Verdict.ERROR, too_long)
@@ -102,7 +111,13 @@ class SuiteDriver(ABC, Generic[C]):
     def begin_case(self) -> None:
         """Begin a case."""
         self._saved = False
-        self._run.stub_calls.reset()
+        self._pending = None
+        self._run.stubbing.begin()
+
+    def give_up(self) -> None:
+        """Wait for the end of a nonblocking call, where it is still under way."""
+        if self._pending is not None:
+            self._pending.give_up()
 
     def end_case(self) -> None:
         """End the life of a component that lives for one case."""
@@ -114,12 +129,7 @@ class SuiteDriver(ABC, Generic[C]):
         if self._component is None:
             return
         try:
-            for names in _END:
-                self._call_hook(names)
+            self._hooks.end(self._component)
         finally:
             self._component = None
-
-    def _call_hook(self, names: tuple[str, ...]) -> None:
-        name = components.has_method(self._component, *names)
-        if name is not None:
-            getattr(self._component, name)()
+            self._begun = None

@@ -24,7 +24,7 @@ from sitaf_runtime.driver import SuiteDriver
 from sitaf_runtime.errors import CannotRunError, CaseDataError, SimulationError
 from sitaf_runtime.robot.hardware import set_current
 from sitaf_runtime.stopwatch import Stopwatch
-from sitaf_runtime.stub import StubCalls
+from sitaf_runtime.stub import Stubbing
 from sitaf_runtime.suite.reader import SuiteReader
 from sitaf_runtime.suite.result import CaseResult, ResultsFile, Verdict
 from sitaf_runtime.suite.test_case import TestCase
@@ -46,7 +46,6 @@ class TestRun:
 
     def __init__(self, command: CommandLine, suite: SuiteReader, results: ResultsFile) -> None:
         self.stopwatch = Stopwatch()
-        self.stub_calls = StubCalls()
         self.results = results
         self._cases = iter(suite)
         self._read: deque[TestCase] = deque()
@@ -60,12 +59,18 @@ class TestRun:
             )
             if command.recording is not None:
                 self._simulation.record(command.recording)
+        self.stubbing = Stubbing(self.stopwatch, self._simulation)
 
     @property
     def simulation(self) -> Simulation:
         """The simulator's session. Raises CannotRunError when there is none."""
         if self._simulation is None:
             raise CannotRunError("this test needs a simulation: start it with --bridge TARGET --world FILE.world.yaml")
+        return self._simulation
+
+    @property
+    def simulation_if_any(self) -> Simulation | None:
+        """The simulator's session, where there is one."""
         return self._simulation
 
     @property
@@ -133,7 +138,10 @@ class TestRun:
         self.stopwatch.reset()
         driver.begin_case()
         try:
-            driver.run_case(case, result)
+            try:
+                driver.run_case(case, result)
+            finally:
+                driver.give_up()
             if not driver.is_saved:
                 raise CannotRunError(f"the test driver ended case {case.no} without save(result)")
         except BaseException as raised:
@@ -165,7 +173,7 @@ class TestRun:
             result.ended_with(Verdict.DONT, str(raised))
         else:
             result.ended_with(Verdict.ERROR, describe(raised))
-        result.called(self.stub_calls.calls, self.stub_calls.left_out)
+        result.called(self.stubbing.calls, self.stubbing.left_out)
         self.results.save(result)
 
 

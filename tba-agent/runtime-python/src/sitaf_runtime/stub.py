@@ -6,13 +6,16 @@ import re
 import time
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, Generic, TypeVar
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 from sitaf_runtime.errors import CaseDataError
 from sitaf_runtime.stopwatch import Stopwatch
 from sitaf_runtime.suite import literals
 from sitaf_runtime.suite.calls import StubCall
 from sitaf_runtime.suite.kinds import Kind
+
+if TYPE_CHECKING:
+    from sitaf_runtime.simulation.session import Simulation
 
 T = TypeVar("T")
 _DELAYED = re.compile(r"!delay:([0-9]{1,6}(?:\.[0-9]{1,9})?)(?: (.*))?", re.DOTALL | re.ASCII)
@@ -55,27 +58,41 @@ def answer(kind: Kind[T] | None, errors: Mapping[str, type[Exception]]) -> Kind[
     return Kind(parse, lambda: Answer(None if kind is None else kind.zero()))
 
 
-class StubCalls:
-    """What the stub was called with in a case, in order; from any thread."""
+class Stubbing:
+    """What the stubbed methods of a run share: the clock, the record of a case's calls, and how time passes."""
 
     # A component may call without end.
     MOST = 1_000
 
-    def __init__(self) -> None:
+    def __init__(self, stopwatch: Stopwatch, simulation: Simulation | None = None) -> None:
+        """`simulation` is whose time a delayed answer takes; None where real time passes."""
+        self.stopwatch = stopwatch
+        self._simulation = simulation
         self.calls: list[StubCall] = []
         self.left_out = 0
 
-    def reset(self) -> None:
-        """Begin a case."""
+    def begin(self) -> None:
+        """Begin a case: what was called before is forgotten."""
         self.calls = []
         self.left_out = 0
 
+    def has_room(self) -> bool:
+        """Whether one more call is kept."""
+        return len(self.calls) < self.MOST
+
     def record(self, method: str, arguments: dict[str, str]) -> None:
-        """Keep a call."""
-        if len(self.calls) < self.MOST:
+        """Keep a call, from any thread."""
+        if self.has_room():
             self.calls.append(StubCall(method, arguments))
         else:
             self.left_out += 1
+
+    def let_pass(self, delay_s: float) -> None:
+        """Let the time of a delayed answer pass."""
+        if self._simulation is None:
+            time.sleep(delay_s)
+        else:
+            self._simulation.advance(delay_s)
 
 
 class StubbedMethod(Generic[T]):
@@ -88,16 +105,14 @@ class StubbedMethod(Generic[T]):
 
     def __init__(
         self,
+        stubbing: Stubbing,
         name: str,
-        stopwatch: Stopwatch,
-        calls: StubCalls,
         kind: Kind[T] | None,
         inputs: Mapping[str, Kind[Any]] | None = None,
         outs: Mapping[str, Kind[Any]] | None = None,
     ) -> None:
+        self._stubbing = stubbing
         self._name = name
-        self._stopwatch = stopwatch
-        self._calls = calls
         self._kind = kind
         self._inputs = dict(inputs or {})
         self._outs = dict(outs or {})
@@ -123,12 +138,11 @@ class StubbedMethod(Generic[T]):
         entered = time.perf_counter_ns()
         try:
             self._count += 1
-            given = zip(self._inputs.items(), arguments, strict=True)
-            self._calls.record(self._name, {name: literals.spell(kind.shaped(a)) for (name, kind), a in given})
+            self._record(arguments)
             value = self._current("")
             if isinstance(value, Answer):
                 if value.delay_s:
-                    time.sleep(value.delay_s)
+                    self._stubbing.let_pass(value.delay_s)
                 if value.error:
                     raise value.error(f"{self._name} was told to raise this by the test")
                 value = value.value
@@ -138,7 +152,12 @@ class StubbedMethod(Generic[T]):
             parts = parts if self._kind is None else [value, *parts]
             return parts[0] if len(parts) == 1 else tuple(parts)
         finally:
-            self._stopwatch.leave_stub(entered)
+            self._stubbing.stopwatch.leave_stub(entered)
+
+    def _record(self, arguments: tuple[Any, ...]) -> None:
+        given = zip(self._inputs.items(), arguments, strict=True)
+        spelled = {n: literals.spell(kind.shaped(a)) for (n, kind), a in given} if self._stubbing.has_room() else {}
+        self._stubbing.record(self._name, spelled)
 
     def _current(self, out: str) -> Any:
         current = None

@@ -1,12 +1,16 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
+#include "sitaf/runtime/cannot_run.hpp"
 #include "sitaf/suite/literals.hpp"
 
 /// Makes a component, sets its properties and leads it through its life, by what its class offers.
@@ -132,14 +136,43 @@ void setProperty(Component& component, const char* name, const char* value, Sett
   }
 }
 
+/// What a component has of a name: a method without parameters, or a public member.
+#define SITAF_METHOD(name) [](auto& component) -> decltype(component.name()) { return component.name(); }
+#define SITAF_MEMBER(name) [](auto& component) -> decltype((component.name)) { return (component.name); }
+
+/// What a component last sent through an output data port: the method of the port's name or its getter, else the public member of its
+/// name.
+template <class Component, class Method, class Getter, class Member>
+decltype(auto) dataPort(Component& component, Method method, Getter getter, Member member) {
+  if constexpr (std::is_invocable_v<Method, Component&>) {
+    return method(component);
+  } else if constexpr (std::is_invocable_v<Getter, Component&>) {
+    return getter(component);
+  } else {
+    static_assert(std::is_invocable_v<Member, Component&>,
+                  "the component under test has neither a method of the name of the data port that the model observes, nor a getter, nor a "
+                  "public member of that name");
+    return member(component);
+  }
+}
+
+/// Methods of a component's interfaces that are for the test to call, and are no hooks.
+using NotHooks = std::vector<std::string_view>;
+
 #define SITAF_HOOK(Hook, method)                                                                        \
   template <class Component, class = void>                                                              \
   struct Hook : std::false_type {                                                                       \
-    static void call(Component&) {}                                                                     \
+    static bool call(Component&, const NotHooks&) { return false; }                                     \
   };                                                                                                    \
   template <class Component>                                                                            \
   struct Hook<Component, std::void_t<decltype(std::declval<Component&>().method())>> : std::true_type { \
-    static void call(Component& component) { component.method(); }                                      \
+    static bool call(Component& component, const NotHooks& notHooks) {                                  \
+      if (std::find(notHooks.begin(), notHooks.end(), #method) != notHooks.end()) {                     \
+        return false;                                                                                   \
+      }                                                                                                 \
+      component.method();                                                                               \
+      return true;                                                                                      \
+    }                                                                                                   \
   }
 
 namespace detail {
@@ -155,35 +188,38 @@ SITAF_HOOK(OnDestroy, onDestroy);
 SITAF_HOOK(OnExecute, onExecute);
 SITAF_HOOK(Execute, execute);
 
-/// Calls the first of several hooks that a component has.
+/// Calls the first of several hooks that a component has; whether it has one.
 template <class Component, template <class, class> class... Hooks>
-void callFirst(Component& component) {
-  bool called = false;
-  ((called = called || (Hooks<Component, void>::call(component), Hooks<Component, void>::value)), ...);
+bool callFirst(Component& component, const NotHooks& notHooks) {
+  return (Hooks<Component, void>::call(component, notHooks) || ...);
 }
 }  // namespace detail
 #undef SITAF_HOOK
 
 /// Begins the life of a component that was made: `initialise` and `start` (or `initialize`, `onInitialize`, `onStart`), where it has them.
 template <class Component>
-void beginLife(Component& component) {
-  detail::callFirst<Component, detail::Initialise, detail::Initialize, detail::OnInitialize>(component);
-  detail::callFirst<Component, detail::Start, detail::OnStart>(component);
+void beginLife(Component& component, const NotHooks& notHooks) {
+  detail::callFirst<Component, detail::Initialise, detail::Initialize, detail::OnInitialize>(component, notHooks);
+  detail::callFirst<Component, detail::Start, detail::OnStart>(component, notHooks);
 }
 
 /// Ends the life of a component: `stop` and `destroy` (or `onStop`, `onDestroy`), where it has them.
 template <class Component>
-void endLife(Component& component) {
-  detail::callFirst<Component, detail::Stop, detail::OnStop>(component);
-  detail::callFirst<Component, detail::Destroy, detail::OnDestroy>(component);
+void endLife(Component& component, const NotHooks& notHooks) {
+  detail::callFirst<Component, detail::Stop, detail::OnStop>(component, notHooks);
+  detail::callFirst<Component, detail::Destroy, detail::OnDestroy>(component, notHooks);
 }
 
 /// One period of a periodic component: `onExecute` or `execute`.
 template <class Component>
-void execute(Component& component) {
+void execute(Component& component, const NotHooks& notHooks) {
   static_assert(detail::OnExecute<Component>::value || detail::Execute<Component>::value,
                 "activity.yaml says that the component is periodic, but it has neither onExecute() nor execute()");
-  detail::callFirst<Component, detail::OnExecute, detail::Execute>(component);
+  if (!detail::callFirst<Component, detail::OnExecute, detail::Execute>(component, notHooks)) {
+    throw CannotRun(
+        "activity.yaml says that the component is periodic, but its onExecute() or execute() is a method of the interface, which only the "
+        "test calls");
+  }
 }
 
 }  // namespace sitaf::runtime

@@ -1,12 +1,9 @@
 #pragma once
 
-#include <atomic>
-#include <future>
 #include <memory>
-#include <thread>
-#include <type_traits>
 #include <utility>
 
+#include "sitaf/runtime/call_beside.hpp"
 #include "sitaf/runtime/component.hpp"
 #include "sitaf/runtime/test_run.hpp"
 
@@ -18,43 +15,6 @@ enum class LifeCycle {
   perCase,
   /// Once for all cases of a process.
   suite
-};
-
-/// A call on a thread of its own.
-template <class Returned>
-class AsideCall {
- public:
-  AsideCall(std::future<Returned> outcome, std::thread thread) : outcome_(std::move(outcome)), thread_(std::move(thread)) {}
-  AsideCall(AsideCall&&) = default;
-  ~AsideCall() {
-    if (thread_.joinable()) {
-      thread_.join();
-    }
-  }
-
-  std::thread::id thread() const { return thread_.get_id(); }
-
-  /// Waits for the end of the call; what it threw comes out here.
-  Returned get() {
-    thread_.join();
-    return outcome_.get();
-  }
-
- private:
-  std::future<Returned> outcome_;
-  std::thread thread_;
-};
-
-/// Tells at the end of its life that something has ended.
-class Ending {
- public:
-  explicit Ending(std::atomic<bool>& ended) : ended_(ended) {}
-  ~Ending() { ended_ = true; }
-  Ending(const Ending&) = delete;
-  Ending& operator=(const Ending&) = delete;
-
- private:
-  std::atomic<bool>& ended_;
 };
 
 /// What a run knows of a test driver.
@@ -90,28 +50,10 @@ class Driver {
 
   TestRun& run() { return run_; }
 
-  /// Makes a nonblocking call on a thread of its own, and times it there. Simulation time passes meanwhile only while the call waits for
-  /// it, so that what it does happens at the same time in every run.
+  /// Begins a nonblocking call; it is timed on its own thread.
   template <class Call>
-  auto callAside(Call call) {
-    auto ended = std::make_shared<std::atomic<bool>>(false);
-    std::packaged_task<decltype(call())()> task([this, call, ended] {
-      const Ending ending(*ended);
-      stopwatch().start();
-      if constexpr (std::is_void_v<decltype(call())>) {
-        call();
-        stopwatch().stop();
-      } else {
-        auto returned = call();
-        stopwatch().stop();
-        return returned;
-      }
-    });
-    AsideCall<decltype(call())> aside(task.get_future(), std::thread(std::move(task)));
-    if (run_.hardware() != nullptr) {
-      run_.simulation().follow(aside.thread(), ended);
-    }
-    return aside;
+  auto beside(Call call) {
+    return CallBeside<decltype(call())>(run_.stopwatch(), run_.simulationIfAny(), std::move(call));
   }
 
  private:
@@ -132,12 +74,15 @@ class SuiteDriver : public Driver {
   void close() override {
     const std::unique_ptr<Component> last = std::move(component_);
     if (last != nullptr) {
-      endLife(*last);
+      begun_ = nullptr;
+      endLife(*last, notHooks_);
     }
   }
 
  protected:
-  SuiteDriver(TestRun& run, LifeCycle lifeCycle) : Driver(run), lifeCycle_(lifeCycle) {}
+  /// A driver within a run; notHooks are methods of the component's interfaces, which its life must not call.
+  SuiteDriver(TestRun& run, LifeCycle lifeCycle, NotHooks notHooks = {})
+      : Driver(run), lifeCycle_(lifeCycle), notHooks_(std::move(notHooks)) {}
 
   /// Makes the component and sets it up.
   virtual std::unique_ptr<Component> createComponent() = 0;
@@ -152,13 +97,27 @@ class SuiteDriver : public Driver {
   Component& component() {
     if (component_ == nullptr) {
       component_ = createComponent();
+      begin(*component_);
     }
     return *component_;
   }
 
+  /// Initialises and starts a component, where its class has methods named so. A component that begins its life twice does it once.
+  void begin(Component& component) {
+    if (begun_ != &component) {
+      begun_ = &component;
+      beginLife(component, notHooks_);
+    }
+  }
+
+  /// Does the work of one period of a periodic component.
+  void execute(Component& component) { runtime::execute(component, notHooks_); }
+
  private:
   LifeCycle lifeCycle_;
+  NotHooks notHooks_;
   std::unique_ptr<Component> component_;
+  const Component* begun_ = nullptr;
 };
 
 }  // namespace sitaf::runtime

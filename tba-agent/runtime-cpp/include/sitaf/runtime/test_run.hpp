@@ -41,6 +41,9 @@ class TestRun {
   /// The simulator's session; CannotRun where the test was started without one.
   simulation::Simulation& simulation();
 
+  /// The simulator's session; null where there is none.
+  simulation::Simulation* simulationIfAny();
+
   /// What the component may be given; null where there is no simulation.
   Hardware* hardware();
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <functional>
@@ -51,8 +50,18 @@ class Simulation {
   /// called while time passes, by advance or by the component's own waiting; periods that pass while it waits itself are skipped.
   void every(std::chrono::nanoseconds period, std::function<void()> task);
 
-  /// A thread of the component whose calls count: time passes only while it waits for it, or has ended.
-  void follow(std::thread::id thread, std::shared_ptr<std::atomic<bool>> ended);
+  /// Lets time pass only while a thread of the component waits for it, until it leaves or the next case is prepared: what the thread does
+  /// then happens at the same simulation time in every run. It must do nothing before.
+  void follow(std::thread::id thread);
+
+  /// The calling thread is at its end, and is not followed any longer.
+  void leave();
+
+  /// Lets as much time pass as the thread that is followed still waits for.
+  void advanceUntilItLeaves();
+
+  /// Ends the waits of the thread that is followed, each by a SimulationError.
+  void giveUp();
 
   /// No case takes more simulation time than this; what lets more pass gets a CaseTooLong.
   void limitCases(std::chrono::nanoseconds most);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <chrono>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -21,7 +23,14 @@ class SimulationError : public std::runtime_error {
 /// A case lets more simulation time pass than it may.
 class CaseTooLong : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit CaseTooLong(std::chrono::nanoseconds most) : std::runtime_error(message(std::chrono::duration<double>(most).count())) {}
+
+ private:
+  static std::string message(double seconds) {
+    std::ostringstream text;
+    text << "the case took more than " << seconds << " s of simulation time";
+    return text.str();
+  }
 };
 
 }  // namespace sitaf::simulation

@@ -35,6 +35,10 @@ class CaseResult {
     compareValue(output, valueOf(value), tolerance);
   }
 
+  /// Keeps that a method returned which returns nothing, and compares that where the case expects something: that it returns, `null`, or an
+  /// error.
+  void returnedNothing(std::string_view output);
+
   void recordValue(std::string_view output, const Value& value);
   void compareValue(std::string_view output, const Value& value, const Tolerance& tolerance);
 
@@ -52,6 +56,7 @@ class CaseResult {
   std::string line();
 
  private:
+  bool isNoValue(std::string_view output, const std::string& expected, const std::string& returned);
   void worsen(Verdict verdict, std::string_view reason);
   std::string named(std::string_view output, const std::string& difference) const;
 

@@ -9,6 +9,8 @@ from __future__ import annotations
 import threading
 from collections.abc import Callable
 
+from sitaf_runtime.errors import SimulationError
+
 
 class PassingTime:
     """A clock at 0; `move` moves the world by a number of steps of `timestep_ns` each."""
@@ -19,8 +21,9 @@ class PassingTime:
         self._changed = threading.Condition()
         self._driver = threading.get_ident()
         self._step = 0
-        self._waiting: dict[int, int] = {}
+        self._waiting: dict[threading.Thread, int] = {}
         self._followed: threading.Thread | None = None
+        self._given_up: threading.Thread | None = None
         self._ended = False
         self._period_ns = 0
         self._tick: Callable[[], object] | None = None
@@ -50,8 +53,32 @@ class PassingTime:
         self._period_ns, self._tick, self._begin, self._count = period_ns, tick, self._step, 1
 
     def follow(self, thread: threading.Thread) -> None:
-        """Let time pass only while a thread waits for it or has ended, so that what it does is the same each time."""
-        self._followed = thread
+        """Let time pass only while a thread that is not started yet waits for it, until it leaves.
+
+        What it does then happens at the same simulation time in every run.
+        """
+        with self._changed:
+            self._followed = thread
+            self._given_up = None
+
+    def leave(self) -> None:
+        """The calling thread is at its end, and is not followed any longer."""
+        with self._changed:
+            if self._followed is threading.current_thread():
+                self._followed = None
+                self._changed.notify_all()
+
+    def pass_until_it_leaves(self) -> None:
+        """Let as much time pass as the thread that is followed still waits for; none where none is."""
+        while steps := self._awaited():
+            self._move(steps)
+
+    def give_up(self) -> None:
+        """End the waits of the thread that is followed, each by an exception."""
+        with self._changed:
+            self._given_up = self._followed
+            self._followed = None
+            self._changed.notify_all()
 
     def end(self) -> None:
         """Let go of all that waits."""
@@ -106,17 +133,26 @@ class PassingTime:
         return self._begin + -(-self._count * self._period_ns // self._timestep_ns)
 
     def _await(self, steps: int) -> None:
-        me = threading.get_ident()
+        me = threading.current_thread()
         with self._changed:
             self._waiting[me] = self._step + steps
             self._changed.notify_all()
-            while me in self._waiting and not self._ended:
+            while me in self._waiting and me is not self._given_up and not self._ended:
                 self._changed.wait()
+            if me is self._given_up:
+                self._waiting.pop(me, None)
+                raise SimulationError("the case is over, and no more of its time passes")
 
     def _await_followed(self) -> None:
         """Until the thread that is followed waits for simulation time, or is at its end."""
+        if self._followed is None:
+            return
         with self._changed:
-            thread = self._followed
-            while thread is not None and thread.is_alive() and thread.ident not in self._waiting:
-                # The end of a thread notifies nobody here.
-                self._changed.wait(0.001)
+            while self._followed is not None and self._followed not in self._waiting:
+                self._changed.wait()
+
+    def _awaited(self) -> int:
+        """Steps that the thread that is followed waits for; 0 when it is at its end."""
+        self._await_followed()
+        thread = self._followed
+        return 0 if thread is None else self._waiting[thread] - self._step

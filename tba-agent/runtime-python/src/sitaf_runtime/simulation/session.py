@@ -134,9 +134,10 @@ class Simulation:
         """
         self._time.every(round(period_s * _NANOS), tick)
 
-    def follow(self, thread: threading.Thread) -> None:
-        """Let time pass only while a thread sleeps in simulation time or has ended: a call that does not block."""
-        self._time.follow(thread)
+    @property
+    def time(self) -> PassingTime:
+        """How the time of this session passes for threads that wait for it."""
+        return self._time
 
     def advance(self, seconds: float) -> None:
         """Let simulation time pass, rounded up to whole steps."""

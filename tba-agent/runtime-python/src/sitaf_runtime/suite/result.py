@@ -18,6 +18,8 @@ from sitaf_runtime.suite.tolerance import Tolerance
 # What a component puts into an exception has no bound of its own.
 _MAX_MESSAGE_LENGTH = 8000
 _ERROR = "!error:"
+# Begins an expected value that could not be worked out.
+_UNEVALUATED = "!unevaluated:"
 
 # How many results a machine may lose with its power; a process that is killed loses none.
 _LINES_TO_SYNC = 4096
@@ -77,11 +79,7 @@ class CaseResult:
         expected = self._case.expectation(output)
         if expected is None:
             return
-        self._compared.add(output if output in self._case.expected else "")
-        if expected.startswith(_ERROR):
-            returned = literals.spell(value)
-            error = expected.removeprefix(_ERROR)
-            self._worsen(Verdict.FAIL, self._named(output, f"expected error {error}, but it returned {returned}"))
+        if self._is_no_value(output, expected, " " + self._actual[output]):
             return
         try:
             apart = difference(expected, value, tolerance)
@@ -91,6 +89,33 @@ class CaseResult:
         if apart:
             inside = apart.startswith((".", "["))
             self._worsen(Verdict.FAIL, output + apart if inside else self._named(output, apart))
+
+    def returned_nothing(self, output: str) -> None:
+        """Keep that a method returned which returns nothing.
+
+        A case can expect that, `null`, or an error.
+        """
+        self._actual[output] = literals.spell(None)
+        expected = self._case.expectation(output)
+        if expected is None or self._is_no_value(output, expected, ""):
+            return
+        if expected.strip() != literals.spell(None):
+            self._worsen(
+                Verdict.ERROR,
+                f"nothing is returned, so that {expected} cannot be expected, but null or an error such as !error:NAME",
+            )
+
+    def _is_no_value(self, output: str, expected: str, returned: str) -> bool:
+        """Judge an output of which no value is expected, but an error, or that is not known."""
+        self._compared.add(output if output in self._case.expected else "")
+        if expected.startswith(_UNEVALUATED):
+            self._worsen(Verdict.ERROR, f"what is expected has no value:{expected.removeprefix(_UNEVALUATED)}")
+            return True
+        if expected.startswith(_ERROR):
+            error = expected.removeprefix(_ERROR)
+            self._worsen(Verdict.FAIL, f"expected the error {error}, but it returned{returned}")
+            return True
+        return False
 
     def ended_with(self, verdict: Verdict, reason: str) -> None:
         """The case did not get as far as a comparison, or not through it."""

@@ -24,6 +24,7 @@ public abstract class SuiteDriver<C> {
   private final Hooks hooks;
   private @Nullable C component;
   private @Nullable Object begun;
+  private @Nullable CallBeside<?> pending;
   private boolean saved;
 
   /**
@@ -104,7 +105,9 @@ public abstract class SuiteDriver<C> {
 
   /** Begins a nonblocking call of the component; it is timed on its own thread. */
   protected final <T> CallBeside<T> beside(Callable<T> call) {
-    return CallBeside.begin(run.stopwatch(), run.simulationIfAny(), call);
+    CallBeside<T> beside = CallBeside.begin(run.stopwatch(), run.simulationIfAny(), call);
+    pending = beside;
+    return beside;
   }
 
   /** Measures the call under test. */
@@ -123,7 +126,15 @@ public abstract class SuiteDriver<C> {
   /** Runs a case and says whether it got as far as saving its result. */
   final boolean runAndSave(TestCase testCase, CaseResult result) throws Exception {
     saved = false;
-    runCase(testCase, result);
+    pending = null;
+    try {
+      runCase(testCase, result);
+    } finally {
+      CallBeside<?> begunCall = pending;
+      if (begunCall != null) {
+        begunCall.giveUp();
+      }
+    }
     return saved;
   }
 

@@ -7,6 +7,7 @@ import java.time.Duration;
 import java.util.Optional;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.runtime.simulation.CaseTooLongException;
 import org.sitaf.runtime.simulation.Simulation;
 import org.sitaf.runtime.simulation.SimulationException;
 import org.sitaf.runtime.stub.Stubbing;
@@ -212,7 +213,9 @@ public final class TestRun {
   private void end(CaseResult result, Throwable thrown) {
     // A component must not disturb the next case by an interrupt that it left behind.
     Thread.interrupted();
-    if (stopwatch.isRunning()) {
+    if (thrown instanceof CaseTooLongException tooLong) {
+      result.endedWith(Verdict.ERROR, String.valueOf(tooLong.getMessage()));
+    } else if (stopwatch.isRunning()) {
       if (result.expects(thrown)) {
         stopwatch.stop();
         result.took(

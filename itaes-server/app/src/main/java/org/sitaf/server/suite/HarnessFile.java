@@ -65,6 +65,7 @@ record HarnessFile(
         FileTree.of(files),
         activity.provided(),
         activity.required(),
+        activity.outputPorts(),
         activity.world(),
         activity.models(),
         activity.warnings());

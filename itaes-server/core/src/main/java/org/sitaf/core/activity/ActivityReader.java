@@ -13,6 +13,7 @@ import org.sitaf.core.description.InterfaceDescription;
 import org.sitaf.core.description.WorldDescription;
 import org.sitaf.core.description.WorldReader;
 import org.sitaf.core.description.importer.InterfaceFiles;
+import org.sitaf.core.description.source.ComponentDescription.Port;
 import org.sitaf.core.description.source.Described;
 import org.sitaf.core.description.source.SourceFiles;
 import org.sitaf.core.diagnostic.Diagnostics;
@@ -57,10 +58,12 @@ final class ActivityReader {
         interfaces(profile.provided(), "provided", profile.name());
     List<InterfaceDescription> required =
         interfaces(profile.required(), "required", profile.name());
+    List<Port.Data> outputPorts =
+        OutputPorts.read(files, profile.provided(), profile.component().profile(), diagnostics);
     WorldDescription world = world(profile.world());
     List<TestModel> models =
         models(profile.models()).stream()
-            .map(m -> InterfaceTypes.resolve(m, provided, required))
+            .map(m -> InterfaceTypes.resolve(m, provided, required, outputPorts))
             .toList();
     if (withComponent) {
       ComponentFiles.verify(profile, files, PROFILE, diagnostics);
@@ -68,11 +71,13 @@ final class ActivityReader {
     if (!diagnostics.hasErrors()) {
       for (TestModel model : models) {
         diagnostics.addAll(TestCaseGenerator.verifyConditions(model));
-        diagnostics.addAll(ModelAgainstActivity.verify(model, provided, required, world));
+        diagnostics.addAll(
+            ModelAgainstActivity.verify(model, provided, required, world, outputPorts));
       }
     }
     diagnostics.throwIfErrors();
-    return new Activity(profile, files, provided, required, world, models, diagnostics.all());
+    return new Activity(
+        profile, files, provided, required, outputPorts, world, models, diagnostics.all());
   }
 
   private List<InterfaceDescription> interfaces(List<String> paths, String entry, String name) {
@@ -84,12 +89,8 @@ final class ActivityReader {
         missing(path, entry);
       }
     }
-    Map<String, byte[]> sources = new HashMap<>();
-    files.paths().stream()
-        .filter(InterfaceFiles::mayBe)
-        .forEach(path -> sources.put(path, files.content(path).orElseThrow()));
-    present.forEach(path -> sources.put(path, files.content(path).orElseThrow()));
-    Described described = InterfaceFiles.read(SourceFiles.of(name, sources, present));
+    Described described =
+        InterfaceFiles.read(SourceFiles.of(name, interfaceFiles(files, present), present));
     diagnostics.addAll(described.diagnostics());
     // A component profile tells what its component offers from what it calls.
     List<InterfaceDescription> interfaces =
@@ -107,6 +108,16 @@ final class ActivityReader {
       }
     }
     return interfaces;
+  }
+
+  /** Files that may hold interfaces, and some that are named. */
+  static Map<String, byte[]> interfaceFiles(FileTree files, List<String> named) {
+    Map<String, byte[]> sources = new HashMap<>();
+    files.paths().stream()
+        .filter(InterfaceFiles::mayBe)
+        .forEach(path -> sources.put(path, files.content(path).orElseThrow()));
+    named.forEach(path -> sources.put(path, files.content(path).orElseThrow()));
+    return sources;
   }
 
   private @Nullable WorldDescription world(@Nullable String path) {

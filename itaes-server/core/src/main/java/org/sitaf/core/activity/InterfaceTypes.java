@@ -9,9 +9,9 @@ import org.sitaf.core.description.InterfaceDescription;
 import org.sitaf.core.description.MemberPath;
 import org.sitaf.core.description.Method;
 import org.sitaf.core.description.Parameter;
+import org.sitaf.core.description.source.ComponentDescription.Port;
 import org.sitaf.core.model.InputElement;
 import org.sitaf.core.model.OutputElement;
-import org.sitaf.core.model.OutputKind;
 import org.sitaf.core.model.TestModel;
 
 /**
@@ -23,18 +23,25 @@ final class InterfaceTypes {
       Pattern.compile("([^.#]+)\\.([^.#]+)(?:\\.([^.#]+))?(?:#\\d+)?");
 
   private final List<InterfaceDescription> required;
+  private final List<Port.Data> outputPorts;
   private final Method method;
 
-  private InterfaceTypes(List<InterfaceDescription> required, Method method) {
+  private InterfaceTypes(
+      List<InterfaceDescription> required, List<Port.Data> outputPorts, Method method) {
     this.required = required;
+    this.outputPorts = outputPorts;
     this.method = method;
   }
 
   /** The model with its elements' types resolved; as it was where its target is not found. */
   static TestModel resolve(
-      TestModel model, List<InterfaceDescription> provided, List<InterfaceDescription> required) {
+      TestModel model,
+      List<InterfaceDescription> provided,
+      List<InterfaceDescription> required,
+      List<Port.Data> outputPorts) {
     try {
-      var types = new InterfaceTypes(required, TargetMethod.find(model, provided).method());
+      var types =
+          new InterfaceTypes(required, outputPorts, TargetMethod.find(model, provided).method());
       return model
           .withInputs(model.inputs().stream().map(types::resolve).toList())
           .withOutputs(model.outputs().stream().map(types::resolve).toList());
@@ -56,9 +63,13 @@ final class InterfaceTypes {
 
   private OutputElement resolve(OutputElement output) {
     Optional<DataType> type =
-        output.kind() == OutputKind.RETURN
-            ? MemberPath.resolve(method.returnType(), output.name())
-            : output.kind() == OutputKind.OUT ? parameter(method, output.name()) : Optional.empty();
+        switch (output.kind()) {
+          case RETURN -> MemberPath.resolve(method.returnType(), output.name());
+          case OUT -> parameter(method, output.name());
+          case OBSERVED ->
+              OutputPorts.named(outputPorts, output.name())
+                  .flatMap(port -> MemberPath.resolve(port.type(), output.name()));
+        };
     return type.filter(t -> isKnownOnlyTo(t, output.type())).map(output::withType).orElse(output);
   }
 

@@ -18,6 +18,7 @@ import org.sitaf.core.description.ScalarType;
 import org.sitaf.core.description.TypeGrammar;
 import org.sitaf.core.description.WorldDescription;
 import org.sitaf.core.description.WorldDescription.WorldParameter;
+import org.sitaf.core.description.source.ComponentDescription.Port;
 import org.sitaf.core.diagnostic.Diagnostic;
 import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.model.InputElement;
@@ -39,21 +40,27 @@ final class ModelAgainstActivity {
   private final TestModel model;
   private final List<InterfaceDescription> required;
   private final @Nullable WorldDescription world;
+  private final List<Port.Data> outputPorts;
   private final Diagnostics diagnostics = new Diagnostics();
 
   private ModelAgainstActivity(
-      TestModel model, List<InterfaceDescription> required, @Nullable WorldDescription world) {
+      TestModel model,
+      List<InterfaceDescription> required,
+      @Nullable WorldDescription world,
+      List<Port.Data> outputPorts) {
     this.model = model;
     this.required = required;
     this.world = world;
+    this.outputPorts = outputPorts;
   }
 
   static List<Diagnostic> verify(
       TestModel model,
       List<InterfaceDescription> provided,
       List<InterfaceDescription> required,
-      @Nullable WorldDescription world) {
-    var verification = new ModelAgainstActivity(model, required, world);
+      @Nullable WorldDescription world,
+      List<Port.Data> outputPorts) {
+    var verification = new ModelAgainstActivity(model, required, world, outputPorts);
     try {
       Method method = TargetMethod.find(model, provided).method();
       verification.inputs(method);
@@ -216,7 +223,15 @@ final class ModelAgainstActivity {
       switch (output.kind()) {
         case RETURN -> {
           if (isVoid(method.returnType())) {
-            error(output.line(), where, method.name() + " returns nothing");
+            if (!isVoid(output.type()) || !output.name().equals(OutputElement.RETURN_NAME)) {
+              error(
+                  output.line(),
+                  where,
+                  method.name()
+                      + " returns nothing; an element named return, with abstract_type VOID and"
+                      + " real_type void, can only expect null or an error such as"
+                      + " \"!error:NAME\"");
+            }
           } else {
             Optional<DataType> part = MemberPath.resolve(method.returnType(), output.name());
             if (part.isEmpty()) {
@@ -235,18 +250,37 @@ final class ModelAgainstActivity {
             error(output.line(), where, method.name() + " has no out-parameter of this name");
           }
         }
-        case OBSERVED -> {
-          if (world == null || !world.observations().contains(output.name())) {
-            error(
-                output.line(),
-                where,
-                "is not an observation of the world"
-                    + (world == null
-                        ? "; activity.yaml names none"
-                        : "; " + world.path() + " has " + world.observations()));
-          }
-        }
+        case OBSERVED -> observed(output, where);
       }
+    }
+  }
+
+  private void observed(OutputElement output, String where) {
+    boolean shown = world != null && world.observations().contains(output.name());
+    Optional<Port.Data> port = OutputPorts.named(outputPorts, output.name());
+    if (shown && port.isPresent()) {
+      error(
+          output.line(),
+          where,
+          "is an observation of " + world.path() + " and an output data port; rename one of them");
+    } else if (port.isPresent()) {
+      Optional<DataType> part = MemberPath.resolve(port.get().type(), output.name());
+      if (part.isEmpty()) {
+        error(
+            output.line(), where, port.get().type().spelling() + " has no such member or element");
+      } else {
+        sameType(output.line(), output.name(), output.realType(), part.get());
+      }
+    } else if (!shown) {
+      error(
+          output.line(),
+          where,
+          "is neither an observation of the world"
+              + (world == null
+                  ? ", of which activity.yaml names none"
+                  : ", where " + world.path() + " has " + world.observations())
+              + ", nor an output data port of a component_profile, which are "
+              + outputPorts.stream().map(Port.Data::name).toList());
     }
   }
 

@@ -219,13 +219,14 @@ final class TestModelReader {
                   || s.type() == ScalarType.STRING
                   || s.type() == ScalarType.CHAR;
           case "BOOLEAN" -> isBoolean(type) || type instanceof DataType.Unknown;
+          case "VOID" -> type.equals(new DataType.Scalar(ScalarType.VOID));
           case "ENUM", "STRUCT", "SEQUENCE" -> true;
           default -> {
             diagnostics.error(
                 file,
                 line,
                 where,
-                "abstract_type must be NUMERIC, STRING, BOOLEAN or ENUM, not '"
+                "abstract_type must be NUMERIC, STRING, BOOLEAN, ENUM or VOID, not '"
                     + element.getAbstractType()
                     + "'");
             yield true;

@@ -1,11 +1,13 @@
 package org.sitaf.core.suite;
 
+import dev.cel.common.values.NullValue;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.sitaf.core.description.DataType;
+import org.sitaf.core.description.ScalarType;
 import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.expression.EvaluationException;
 import org.sitaf.core.expression.Expression;
@@ -21,6 +23,9 @@ final class Oracle {
    * case.
    */
   private static final String UNEVALUATED = "!unevaluated:";
+
+  /** What a call is expected to return that returns nothing. */
+  private static final String NOTHING = "null";
 
   private final TestModel model;
   private final Conditions conditions;
@@ -80,6 +85,15 @@ final class Oracle {
   static String literal(Object result, DataType type) {
     if (result instanceof String text && text.startsWith(Value.MARK_OF_ERROR)) {
       return text;
+    }
+    if (type.equals(new DataType.Scalar(ScalarType.VOID))) {
+      if (!(result instanceof NullValue)) {
+        throw new IllegalArgumentException(
+            "nothing is returned: only null or an error such as \"!error:NAME\" can be expected,"
+                + " not "
+                + result);
+      }
+      return NOTHING;
     }
     if (result instanceof Map<?, ?> map) {
       return map.entrySet().stream()

@@ -1,6 +1,5 @@
 package org.sitaf.runtime.component;
 
-import java.time.Duration;
 import java.util.Objects;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
@@ -13,9 +12,6 @@ import org.sitaf.runtime.simulation.Simulation;
  * @param <T> the boxed return type
  */
 public final class CallBeside<T> {
-  /** How much simulation time passes at once while the call goes on after all else is done. */
-  private static final Duration STRETCH = Duration.ofMillis(10);
-
   private final @Nullable Simulation simulation;
   private final Thread thread;
   private volatile @Nullable T returned;
@@ -23,19 +19,7 @@ public final class CallBeside<T> {
 
   private CallBeside(Stopwatch stopwatch, @Nullable Simulation simulation, Callable<T> call) {
     this.simulation = simulation;
-    this.thread =
-        new Thread(
-            () -> {
-              stopwatch.start();
-              try {
-                returned = call.call();
-                stopwatch.stop();
-              } catch (Throwable e) {
-                // The watch goes on: that is how the run knows who threw it.
-                thrown = e;
-              }
-            },
-            "call under test");
+    this.thread = new Thread(() -> make(stopwatch, call), "call under test");
     thread.setDaemon(true);
   }
 
@@ -47,21 +31,36 @@ public final class CallBeside<T> {
   public static <T> CallBeside<T> begin(
       Stopwatch stopwatch, @Nullable Simulation simulation, Callable<T> call) {
     CallBeside<T> beside = new CallBeside<>(stopwatch, simulation, call);
-    beside.thread.start();
     if (simulation != null) {
-      simulation.follow(beside.thread);
+      simulation.time().follow(beside.thread);
     }
+    beside.thread.start();
     return beside;
   }
 
+  private void make(Stopwatch stopwatch, Callable<T> call) {
+    stopwatch.start();
+    try {
+      returned = call.call();
+      stopwatch.stop();
+    } catch (Throwable e) {
+      // The watch goes on: that is how the run knows who threw it.
+      thrown = e;
+    } finally {
+      if (simulation != null) {
+        simulation.time().leave();
+      }
+    }
+  }
+
   /**
-   * What the call returns, as soon as it does; simulation time passes until then.
+   * What the call returns; as much simulation time passes until then as it waits for.
    *
    * @throws Exception what the component throws
    */
   public @Nullable T outcome() throws Exception {
-    while (simulation != null && thread.isAlive()) {
-      simulation.advance(STRETCH);
+    if (simulation != null) {
+      simulation.time().passUntilItLeaves();
     }
     thread.join();
     Throwable problem = thrown;
@@ -72,5 +71,16 @@ public final class CallBeside<T> {
       throw (Exception) Objects.requireNonNull(problem);
     }
     return returned;
+  }
+
+  /**
+   * Waits for the end of a call whose outcome is not asked for any more, so that it does nothing to
+   * the next case; it gets an exception wherever it waits for simulation time.
+   */
+  public void giveUp() throws InterruptedException {
+    if (simulation != null) {
+      simulation.time().giveUp();
+    }
+    thread.join();
   }
 }

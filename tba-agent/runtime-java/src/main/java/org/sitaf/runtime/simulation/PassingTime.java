@@ -2,6 +2,7 @@ package org.sitaf.runtime.simulation;
 
 import java.time.Duration;
 import java.util.Map;
+import java.util.Objects;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.LongConsumer;
 import org.jspecify.annotations.Nullable;
@@ -11,7 +12,7 @@ import org.jspecify.annotations.Nullable;
  * its periods, and when a wait of one of its threads is over. Time is counted in steps since the
  * case was prepared, and moves in the driver's thread only.
  */
-final class PassingTime {
+public final class PassingTime {
   private final long timestepNanos;
   private final LongConsumer simulator;
 
@@ -20,10 +21,12 @@ final class PassingTime {
 
   private volatile Thread driver = Thread.currentThread();
   private long step;
+  private long settledSteps;
   private long mostSteps = Long.MAX_VALUE;
   private Duration limit = Duration.ZERO;
   private @Nullable Periods periods;
   private @Nullable Thread followed;
+  private @Nullable Thread givenUp;
   private boolean ended;
 
   /**
@@ -58,8 +61,11 @@ final class PassingTime {
 
   /**
    * A new case begins, whose driver is the calling thread; what waited for the last one goes on.
+   *
+   * @param settled time of the case that has passed already
    */
-  synchronized void restart() {
+  synchronized void restart(Duration settled) {
+    settledSteps = stepsIn(settled);
     driver = Thread.currentThread();
     periods = null;
     followed = null;
@@ -75,8 +81,36 @@ final class PassingTime {
     periods = new Periods(period.toNanos(), tick, step);
   }
 
-  synchronized void follow(Thread thread) {
+  /**
+   * Lets time pass only while a thread that is not started yet waits for it, until it {@link #leave
+   * leaves} or the next case is prepared: what the thread does then happens at the same simulation
+   * time in every run.
+   */
+  public synchronized void follow(Thread thread) {
     followed = thread;
+    givenUp = null;
+  }
+
+  /** The calling thread is at its end, and is not followed any longer. */
+  public synchronized void leave() {
+    if (followed == Thread.currentThread()) {
+      followed = null;
+      notifyAll();
+    }
+  }
+
+  /** Lets pass what the thread that is followed still waits for; nothing where none is. */
+  public void passUntilItLeaves() {
+    for (long steps = awaited(); steps > 0; steps = awaited()) {
+      move(steps);
+    }
+  }
+
+  /** No wait of the thread that is followed comes to its end any more: each is an exception. */
+  public synchronized void giveUp() {
+    givenUp = followed;
+    followed = null;
+    notifyAll();
   }
 
   synchronized void end() {
@@ -105,9 +139,8 @@ final class PassingTime {
 
   private void move(long steps) {
     long end = step + steps;
-    if (end > mostSteps) {
-      throw new SimulationException(
-          "the case took more than " + limit.toMillis() / 1e3 + " s of simulation time");
+    if (settledSteps + end > mostSteps) {
+      throw new CaseTooLongException(limit);
     }
     while (step < end) {
       awaitFollowed();
@@ -168,22 +201,32 @@ final class PassingTime {
     Thread self = Thread.currentThread();
     waiting.put(self, step + steps);
     notifyAll();
-    while (waiting.containsKey(self) && !ended) {
+    while (waiting.containsKey(self) && self != givenUp && !ended) {
       waitHere();
+    }
+    if (self == givenUp) {
+      waiting.remove(self);
+      throw new SimulationException("the case is over, and no more of its time passes");
     }
   }
 
   /** Until the thread that is followed waits for simulation time, or is at its end. */
   private synchronized void awaitFollowed() {
-    while (followed != null && followed.isAlive() && !waiting.containsKey(followed)) {
+    while (followed != null && !waiting.containsKey(followed)) {
       waitHere();
     }
   }
 
+  /** Steps that the thread that is followed waits for; 0 when it is at its end. */
+  private synchronized long awaited() {
+    awaitFollowed();
+    Thread thread = followed;
+    return thread == null ? 0 : Objects.requireNonNull(waiting.get(thread)) - step;
+  }
+
   private void waitHere() {
     try {
-      // The end of a thread notifies nobody here.
-      wait(1);
+      wait();
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       throw new IllegalStateException("interrupted while waiting for simulation time", e);

@@ -173,7 +173,7 @@ public final class Simulation implements AutoCloseable {
         prepareAlone(current);
       }
     }
-    time.restart();
+    time.restart(settle);
   }
 
   /**
@@ -199,12 +199,9 @@ public final class Simulation implements AutoCloseable {
     time.every(period, tick);
   }
 
-  /**
-   * Lets time pass only while a thread waits for it or is at its end, until the next case is
-   * prepared: what the thread does then happens at the same simulation time in every run.
-   */
-  public void follow(Thread thread) {
-    time.follow(thread);
+  /** How the time of this session passes for threads that wait for it. */
+  public PassingTime time() {
+    return time;
   }
 
   /** What the world shows at the current step, in the unit that the world declares. */

@@ -79,19 +79,27 @@ public final class CaseResult {
     }
   }
 
+  /**
+   * Keeps that a method returned which returns nothing, and compares that where the case expects
+   * something: that it returns, {@code null}, or an error.
+   */
+  public void returnedNothing(String output) {
+    record(output, null);
+    Optional<String> expected = testCase.expected(output);
+    if (expected.isPresent() && !isNoValue(output, expected.get(), "")) {
+      if (!expected.get().strip().equals(Literals.of(null))) {
+        worsen(
+            Verdict.ERROR,
+            "nothing is returned, so that "
+                + expected.get()
+                + " cannot be expected, but null or an error such as !error:NAME");
+      }
+    }
+  }
+
   private void compare(
       String output, String expected, @Nullable Object value, Tolerance tolerance) {
-    compared.add(testCase.expectations().containsKey(output) ? output : "");
-    if (expected.startsWith(UNEVALUATED)) {
-      worsen(
-          Verdict.ERROR,
-          "what is expected has no value:" + expected.substring(UNEVALUATED.length()));
-      return;
-    }
-    if (expected.startsWith(Answer.ERROR)) {
-      String error = expected.substring(Answer.ERROR.length());
-      worsen(
-          Verdict.FAIL, "expected the error " + error + ", but it returned " + Literals.of(value));
+    if (isNoValue(output, expected, " " + Literals.of(value))) {
       return;
     }
     try {
@@ -102,6 +110,23 @@ public final class CaseResult {
           Verdict.ERROR,
           named(output, "what is expected cannot be compared with it: " + e.getMessage()));
     }
+  }
+
+  /** Judges an output of which no value is expected, but an error, or that is not known. */
+  private boolean isNoValue(String output, String expected, String returned) {
+    compared.add(testCase.expectations().containsKey(output) ? output : "");
+    if (expected.startsWith(UNEVALUATED)) {
+      worsen(
+          Verdict.ERROR,
+          "what is expected has no value:" + expected.substring(UNEVALUATED.length()));
+      return true;
+    }
+    if (expected.startsWith(Answer.ERROR)) {
+      String error = expected.substring(Answer.ERROR.length());
+      worsen(Verdict.FAIL, "expected the error " + error + ", but it returned" + returned);
+      return true;
+    }
+    return false;
   }
 
   /**

@@ -73,7 +73,7 @@ class PassingTimeTest {
     List<Long> ticks = new ArrayList<>();
     time.every(Duration.ofMillis(10), () -> ticks.add(now.get()));
 
-    time.restart();
+    time.restart(Duration.ZERO);
     time.pass(Duration.ofMillis(50));
 
     assertThat(ticks).isEmpty();
@@ -84,16 +84,7 @@ class PassingTimeTest {
   @Test
   void aThreadThatIsFollowedActsAtTheSameTimesInEveryRun() throws Exception {
     List<Long> acted = Collections.synchronizedList(new ArrayList<>());
-    Thread component =
-        new Thread(
-            () -> {
-              for (int i = 0; i < 5; i++) {
-                acted.add(now.get());
-                time.pass(Duration.ofMillis(6));
-              }
-            });
-    time.follow(component);
-    component.start();
+    Thread component = beginFollowed(() -> act(acted, 5));
 
     time.pass(Duration.ofMillis(20));
     assertThat(acted).containsExactly(0L, 3L, 6L, 9L);
@@ -102,5 +93,78 @@ class PassingTimeTest {
 
     assertThat(acted).containsExactly(0L, 3L, 6L, 9L, 12L);
     assertThat(now.get()).isEqualTo(60);
+  }
+
+  @Test
+  void asMuchTimePassesAsTheFollowedThreadStillWaitsFor() throws Exception {
+    List<Long> acted = Collections.synchronizedList(new ArrayList<>());
+    Thread component = beginFollowed(() -> act(acted, 5));
+
+    time.pass(Duration.ofMillis(4));
+    time.passUntilItLeaves();
+    component.join();
+
+    assertThat(acted).containsExactly(0L, 3L, 6L, 9L, 12L);
+    assertThat(now.get()).isEqualTo(15);
+    time.passUntilItLeaves();
+    assertThat(now.get()).isEqualTo(15);
+  }
+
+  @Test
+  void aFollowedThreadThatIsGivenUpWaitsInVain() throws Exception {
+    List<Long> acted = Collections.synchronizedList(new ArrayList<>());
+    List<Throwable> thrown = Collections.synchronizedList(new ArrayList<>());
+    Thread component =
+        beginFollowed(
+            () -> {
+              try {
+                act(acted, Integer.MAX_VALUE);
+              } catch (SimulationException e) {
+                thrown.add(e);
+              }
+            });
+    time.limit(Duration.ofMillis(20));
+
+    assertThatThrownBy(time::passUntilItLeaves)
+        .isInstanceOf(CaseTooLongException.class)
+        .hasMessage("the case took more than 0.02 s of simulation time");
+    time.giveUp();
+    component.join();
+
+    assertThat(acted).containsExactly(0L, 3L, 6L, 9L);
+    assertThat(thrown).singleElement().asString().contains("the case is over");
+  }
+
+  @Test
+  void whatHasSettledCountsForTheLimit() {
+    time.limit(Duration.ofMillis(20));
+    time.restart(Duration.ofMillis(12));
+
+    time.pass(Duration.ofMillis(8));
+
+    assertThatThrownBy(() -> time.pass(Duration.ofMillis(2)))
+        .isInstanceOf(CaseTooLongException.class);
+  }
+
+  private Thread beginFollowed(Runnable work) {
+    Thread component =
+        new Thread(
+            () -> {
+              try {
+                work.run();
+              } finally {
+                time.leave();
+              }
+            });
+    time.follow(component);
+    component.start();
+    return component;
+  }
+
+  private void act(List<Long> acted, int times) {
+    for (int i = 0; i < times; i++) {
+      acted.add(now.get());
+      time.pass(Duration.ofMillis(6));
+    }
   }
 }

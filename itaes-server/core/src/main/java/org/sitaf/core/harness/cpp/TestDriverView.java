@@ -4,16 +4,19 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import org.sitaf.core.activity.ActivityProfile.LifeCycle;
 import org.sitaf.core.description.CallType;
 import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.MemberPath.Step;
+import org.sitaf.core.harness.cpp.spelling.CppNames;
 import org.sitaf.core.harness.cpp.spelling.CppText;
 import org.sitaf.core.harness.cpp.spelling.CppType;
 import org.sitaf.core.harness.plan.HarnessPlan;
 import org.sitaf.core.harness.plan.HarnessPlan.Output;
 import org.sitaf.core.harness.plan.HarnessPlan.Source;
+import org.sitaf.core.harness.plan.Hooks;
 import org.sitaf.core.model.Tolerance;
 
 /** What the templates of the test driver print: the five steps of Fig. 10. */
@@ -22,7 +25,7 @@ record TestDriverView(
     List<String> includes,
     String documentation,
     String component,
-    String lifeCycle,
+    String constructor,
     String callDocumentation,
     String callDeclaration,
     String newComponent,
@@ -49,7 +52,7 @@ record TestDriverView(
         includes(plan),
         documentation(plan),
         plan.component(),
-        plan.plan().component().lifeCycle() == LifeCycle.SUITE ? "suite" : "perCase",
+        constructor(plan),
         CppText.documentation(
             2, List.of("The call under test, " + plan.called() + "; nothing else is timed.")),
         plan.callHead(2, "virtual ", "call", " = 0;"),
@@ -71,18 +74,37 @@ record TestDriverView(
             ? CppText.list(2, returned + "call(", arguments, ");")
             : CppText.list(
                 2,
-                "auto pending = callAside(",
+                "auto pending = beside(",
                 List.of("[&] { return call(" + String.join(", ", arguments) + "); }"),
                 ");"),
-        "  " + returned + "pending.get();",
+        "  " + returned + "pending.outcome();",
         plan.runsOn(),
         plan.plan().outputs().stream().map(o -> output(plan, o)).toList());
+  }
+
+  private static String constructor(CppPlan plan) {
+    boolean suite = plan.plan().component().lifeCycle() == LifeCycle.SUITE;
+    List<String> notHooks =
+        Hooks.among(plan.plan().provided(), UnaryOperator.identity()).stream()
+            .map(CppText::string)
+            .toList();
+    return CppText.constructor(
+        "TestDriver::TestDriver(runtime::TestRun& run)",
+        List.of(
+            "SuiteDriver(run, runtime::LifeCycle::"
+                + (suite ? "suite" : "perCase")
+                + (notHooks.isEmpty() ? ")" : ", {" + String.join(", ", notHooks) + "})"),
+            "simulationControl_(run)",
+            "testStub_(run)"));
   }
 
   private static List<String> includes(CppPlan plan) {
     List<DataType> types = new ArrayList<>();
     types.add(plan.plan().method().returnType());
     plan.arguments().forEach(a -> types.add(a.parameter().type()));
+    plan.plan().outputs().stream()
+        .filter(o -> o.source() instanceof Source.DataPort)
+        .forEach(o -> types.add(o.type()));
     return new Includes()
         .standard("memory")
         .own(
@@ -200,23 +222,11 @@ record TestDriverView(
   }
 
   private static String output(CppPlan plan, Output output) {
-    String value;
-    if (output.source() instanceof Source.Returned returned) {
-      value = path("returned", returned.path(), true);
-    } else if (output.source() instanceof Source.OutParameter out) {
-      String local =
-          plan.arguments().stream()
-              .filter(a -> a.argument().name().equals(out.parameter()))
-              .findFirst()
-              .orElseThrow()
-              .local();
-      value = path(local, out.path(), true);
-    } else if (output.source() instanceof Source.Observation observation) {
-      value = "simulationControl_.observe(" + CppText.string(observation.name()) + ")";
-    } else {
-      Source.DataPort port = (Source.DataPort) output.source();
-      value = "component." + port.name() + "()";
+    if (HarnessPlan.isVoid(output.type())) {
+      return CppText.list(
+          2, "result.returnedNothing(", List.of(CppText.string(output.name())), ");");
     }
+    String value = path(looked(plan, output.source()), output.source().path(), true);
     List<String> arguments = new ArrayList<>(List.of(CppText.string(output.name()), value));
     Tolerance tolerance = output.tolerance();
     if (tolerance != null && !tolerance.equals(Tolerance.EXACT)) {
@@ -230,5 +240,28 @@ record TestDriverView(
     }
     return CppText.list(
         2, tolerance == null ? "result.record(" : "result.compare(", arguments, ");");
+  }
+
+  private static String looked(CppPlan plan, Source source) {
+    if (source instanceof Source.OutParameter out) {
+      return plan.arguments().stream()
+          .filter(a -> a.argument().name().equals(out.parameter()))
+          .findFirst()
+          .orElseThrow()
+          .local();
+    }
+    if (source instanceof Source.Observation observation) {
+      return "simulationControl_.observe(" + CppText.string(observation.name()) + ")";
+    }
+    if (source instanceof Source.DataPort port) {
+      return "runtime::dataPort(component, SITAF_METHOD("
+          + port.port()
+          + "), SITAF_METHOD(get"
+          + CppNames.raised(port.port())
+          + "), SITAF_MEMBER("
+          + port.port()
+          + "))";
+    }
+    return "returned";
   }
 }

@@ -121,7 +121,7 @@ record TestDriverView(
         plan.beside() ? "org.sitaf.runtime.component.CallBeside" : "org.sitaf.runtime.Stopwatch");
     imports.add("org.sitaf.runtime.suite.CaseResult");
     imports.add("org.sitaf.runtime.suite.TestCase");
-    if (plan.outputs().stream().anyMatch(o -> o.tolerance() != null)) {
+    if (plan.outputs().stream().anyMatch(o -> o.tolerance() != null && o.expression() != null)) {
       imports.add("org.sitaf.runtime.suite.Tolerance");
     }
     addTypesOfCall(plan, imports);
@@ -243,6 +243,9 @@ record TestDriverView(
   private static String output(Output output) {
     String name = JavaText.string(output.name());
     Tolerance tolerance = output.tolerance();
+    if (output.expression() == null) {
+      return JavaText.call(4, "", "result.returnedNothing", List.of(name));
+    }
     if (tolerance == null) {
       return JavaText.call(4, "", "result.record", List.of(name, output.expression()));
     }

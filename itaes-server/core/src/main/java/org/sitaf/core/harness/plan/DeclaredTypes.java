@@ -8,6 +8,8 @@ import java.util.Map;
 import java.util.Set;
 import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.Method;
+import org.sitaf.core.description.source.ComponentDescription.Port;
+import org.sitaf.core.description.source.Place;
 import org.sitaf.core.diagnostic.Diagnostics;
 
 /** Collects the structs and enumerations that interfaces reach, each after those it is made of. */
@@ -23,47 +25,51 @@ final class DeclaredTypes {
 
   /** Adds what a method of a document reaches. */
   void reach(String source, Method method) {
-    reach(source, method, method.returnType());
-    method.parameters().forEach(p -> reach(source, method, p.type()));
+    Place place = new Place(source, method.line(), "method " + method.name());
+    reach(place, method.returnType());
+    method.parameters().forEach(p -> reach(place, p.type()));
+  }
+
+  /** Adds what is sent through a data port. */
+  void reach(String source, Port.Data port) {
+    reach(new Place(source, 0, "data_port " + port.name()), port.type());
   }
 
   List<DataType> inOrder() {
     return inOrder;
   }
 
-  private void reach(String source, Method method, DataType type) {
+  private void reach(Place place, DataType type) {
     if (type instanceof DataType.Unknown) {
-      problem(
-          source, method, type.spelling() + " is a type that no document of the activity defines");
+      problem(place, type.spelling() + " is a type that no document of the activity defines");
       return;
     }
     boolean declared = type instanceof DataType.Struct || type instanceof DataType.Enumeration;
     if (declared && byName.containsKey(type.spelling())) {
       if (!byName.get(type.spelling()).equals(type)) {
-        problem(source, method, "two different types are named " + type.spelling());
+        problem(place, "two different types are named " + type.spelling());
       }
       return;
     }
     if (declared) {
       byName.put(type.spelling(), type);
-      name(source, method, type);
-      words(source, method, type);
+      name(place, type);
+      words(place, type);
     }
-    type.parts().forEach(part -> reach(source, method, part));
+    type.parts().forEach(part -> reach(place, part));
     if (declared) {
       inOrder.add(type);
     }
   }
 
   /** Languages drop the scope of a name, so that what is left must be a word, and the only one. */
-  private void name(String source, Method method, DataType type) {
+  private void name(Place place, DataType type) {
     String simple = HarnessPlan.simpleName(type);
     if (!Words.isWord(simple)) {
-      problem(source, method, "the type " + type.spelling() + " has no name that is an identifier");
+      problem(place, "the type " + type.spelling() + " has no name that is an identifier");
     } else if (inScopes.putIfAbsent(simple, type) != null) {
       problem(
-          source,
-          method,
+          place,
           type.spelling()
               + " and "
               + inScopes.get(simple).spelling()
@@ -71,7 +77,7 @@ final class DeclaredTypes {
     }
   }
 
-  private void words(String source, Method method, DataType type) {
+  private void words(Place place, DataType type) {
     List<String> names =
         type instanceof DataType.Struct struct
             ? struct.members().stream().map(DataType.Member::name).toList()
@@ -79,14 +85,14 @@ final class DeclaredTypes {
     Set<String> seen = new HashSet<>();
     for (String name : names) {
       if (!Words.isWord(name)) {
-        problem(source, method, type.spelling() + ": '" + name + "' is not an identifier");
+        problem(place, type.spelling() + ": '" + name + "' is not an identifier");
       } else if (!seen.add(name)) {
-        problem(source, method, type.spelling() + ": '" + name + "' is declared twice");
+        problem(place, type.spelling() + ": '" + name + "' is declared twice");
       }
     }
   }
 
-  private void problem(String source, Method method, String problem) {
-    diagnostics.error(source, method.line(), "method " + method.name(), problem);
+  private void problem(Place place, String problem) {
+    diagnostics.error(place.file(), place.line(), place.element(), problem);
   }
 }

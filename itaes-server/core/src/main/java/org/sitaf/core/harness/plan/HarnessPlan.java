@@ -210,8 +210,18 @@ public record HarnessPlan(
     /** What the world shows, a number. */
     record Observation(String name) implements Source {}
 
-    /** What the component last sent through an output data port. */
-    record DataPort(String name) implements Source {}
+    /** What the component last sent through an output data port, or the part the path leads to. */
+    record DataPort(String port, List<Step> path) implements Source {
+      public DataPort {
+        Objects.requireNonNull(port);
+        path = List.copyOf(path);
+      }
+    }
+
+    /** The way into what is looked at; none for the whole of it. */
+    default List<Step> path() {
+      return List.of();
+    }
   }
 
   /** A call of the component that sets it up; the values fit the types of the parameters. */

@@ -12,10 +12,12 @@ import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.InterfaceDescription;
 import org.sitaf.core.description.Method;
 import org.sitaf.core.description.WorldDescription;
+import org.sitaf.core.description.source.ComponentDescription.Port;
 import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.harness.plan.HarnessPlan.Argument;
 import org.sitaf.core.harness.plan.HarnessPlan.Output;
+import org.sitaf.core.harness.plan.HarnessPlan.Source;
 import org.sitaf.core.harness.plan.HarnessPlan.Stub;
 import org.sitaf.core.harness.plan.HarnessPlan.World;
 import org.sitaf.core.model.InputKind;
@@ -119,6 +121,12 @@ public final class HarnessPlanner {
           .filter(m -> component.adapter() != null || !holdsUnknown(m))
           .forEach(m -> types.reach(description.source(), m));
     }
+    // The component names the types of all its ports, too.
+    for (Port.Data port : activity.outputPorts()) {
+      if (!holdsUnknown(port.type()) || isObserved(port, outputs)) {
+        types.reach(PROFILE, port);
+      }
+    }
     SortedSet<String> errors = new TreeSet<>(stubPlanner.errors());
     errors.addAll(exceptions.names());
     return new HarnessPlan(
@@ -136,6 +144,12 @@ public final class HarnessPlanner {
         types.inOrder(),
         List.copyOf(errors),
         activity.profile().limits());
+  }
+
+  private static boolean isObserved(Port.Data port, List<Output> outputs) {
+    return outputs.stream()
+        .anyMatch(
+            o -> o.source() instanceof Source.DataPort data && data.port().equals(port.name()));
   }
 
   private static boolean holdsUnknown(Method method) {

@@ -11,6 +11,7 @@ import org.sitaf.core.description.MemberPath;
 import org.sitaf.core.description.Method;
 import org.sitaf.core.description.Parameter;
 import org.sitaf.core.description.ScalarType;
+import org.sitaf.core.description.source.ComponentDescription.Port;
 import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.harness.plan.HarnessPlan.Output;
 import org.sitaf.core.harness.plan.HarnessPlan.Source;
@@ -20,7 +21,7 @@ import org.sitaf.core.model.TestModel;
 
 /**
  * Plans what is looked at after the call: the return value and every out-parameter, whether or not
- * the model looks at them, then the parts and the observations that it names.
+ * the model looks at them, then the parts, the observations and the data ports that it names.
  */
 final class OutputPlanner {
   private static final DataType NUMBER = new DataType.Scalar(ScalarType.DOUBLE);
@@ -68,7 +69,7 @@ final class OutputPlanner {
     switch (element.kind()) {
       case RETURN -> {
         if (HarnessPlan.isVoid(method.returnType())) {
-          unknown(element, method.name() + " returns nothing");
+          add(element.name(), new Source.Returned(List.of()), method.returnType(), element);
         } else if (!isWhole(element)) {
           part(element, method.returnType())
               .ifPresent(
@@ -99,13 +100,33 @@ final class OutputPlanner {
                           element));
         }
       }
-      case OBSERVED -> {
-        if (activity.world() == null) {
-          unknown(element, "is observed in the simulation, but activity.yaml names no world");
-        }
-        add(element.name(), new Source.Observation(element.name()), NUMBER, element);
-      }
+      case OBSERVED ->
+          activity
+              .outputPort(element.name())
+              .ifPresentOrElse(port -> port(port, element), () -> observation(element));
     }
+  }
+
+  private void observation(OutputElement element) {
+    if (activity.world() == null) {
+      unknown(element, "is observed in the simulation, but activity.yaml names no world");
+    }
+    add(element.name(), new Source.Observation(element.name()), NUMBER, element);
+  }
+
+  private void port(Port.Data port, OutputElement element) {
+    if (!Words.isWord(port.name())) {
+      unknown(element, "is a data port without a name that a method can have");
+      return;
+    }
+    part(element, port.type())
+        .ifPresent(
+            type ->
+                add(
+                    element.name(),
+                    new Source.DataPort(port.name(), MemberPath.steps(element.name())),
+                    type,
+                    element));
   }
 
   private static boolean isWhole(OutputElement element) {

@@ -80,6 +80,7 @@ record ConcreteTestDriverView(
                             PythonText.string(name),
                             PythonText.string(value))
                         .at(8)));
+    statements.add("        self.begin(component)");
     for (HarnessPlan.Call call : plan.before()) {
       List<String> arguments = new ArrayList<>();
       for (int i = 0; i < call.arguments().size(); i++) {

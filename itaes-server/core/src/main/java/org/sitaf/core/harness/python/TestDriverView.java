@@ -5,12 +5,14 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.activity.ActivityProfile.LifeCycle;
+import org.sitaf.core.description.CallType;
 import org.sitaf.core.description.Direction;
 import org.sitaf.core.description.MemberPath.Step;
 import org.sitaf.core.harness.plan.HarnessPlan;
 import org.sitaf.core.harness.plan.HarnessPlan.Given;
 import org.sitaf.core.harness.plan.HarnessPlan.Output;
 import org.sitaf.core.harness.plan.HarnessPlan.Source;
+import org.sitaf.core.harness.plan.Hooks;
 import org.sitaf.core.harness.python.PythonPlan.Answer;
 import org.sitaf.core.harness.python.PythonPlan.Argument;
 import org.sitaf.core.harness.python.PythonText.Group;
@@ -22,6 +24,8 @@ record TestDriverView(
     String imports,
     String component,
     String suiteLife,
+    boolean hasNotHooks,
+    String notHooks,
     String newSimulationControl,
     String callDeclaration,
     String callDocumentation,
@@ -31,19 +35,30 @@ record TestDriverView(
     String prepareStub,
     boolean periodic,
     String period,
+    boolean beside,
     String call,
     boolean runOn,
+    String outcome,
     List<String> outputs) {
 
   private static final String RUNTIME = "sitaf_runtime.";
 
   static TestDriverView of(PythonPlan plan) {
     HarnessPlan neutral = plan.neutral();
+    boolean beside = neutral.method().callType() == CallType.NONBLOCKING;
+    List<String> notHooks = Hooks.among(neutral.provided(), PythonNames::snakeCase);
+    String returned = neutral.returnsNothing() ? "" : "returned = ";
     return new TestDriverView(
         PythonText.docstring(0, documentation(neutral)),
         imports(plan),
         plan.component(),
         neutral.component().lifeCycle() == LifeCycle.SUITE ? "True" : "False",
+        !notHooks.isEmpty(),
+        new Group(
+                "NOT_HOOKS = (",
+                notHooks.stream().map(PythonText::string).toList(),
+                notHooks.size() == 1 ? ",)" : ")")
+            .at(4),
         new Group(
                 "self.simulation_control = SimulationControl(",
                 neutral.world() == null ? List.of() : List.of("run.simulation"),
@@ -74,15 +89,22 @@ record TestDriverView(
             .at(8),
         plan.isPeriodic(),
         plan.isPeriodic() ? PythonText.real(neutral.component().period().toNanos() / 1e9) : "",
-        new Group(
-                (neutral.returnsNothing() ? "" : "returned = ") + "self.call(",
-                Stream.concat(
-                        Stream.of("component"), plan.arguments().stream().map(Argument::local))
-                    .toList(),
-                ")")
-            .at(8),
+        beside,
+        beside
+            ? new Group(
+                    "pending = self.beside(",
+                    Stream.concat(Stream.of("self.call"), callArguments(plan).stream()).toList(),
+                    ")")
+                .at(8)
+            : new Group(returned + "self.call(", callArguments(plan), ")").at(8),
         plan.runsOn(),
+        indented(returned + "pending.outcome()"),
         neutral.outputs().stream().map(o -> output(plan, o)).toList());
+  }
+
+  private static List<String> callArguments(PythonPlan plan) {
+    return Stream.concat(Stream.of("component"), plan.arguments().stream().map(Argument::local))
+        .toList();
   }
 
   /** The head of the method that makes the call. */
@@ -151,11 +173,14 @@ record TestDriverView(
       PythonType.importKind(answer.neutral().type(), imports);
     }
     for (Output output : neutral.outputs()) {
+      if (HarnessPlan.isVoid(output.type())) {
+        continue;
+      }
       PythonType.importKind(output.type(), imports);
       if (output.tolerance() != null) {
         imports.add(RUNTIME + "suite.tolerance", "Tolerance");
       }
-      if (!path(output.source()).isEmpty()) {
+      if (!output.source().path().isEmpty()) {
         imports.add(RUNTIME + "component", "part_of");
       }
       if (output.source() instanceof Source.DataPort) {
@@ -235,6 +260,9 @@ record TestDriverView(
   private static String output(PythonPlan plan, Output output) {
     List<String> arguments = new ArrayList<>();
     arguments.add(PythonText.string(output.name()));
+    if (HarnessPlan.isVoid(output.type())) {
+      return new Group("result.returned_nothing(", arguments, ")").at(8);
+    }
     arguments.add(looked(plan, output.source()));
     arguments.add(PythonType.kind(output.type()));
     @Nullable Tolerance tolerance = output.tolerance();
@@ -257,10 +285,10 @@ record TestDriverView(
     if (source instanceof Source.Observation observation) {
       return "self.simulation_control.observe(" + PythonText.string(observation.name()) + ")";
     }
-    if (source instanceof Source.DataPort port) {
-      return "port_of(component, " + PythonText.string(port.name()) + ")";
-    }
     String whole = "returned";
+    if (source instanceof Source.DataPort port) {
+      whole = "port_of(component, " + PythonText.string(port.port()) + ")";
+    }
     if (source instanceof Source.OutParameter out) {
       whole =
           plan.arguments().stream()
@@ -269,15 +297,8 @@ record TestDriverView(
               .findFirst()
               .orElse("None");
     }
-    List<String> steps = path(source).stream().map(TestDriverView::step).toList();
+    List<String> steps = source.path().stream().map(TestDriverView::step).toList();
     return steps.isEmpty() ? whole : "part_of(" + whole + ", " + String.join(", ", steps) + ")";
-  }
-
-  private static List<Step> path(Source source) {
-    if (source instanceof Source.Returned returned) {
-      return returned.path();
-    }
-    return source instanceof Source.OutParameter out ? out.path() : List.of();
   }
 
   private static String indented(String statement) {

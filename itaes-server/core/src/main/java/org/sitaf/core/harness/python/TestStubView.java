@@ -90,9 +90,8 @@ record TestStubView(
     List<String> arguments =
         new ArrayList<>(
             List.of(
+                "run.stubbing",
                 PythonText.string(stub.name() + "." + method.name()),
-                "run.stopwatch",
-                "run.stub_calls",
                 PythonType.kind(method.neutral().method().returnType())));
     if (!method.parameters(false).isEmpty()) {
       arguments.add("inputs=" + kinds(method.parameters(false)));

@@ -148,6 +148,7 @@ class InjectionTest {
             HarnessBuild.tree(Map.of("model.xml", "", "component/robot/Echo.java", ECHO)),
             List.of(new InterfaceDescription(interfaceName, List.of(say), source)),
             required,
+            List.of(),
             null,
             List.of(model),
             List.of());

@@ -169,14 +169,15 @@ public record JavaPlan(
   /**
    * Something that is looked at after the call.
    *
-   * @param expression that gives it, or the whole that it is part of
+   * @param expression that gives it, or the whole that it is part of; null where the method returns
+   *     nothing, and all there is to see is that it returns
    * @param part whether it is a part of a whole
    * @param observed whether the world shows it
    * @param tolerance null where nothing is expected of it
    */
   public record Output(
       String name,
-      String expression,
+      @Nullable String expression,
       boolean part,
       boolean observed,
       @Nullable Tolerance tolerance) {}

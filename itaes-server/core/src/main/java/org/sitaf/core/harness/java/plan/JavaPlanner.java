@@ -5,6 +5,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.activity.ActivityProfile.LifeCycle;
 import org.sitaf.core.description.CallType;
@@ -21,25 +22,11 @@ import org.sitaf.core.harness.java.plan.JavaPlan.World;
 import org.sitaf.core.harness.plan.HarnessPlan;
 import org.sitaf.core.harness.plan.HarnessPlan.Source;
 import org.sitaf.core.harness.plan.HarnessPlanner;
+import org.sitaf.core.harness.plan.Hooks;
 import org.sitaf.core.model.Value;
 
 /** Spells a plan in Java, and says everything that Java cannot express. */
 public final class JavaPlanner {
-  /** Names that the runtime takes for steps in the life of a component. */
-  private static final Set<String> HOOKS =
-      Set.of(
-          "initialise",
-          "initialize",
-          "onInitialize",
-          "start",
-          "onStart",
-          "stop",
-          "onStop",
-          "destroy",
-          "onDestroy",
-          "onExecute",
-          "execute");
-
   private final HarnessPlan plan;
   private final Diagnostics diagnostics;
   private final JavaNames names;
@@ -108,12 +95,7 @@ public final class JavaPlanner {
         clash ? className : simpleName,
         clash ? null : className,
         plan.component().lifeCycle() == LifeCycle.SUITE,
-        plan.provided().stream()
-            .flatMap(i -> i.methods().stream())
-            .map(Method::name)
-            .filter(HOOKS::contains)
-            .distinct()
-            .toList(),
+        Hooks.among(plan.provided(), UnaryOperator.identity()),
         plan.component().period(),
         plan.method().callType() == CallType.NONBLOCKING,
         arguments,
@@ -234,14 +216,11 @@ public final class JavaPlanner {
     List<Output> outputs = new ArrayList<>();
     for (HarnessPlan.Output output : plan.outputs()) {
       Source source = output.source();
-      boolean part =
-          (source instanceof Source.Returned returned && !returned.path().isEmpty())
-              || (source instanceof Source.OutParameter out && !out.path().isEmpty());
       outputs.add(
           new Output(
               output.name(),
-              expression(source, arguments),
-              part,
+              HarnessPlan.isVoid(output.type()) ? null : expression(source, arguments),
+              !source.path().isEmpty(),
               source instanceof Source.Observation,
               output.tolerance()));
     }
@@ -260,7 +239,7 @@ public final class JavaPlanner {
       return "simulationControl.observe(" + JavaText.string(observation.name()) + ")";
     }
     return source instanceof Source.DataPort port
-        ? "dataPort(component, " + JavaText.string(port.name()) + ")"
+        ? "dataPort(component, " + JavaText.string(port.port()) + ")"
         : "returned";
   }
 

@@ -16,7 +16,7 @@ class ConcreteTestDriver final : public TestDriver {
   std::unique_ptr<Component> createComponent() override {
     std::unique_ptr<Component> component = newComponent();
     runtime::setProperty(*component, "Size", "7", SITAF_SETTER(setSize));
-    runtime::beginLife(*component);
+    begin(*component);
     component->Enable();
     return component;
   }

@@ -19,7 +19,7 @@ class ConcreteTestDriver final : public TestDriver {
     std::unique_ptr<Component> component = newComponent();
     runtime::setProperty(*component, "Gain", "0.5", SITAF_SETTER(setGain));
     runtime::setProperty(*component, "odd name", "x", runtime::NoSetter{});
-    runtime::beginLife(*component);
+    begin(*component);
     component->SetMode(interfaces::Mode::FAST);
     component->SetLimit(std::int32_t{-2147483647 - 1});
     return component;

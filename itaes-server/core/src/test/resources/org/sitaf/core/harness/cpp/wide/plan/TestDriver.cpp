@@ -33,7 +33,7 @@ void TestDriver::runCase(const suite::TestCase& testCase, suite::CaseResult& res
 
   // 4. The component is called with the input (TDI), and timed.
   Component& component = this->component();
-  simulationControl_.settle([&component] { runtime::execute(component); });
+  simulationControl_.settle([this, &component] { execute(component); });
   beforeCase(component, testCase);
   stopwatch().start();
   const interfaces::Path returned = call(component, goal, weights, found, budget);

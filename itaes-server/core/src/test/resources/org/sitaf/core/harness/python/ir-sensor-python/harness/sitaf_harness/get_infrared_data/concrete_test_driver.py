@@ -19,6 +19,7 @@ class ConcreteTestDriver(TestDriver):
         """Make the component and set it up."""
         component = self.new_component()
         set_property(component, "Size", "7")
+        self.begin(component)
         method_of(component, "Enable")()
         return component
 

@@ -22,6 +22,7 @@ class ConcreteTestDriver(TestDriver):
         component = self.new_component()
         set_property(component, "Label", 'a "quoted" one')
         set_property(component, "MaxSpeed", "0.5")
+        self.begin(component)
         method_of(component, "Configure")(Mode.BUSY, 1.5, "left")
         return component
 

@@ -11,16 +11,11 @@ class RangeFinderStub(RangeFinder):
 
     def __init__(self, run: TestRun) -> None:
         self.on_range_ahead = StubbedMethod(
-            "RangeFinder.RangeAhead",
-            run.stopwatch,
-            run.stub_calls,
-            FLOAT64,
-            inputs={"bearing": FLOAT64},
+            run.stubbing, "RangeFinder.RangeAhead", FLOAT64, inputs={"bearing": FLOAT64}
         )
         self.on_beams = StubbedMethod(
+            run.stubbing,
             "RangeFinder.Beams",
-            run.stopwatch,
-            run.stub_calls,
             BOOLEAN,
             inputs={"first": INT32},
             outs={"left": FLOAT64, "right": FLOAT64},
@@ -42,9 +37,8 @@ class WheelsStub(Wheels):
 
     def __init__(self, run: TestRun) -> None:
         self.on_drive = StubbedMethod(
+            run.stubbing,
             "Wheels.Drive",
-            run.stopwatch,
-            run.stub_calls,
             None,
             inputs={"linear": FLOAT64, "angular": FLOAT64},
         )

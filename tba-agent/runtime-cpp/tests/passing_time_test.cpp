@@ -1,0 +1,100 @@
+#include "simulation/passing_time.hpp"
+
+#include <doctest/doctest.h>
+
+#include <chrono>
+#include <cstdint>
+#include <future>
+#include <memory>
+#include <thread>
+#include <vector>
+
+#include "sitaf/simulation/simulation_error.hpp"
+
+using sitaf::simulation::CaseTooLong;
+using sitaf::simulation::PassingTime;
+using sitaf::simulation::SimulationError;
+using std::chrono::milliseconds;
+using Moments = std::vector<std::uint64_t>;
+
+namespace {
+
+/// A simulation that only counts its steps of 2 ms.
+struct World {
+  std::uint64_t now = 0;
+  PassingTime time{milliseconds(2), [this](std::uint64_t steps) { now += steps; }};
+
+  /// Acts and waits 6 ms, again and again.
+  void act(Moments& acted, int times) {
+    for (int i = 0; i < times; ++i) {
+      acted.push_back(now);
+      time.pass(milliseconds(6));
+    }
+  }
+
+  /// A thread that is followed from its first step on.
+  template <class Work>
+  std::thread follow(Work work) {
+    auto begin = std::make_shared<std::promise<void>>();
+    std::thread thread([this, work, begun = begin->get_future().share()] {
+      begun.wait();
+      work();
+      time.leave();
+    });
+    time.follow(thread.get_id());
+    begin->set_value();
+    return thread;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("ticks fall on the first step at or after each period") {
+  World world;
+  Moments ticks;
+  world.time.every(milliseconds(5), [&] { ticks.push_back(world.now); });
+  world.time.pass(milliseconds(13));
+  world.time.pass(milliseconds(6));
+  CHECK(ticks == Moments{3, 5, 8, 10});
+}
+
+TEST_CASE("a thread that is followed acts at the same times in every run, and has as much time as it waits for") {
+  World world;
+  Moments acted;
+  std::thread component = world.follow([&] { world.act(acted, 5); });
+  world.time.pass(milliseconds(20));
+  CHECK(acted == Moments{0, 3, 6, 9});
+  world.time.passUntilItLeaves();
+  component.join();
+  CHECK(acted == Moments{0, 3, 6, 9, 12});
+  CHECK(world.now == 15);
+  world.time.passUntilItLeaves();
+  CHECK(world.now == 15);
+}
+
+TEST_CASE("a thread that is given up waits in vain") {
+  World world;
+  world.time.limit(milliseconds(20));
+  Moments acted;
+  bool told = false;
+  std::thread component = world.follow([&] {
+    try {
+      world.act(acted, 1000000);
+    } catch (const SimulationError&) {
+      told = true;
+    }
+  });
+  CHECK_THROWS_WITH_AS(world.time.passUntilItLeaves(), "the case took more than 0.02 s of simulation time", CaseTooLong);
+  world.time.giveUp();
+  component.join();
+  CHECK(told);
+  CHECK(acted == Moments{0, 3, 6, 9});
+}
+
+TEST_CASE("what has settled counts for the limit of a case") {
+  World world;
+  world.time.limit(milliseconds(20));
+  world.time.restart(milliseconds(12));
+  world.time.pass(milliseconds(8));
+  CHECK_THROWS_AS(world.time.pass(milliseconds(2)), CaseTooLong);
+}

@@ -1,0 +1,62 @@
+"""A nonblocking call: made on a thread of its own, so that time passes meanwhile."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Generic, TypeVar
+
+from sitaf_runtime.stopwatch import Stopwatch
+
+if TYPE_CHECKING:
+    from sitaf_runtime.simulation.session import Simulation
+
+T = TypeVar("T")
+
+
+class CallBeside(Generic[T]):
+    """Makes a call on a thread; time of the simulation, where there is one, passes only while the call waits for it."""
+
+    def __init__(self, stopwatch: Stopwatch, simulation: Simulation | None, call: Callable[[], T]) -> None:
+        self._stopwatch = stopwatch
+        self._time = None if simulation is None else simulation.time
+        self._call = call
+        self._returned: list[T] = []
+        self._raised: BaseException | None = None
+        self._thread = threading.Thread(target=self._make, name="call under test", daemon=True)
+        if self._time is not None:
+            self._time.follow(self._thread)
+        self._thread.start()
+
+    def _make(self) -> None:
+        self._stopwatch.start()
+        try:
+            self._returned.append(self._call())
+            self._stopwatch.stop()
+        except BaseException as e:
+            # The watch goes on: that is how the run knows who raised it.
+            self._raised = e
+        finally:
+            if self._time is not None:
+                self._time.leave()
+
+    def outcome(self) -> T:
+        """What the call returns; as much simulation time passes until then as it waits for.
+
+        Raises what the component raises.
+        """
+        if self._time is not None:
+            self._time.pass_until_it_leaves()
+        self._thread.join()
+        if self._raised is not None:
+            raise self._raised
+        return self._returned[0]
+
+    def give_up(self) -> None:
+        """Wait for the end of a call whose outcome is not asked for any more.
+
+        It would do something to the next case. Wherever it waits for simulation time, it gets an exception.
+        """
+        if self._time is not None:
+            self._time.give_up()
+        self._thread.join()

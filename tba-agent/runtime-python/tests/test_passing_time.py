@@ -1,0 +1,100 @@
+"""How simulation time passes for the threads of a component, and for a call beside the driver's."""
+
+import threading
+
+import pytest
+
+from sitaf_runtime.beside import CallBeside
+from sitaf_runtime.errors import SimulationError
+from sitaf_runtime.simulation.passing_time import PassingTime
+from sitaf_runtime.stopwatch import Stopwatch
+
+STEP_NS = 2_000_000
+MS = 1_000_000
+
+
+class World:
+    """A simulation that only counts; `most` bounds its steps."""
+
+    def __init__(self, most=None):
+        self.now = 0
+        self.most = most
+        self.time = PassingTime(STEP_NS, self._move)
+
+    def _move(self, steps):
+        if self.most is not None and self.now + steps > self.most:
+            raise TimeoutError("too long")
+        self.now += steps
+
+    def act(self, acted, times):
+        for _ in range(times):
+            acted.append(self.now)
+            self.time.let_pass(6 * MS)
+        return "done"
+
+
+def test_ticks_fall_on_the_first_step_at_or_after_each_period():
+    world, ticks = World(), []
+    world.time.every(5 * MS, lambda: ticks.append(world.now))
+    world.time.let_pass(13 * MS)
+    world.time.let_pass(6 * MS)
+    assert ticks == [3, 5, 8, 10]
+
+
+def test_a_call_beside_acts_at_the_same_times_in_every_run():
+    world, acted, watch = World(), [], Stopwatch()
+    beside = CallBeside(watch, world, lambda: world.act(acted, 5))
+    world.time.let_pass(20 * MS)
+    assert acted == [0, 3, 6, 9]
+    assert beside.outcome() == "done"
+    assert (acted, world.now) == ([0, 3, 6, 9, 12], 15)
+    assert not watch.is_running
+
+
+def test_a_call_that_does_not_wait_takes_no_time():
+    world = World()
+    assert CallBeside(Stopwatch(), world, lambda: 7).outcome() == 7
+    assert world.now == 0
+    assert CallBeside(Stopwatch(), None, lambda: 8).outcome() == 8
+
+
+def test_what_a_call_beside_raises_comes_out_of_its_outcome():
+    world, watch = World(), Stopwatch()
+
+    def slip():
+        world.time.let_pass(6 * MS)
+        raise ValueError("slipped")
+
+    with pytest.raises(ValueError, match="slipped"):
+        CallBeside(watch, world, slip).outcome()
+    assert watch.is_running
+
+
+def test_a_call_that_is_given_up_waits_in_vain():
+    world, acted, seen = World(most=10), [], []
+
+    def endless():
+        try:
+            world.act(acted, 1_000_000)
+        except SimulationError as e:
+            seen.append(str(e))
+            raise
+
+    beside = CallBeside(Stopwatch(), world, endless)
+    with pytest.raises(TimeoutError):
+        beside.outcome()
+    beside.give_up()
+    assert seen == ["the case is over, and no more of its time passes"]
+    assert acted == [0, 3, 6, 9]
+    assert threading.active_count() == 1
+
+
+def test_a_new_case_lets_threads_of_the_last_one_go_on():
+    world, acted = World(), []
+    thread = threading.Thread(target=world.act, args=(acted, 1))
+    thread.start()
+    while not acted:
+        pass
+    world.time.restart()
+    thread.join(10)
+    assert not thread.is_alive()

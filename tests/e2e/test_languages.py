@@ -1,0 +1,183 @@
+"""The same activity with its component in Java, C++ and Python: the same cases, the same verdicts, the same values."""
+
+import os
+import re
+import shutil
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+import pytest
+
+from test_cpp import installed
+
+PARTS = Path(__file__).parent / "languages"
+LANGUAGES = ["java", "cpp", "python"]
+# In CI a skipped test would be a test that nobody runs.
+WITHOUT_CPP = not installed("grpc++", "protobuf", "expat") and "CI" not in os.environ
+
+
+@pytest.fixture(params=LANGUAGES[1:])
+def language(request):
+    if request.param == "cpp" and WITHOUT_CPP:
+        pytest.skip("needs ./sitaf doctor --install cpp")
+    return request.param
+
+
+def from_example(sitaf, folder, example, language, class_name, part):
+    """The activity of an example with another component."""
+    shutil.copytree(sitaf.root / "examples" / example, folder)
+    shutil.rmtree(folder / "component")
+    shutil.copytree(PARTS / part / language, folder / "component")
+    profile = folder / "activity.yaml"
+    text = profile.read_text().replace("language: java", f"language: {language}")
+    profile.write_text(re.sub(r"class: \S+", f"class: {class_name}", text))
+    return folder
+
+
+def arm(sitaf, folder, language):
+    """An arm that is called beside its caller."""
+    shutil.copytree(PARTS / "arm" / language, folder / "component")
+    shutil.copytree(sitaf.root / "examples" / "joint-pid" / "world", folder / "world")
+    for file in [*(PARTS / "arm").glob("*.xml"), *(PARTS / "arm" / "interfaces").iterdir(), PARTS / "arm" / "activity.yaml"]:
+        shutil.copy(file, folder / file.name)
+    profile = folder / "activity.yaml"
+    names = {"java": "robot.Arm", "cpp": "robot::Arm", "python": "arm.Arm"}
+    profile.write_text(profile.read_text().replace("LANGUAGE", language).replace("CLASS", names[language]))
+    return folder
+
+
+def results(sitaf, folder, *models):
+    """What each case of the models came to, and the exit code."""
+    found = {}
+    code = 0
+    for model in models:
+        file = folder / f"{model}.result.xml"
+        run = sitaf("run", folder, "--model", model, "--result", file)
+        assert file.exists(), run.stdout + run.stderr
+        code = max(code, run.returncode)
+        for result in ElementTree.parse(file).getroot().iter("test_result"):
+            found[model, int(result.attrib["no"])] = observed(result)
+    return code, found
+
+
+def observed(result):
+    def outputs(element):
+        return [(e.attrib.get("name", ""), e.text) for e in result.findall(element)]
+
+    verdict = result.attrib["verdict"]
+    calls = [(call.attrib["method"], [(a.attrib["name"], a.text) for a in call]) for call in result.findall("call")]
+    # What was thrown is described as each language does; a wrong value and the end of time read the same in all.
+    message = result.findtext("message") or ""
+    same = verdict == "FAIL" or "simulation time" in message
+    return {
+        "verdict": verdict,
+        "values": [value.text for value in result.findall("value")],
+        "expected": outputs("expected"),
+        "actual": [(name, rounded(text)) for name, text in outputs("actual")],
+        "calls": calls,
+        "message": rounded(message) if same else "",
+    }
+
+
+def rounded(text):
+    """Seconds are counted as each language counts them; nothing else differs beyond the ninth decimal."""
+    return re.sub(r"-?\d+\.\d+(?:[eE]-?\d+)?", lambda n: f"{float(n.group()):.9f}".replace("-0.000000000", "0.000000000"), text or "")
+
+
+def verdicts(found):
+    return [result["verdict"] for result in found.values()]
+
+
+def replace(path, old, new):
+    text = path.read_text()
+    assert old in text
+    path.write_text(text.replace(old, new))
+
+
+def test_answers_sequences_errors_and_delays_of_stubs_are_the_same_in_every_language(sitaf, tmp_path, language):
+    java = shutil.copytree(sitaf.root / "examples" / "navigation-step", tmp_path / "java")
+    names = {"cpp": "robot::NavigationStep", "python": "navigation_step.NavigationStep"}
+    other = from_example(sitaf, tmp_path / language, "navigation-step", language, names[language], "navigation")
+    assert results(sitaf, other, "Step") == (0, results(sitaf, java, "Step")[1])
+    # A condition over the record of the stub that some cases break.
+    for folder in (java, other):
+        replace(folder / "Step.xml", 'calls["RangeFinder.GetRange"].size() == 2', 'calls["WheelController.Drive"].size() == 1')
+    code, found = results(sitaf, other, "Step")
+    assert code == 1
+    assert set(verdicts(found)) == {"PASS", "FAIL"}
+    assert found == results(sitaf, java, "Step")[1]
+
+
+def test_a_periodic_component_is_the_same_in_every_language(sitaf, tmp_path, language):
+    java = shutil.copytree(sitaf.root / "examples" / "joint-pid", tmp_path / "java")
+    names = {"cpp": "robot::JointController", "python": "joint_controller.JointController"}
+    other = from_example(sitaf, tmp_path / language, "joint-pid", language, names[language], "joint")
+    code, found = results(sitaf, other, "Hold")
+    assert (code, set(verdicts(found))) == (0, {"PASS"})
+    assert found == results(sitaf, java, "Hold")[1]
+
+
+def test_an_exception_in_a_period_makes_the_case_an_error(sitaf, tmp_path, language):
+    names = {"cpp": "robot::JointController", "python": "joint_controller.JointController"}
+    folder = from_example(sitaf, tmp_path / language, "joint-pid", language, names[language], "joint")
+    if language == "cpp":
+        replace(folder / "component/joint_controller.hpp", "++periods_;", '++periods_;\n    if (target_ > 0.9) throw "slipped";')
+    else:
+        replace(
+            folder / "component/joint_controller.py",
+            "self._periods += 1",
+            "self._periods += 1\n        assert self._target <= 0.9, 'slipped'",
+        )
+    _, found = results(sitaf, folder, "Hold")
+    at_one = [result["verdict"] for result in found.values() if result["values"][0] in ("1", "1.0")]
+    assert set(at_one) == {"ERROR"}
+    assert verdicts(found).count("PASS") == len(found) - len(at_one) > 0
+
+
+MODELS = ["Swing", "Watch", "Limit", "start"]
+
+
+@pytest.fixture(scope="module")
+def arm_in_java(sitaf, tmp_path_factory):
+    folder = arm(sitaf, tmp_path_factory.mktemp("arm"), "java")
+    return results(sitaf, folder, *MODELS)
+
+
+def test_a_nonblocking_call_passes_beside_the_time_in_java(arm_in_java):
+    code, found = arm_in_java
+    assert (code, set(verdicts(found))) == (0, {"PASS"})
+    # The effort of the call shows in the joint, and where time went on after it, so does its end.
+    swing, watch = (found[model, 1]["actual"] for model in ("Swing", "Watch"))
+    assert dict(swing)["angle_held"] != dict(watch)["angle_held"]
+    assert dict(swing)["angles"].count(",") == 9
+
+
+def test_a_nonblocking_call_a_data_port_and_nothing_are_the_same_in_every_language(sitaf, tmp_path, arm_in_java, language):
+    assert results(sitaf, arm(sitaf, tmp_path, language), *MODELS) == arm_in_java
+
+
+@pytest.mark.parametrize("spoilt", LANGUAGES)
+def test_a_call_that_never_ends_is_an_error_and_the_next_case_runs(sitaf, tmp_path, spoilt):
+    if spoilt == "cpp" and WITHOUT_CPP:
+        pytest.skip("needs ./sitaf doctor --install cpp")
+    folder = arm(sitaf, tmp_path, spoilt)
+    replace(folder / "Swing.xml", "<value>1.5</value>", "<value>0</value>")
+    _, found = results(sitaf, folder, "Swing")
+    by_effort = {(float(r["values"][0]), r["values"][2] == "!error:NoClock"): r for r in found.values()}
+    endless = by_effort[0.0, False]
+    assert (endless["verdict"], endless["message"]) == ("ERROR", "the case took more than 4 s of simulation time")
+    assert {by_effort[0.0, True]["verdict"], by_effort[7.0, True]["verdict"], by_effort[7.0, False]["verdict"]} == {"PASS"}
+    assert verdicts(found).count("ERROR") == 4
+
+
+@pytest.mark.parametrize("spoilt", LANGUAGES)
+def test_a_method_without_a_value_that_does_not_throw_as_expected_fails(sitaf, tmp_path, spoilt):
+    if spoilt == "cpp" and WITHOUT_CPP:
+        pytest.skip("needs ./sitaf doctor --install cpp")
+    folder = arm(sitaf, tmp_path, spoilt)
+    replace(folder / "Limit.xml", 'valid ? null : "!error:TooStrong"', 'most == 4.0 ? "!error:TooStrong" : null')
+    _, found = results(sitaf, folder, "Limit")
+    judged = {float(result["values"][0]): (result["verdict"], result["message"]) for result in found.values()}
+    assert judged[4.0] == ("FAIL", "expected the error TooStrong, but it returned")
+    assert [value for value, (verdict, _) in judged.items() if verdict == "ERROR"] == [-0.5, 8.5]
+    assert verdicts(found).count("PASS") == len(found) - 3
