@@ -4,11 +4,32 @@ The module holds the class ConcreteTestDriver. A component that cannot be import
 """
 
 import importlib
+import re
 import sys
+import traceback
 
 from sitaf_runtime.errors import CannotRunError
 from sitaf_runtime.run import cannot_run, end, start
-from sitaf_runtime.thrown import describe
+from sitaf_runtime.thrown import describe, is_the_users
+
+_NAMED = 10
+
+
+def _not_there(raised: BaseException) -> str | None:
+    """What to say when the component's module or class is missing, and not something that the component imports."""
+    if any(is_the_users(frame.filename) for frame in traceback.extract_tb(raised.__traceback__)):
+        return None
+    if isinstance(raised, ModuleNotFoundError):
+        return f"there is no module {raised.name}: component.class in activity.yaml names the module, then the class"
+    missing = re.match(r"cannot import name '(\w+)' from '([\w.]+)'", str(raised))
+    if not isinstance(raised, ImportError) or missing is None:
+        return None
+    there = vars(sys.modules.get(missing[2])) if missing[2] in sys.modules else {}
+    classes = [name for name, value in there.items() if isinstance(value, type) and not name.startswith("_")]
+    return (
+        f"{missing[2]} has no class {missing[1]}; it has {', '.join(classes[:_NAMED]) or 'no class'}:"
+        " name one of its classes as component.class in activity.yaml"
+    )
 
 
 def main() -> None:
@@ -21,7 +42,7 @@ def main() -> None:
     except CannotRunError as e:
         end(cannot_run(str(e)))
     except BaseException as e:
-        end(cannot_run(f"the test application cannot be imported: {describe(e)}"))
+        end(cannot_run(_not_there(e) or f"the test application cannot be imported: {describe(e)}"))
     start(driver, sys.argv[2:])
 
 

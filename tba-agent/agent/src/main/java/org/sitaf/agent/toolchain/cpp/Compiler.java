@@ -16,6 +16,13 @@ record Compiler(Path program, String version) {
   static final List<String> OPTIONS =
       List.of("-std=c++17", "-O1", "-g1", "-fPIC", "-pthread", "-w");
 
+  /** Diagnostics in one line each, without colours. */
+  List<String> plainDiagnostics() {
+    return List.of(
+        "-fdiagnostics-color=never",
+        version.startsWith("clang") ? "-fno-caret-diagnostics" : "-fno-diagnostics-show-caret");
+  }
+
   static Compiler of(Path program) {
     String name = program.getFileName().toString();
     String number =

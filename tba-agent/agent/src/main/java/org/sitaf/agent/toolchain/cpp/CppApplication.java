@@ -28,6 +28,9 @@ record CppApplication(Path folder, String program, Path runtime, @Nullable CppCo
    */
   static final String NOTES = "coverage";
 
+  /** Folder of the shared libraries that the component brings. */
+  static final String LIBRARIES = "lib";
+
   /** gRPC's own. */
   private static final int OVERHEAD_MIB = 96;
 
@@ -39,7 +42,8 @@ record CppApplication(Path folder, String program, Path runtime, @Nullable CppCo
   @Override
   public Map<String, String> environment(ProcessPlace place) {
     Map<String, String> environment = new HashMap<>();
-    environment.put("LD_LIBRARY_PATH", runtime.toString());
+    // What the component brings may itself need another library of it.
+    environment.put("LD_LIBRARY_PATH", runtime + ":" + folder.resolve(LIBRARIES));
     Path coverage = place.coverage();
     if (coverage != null) {
       environment.put("GCOV_PREFIX", coverage.toString());

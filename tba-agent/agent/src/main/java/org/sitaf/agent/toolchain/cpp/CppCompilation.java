@@ -94,7 +94,11 @@ final class CppCompilation {
     link.addAll(List.of("-L" + runtime.library(), "-lsitaf_runtime"));
     link.addAll(libraries.linkFlags());
     // What the component brings lies beside the program, wherever that is.
-    link.addAll(List.of("-Wl,-rpath,$ORIGIN/lib", "-Wl,-rpath-link," + runtime.library()));
+    Path brought = compilation.output().resolve(CppApplication.LIBRARIES);
+    link.addAll(
+        List.of(
+            "-Wl,-rpath,$ORIGIN/" + CppApplication.LIBRARIES,
+            "-Wl,-rpath-link," + runtime.library() + ":" + brought));
     String program = compilation.application().entryPoint();
     ToolEnd end = tool(link, program, Map.of(program, compilation.output().resolve(program)));
     judge(end);
@@ -114,7 +118,7 @@ final class CppCompilation {
   private Work work(CppSources.Unit unit, int number, CppLibraries libraries, String headers) {
     List<String> command = new ArrayList<>(List.of(compiler.program().toString()));
     command.addAll(Compiler.OPTIONS);
-    command.addAll(List.of("-fdiagnostics-color=never", "-fno-diagnostics-show-caret"));
+    command.addAll(compiler.plainDiagnostics());
     command.add("-ffile-prefix-map=" + compilation.sources() + "/=");
     boolean measured = compilation.coverage() && !unit.ofHarness();
     if (measured) {

@@ -120,7 +120,7 @@ record CppLibraries(List<String> compileFlags, List<String> linkFlags) {
   /** Copies a shared library to where the program finds it: under its name, and the one it says. */
   private static Path beside(Compilation compilation, Path library)
       throws IOException, InterruptedException {
-    Path folder = Files.createDirectories(compilation.output().resolve("lib"));
+    Path folder = Files.createDirectories(compilation.output().resolve(CppApplication.LIBRARIES));
     Path copy = folder.resolve(library.getFileName());
     Files.copy(library, copy, StandardCopyOption.REPLACE_EXISTING);
     Path working = Files.createTempDirectory(compilation.scratch(), "tool");

@@ -41,8 +41,14 @@ public final class JavaToolchain implements Toolchain {
   private final List<Path> runtimeJars;
   private final @Nullable Path archive;
   private final @Nullable Path recorder;
+  private final MavenPackages packages;
 
-  private JavaToolchain(List<Path> runtimeJars, @Nullable Path archive, @Nullable Path recorder) {
+  private JavaToolchain(
+      List<Path> runtimeJars,
+      @Nullable Path archive,
+      @Nullable Path recorder,
+      MavenPackages packages) {
+    this.packages = packages;
     this.runtimeJars = List.copyOf(runtimeJars);
     this.archive = archive;
     this.recorder = recorder;
@@ -62,7 +68,8 @@ public final class JavaToolchain implements Toolchain {
           new JavaToolchain(
               RuntimeJars.in(places.runtimes().resolve("runtime-java")),
               RuntimeJars.archive(places.runtimes().resolve("runtime-java.jsa")).orElse(null),
-              RuntimeJars.recorder(places.runtimes().resolve("coverage-java")).orElse(null)));
+              RuntimeJars.recorder(places.runtimes().resolve("coverage-java")).orElse(null),
+              new MavenPackages(places.cache().resolve("java"))));
     } catch (IOException e) {
       return new Missing(
           String.valueOf(e.getMessage()), "install the agent with its runtime folders beside it");
@@ -93,19 +100,23 @@ public final class JavaToolchain implements Toolchain {
 
   @Override
   public Optional<CompiledApplication> openEarly(Compilation compilation)
-      throws CompilationException {
-    return Optional.of(application(compilation, true));
+      throws CompilationException, InterruptedException, IOException {
+    // A package may have to be fetched first.
+    return compilation.application().activity().profile().component().packageName() == null
+        ? Optional.of(application(compilation, true))
+        : Optional.empty();
   }
 
   @Override
-  public CompiledApplication open(Compilation compilation) throws CompilationException {
+  public CompiledApplication open(Compilation compilation)
+      throws CompilationException, InterruptedException, IOException {
     return application(compilation, false);
   }
 
   private JavaApplication application(Compilation compilation, boolean early)
-      throws CompilationException {
+      throws CompilationException, InterruptedException, IOException {
     List<Path> classPath = new ArrayList<>(runtimeJars);
-    classPath.addAll(libraries(compilation.application(), compilation.activity()));
+    classPath.addAll(libraries(compilation));
     classPath.add(compilation.output());
     JavaCoverage recording =
         !compilation.coverage() || recorder == null
@@ -120,7 +131,7 @@ public final class JavaToolchain implements Toolchain {
   public void compile(Compilation compilation)
       throws CompilationException, InterruptedException, IOException {
     TestApplication application = compilation.application();
-    List<Path> libraries = libraries(application, compilation.activity());
+    List<Path> libraries = libraries(compilation);
     List<Path> classPath = new ArrayList<>(runtimeJars);
     classPath.addAll(libraries);
     List<JavaSource> sources = JavaSource.of(application);
@@ -174,20 +185,16 @@ public final class JavaToolchain implements Toolchain {
     }
   }
 
-  /** The component's own library and the external ones; each must be a jar of the activity. */
-  private static List<Path> libraries(TestApplication application, Path activityDirectory)
-      throws CompilationException {
+  /**
+   * The component's own library and the external ones, of which each must be a jar of the activity,
+   * and its package.
+   */
+  private List<Path> libraries(Compilation compilation)
+      throws CompilationException, InterruptedException, IOException {
+    TestApplication application = compilation.application();
     ActivityProfile profile = application.activity().profile();
     List<SourceDiagnostic> problems = new ArrayList<>();
     List<Path> jars = new ArrayList<>();
-    if (profile.component().packageName() != null) {
-      problems.add(
-          inProfile(
-              "component: package: "
-                  + profile.component().packageName()
-                  + ": this agent cannot fetch Java packages; give 'sources:' or a .jar as"
-                  + " 'library:'"));
-    }
     List<String> wanted = new ArrayList<>(profile.libraries());
     if (profile.component().library() != null) {
       wanted.add(0, profile.component().library());
@@ -198,11 +205,15 @@ public final class JavaToolchain implements Toolchain {
       } else if (!application.activity().files().contains(library)) {
         problems.add(inProfile("library " + library + ": no such file in the activity"));
       } else {
-        jars.add(activityDirectory.resolve(library));
+        jars.add(compilation.activity().resolve(library));
       }
     }
     if (!problems.isEmpty()) {
       throw new CompilationException("the component's libraries cannot be used", problems);
+    }
+    String packageName = profile.component().packageName();
+    if (packageName != null) {
+      jars.addAll(packages.jars(packageName, compilation));
     }
     return jars;
   }

@@ -77,7 +77,11 @@ final class Environments {
    */
   synchronized Path with(Requirements requirements, Path scratch, Duration atMost, Sandbox sandbox)
       throws CompilationException, IOException, InterruptedException {
-    String key = digest((identity() + "\n" + requirements.text()).getBytes(StandardCharsets.UTF_8));
+    StringBuilder held = new StringBuilder(identity()).append('\n').append(requirements.text());
+    for (Path wheel : requirements.wheels()) {
+      held.append(wheel.getFileName()).append(' ').append(digest(Files.readAllBytes(wheel)));
+    }
+    String key = digest(held.toString().getBytes(StandardCharsets.UTF_8));
     Path environment = cache.resolve(key.substring(0, 24));
     if (Files.isDirectory(environment)) {
       return environment;
@@ -108,7 +112,7 @@ final class Environments {
   private void make(
       Path fresh, Requirements requirements, Path scratch, Duration atMost, Sandbox sandbox)
       throws CompilationException, IOException, InterruptedException {
-    Tools tools = new Tools(fresh, scratch, atMost, sandbox);
+    Tools tools = new Tools(fresh, scratch, atMost, sandbox, requirements.wheels());
     ToolEnd made =
         tools.run(
             List.of(
@@ -126,20 +130,23 @@ final class Environments {
     Path list = scratch.resolve("requirements.txt");
     Files.writeString(list, BASE + requirements.text());
     List<String> pip =
-        List.of(
-            python(fresh).toString(),
-            "-I",
-            "-m",
-            "pip",
-            "install",
-            "--disable-pip-version-check",
-            "--no-input",
-            "--quiet",
-            "--no-warn-script-location",
-            "--requirement",
-            list.toString());
+        new ArrayList<>(
+            List.of(
+                python(fresh).toString(),
+                "-I",
+                "-m",
+                "pip",
+                "install",
+                "--disable-pip-version-check",
+                "--no-input",
+                "--quiet",
+                "--no-warn-script-location",
+                "--requirement",
+                list.toString()));
+    requirements.wheels().forEach(wheel -> pip.add(wheel.toString()));
+    boolean nothingOfItsOwn = requirements.text().isBlank() && requirements.wheels().isEmpty();
     ToolEnd installed = tools.run(pip, true);
-    if (installed.code() != 0 && requirements.text().isBlank()) {
+    if (installed.code() != 0 && nothingOfItsOwn) {
       throw new IOException(
           "pip cannot fetch what test applications need: " + complaint(installed));
     }
@@ -182,8 +189,10 @@ final class Environments {
     private final Path scratch;
     private final Duration atMost;
     private final Sandbox sandbox;
+    private final List<Path> wheels;
 
-    Tools(Path fresh, Path scratch, Duration atMost, Sandbox sandbox) {
+    Tools(Path fresh, Path scratch, Duration atMost, Sandbox sandbox, List<Path> wheels) {
+      this.wheels = wheels;
       this.fresh = fresh;
       this.scratch = scratch;
       this.atMost = atMost;
@@ -197,6 +206,7 @@ final class Environments {
               .withEnvironment(Map.of("PYTHONUTF8", "1"))
               .reading(interpreter.prefixes())
               .reading(List.of(interpreter.executable()))
+              .reading(wheels)
               .writing(List.of(fresh));
       return sandbox.run(network ? confinement.withNetwork() : confinement, atMost);
     }

@@ -1,6 +1,7 @@
 package org.sitaf.agent.toolchain.python;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -8,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.sandbox.Confinement;
 import org.sitaf.agent.sandbox.ProcessLimits;
@@ -32,6 +34,14 @@ import org.sitaf.core.activity.FileTree;
  */
 public final class PythonToolchain implements Toolchain {
   private static final String HARNESS = "harness";
+
+  /** What makes a module define names that do not stand in it. */
+  private static final Pattern EVERYTHING =
+      Pattern.compile("^\\s*from\\s+\\S+\\s+import\\s+\\*|\\b__getattr__\\b", Pattern.MULTILINE);
+
+  private static final Pattern CLASS =
+      Pattern.compile("^class\\s+([A-Za-z_][A-Za-z0-9_]*)", Pattern.MULTILINE);
+  private static final int NAMED_AT_MOST = 10;
 
   private final Interpreter interpreter;
   private final Environments environments;
@@ -165,9 +175,8 @@ public final class PythonToolchain implements Toolchain {
 
   private Path environment(Compilation compilation)
       throws CompilationException, InterruptedException, IOException {
-    Component component = compilation.application().activity().profile().component();
     return environments.with(
-        Requirements.of(component, compilation.activity()),
+        Requirements.of(compilation.application().activity().profile(), compilation.activity()),
         compilation.scratch(),
         compilation.atMost(),
         compilation.sandbox());
@@ -181,14 +190,17 @@ public final class PythonToolchain implements Toolchain {
     Map<String, String> roots = new java.util.LinkedHashMap<>();
     put(roots, component.adapter(), "adapter");
     put(roots, component.sources(), "component");
-    if (component.library() != null) {
+    if (component.library() != null && !Requirements.isWheel(component.library())) {
       // A package is imported by its own name, from the folder that it lies in.
       String library = component.library().replaceAll("/+$", "");
       put(roots, library.substring(0, library.lastIndexOf('/') + 1), "library");
     }
     for (int i = 0; i < profile.libraries().size(); i++) {
       String library = profile.libraries().get(i);
-      if (library.matches(".*\\.(jar|so|whl|zip)")) {
+      if (Requirements.isWheel(library)) {
+        continue;
+      }
+      if (library.matches(".*\\.(jar|so|zip)")) {
         throw new CompilationException(
             "the component's libraries cannot be used",
             List.of(
@@ -196,7 +208,8 @@ public final class PythonToolchain implements Toolchain {
                     "activity/activity.yaml",
                     "library "
                         + library
-                        + ": expected a folder of Python modules; name packages in requirements.txt")));
+                        + ": expected a folder of Python modules or a wheel (.whl); name packages of PyPI in"
+                        + " requirements.txt")));
       }
       put(roots, library, "library" + (i + 1));
     }
@@ -221,22 +234,63 @@ public final class PythonToolchain implements Toolchain {
     int dot = qualified.lastIndexOf('.');
     String module = qualified.substring(0, Math.max(0, dot)).replace('.', '/');
     String name = qualified.substring(dot + 1);
-    for (String root : roots.values()) {
+    for (Map.Entry<String, String> root : roots.entrySet()) {
       for (String file : List.of(module + ".py", module + "/__init__.py")) {
-        Path source = compilation.output().resolve(root).resolve(file);
+        Path source = compilation.output().resolve(root.getValue()).resolve(file);
         if (Files.isRegularFile(source)) {
-          if (Pattern.compile("\\b" + Pattern.quote(name) + "\\b")
-              .matcher(Files.readString(source, java.nio.charset.StandardCharsets.ISO_8859_1))
-              .find()) {
-            return;
+          String text = Files.readString(source, StandardCharsets.ISO_8859_1);
+          if (!Pattern.compile("\\b" + Pattern.quote(name) + "\\b").matcher(text).find()
+              && !EVERYTHING.matcher(text).find()) {
+            throw notThere(
+                qualified,
+                root.getKey()
+                    + file
+                    + " does not define "
+                    + name
+                    + classes(text)
+                    + "; name one of the component's classes, as MODULE.CLASS");
           }
-          throw notThere(qualified, file + " does not name " + name);
+          return;
         }
       }
+      if (isExtension(compilation.output().resolve(root.getValue()).resolve(module))) {
+        return;
+      }
     }
-    if (component.packageName() == null) {
+    boolean fetched =
+        component.packageName() != null
+            || (component.library() != null && Requirements.isWheel(component.library()));
+    if (!fetched) {
       throw notThere(
-          qualified, "there is no " + module + ".py below " + String.join(", ", roots.keySet()));
+          qualified,
+          "there is no "
+              + module
+              + ".py below "
+              + String.join(", ", roots.keySet())
+              + "; write the module that defines "
+              + name
+              + ", then the class: MODULE."
+              + name);
+    }
+  }
+
+  /** What a module defines, for whoever has named another class of it. */
+  private static String classes(String text) {
+    List<String> names =
+        CLASS.matcher(text).results().map(found -> found.group(1)).limit(NAMED_AT_MOST).toList();
+    return names.isEmpty() ? ", and no class at all" : "; it defines " + String.join(", ", names);
+  }
+
+  /** Whether a module comes compiled, so that no text says what it defines. */
+  private static boolean isExtension(Path module) throws IOException {
+    Path folder = module.getParent();
+    if (folder == null || !Files.isDirectory(folder)) {
+      return false;
+    }
+    try (Stream<Path> files = Files.list(folder)) {
+      return files
+          .map(file -> file.getFileName().toString())
+          .anyMatch(file -> file.startsWith(module.getFileName() + ".") && file.endsWith(".so"));
     }
   }
 

@@ -7,9 +7,11 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.toolchain.CompilationException;
 import org.sitaf.agent.toolchain.SourceDiagnostic;
+import org.sitaf.core.activity.ActivityProfile;
 import org.sitaf.core.activity.ActivityProfile.Component;
 
 /**
@@ -17,8 +19,9 @@ import org.sitaf.core.activity.ActivityProfile.Component;
  *
  * @param text as {@code pip} reads them; empty where it needs none
  * @param file where they stand, in the layout of the application
+ * @param wheels packages that the activity brings itself
  */
-record Requirements(String text, String file) {
+record Requirements(String text, String file, List<Path> wheels) {
   private static final String PROFILE = "activity/activity.yaml";
 
   /** A package by name, with extras and versions; no option, no path, no address. */
@@ -27,9 +30,19 @@ record Requirements(String text, String file) {
           "[A-Za-z0-9][A-Za-z0-9._-]*(\\[[A-Za-z0-9._, -]*])?"
               + "\\s*((===?|~=|!=|<=?|>=?)\\s*[A-Za-z0-9._*+!-]+\\s*,?\\s*)*");
 
+  Requirements {
+    wheels = List.copyOf(wheels);
+  }
+
+  /** Whether a library is a package that pip installs, and no folder of modules. */
+  static boolean isWheel(String library) {
+    return library.endsWith(".whl");
+  }
+
   /** What the profile names, and what {@code requirements.txt} beside the sources lists. */
-  static Requirements of(Component component, Path activity)
+  static Requirements of(ActivityProfile profile, Path activity)
       throws CompilationException, IOException {
+    Component component = profile.component();
     StringBuilder text = new StringBuilder();
     String file = PROFILE;
     String named = component.packageName();
@@ -60,6 +73,11 @@ record Requirements(String text, String file) {
         file = "activity/" + activity.normalize().relativize(list);
       }
     }
-    return new Requirements(text.toString(), file);
+    List<Path> wheels =
+        Stream.concat(Stream.ofNullable(component.library()), profile.libraries().stream())
+            .filter(Requirements::isWheel)
+            .map(library -> activity.resolve(library).normalize())
+            .toList();
+    return new Requirements(text.toString(), file, wheels);
   }
 }

@@ -1,0 +1,159 @@
+package org.sitaf.agent.toolchain.java;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystemException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.List;
+import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.sitaf.agent.sandbox.Confinement;
+import org.sitaf.agent.sandbox.ProcessLimits;
+import org.sitaf.agent.sandbox.ToolEnd;
+import org.sitaf.agent.toolchain.Compilation;
+import org.sitaf.agent.toolchain.CompilationException;
+
+/**
+ * Packages by their Maven coordinates, with all that they need at run time. Maven fetches them, in
+ * the sandbox, when they are asked for first, and never while a test runs; no code of theirs runs
+ * then.
+ */
+final class MavenPackages {
+  private static final String PLUGIN =
+      "org.apache.maven.plugins:maven-dependency-plugin:3.10.0:copy-dependencies";
+  private static final String WORD = "[A-Za-z0-9_][A-Za-z0-9_.-]{0,199}";
+  private static final Pattern COORDINATES =
+      Pattern.compile("(" + WORD + "):(" + WORD + "):(" + WORD + ")");
+
+  /** How many lines of Maven's complaint are told. */
+  private static final int COMPLAINT = 6;
+
+  private static final String REMEDY =
+      "; install it (apt-get install maven), or give a .jar as 'library:'";
+
+  /** What a shell or a sandbox ends with where there is no such program. */
+  private static final int NOT_FOUND = 127;
+
+  private final Path cache;
+
+  MavenPackages(Path cache) {
+    this.cache = cache;
+  }
+
+  /**
+   * The jars of a package, fetched when they are asked for first.
+   *
+   * @param wanted such as {@code org.apache.commons:commons-math3:3.6.1}
+   * @throws CompilationException when it is spelled otherwise or cannot be fetched
+   */
+  synchronized List<Path> jars(String wanted, Compilation compilation)
+      throws CompilationException, IOException, InterruptedException {
+    Matcher coordinates = COORDINATES.matcher(wanted.strip());
+    if (!coordinates.matches()) {
+      throw refused(
+          "'"
+              + wanted
+              + "' is not a package such as org.apache.commons:commons-math3:3.6.1, with group,"
+              + " artifact and version");
+    }
+    Path folder = cache.resolve("packages").resolve(wanted.strip().replace(':', '!'));
+    if (!Files.isDirectory(folder)) {
+      fetch(coordinates, folder, compilation);
+    }
+    try (Stream<Path> files = Files.list(folder)) {
+      return files.sorted().toList();
+    }
+  }
+
+  private void fetch(Matcher coordinates, Path folder, Compilation compilation)
+      throws CompilationException, IOException, InterruptedException {
+    Path repository = Files.createDirectories(cache.resolve("repository"));
+    Path working = Files.createTempDirectory(compilation.scratch(), "maven-");
+    Path jars = Files.createDirectories(working.resolve("jars"));
+    Files.writeString(
+        working.resolve("pom.xml"),
+        """
+        <project>
+          <modelVersion>4.0.0</modelVersion>
+          <groupId>sitaf</groupId>
+          <artifactId>component</artifactId>
+          <version>1</version>
+          <dependencies>
+            <dependency>
+              <groupId>%s</groupId>
+              <artifactId>%s</artifactId>
+              <version>%s</version>
+            </dependency>
+          </dependencies>
+        </project>
+        """
+            .formatted(coordinates.group(1), coordinates.group(2), coordinates.group(3)),
+        StandardCharsets.UTF_8);
+    List<String> command =
+        List.of(
+            "mvn",
+            "--batch-mode",
+            "--quiet",
+            "-Dmaven.repo.local=" + repository,
+            "-DincludeScope=runtime",
+            "-DoutputDirectory=" + jars,
+            PLUGIN);
+    ToolEnd end;
+    try {
+      end =
+          compilation
+              .sandbox()
+              .run(
+                  Confinement.of(command, working, working, ProcessLimits.TOOL)
+                      .withEnvironment(Map.of("JAVA_HOME", System.getProperty("java.home")))
+                      .reading(List.of(Path.of(System.getProperty("java.home"))))
+                      .writing(List.of(repository))
+                      .withNetwork(),
+                  compilation.atMost());
+    } catch (IOException e) {
+      throw refused(coordinates.group() + ": Maven cannot be started: " + e.getMessage() + REMEDY);
+    }
+    if (end.code() != 0) {
+      throw refused(coordinates.group() + ": " + complaint(end, compilation));
+    }
+    Files.createDirectories(folder.getParent());
+    try {
+      Files.move(jars, folder, StandardCopyOption.ATOMIC_MOVE);
+    } catch (FileSystemException e) {
+      if (!Files.isDirectory(folder)) {
+        throw e;
+      }
+      // Another agent has fetched the same meanwhile.
+    }
+  }
+
+  private static String complaint(ToolEnd end, Compilation compilation) {
+    if (end.gaveUp()) {
+      return "Maven was given up after " + compilation.atMost().toSeconds() + " s";
+    }
+    if (end.code() == NOT_FOUND) {
+      return "Maven is not there" + REMEDY;
+    }
+    List<String> errors =
+        (end.output() + "\n" + end.errors())
+            .lines()
+            .filter(line -> line.startsWith("[ERROR]"))
+            .map(line -> line.substring("[ERROR]".length()).strip())
+            .filter(line -> !line.isEmpty())
+            .limit(COMPLAINT)
+            .toList();
+    return errors.isEmpty()
+        ? "Maven ended with " + end.code() + ": " + end.errors().strip()
+        : String.join("; ", errors);
+  }
+
+  private static CompilationException refused(String reason) {
+    return new CompilationException(
+        "the component's package cannot be fetched",
+        List.of(JavaToolchain.inProfile("component: package: " + reason)));
+  }
+}
