@@ -3,9 +3,9 @@ package org.sitaf.agent.build;
 import java.io.FileOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
-import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.executor.OutputSink;
 
 /**
@@ -21,6 +21,7 @@ final class BuildLog implements OutputSink, AutoCloseable {
   private long output;
   private boolean atLineStart = true;
   private boolean cut;
+  private @Nullable IOException failure;
 
   BuildLog(Path path, BuildListener listener) throws IOException {
     // Not a channel: the interrupt of a cancelled build would close it.
@@ -59,13 +60,23 @@ final class BuildLog implements OutputSink, AutoCloseable {
     try {
       file.write(bytes);
     } catch (IOException e) {
-      throw new UncheckedIOException("the build's log cannot be written", e);
+      failure = failure == null ? e : failure;
+      return;
     }
     listener.log(bytes);
   }
 
+  /**
+   * Ends the log.
+   *
+   * @throws IOException also when something could not be written before: whoever tells of output
+   *     cannot do anything about it, and must go on, or the test application would wait
+   */
   @Override
   public synchronized void close() throws IOException {
     file.close();
+    if (failure != null) {
+      throw new IOException("the build's log cannot be written: " + failure.getMessage(), failure);
+    }
   }
 }

@@ -22,6 +22,7 @@ import org.sitaf.agent.executor.TestApplicationExecutor;
 import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.agent.simulation.SimulatorClient;
 import org.sitaf.agent.simulation.WorldException;
+import org.sitaf.agent.spool.FreeSpace;
 import org.sitaf.agent.toolchain.Compilation;
 import org.sitaf.agent.toolchain.CompilationException;
 import org.sitaf.agent.toolchain.CompiledApplication;
@@ -125,7 +126,10 @@ public final class BuildRun {
         return new BuildOutcome.Completed(withCoverage(result, compiled, request, log));
       }
     } catch (CompilationException e) {
-      return new BuildOutcome.CompilationFailed(String.valueOf(e.getMessage()), e.diagnostics());
+      String full = FreeSpace.ofBuild(directory).whyFull();
+      return full.isEmpty()
+          ? new BuildOutcome.CompilationFailed(String.valueOf(e.getMessage()), e.diagnostics())
+          : new BuildOutcome.InfrastructureFailed(full + ": " + e.getMessage());
     } catch (InvalidInputException e) {
       return new BuildOutcome.CompilationFailed(
           "the test application is not valid",

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.agent.spool.FreeSpace;
 import org.sitaf.core.verdict.CaseResult;
 
 /**
@@ -117,6 +118,8 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow) {
         if (progress.isComplete()) {
           return "";
         }
+        // No case is at fault for what could not be written.
+        FreeSpace.ofBuild(request.directory()).require();
         barrenProcesses = progress.count() == before ? barrenProcesses + 1 : 0;
         if (end.cannotGoOn()) {
           return cannotGoOn(end, target);

@@ -13,6 +13,7 @@ import org.sitaf.agent.build.BuildRun;
 import org.sitaf.agent.build.BuildSettings;
 import org.sitaf.agent.spool.AgentDirectory;
 import org.sitaf.agent.spool.FileCache;
+import org.sitaf.agent.spool.FreeSpace;
 import org.sitaf.agent.v1.Assignment;
 import org.sitaf.agent.v1.AttemptRef;
 import org.sitaf.agent.v1.Cancellation;

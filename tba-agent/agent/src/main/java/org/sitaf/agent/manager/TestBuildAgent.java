@@ -13,6 +13,7 @@ import org.sitaf.agent.sandbox.ProcessGroup;
 import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.agent.simulation.Simulator;
 import org.sitaf.agent.spool.AgentDirectory;
+import org.sitaf.agent.spool.FreeSpace;
 import org.sitaf.agent.toolchain.Toolchains;
 import org.sitaf.agent.v1.Cancellation;
 import org.sitaf.agent.v1.Register;
