@@ -124,16 +124,17 @@ final class AgentSession {
 
   /** Sends the first message, after which the agent may be given builds. */
   synchronized void welcome(ServerMessage message) {
-    welcomed = send(message);
+    welcomed = open;
+    send(message);
   }
 
   /**
-   * Sends, if the stream is open.
+   * Sends, if the agent was welcomed and the stream is open.
    *
    * @return whether it was
    */
   synchronized boolean send(ServerMessage message) {
-    if (!open) {
+    if (!open || !welcomed) {
       return false;
     }
     try {

@@ -80,6 +80,8 @@ final class AgentStream implements StreamObserver<AgentMessage> {
           .asRuntimeException();
     }
     session = made;
+    // Before it can be given anything: what it is given from then on, it does not know of yet.
+    agents.came(made, running);
     made.welcome(
         ServerMessage.newBuilder()
             .setRegistered(
@@ -87,7 +89,7 @@ final class AgentStream implements StreamObserver<AgentMessage> {
                     .setServerVersion(version())
                     .setLease(Duration.newBuilder().setSeconds(settings.lease().toSeconds())))
             .build());
-    agents.came(made, running);
+    agents.heard(made, running);
     log.info("Agent {} is connected, with {} slots", made.name(), made.slots());
     dispatcher.wake();
   }

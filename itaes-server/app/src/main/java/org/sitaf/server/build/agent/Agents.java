@@ -107,7 +107,6 @@ class Agents {
    */
   void came(AgentSession session, Collection<AttemptKey> running) {
     attempts.giveUpAllBut(session.name(), running);
-    heard(session, running);
   }
 
   /**
