@@ -12,11 +12,18 @@ final class Backoff {
   private static final long LAST_MS = 15_000;
 
   private long nextMs = FIRST_MS;
+  private long lastMs = LAST_MS;
 
   Duration next() {
     long ms = nextMs / 2 + ThreadLocalRandom.current().nextLong(nextMs / 2 + 1);
-    nextMs = Math.min(LAST_MS, nextMs * 2);
+    nextMs = Math.min(lastMs, nextMs * 2);
     return Duration.ofMillis(ms);
+  }
+
+  /** No wait is longer than this from now on. */
+  void atMost(Duration longest) {
+    lastMs = Math.max(FIRST_MS, longest.toMillis());
+    nextMs = Math.min(lastMs, nextMs);
   }
 
   void reset() {

@@ -31,6 +31,14 @@ final class ServerConnection implements AutoCloseable {
   private static final Duration SHORTEST_INTERVAL = Duration.ofMillis(20);
   private static final int HEARTBEATS_PER_LEASE = 3;
 
+  /**
+   * A server that comes back grants everybody a whole lease: each agent dials a few times within
+   * it.
+   */
+  private static final int DIALS_PER_LEASE = 3;
+
+  private static final Duration USUAL_LEASE = Duration.ofSeconds(15);
+
   private final ManagedChannel channel;
   private final AgentKey key;
   private final Supplier<Register> registration;
@@ -71,6 +79,7 @@ final class ServerConnection implements AutoCloseable {
 
   private void work() {
     Backoff backoff = new Backoff();
+    backoff.atMost(USUAL_LEASE.dividedBy(DIALS_PER_LEASE));
     String lastComplaint = "";
     try {
       while (closing.getCount() > 0) {
@@ -84,7 +93,9 @@ final class ServerConnection implements AutoCloseable {
         if (status.getCode() == Status.Code.UNAUTHENTICATED) {
           key.refused();
         }
-        if (stream.registered()) {
+        Duration lease = stream.lease;
+        if (lease != null) {
+          backoff.atMost(lease.dividedBy(DIALS_PER_LEASE));
           backoff.reset();
           lastComplaint = "";
         }
@@ -130,6 +141,7 @@ final class ServerConnection implements AutoCloseable {
   private final class Stream implements ClientResponseObserver<AgentMessage, ServerMessage> {
     private final CountDownLatch ended = new CountDownLatch(1);
     private volatile Status status = Status.OK;
+    private volatile @Nullable Duration lease;
     private volatile @Nullable Duration interval;
     private volatile @Nullable ClientCallStreamObserver<AgentMessage> requests;
 
@@ -199,8 +211,9 @@ final class ServerConnection implements AutoCloseable {
     public void onNext(ServerMessage message) {
       if (message.hasRegistered()) {
         var given = message.getRegistered().getLease();
-        Duration lease = Duration.ofSeconds(given.getSeconds(), given.getNanos());
-        Duration wanted = lease.dividedBy(HEARTBEATS_PER_LEASE + 1);
+        Duration granted = Duration.ofSeconds(given.getSeconds(), given.getNanos());
+        lease = granted;
+        Duration wanted = granted.dividedBy(HEARTBEATS_PER_LEASE + 1);
         interval = wanted.compareTo(SHORTEST_INTERVAL) < 0 ? SHORTEST_INTERVAL : wanted;
         listener.registered(message.getRegistered());
       } else {
