@@ -9,7 +9,7 @@ import time
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent.parent))
-from system import Bridge, Table, agent, await_true, server
+from system import Bridge, Table, agent, await_true, server, show
 
 CASES = 55
 NEARLY_DONE = 50
@@ -62,13 +62,17 @@ def main():
             table.row("changes of the build after its end",
                       len(api.get(f"/api/v1/builds/{build}/history")) - len(history), "0",
                       api.get(f"/api/v1/builds/{build}/history") == history)
+            second.stop()
             again = api.build(suite)
-            table.row("the first agent works on after that", "",
-                      "a build", await_true(lambda: api.get(f"/api/v1/builds/{again}")["state"] == "DONE", 60))
+            works = await_true(lambda: api.state(again) == "DONE", 60)
+            table.row("who alone goes on with the next build", api.get(f"/api/v1/builds/{again}").get("agent", "nobody"),
+                      "first", works and api.get(f"/api/v1/builds/{again}")["agent"] == "first")
         finally:
             first.signal(signal.SIGCONT)
             for part in (first, second, central):
                 part.stop()
+            if table.short:
+                show(first, second, central)
     return table.end()
 
 

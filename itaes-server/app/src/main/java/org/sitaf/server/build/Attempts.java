@@ -340,7 +340,7 @@ public class Attempts {
 
   private void giveUp(Build build, Attempt attempt, String why) {
     attempt.end(BuildState.FAILED, now());
-    events.publishEvent(new BuildEvent.Stopped(attempt.key(), attempt.agent(), why));
+    events.publishEvent(new BuildEvent.Stopped(attempt.key(), attempt.agent(), why, true));
     tryAgain(
         build,
         new BuildFailure(BuildFailure.Category.INFRASTRUCTURE, why, List.of()),

@@ -20,8 +20,13 @@ public sealed interface BuildEvent {
   /** A build that was spread over parts is over. */
   record PartsEnded(String buildId, List<String> partIds) implements BuildEvent {}
 
-  /** An attempt is over, and not by its agent: the agent is to stop the work on it. */
-  record Stopped(AttemptKey attempt, String agent, String reason) implements BuildEvent {}
+  /**
+   * An attempt is over, and not by its agent: the agent is to stop the work on it.
+   *
+   * @param givenUp by this server, which keeps a late result; false where somebody cancelled it
+   */
+  record Stopped(AttemptKey attempt, String agent, String reason, boolean givenUp)
+      implements BuildEvent {}
 
   /** An agent has brought an attempt to its end. */
   record Delivered(AttemptKey attempt, String agent) implements BuildEvent {}

@@ -148,7 +148,8 @@ public class Builds {
           if (active) {
             Attempt attempt = attempts.findByBuildIdAndNo(id, build.attempt()).orElseThrow();
             attempt.end(BuildState.CANCELLED, now);
-            events.publishEvent(new BuildEvent.Stopped(attempt.key(), attempt.agent(), cause));
+            events.publishEvent(
+                new BuildEvent.Stopped(attempt.key(), attempt.agent(), cause, false));
           }
           changed(build);
         });

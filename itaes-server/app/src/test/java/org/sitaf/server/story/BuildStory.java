@@ -12,6 +12,7 @@ import org.sitaf.agent.v1.Assignment;
 import org.sitaf.agent.v1.AttemptRef;
 import org.sitaf.agent.v1.AttemptState;
 import org.sitaf.agent.v1.BuildFailure;
+import org.sitaf.agent.v1.Cancellation;
 import org.sitaf.agent.v1.Diagnostic;
 import org.sitaf.core.harness.TestApplication;
 import org.sitaf.server.support.Activities;
@@ -202,7 +203,9 @@ abstract class BuildStory extends DispatchStory {
       TestApplication application = agent.download(assignment);
       agent.report(assignment.getAttempt(), AttemptState.ATTEMPT_STATE_RUNNING);
       api.post("/api/v1/builds/" + id + "/cancel", "").expect(200);
-      assertThat(agent.next().getCancellation().getAttempt()).isEqualTo(assignment.getAttempt());
+      Cancellation cancellation = agent.next().getCancellation();
+      assertThat(cancellation.getAttempt()).isEqualTo(assignment.getAttempt());
+      assertThat(cancellation.getGivenUp()).isFalse();
       refused(
           Status.Code.FAILED_PRECONDITION,
           () -> agent.submit(assignment.getAttempt(), RimAgent.result(application, List.of())));

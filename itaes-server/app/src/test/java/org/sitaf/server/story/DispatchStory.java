@@ -10,6 +10,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.sitaf.agent.v1.Assignment;
 import org.sitaf.agent.v1.AttemptRef;
+import org.sitaf.agent.v1.Cancellation;
 import org.sitaf.core.harness.TestApplication;
 import org.sitaf.server.support.Activities;
 import org.sitaf.server.support.RimAgent;
@@ -99,7 +100,9 @@ abstract class DispatchStory extends ServerTest {
       stand("drained", "ACTIVE");
       AttemptRef attempt = agent.nextAssignment().getAttempt();
       stand("drained", "DISABLED");
-      assertThat(agent.next().getCancellation().getAttempt()).isEqualTo(attempt);
+      Cancellation cancellation = agent.next().getCancellation();
+      assertThat(cancellation.getAttempt()).isEqualTo(attempt);
+      assertThat(cancellation.getGivenUp()).as("a late result is kept").isTrue();
       assertThat(build(waiting).get("state").asString()).isEqualTo("QUEUED");
       api.delete("/api/v1/agents/drained").expect(409);
     }

@@ -13,6 +13,7 @@ import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.agent.build.BuildListener;
 import org.sitaf.agent.build.BuildOutcome;
 import org.sitaf.agent.build.BuildRun;
 import org.sitaf.agent.build.BuildSettings;
@@ -24,12 +25,13 @@ import org.sitaf.agent.v1.Assignment;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.harness.TestApplication;
+import org.sitaf.core.verdict.CaseResult;
 
 /** One attempt from its assignment to an outcome: fetches the test application and builds it. */
 final class AttemptRun {
   private static final long MAX_APPLICATION_BYTES = 512L << 20;
   private static final int DAMAGED_TRIES = 3;
-  private static final long NEARLY_READY_MS = 2000;
+  private static final long CATCHING_UP_MS = 2000;
 
   private final Attempt attempt;
   private final Assignment assignment;
@@ -43,6 +45,7 @@ final class AttemptRun {
   private @Nullable String stopReason;
   private boolean stoppedByAgent;
   private boolean over;
+  private int casesLeft = Integer.MAX_VALUE;
   private @Nullable BuildRun build;
 
   AttemptRun(
@@ -77,24 +80,33 @@ final class AttemptRun {
     stop("the agent was stopped");
   }
 
-  /** The attempt belongs to somebody else by now: only a result that is all but ready is kept. */
+  /**
+   * The attempt belongs to somebody else by now: only a result that is all but ready is kept, as
+   * the server keeps late ones for people.
+   */
   void giveUp() {
     synchronized (this) {
+      if (over) {
+        return;
+      }
       over = true;
     }
-    Thread later = new Thread(this::stopWhenNotReady, "sitaf-give-up");
+    Thread later = new Thread(this::stopUnlessAllCasesEnded, "sitaf-give-up");
     later.setDaemon(true);
     later.start();
   }
 
-  /**
-   * A result that is as good as ready has a moment to be: the server keeps late ones for people.
-   */
-  private void stopWhenNotReady() {
+  /** An agent that was silent has a moment to see how far its test application came meanwhile. */
+  private void stopUnlessAllCasesEnded() {
     try {
-      Thread.sleep(NEARLY_READY_MS);
+      Thread.sleep(CATCHING_UP_MS);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
+    }
+    synchronized (this) {
+      if (casesLeft == 0) {
+        return;
+      }
     }
     stop("the attempt is over");
   }
@@ -135,9 +147,10 @@ final class AttemptRun {
   private BuildOutcome fetchAndBuild(ProgressReport report) {
     try {
       TestApplication application = TestApplication.read(fetch());
-      BuildRun run = new BuildRun(application, directory, settings, report);
+      BuildRun run = new BuildRun(application, directory, settings, counting(report));
       synchronized (this) {
         build = run;
+        casesLeft = application.suite().cases().size();
         if (stopReason != null) {
           return new BuildOutcome.Cancelled(stopReason);
         }
@@ -157,6 +170,29 @@ final class AttemptRun {
       return new BuildOutcome.InfrastructureFailed(
           "the test application cannot be fetched: " + e.getMessage());
     }
+  }
+
+  /** Tells the report, and knows how many cases are still to come. */
+  private BuildListener counting(ProgressReport report) {
+    return new BuildListener() {
+      @Override
+      public void stage(BuildStage stage) {
+        report.stage(stage);
+      }
+
+      @Override
+      public void log(byte[] utf8) {
+        report.log(utf8);
+      }
+
+      @Override
+      public void caseFinished(CaseResult result) {
+        synchronized (AttemptRun.this) {
+          casesLeft--;
+        }
+        report.caseFinished(result);
+      }
+    };
   }
 
   /** The attempt was stopped while it was fetched. */

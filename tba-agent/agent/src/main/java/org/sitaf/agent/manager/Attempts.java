@@ -102,7 +102,9 @@ final class Attempts {
     synchronized (this) {
       run = Optional.ofNullable(running.get(attempt.key()));
     }
-    if (run.isPresent()) {
+    if (run.isPresent() && cancellation.getGivenUp()) {
+      run.get().giveUp();
+    } else if (run.isPresent()) {
       run.get().cancel(cancellation.getReason());
     } else if (!upload.owes(attempt)) {
       BuildOutcome cancelled = new BuildOutcome.Cancelled(cancellation.getReason());

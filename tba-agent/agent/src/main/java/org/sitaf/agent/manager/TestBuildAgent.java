@@ -15,7 +15,6 @@ import org.sitaf.agent.simulation.Simulator;
 import org.sitaf.agent.spool.AgentDirectory;
 import org.sitaf.agent.spool.FreeSpace;
 import org.sitaf.agent.toolchain.Toolchains;
-import org.sitaf.agent.v1.Cancellation;
 import org.sitaf.agent.v1.Register;
 import org.sitaf.agent.v1.Registered;
 import org.sitaf.agent.v1.ServerMessage;
@@ -30,8 +29,6 @@ public final class TestBuildAgent implements AutoCloseable {
 
   private static final int MAX_MESSAGE_BYTES = 16 << 20;
   private static final Duration UNACKNOWLEDGED = Duration.ofSeconds(20);
-  private static final Duration JUST_REGISTERED = Duration.ofMillis(500);
-  private static final Duration NEARLY_READY = Duration.ofSeconds(2);
   private static final Duration STOP = Duration.ofSeconds(5);
 
   private final AgentSettings settings;
@@ -141,11 +138,8 @@ public final class TestBuildAgent implements AutoCloseable {
   }
 
   private final class FromServer implements ServerConnection.Listener {
-    private volatile long registeredAt = System.nanoTime();
-
     @Override
     public void registered(Registered registered) {
-      registeredAt = System.nanoTime();
       upload.wake();
       onRegistered.accept(registered.getServerVersion());
     }
@@ -154,51 +148,38 @@ public final class TestBuildAgent implements AutoCloseable {
     public void message(ServerMessage message) {
       switch (message.getMessageCase()) {
         case ASSIGNMENT -> attempts.begin(message.getAssignment());
-        case CANCELLATION -> cancel(message.getCancellation());
+        case CANCELLATION -> attempts.cancel(message.getCancellation());
         default -> {
           // A message of a later release; the builds do not depend on it.
         }
       }
-    }
-
-    /**
-     * What the server calls off right after a reconnection was given up while nothing was heard of
-     * this agent. A result that is as good as ready has a moment to be: the server keeps late ones
-     * for people.
-     */
-    private void cancel(Cancellation cancellation) {
-      if (System.nanoTime() - registeredAt > JUST_REGISTERED.toNanos()) {
-        attempts.cancel(cancellation);
-        return;
-      }
-      Thread later =
-          new Thread(
-              () -> {
-                try {
-                  Thread.sleep(NEARLY_READY.toMillis());
-                } catch (InterruptedException e) {
-                  Thread.currentThread().interrupt();
-                }
-                attempts.cancel(cancellation);
-              },
-              "sitaf-late-cancellation");
-      later.setDaemon(true);
-      later.start();
     }
   }
 
   /** Stops what runs, tells the server if it is there, and ends the agent's own processes. */
   @Override
   public void close() {
-    attempts.stop(STOP);
-    upload.close();
-    connection.close();
-    channel.shutdownNow();
-    simulator.close();
+    // What cannot be ended properly must not keep the rest from its end.
+    orElseLogged(() -> attempts.stop(STOP));
+    orElseLogged(upload::close);
+    orElseLogged(connection::close);
+    orElseLogged(channel::shutdownNow);
+    orElseLogged(simulator::close);
     try {
       directory.close();
     } catch (IOException e) {
       // The lock goes with the process at the latest.
+    }
+  }
+
+  /**
+   * Also when its classes are gone, because the installation was replaced under a running agent.
+   */
+  private static void orElseLogged(Runnable step) {
+    try {
+      step.run();
+    } catch (RuntimeException | LinkageError e) {
+      LOGGER.log(System.Logger.Level.WARNING, "the agent does not end properly: " + e);
     }
   }
 }

@@ -165,8 +165,15 @@ final class FakeServer extends AgentServiceGrpc.AgentServiceImplBase implements 
   }
 
   synchronized void cancel(AttemptRef attempt, String reason) {
-    Cancellation cancellation =
-        Cancellation.newBuilder().setAttempt(attempt).setReason(reason).build();
+    send(Cancellation.newBuilder().setAttempt(attempt).setReason(reason));
+  }
+
+  /** As a server does that has not heard of the agent for a lease. */
+  synchronized void giveUp(AttemptRef attempt) {
+    send(Cancellation.newBuilder().setAttempt(attempt).setReason("lost").setGivenUp(true));
+  }
+
+  private void send(Cancellation.Builder cancellation) {
     send(ServerMessage.newBuilder().setCancellation(cancellation).build());
   }
 

@@ -199,6 +199,38 @@ class TestBuildAgentTest {
   }
 
   @Test
+  void anAttemptThatWasGivenUpHandsInWhatHasRunToTheEnd() throws Exception {
+    startBoth();
+    // The process outlives its last case for longer than an agent has to catch up with its cases.
+    assign(
+        EchoActivity.doing(
+            "if (value == 5) new Thread(() -> { try { Thread.sleep(60000); }"
+                + " catch (InterruptedException e) { } }).start(); return value;"));
+    server.await(s -> s.cases().size() == 5);
+    server.giveUp(ATTEMPT);
+
+    TestResult result =
+        TestResultXml.read(theResult().getResultDescriptor().newInput(), "late result");
+    assertThat(result.summary().pass()).isEqualTo(5);
+  }
+
+  @Test
+  void anAttemptThatWasGivenUpBeforeItsEndIsStoppedAndHandsNothingIn() throws Exception {
+    startBoth();
+    assign(SLEEPING);
+    server.await(s -> !s.cases().isEmpty());
+    int before = server.heartbeats().size();
+    server.giveUp(ATTEMPT);
+
+    server.await(
+        s ->
+            s.heartbeats().size() > before
+                && s.heartbeats().get(s.heartbeats().size() - 1).getRunningCount() == 0);
+    awaitEmptySpool();
+    assertThat(server.submitted()).isEmpty();
+  }
+
+  @Test
   void theResultOfAnAttemptThatIsOverIsDropped() throws Exception {
     startBoth();
     assign(SLEEPING);

@@ -124,7 +124,8 @@ class Agents {
     outdated.forEach(
         key -> {
           session.stopped(key);
-          cancel(session, key, "the attempt is over");
+          // Why is not known here; of one that was cancelled no late result is taken either way.
+          cancel(session, key, "the attempt is over", true);
         });
   }
 
@@ -251,7 +252,7 @@ class Agents {
         .ifPresent(
             session -> {
               session.stopped(stopped.attempt());
-              cancel(session, stopped.attempt(), stopped.reason());
+              cancel(session, stopped.attempt(), stopped.reason(), stopped.givenUp());
             });
   }
 
@@ -260,11 +261,14 @@ class Agents {
     session(delivered.agent()).ifPresent(session -> session.delivered(delivered.attempt()));
   }
 
-  private static void cancel(AgentSession session, AttemptKey key, String reason) {
+  private static void cancel(AgentSession session, AttemptKey key, String reason, boolean givenUp) {
     session.send(
         ServerMessage.newBuilder()
             .setCancellation(
-                Cancellation.newBuilder().setAttempt(Messages.toRef(key)).setReason(reason))
+                Cancellation.newBuilder()
+                    .setAttempt(Messages.toRef(key))
+                    .setReason(reason)
+                    .setGivenUp(givenUp))
             .build());
   }
 
