@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.manager.AgentSettings;
@@ -35,6 +36,7 @@ import picocli.CommandLine.Option;
     sortOptions = false)
 public final class AgentMain implements Callable<Integer> {
   private static final int BAD_SETTINGS = 2;
+  private static final int LONGEST_END_S = 30;
 
   @Option(
       names = "--server",
@@ -197,8 +199,11 @@ public final class AgentMain implements Callable<Integer> {
     try {
       stop.await();
     } finally {
-      agent.close();
-      stopped.countDown();
+      try {
+        agent.close();
+      } finally {
+        stopped.countDown();
+      }
     }
     return 0;
   }
@@ -284,9 +289,10 @@ public final class AgentMain implements Callable<Integer> {
     stop.countDown();
   }
 
+  /** A process that was told to end does, whatever became of what it waits for. */
   private static void awaitQuietly(CountDownLatch latch) {
     try {
-      latch.await();
+      var unused = latch.await(LONGEST_END_S, TimeUnit.SECONDS);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }

@@ -9,11 +9,13 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.sitaf.agent.spool.AgentDirectory;
 import org.sitaf.agent.testing.EchoActivity;
 import org.sitaf.agent.v1.AttemptRef;
 
@@ -24,6 +26,7 @@ class AgentProcessTest {
   private static final AttemptRef ATTEMPT = FakeServer.attempt("b-1", 1, 17);
 
   @TempDir private Path directory;
+  private String classPath = System.getProperty("java.class.path");
   private FakeServer server;
   private Process agent;
 
@@ -38,7 +41,7 @@ class AgentProcessTest {
             List.of(
                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                 "-cp",
-                System.getProperty("java.class.path"),
+                classPath,
                 "org.sitaf.agent.AgentMain",
                 "--server",
                 server.address(),
@@ -77,6 +80,25 @@ class AgentProcessTest {
     agent.toHandle().destroy();
     assertThat(agent.waitFor(10, TimeUnit.SECONDS)).isTrue();
     assertThat(output.readLine()).isNull();
+  }
+
+  @Test
+  void endsWhenItIsToldAlsoWhenItsInstallationWasReplacedMeanwhile() throws Exception {
+    Path classes = directory.resolve("classes");
+    Path compiled = Path.of("target", "classes").toAbsolutePath();
+    try (Stream<Path> files = Files.walk(compiled)) {
+      for (Path file : files.sorted().toList()) {
+        Files.copy(file, classes.resolve(compiled.relativize(file).toString()));
+      }
+    }
+    classPath = classPath.replace(compiled.toString(), classes.toString());
+    assertThat(classPath).contains(classes.toString());
+    BufferedReader output = start();
+    output.readLine();
+    AgentDirectory.deleteTree(classes);
+
+    agent.toHandle().destroy();
+    assertThat(agent.waitFor(20, TimeUnit.SECONDS)).isTrue();
   }
 
   @Test
