@@ -301,7 +301,7 @@ public class Attempts {
     requireLive(attempt);
     attempt.end(BuildState.FAILED, now());
     events.publishEvent(new BuildEvent.Delivered(key, attempt.agent()));
-    tryAgain(build, failure, pauseAfter(build));
+    tryAgain(build, failure, pauseAfter(build.noteFailure()));
   }
 
   /**
@@ -333,8 +333,8 @@ public class Attempts {
     changed(build);
   }
 
-  private Duration pauseAfter(Build build) {
-    Duration doubled = settings.retryDelay().multipliedBy(1L << Math.min(build.attempt() - 1, 20));
+  private Duration pauseAfter(int failuresBefore) {
+    Duration doubled = settings.retryDelay().multipliedBy(1L << Math.min(failuresBefore, 20));
     return doubled.compareTo(LONGEST_PAUSE) < 0 ? doubled : LONGEST_PAUSE;
   }
 

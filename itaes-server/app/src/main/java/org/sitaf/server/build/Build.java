@@ -49,6 +49,7 @@ public class Build {
   private BuildState state;
 
   private int attempt;
+  private int failures;
   private @Nullable String agent;
   private Instant created;
   private @Nullable Instant started;
@@ -223,6 +224,11 @@ public class Build {
     move(BuildState.CANCELLED, now, cause);
   }
 
+  /** Counts a failure that an agent reports; answers how many there were before it. */
+  int noteFailure() {
+    return failures++;
+  }
+
   /**
    * The attempt failed for a reason outside the build: another one may succeed.
    *
@@ -386,21 +392,6 @@ public class Build {
           summary.error(),
           summary.dont(),
           summary.unjudged());
-    }
-  }
-
-  /**
-   * A change of a build's state.
-   *
-   * @param attempt the attempt under way, from 1; 0 before the first
-   */
-  @Embeddable
-  public record Transition(
-      int attempt, @Enumerated(EnumType.STRING) BuildState state, Instant atTime, String cause) {
-    private static final int MAX_CAUSE = 1000;
-
-    public Transition {
-      cause = BuildFailure.cut(cause, MAX_CAUSE);
     }
   }
 }

@@ -3,6 +3,8 @@ package org.sitaf.server.story;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
 
+import java.time.Duration;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.AfterEach;
@@ -10,6 +12,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.sitaf.agent.v1.Assignment;
 import org.sitaf.agent.v1.AttemptRef;
+import org.sitaf.agent.v1.BuildFailure;
 import org.sitaf.agent.v1.Cancellation;
 import org.sitaf.core.harness.TestApplication;
 import org.sitaf.server.support.Activities;
@@ -112,6 +115,37 @@ abstract class DispatchStory extends ServerTest {
   }
 
   @Test
+  void aBuildThatLostItsAgentsDoesNotWaitTheLongerForIt() {
+    String id =
+        api.post("/api/v1/builds", "{\"suiteId\":\"%s\",\"retries\":10}".formatted(suiteId))
+            .expect(201)
+            .json()
+            .get("id")
+            .asString();
+    try (RimAgent agent = RimAgent.register(grpcPort(), "often-lost", "java")) {
+      for (int lost = 1; lost <= 9; lost++) {
+        AttemptRef attempt = agent.nextAssignment().getAttempt();
+        stand("often-lost", "DISABLED");
+        assertThat(agent.next().getCancellation().getAttempt()).isEqualTo(attempt);
+        agent.heartbeat();
+        stand("often-lost", "ACTIVE");
+      }
+      AttemptRef attempt = agent.nextAssignment().getAttempt();
+      assertThat(attempt.getAttempt()).isEqualTo(10);
+      agent.submit(
+          attempt,
+          BuildFailure.newBuilder()
+              .setCategory(BuildFailure.Category.INFRASTRUCTURE)
+              .setMessage("no simulator")
+              .build());
+      Instant failed = Instant.now();
+      assertThat(agent.nextAssignment().getAttempt().getBuildId()).isEqualTo(id);
+      // Of ten failures it would be half a minute.
+      assertThat(Duration.between(failed, Instant.now())).isLessThan(Duration.ofSeconds(10));
+    }
+  }
+
+  @Test
   void anAgentWithAFullDiskIsGivenNothing() throws Exception {
     try (RimAgent agent = RimAgent.register(grpcPort(), "full", "java")) {
       agent.refuse("its disk has only 3 MiB left");
@@ -132,8 +166,9 @@ abstract class DispatchStory extends ServerTest {
     before.close();
     await().until(() -> agentNamed("forgetful").get("state").asString().equals("OFFLINE"));
     try (RimAgent after = RimAgent.register(grpcPort(), "forgetful", "java")) {
-      assertThat(after.next().getCancellation().getAttempt()).isEqualTo(lost);
+      // Of what it has forgotten it is told nothing; the first that it hears is the next attempt.
       AttemptRef attempt = after.nextAssignment().getAttempt();
+      assertThat(attempt.getFencingToken()).isGreaterThan(lost.getFencingToken());
       assertThat(attempt.getBuildId()).isEqualTo(id);
       assertThat(attempt.getAttempt()).isEqualTo(2);
     }

@@ -8,6 +8,7 @@ import org.sitaf.server.build.Attempts;
 import org.sitaf.server.build.Build;
 import org.sitaf.server.build.BuildFailure;
 import org.sitaf.server.build.BuildState;
+import org.sitaf.server.build.Transition;
 import org.sitaf.server.build.request.Requirement;
 import org.sitaf.server.build.request.Reservation;
 
@@ -105,7 +106,7 @@ record BuildView(
       State state,
       Instant time,
       String cause) {
-    static TransitionView of(Build.Transition transition) {
+    static TransitionView of(Transition transition) {
       return new TransitionView(
           transition.attempt(),
           State.valueOf(transition.state().name()),
