@@ -8,6 +8,7 @@ import secrets
 import signal
 import socket
 import subprocess
+import sys
 import threading
 import time
 import urllib.error
@@ -15,7 +16,7 @@ import urllib.request
 import zipfile
 from pathlib import Path
 
-HOME = Path(os.environ["SITAF_HOME"])
+HOME = Path(os.environ.get("SITAF_HOME", Path(__file__).resolve().parents[2]))
 DIST = Path(os.environ.get("SITAF_DIST", HOME / ".sitaf" / "dist"))
 PYTHON = os.environ.get("SITAF_PYTHON", str(HOME / ".sitaf" / "venv" / "bin" / "python"))
 EXAMPLE = HOME / "examples" / "ir-sensor"
@@ -54,8 +55,9 @@ class Refused(Exception):
 class Api:
     """The REST interface of a server."""
 
-    def __init__(self, port):
-        self.root = f"http://127.0.0.1:{port}"
+    def __init__(self, port, tls=None):
+        """Of the server at this port; `tls` knows which certificates to trust, where it speaks TLS."""
+        self.root, self.tls = f"{'https' if tls else 'http'}://127.0.0.1:{port}", tls
 
     def call(self, method, path, body=None, content_type="application/json"):
         data = body if isinstance(body, bytes) or body is None else json.dumps(body).encode()
@@ -64,7 +66,7 @@ class Api:
         if data is not None:
             request.add_header("Content-Type", content_type)
         try:
-            with urllib.request.urlopen(request, timeout=30) as answer:
+            with urllib.request.urlopen(request, timeout=120, context=self.tls) as answer:
                 content = answer.read()
                 return json.loads(content) if answer.headers.get_content_type() == "application/json" else content
         except urllib.error.HTTPError as error:
@@ -84,6 +86,9 @@ class Api:
     def build(self, suite):
         return self.post("/api/v1/builds", {"suiteId": suite})["id"]
 
+    def state(self, build):
+        return self.get(f"/api/v1/builds/{build}")["state"]
+
     def builds(self):
         found, page = [], 0
         while True:
@@ -95,7 +100,7 @@ class Api:
 
 
 class Part:
-    """A process of ours, which may be killed and started again."""
+    """A process of ours, which may be killed and started again; ended with the block that it is the context of."""
 
     def __init__(self, name, command, log, environment, ready):
         self.name, self.command, self.log, self.environment, self.ready = name, command, log, environment, ready
@@ -115,6 +120,12 @@ class Part:
                 raise RuntimeError(f"{self.name} was not ready:\n{self.log.read_text(errors='replace')[-3000:]}")
             time.sleep(0.1)
         return self
+
+    def __enter__(self):
+        return self.start() if self.process is None else self
+
+    def __exit__(self, *_):
+        self.stop()
 
     def has_said(self, words, since=0):
         with self.log.open("rb") as said:
@@ -138,8 +149,9 @@ class Part:
             self.kill()
 
 
-def java(part, jar, heap="256m"):
-    folder = DIST / part
+def java(part, jar, heap="256m", folder=None):
+    """What starts a program of the installation, or of another folder of that form."""
+    folder = folder or DIST / part
     command = ["java", f"-Xmx{heap}", "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC"]
     if (folder / f"{part}.jsa").exists():
         command += [f"-XX:SharedArchiveFile={folder / part}.jsa", "-Xlog:disable", "-Xlog:all=error:stderr"]
@@ -165,9 +177,9 @@ def server(folder, *options, name="server", database=None, heap="512m"):
     return part
 
 
-def agent(folder, name, target, *options, slots=1, heap="128m"):
-    """An agent, with a folder of its own; `target` is the port of a server, or several joined by commas."""
-    command = java("agent", "agent.jar", heap) + [
+def agent(folder, name, target, *options, slots=1, heap="128m", installation=None):
+    """An agent, with a folder of its own; `target` is a server's port, or HOST:PORT of several joined by commas."""
+    command = java("agent", "agent.jar", heap, installation) + [
         "--server", target if ":" in str(target) else f"127.0.0.1:{target}",
         "--name", name,
         "--directory", str(folder / name),
@@ -266,6 +278,12 @@ class Table:
     def end(self):
         print(f"{self.name}: " + ("held" if not self.short else "short: " + "; ".join(self.short)), flush=True)
         return 1 if self.short else 0
+
+
+def show(*parts, lines=80):
+    """The ends of their logs, for whoever looks for the reason of what fell short."""
+    for part in parts:
+        print(f"-- {part.name}", *part.log.read_text(errors="replace").splitlines()[-lines:], sep="\n", file=sys.stderr)
 
 
 def together(parts, action):

@@ -11,12 +11,13 @@ import time
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent.parent))
-from system import OVER, Refused, Table, agent, await_true, kill_process, own_bridge, processes_of, server
+from system import OVER, Refused, Table, agent, await_true, kill_process, own_bridge, processes_of, server, show
 
 LEASE_S = 15
 OPEN_BUILDS = 3
+PATIENCE_S = 10
 CASES = 55
-ACCEPTED = re.compile(r"build ([0-9a-f-]{36}), attempt (\d+): accepted")
+ACCEPTED = re.compile(r"build ([0-9a-f-]{36}), attempt \d+: accepted, SHA-256 ([0-9a-f]{64})")
 
 
 class Client:
@@ -51,19 +52,20 @@ class Client:
 
 
 def strike(dice, main, agents):
-    """Kills one process, starts again what nobody else starts, and says what it was."""
+    """Kills one process, starts again what nobody else starts, and says what it was and when it died."""
     kind = dice.choice(["server", "agent", "simulation", "harness"])
     if kind in ("simulation", "harness"):
         word = "sitaf_bridge" if kind == "simulation" else "execution"
-        victims = [pid for a in agents for pid in processes_of(a.directory, word)]
-        if victims and kill_process(dice.choice(victims)):
-            return kind
-        return None
+        # There is none while agents start and compile.
+        await_true(lambda: victims(agents, word), PATIENCE_S, 0.05)
+        found = victims(agents, word)
+        return (kind, time.monotonic()) if found and kill_process(dice.choice(found)) else (None, 0)
     part = main if kind == "server" else dice.choice(agents)
     part.kill()
+    died = time.monotonic()
     time.sleep(dice.uniform(0, 1))
     part.start(wait=kind == "server")
-    return kind
+    return kind, died
 
 
 def main():
@@ -83,30 +85,42 @@ def main():
                 part.start()
             client = Client(central.api, central.api.suite(given.pause_ms))
             client.thread.start()
-            began = time.monotonic()
+            began = last = time.monotonic()
             while sum(counts.values()) < given.kills:
                 time.sleep(dice.uniform(0.2, 1.5))
-                kind = strike(dice, central, agents)
+                kind, died = strike(dice, central, agents)
                 if kind:
                     counts[kind] = counts.get(kind, 0) + 1
-            last = time.monotonic()
+                    last = died
             client.going_on = False
             client.thread.join(40)
-            for part in agents:
-                if part.process.poll() is not None:
-                    part.start(wait=False)
-            ended = await_true(lambda: all(b["state"] in OVER for b in central.api.builds()), 2 * LEASE_S)
+            ended = await_true(lambda: over(central.api), last + 2 * LEASE_S - time.monotonic())
             took = time.monotonic() - last
             report(table, client, agents, counts, ended, took, last - began)
         finally:
             for part in [*agents, central]:
                 part.stop()
+            if table.short:
+                show(central, *agents)
     return table.end()
+
+
+def victims(agents, word):
+    return [pid for a in agents for pid in processes_of(a.directory, word)]
+
+
+def over(api):
+    try:
+        return all(build["state"] in OVER for build in api.builds())
+    except OSError:
+        return False
 
 
 def report(table, client, agents, counts, ended, took, struck_s):
     builds = {b["id"]: b for b in client.api.builds()}
-    acknowledged = {m[0] for a in agents for m in ACCEPTED.findall(a.log.read_text(errors="replace"))}
+    acknowledged = {}
+    for build, digest in (found for a in agents for found in ACCEPTED.findall(a.log.read_text(errors="replace"))):
+        acknowledged.setdefault(build, set()).add(digest)
     lost_results, twice = [], []
     for build in builds.values():
         history = client.api.get(f"/api/v1/builds/{build['id']}/history")
@@ -115,9 +129,11 @@ def report(table, client, agents, counts, ended, took, struck_s):
             client.note(build["id"])
             cases = client.api.get(f"/api/v1/builds/{build['id']}/result/cases?size=500")
             numbers = [c["no"] for c in cases["items"]]
-            if dones != 1 or len(set(numbers)) != len(numbers):
+            accepted = [a for a in client.api.get(f"/api/v1/builds/{build['id']}/attempts") if a["state"] == "DONE"]
+            if dones != 1 or len(accepted) != 1 or len(set(numbers)) != len(numbers):
                 twice.append(build["id"])
-            if cases["total"] != CASES:
+            kept = client.digests[build["id"]]
+            if cases["total"] != CASES or acknowledged.get(build["id"], {kept}) != {kept}:
                 lost_results.append(build["id"])
         elif build["id"] in acknowledged or build["id"] in client.digests:
             lost_results.append(build["id"])

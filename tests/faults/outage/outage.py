@@ -9,7 +9,7 @@ import time
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent.parent))
-from system import OVER, Bridge, Table, agent, await_true, server, together
+from system import OVER, Bridge, Table, agent, await_true, server, show, together
 
 DIGEST = re.compile(rb"[0-9a-f]{64}$")
 UNDER_WAY = {"COMPILING", "RUNNING", "UPLOADING"}
@@ -47,20 +47,17 @@ def main():
                 together(agents[i : i + 4], lambda part: part.start())
             ids = [api.build(suite) for _ in agents]
 
-            def state(build):
-                return api.get(f"/api/v1/builds/{build}")["state"]
-
-            all_begun = await_true(lambda: all(state(b) in UNDER_WAY | OVER for b in ids), 120)
-            before = sum(state(b) == "DONE" for b in ids)
+            all_begun = await_true(lambda: all(api.state(b) in UNDER_WAY | OVER for b in ids), 120)
+            before = sum(api.state(b) == "DONE" for b in ids)
             central.kill()
             gone = time.monotonic()
             time.sleep(given.away_s)
             waiting = spooled(agents)
             central.start()
             away = time.monotonic() - gone
-            arrived = await_true(lambda: all(state(b) in OVER for b in ids), 180)
+            arrived = await_true(lambda: all(api.state(b) in OVER for b in ids), 180)
             took = time.monotonic() - gone - away
-            done = [b for b in ids if state(b) == "DONE"]
+            done = [b for b in ids if api.state(b) == "DONE"]
             at_server = {hashlib.sha256(api.get(f"/api/v1/builds/{b}/result/document")).hexdigest() for b in done}
             table.row("builds under way when the server was killed", len(ids) - before, f"of {len(ids)}", all_begun)
             table.row("seconds away", away, f">= {given.away_s}", away >= given.away_s)
@@ -76,6 +73,8 @@ def main():
         finally:
             together([*agents], lambda part: part.stop())
             central.stop()
+            if table.short:
+                show(central, *agents, lines=20)
     return table.end()
 
 

@@ -128,9 +128,7 @@ final class ResultUpload implements AutoCloseable {
             attempt + ": the server confirms something else than it was sent; sending it again");
         return false;
       }
-      LOGGER.log(
-          System.Logger.Level.INFO,
-          attempt + (answer.getAccepted() ? ": accepted" : ": was superseded"));
+      LOGGER.log(System.Logger.Level.INFO, attempt + ": " + whatBecameOf(message, answer));
       forget(entry);
       return true;
     } catch (StatusRuntimeException e) {
@@ -146,6 +144,13 @@ final class ResultUpload implements AutoCloseable {
         case REFUSED -> refused(entry, attempt, message, e);
       };
     }
+  }
+
+  private static String whatBecameOf(SubmitResultRequest sent, SubmitResultResponse answer) {
+    if (sent.hasFailure()) {
+      return "its failure is noted";
+    }
+    return answer.getAccepted() ? "accepted, SHA-256 " + sent.getSha256() : "was superseded";
   }
 
   /** Only what the server has whole, by its size and digest, may be deleted here. */
