@@ -10,10 +10,12 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.TestResult;
 import org.sitaf.server.file.StoredFile;
 import org.sitaf.server.refusal.Refusal;
 import org.sitaf.server.result.Results;
+import org.sitaf.server.result.live.LiveCases;
 import org.sitaf.server.settings.SitafSettings;
 import org.springframework.context.ApplicationEventPublisher;
 import org.springframework.jdbc.core.simple.JdbcClient;
@@ -34,6 +36,7 @@ public class Attempts {
   private final AttemptRepository attempts;
   private final BuildQueue queue;
   private final Results results;
+  private final LiveCases live;
   private final JdbcClient jdbc;
   private final ApplicationEventPublisher events;
   private final SitafSettings settings;
@@ -44,6 +47,7 @@ public class Attempts {
       AttemptRepository attempts,
       BuildQueue queue,
       Results results,
+      LiveCases live,
       JdbcClient jdbc,
       ApplicationEventPublisher events,
       SitafSettings settings,
@@ -52,6 +56,7 @@ public class Attempts {
     this.attempts = attempts;
     this.queue = queue;
     this.results = results;
+    this.live = live;
     this.jdbc = jdbc;
     this.events = events;
     this.settings = settings;
@@ -101,6 +106,7 @@ public class Attempts {
         attempts.saveAndFlush(
             new Attempt(buildId, no, agent, now, now.plus(settings.lease()), logStart));
     build.lease(no, agent, now);
+    live.forget(buildId);
     changed(build);
     return Optional.of(
         new Assignment(
@@ -211,17 +217,18 @@ public class Attempts {
   }
 
   /**
-   * Notes cases that have ended.
+   * Notes cases that have ended, and keeps them for those who watch.
    *
    * @param batch counts from 1 in an attempt; a batch that came before changes nothing; 0 does not
    *     count
    * @return the batch that is expected next
    */
-  public long noteCases(AttemptKey key, long batch, Collection<Integer> numbers) {
+  public long noteCases(AttemptKey key, long batch, Collection<CaseResult> ended) {
     Build build = lock(key);
     Attempt attempt = live(key);
     if (attempt.takesBatch(batch)) {
-      build.noteCases(numbers);
+      Set<Integer> news = build.noteCases(ended.stream().map(CaseResult::no).toList());
+      live.append(build.id(), ended.stream().filter(c -> news.contains(c.no())).toList());
       changed(build);
     }
     return attempt.nextBatch();
@@ -286,6 +293,10 @@ public class Attempts {
     results.accept(key.buildId(), result, document, sha256, now);
     attempt.endWithResult(sha256, now);
     build.complete(result.summary(), now);
+    if (build.parentId().isEmpty()) {
+      // Cases of a part are still looked at as those of the whole.
+      live.forget(build.id());
+    }
     events.publishEvent(new BuildEvent.Delivered(key, attempt.agent()));
     changed(build);
     return Delivery.ACCEPTED;

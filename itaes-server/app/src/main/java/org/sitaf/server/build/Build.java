@@ -20,6 +20,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.verdict.Summary;
 import org.sitaf.server.build.request.BuildOptions;
@@ -188,13 +189,22 @@ public class Build {
     }
   }
 
-  /** Notes cases that have ended; a case that was noted before is not counted again. */
-  void noteCases(Collection<Integer> numbers) {
+  /**
+   * Notes cases that have ended; a case that was noted before is not counted again.
+   *
+   * @return those that were not noted before
+   */
+  Set<Integer> noteCases(Collection<Integer> numbers) {
     require(state.isActive(), "worked on");
     BitSet seen = BitSet.valueOf(casesSeen);
-    numbers.stream().filter(no -> no >= 1 && no <= lastCase).forEach(seen::set);
+    Set<Integer> news =
+        numbers.stream()
+            .filter(no -> no >= 1 && no <= lastCase && !seen.get(no))
+            .collect(Collectors.toUnmodifiableSet());
+    news.forEach(seen::set);
     casesSeen = seen.toByteArray();
     casesDone = Math.min(seen.cardinality(), casesTotal);
+    return news;
   }
 
   /** The result is accepted. */

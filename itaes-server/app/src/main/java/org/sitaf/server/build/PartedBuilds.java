@@ -16,6 +16,7 @@ import org.sitaf.core.verdict.TestResultXml;
 import org.sitaf.server.file.StoredFiles;
 import org.sitaf.server.refusal.Refusal;
 import org.sitaf.server.result.Results;
+import org.sitaf.server.result.live.LiveCases;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.springframework.context.ApplicationEventPublisher;
@@ -38,6 +39,7 @@ class PartedBuilds implements SmartLifecycle {
   private final Builds all;
   private final StoredFiles contents;
   private final Results results;
+  private final LiveCases live;
   private final TransactionTemplate transaction;
   private final ApplicationEventPublisher events;
   private final Clock clock;
@@ -49,6 +51,7 @@ class PartedBuilds implements SmartLifecycle {
       Builds all,
       StoredFiles contents,
       Results results,
+      LiveCases live,
       TransactionTemplate transaction,
       ApplicationEventPublisher events,
       Clock clock) {
@@ -56,6 +59,7 @@ class PartedBuilds implements SmartLifecycle {
     this.all = all;
     this.contents = contents;
     this.results = results;
+    this.live = live;
     this.transaction = transaction;
     this.events = events;
     this.clock = clock;
@@ -140,6 +144,7 @@ class PartedBuilds implements SmartLifecycle {
     parent.followParts(joined.cases().size(), now);
     results.accept(parent.id(), joined, bytes, StoredFiles.sha256(bytes), now);
     parent.complete(joined.summary(), now);
+    live.forget(parent.id());
   }
 
   /** What is left of the parts of a build that is over is not wanted any more. */

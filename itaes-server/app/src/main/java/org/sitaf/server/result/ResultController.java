@@ -7,7 +7,6 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.verdict.JunitXml;
 import org.sitaf.core.verdict.Verdict;
-import org.sitaf.server.result.ResultView.CaseView;
 import org.sitaf.server.web.Listing;
 import org.springframework.data.domain.Sort;
 import org.springframework.http.MediaType;

@@ -3,9 +3,11 @@ package org.sitaf.server.result;
 import java.io.ByteArrayInputStream;
 import java.time.Instant;
 import java.util.List;
+import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.suite.CaseParameter;
 import org.sitaf.core.verdict.CaseResult;
+import org.sitaf.core.verdict.Coverage;
 import org.sitaf.core.verdict.TestResult;
 import org.sitaf.core.verdict.TestResultXml;
 import org.sitaf.core.verdict.Verdict;
@@ -75,6 +77,11 @@ public class Results {
               cache.put(buildId, result);
               return result;
             });
+  }
+
+  /** What was reached of the component; empty where that was not measured. */
+  public Optional<Coverage> coverage(String buildId) {
+    return Optional.ofNullable(whole(buildId).coverage());
   }
 
   /** Cases of a verdict, or all, in which a parameter has a value. */

@@ -125,6 +125,16 @@ class Clockwork {
     }
   }
 
+  /** The first times of what is not armed, as many as asked for or as there are. */
+  static List<Instant> times(Timing timing, LeftOutDays leftOut, int count) {
+    Trigger trigger = timing.trigger(Misfire.ONCE).withIdentity("preview", GROUP).build();
+    return TriggerUtils.computeFireTimes(
+            (OperableTrigger) trigger, leftOut.toQuartz(timing.zone()), count)
+        .stream()
+        .map(Date::toInstant)
+        .toList();
+  }
+
   Optional<Instant> next(String id) {
     return next(id, 1).stream().findFirst();
   }

@@ -115,10 +115,20 @@ class ScheduleController {
   @GetMapping("/{id}/fire-times")
   @Operation(operationId = "listFireTimes", summary = "The next times of a schedule")
   List<Instant> fireTimes(@PathVariable String id, @RequestParam(defaultValue = "10") int count) {
-    if (count < 1 || count > MAX_TIMES) {
-      throw Refusal.malformed("count: must be 1 to " + MAX_TIMES + ".");
-    }
-    return schedules.next(id, count);
+    return schedules.next(id, requireCount(count));
+  }
+
+  @PostMapping("/preview")
+  @Operation(
+      operationId = "previewSchedule",
+      summary = "The next times that a schedule would have",
+      description = "Looks at times, zone and days only; none where it would never fire.")
+  List<Instant> preview(
+      @RequestBody ScheduleRequest request, @RequestParam(defaultValue = "10") int count) {
+    return schedules.preview(
+        request.timing(clock.instant().atOffset(ZoneOffset.UTC)),
+        request.leaveOutOrNone(),
+        requireCount(count));
   }
 
   @GetMapping("/{id}/history")
@@ -131,6 +141,13 @@ class ScheduleController {
       @RequestParam(defaultValue = "50") int size) {
     return Listing.of(
         schedules.history(id, Listing.request(page, size, Sort.unsorted())), FireView::of);
+  }
+
+  private static int requireCount(int count) {
+    if (count < 1 || count > MAX_TIMES) {
+      throw Refusal.malformed("count: must be 1 to " + MAX_TIMES + ".");
+    }
+    return count;
   }
 
   private ScheduleView view(Schedule schedule) {

@@ -170,6 +170,11 @@ class Schedules {
     return clockwork.next(find(id).id(), count);
   }
 
+  /** The next times of a schedule that is not made yet. */
+  List<Instant> preview(Timing timing, Set<String> leaveOut, int count) {
+    return Clockwork.times(timing, calendars.union(leaveOut), count);
+  }
+
   Page<Fires.Fire> history(String id, Pageable page) {
     return fires.of(find(id).id(), page);
   }

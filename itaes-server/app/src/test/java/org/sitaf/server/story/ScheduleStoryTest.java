@@ -81,6 +81,29 @@ class ScheduleStoryTest extends ServerTest {
   }
 
   @Test
+  void aScheduleThatIsNotMadeYetSaysWhenItWouldFire() {
+    api.put("/api/v1/calendars/mondays", JSON, bytes("{\"weekdays\":[\"MONDAY\"]}"), null)
+        .expect(200);
+    JsonNode times =
+        api.post(
+                "/api/v1/schedules/preview?count=4",
+                "{\"cron\": \"30 3 * * 1,2\", \"zone\": \"Asia/Seoul\", \"leaveOut\": [\"mondays\"]}")
+            .expect(200)
+            .json();
+    assertThat(times).hasSize(4);
+    assertThat(times)
+        .allSatisfy(
+            time -> {
+              ZonedDateTime there = Instant.parse(time.asString()).atZone(ZoneId.of("Asia/Seoul"));
+              assertThat(there.getDayOfWeek()).isEqualTo(DayOfWeek.TUESDAY);
+              assertThat(there.toLocalTime()).isEqualTo(LocalTime.of(3, 30));
+            });
+    assertThat(api.post("/api/v1/schedules/preview", "{\"cron\": \"soon\"}").expect(400).text())
+        .contains("is no cron expression");
+    api.post("/api/v1/schedules/preview?count=0", "{\"everyMinutes\": 5}").expect(400);
+  }
+
+  @Test
   void aPeriodicScheduleSaysWhenItFiresAndIsPausedAndResumed() {
     String activityId = api.upload(Activities.zip());
     api.put("/api/v1/calendars/holidays", JSON, bytes("{\"weekdays\":[\"SUNDAY\"]}"), null)

@@ -269,6 +269,15 @@ public final class RimAgent implements AutoCloseable {
         ReportCasesRequest.newBuilder().setAttempt(attempt).addAllOutcomes(outcomes).build());
   }
 
+  /** Tells all of cases that have ended. */
+  public void reportOutcomes(AttemptRef attempt, CaseOutcome... outcomes) {
+    calls.reportCases(
+        ReportCasesRequest.newBuilder()
+            .setAttempt(attempt)
+            .addAllOutcomes(List.of(outcomes))
+            .build());
+  }
+
   public long appendLog(AttemptRef attempt, long offset, String text) {
     return calls
         .appendLog(

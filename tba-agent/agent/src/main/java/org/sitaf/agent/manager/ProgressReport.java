@@ -33,7 +33,7 @@ final class ProgressReport implements BuildListener, AutoCloseable {
   private final Thread thread;
 
   private @Nullable AttemptState state;
-  private final List<CaseOutcome> cases = new ArrayList<>();
+  private final List<CaseResult> cases = new ArrayList<>();
   private boolean logGrew;
   private boolean closed;
 
@@ -79,8 +79,7 @@ final class ProgressReport implements BuildListener, AutoCloseable {
 
   @Override
   public synchronized void caseFinished(CaseResult result) {
-    cases.add(
-        CaseOutcome.newBuilder().setNo(result.no()).setVerdict(result.verdict().name()).build());
+    cases.add(result);
     notifyAll();
   }
 
@@ -154,12 +153,16 @@ final class ProgressReport implements BuildListener, AutoCloseable {
 
   private void tell() throws IOException {
     AttemptState newState;
+    List<CaseResult> ended = List.of();
     synchronized (this) {
       newState = state;
       if (batch.isEmpty()) {
-        batch = List.copyOf(cases.subList(0, Math.min(cases.size(), CASES_PER_MESSAGE)));
+        ended = List.copyOf(cases.subList(0, Math.min(cases.size(), CASES_PER_MESSAGE)));
       }
       logGrew = false;
+    }
+    if (batch.isEmpty()) {
+      batch = ended.stream().map(CaseOutcomes::of).toList();
     }
     if (newState != null) {
       calls.reportState(attempt, newState);

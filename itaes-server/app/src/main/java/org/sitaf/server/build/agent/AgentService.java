@@ -10,7 +10,6 @@ import org.sitaf.agent.v1.AgentServiceGrpc;
 import org.sitaf.agent.v1.AppendLogRequest;
 import org.sitaf.agent.v1.AppendLogResponse;
 import org.sitaf.agent.v1.BuildFailure;
-import org.sitaf.agent.v1.CaseOutcome;
 import org.sitaf.agent.v1.DownloadFileRequest;
 import org.sitaf.agent.v1.DownloadFileResponse;
 import org.sitaf.agent.v1.EnrolRequest;
@@ -134,7 +133,7 @@ class AgentService extends AgentServiceGrpc.AgentServiceImplBase {
               attempts.noteCases(
                   Messages.toKey(request.getAttempt()),
                   request.getSequence(),
-                  request.getOutcomesList().stream().map(CaseOutcome::getNo).toList());
+                  request.getOutcomesList().stream().map(Messages::toCase).toList());
           return ReportCasesResponse.newBuilder().setNextSequence(next).build();
         });
   }

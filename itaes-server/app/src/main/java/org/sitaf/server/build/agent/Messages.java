@@ -7,7 +7,12 @@ import org.sitaf.agent.v1.ApplicationFile;
 import org.sitaf.agent.v1.Assignment;
 import org.sitaf.agent.v1.AttemptRef;
 import org.sitaf.agent.v1.AttemptState;
+import org.sitaf.agent.v1.CaseOutcome;
+import org.sitaf.agent.v1.OutputValue;
 import org.sitaf.agent.v1.Register;
+import org.sitaf.core.verdict.CaseResult;
+import org.sitaf.core.verdict.NamedValue;
+import org.sitaf.core.verdict.Verdict;
 import org.sitaf.server.build.AttemptKey;
 import org.sitaf.server.build.Attempts;
 import org.sitaf.server.build.BuildFailure;
@@ -27,6 +32,7 @@ final class Messages {
   private static final int MAX_SLOTS = 1000;
   private static final int MAX_TOOLCHAINS = 50;
   private static final int MAX_REASON = 500;
+  private static final int MAX_LITERAL = 1001;
 
   private Messages() {}
 
@@ -95,6 +101,38 @@ final class Messages {
                     new SourceProblem(
                         d.getFile(), d.getLine(), d.getColumn(), d.getMessage(), d.getGenerated()))
             .toList());
+  }
+
+  static CaseResult toCase(CaseOutcome outcome) {
+    return new CaseResult(
+        outcome.getNo(),
+        toVerdict(outcome.getVerdict()),
+        outcome.getValuesList().stream().map(Messages::cut).toList(),
+        outcome.getExpectedList().stream().map(Messages::toValue).toList(),
+        outcome.getActualList().stream().map(Messages::toValue).toList(),
+        outcome.hasProcessingTime()
+            ? new CaseResult.ProcessingTime(
+                outcome.getProcessingTime().getTotal(),
+                outcome.getProcessingTime().getHardware(),
+                outcome.getProcessingTime().getStub())
+            : null,
+        cut(outcome.getMessage()));
+  }
+
+  private static Verdict toVerdict(String verdict) {
+    try {
+      return Verdict.valueOf(verdict);
+    } catch (IllegalArgumentException e) {
+      throw Refusal.malformed("verdict: must be PASS, FAIL, ERROR or DONT.");
+    }
+  }
+
+  private static NamedValue toValue(OutputValue value) {
+    return new NamedValue(cut(value.getOutput()), cut(value.getLiteral()));
+  }
+
+  private static String cut(String text) {
+    return text.length() <= MAX_LITERAL ? text : text.substring(0, MAX_LITERAL) + "…";
   }
 
   static Capabilities toCapabilities(Register register) {

@@ -1,0 +1,31 @@
+package org.sitaf.server.result.coverage;
+
+import java.nio.charset.StandardCharsets;
+import java.util.Optional;
+import org.sitaf.server.file.StoredFiles;
+import org.springframework.jdbc.core.simple.JdbcClient;
+import org.springframework.stereotype.Repository;
+
+/** The activity's files as they were frozen with a build. */
+@Repository
+class BuiltSources {
+  /** Where the activity lies in a test application. */
+  private static final String ACTIVITY = "activity/";
+
+  private final JdbcClient jdbc;
+  private final StoredFiles files;
+
+  BuiltSources(JdbcClient jdbc, StoredFiles files) {
+    this.jdbc = jdbc;
+    this.files = files;
+  }
+
+  /** The text of a file of the activity; bytes that are no UTF-8 become replacement characters. */
+  Optional<String> text(String buildId, String path) {
+    return jdbc.sql("SELECT sha256 FROM build_file WHERE build_id = ? AND path = ?")
+        .params(buildId, ACTIVITY + path)
+        .query(String.class)
+        .optional()
+        .map(sha256 -> new String(files.content(sha256), StandardCharsets.UTF_8));
+  }
+}

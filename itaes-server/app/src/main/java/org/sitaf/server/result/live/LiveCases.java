@@ -1,0 +1,106 @@
+package org.sitaf.server.result.live;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.sitaf.core.verdict.CaseResult;
+import org.sitaf.server.refusal.Refusal;
+import org.springframework.data.domain.Page;
+import org.springframework.data.domain.PageImpl;
+import org.springframework.data.domain.Pageable;
+import org.springframework.jdbc.core.simple.JdbcClient;
+import org.springframework.stereotype.Repository;
+import org.springframework.transaction.annotation.Propagation;
+import org.springframework.transaction.annotation.Transactional;
+import tools.jackson.core.type.TypeReference;
+import tools.jackson.databind.json.JsonMapper;
+
+/**
+ * What agents told of cases that have ended, in the order in which they told it. What counts is the
+ * result that comes at the end; then this is forgotten. A build that was cancelled or could not go
+ * on keeps it.
+ */
+@Repository
+public class LiveCases {
+  private static final TypeReference<List<CaseResult>> CASES = new TypeReference<>() {};
+
+  /** Of a build itself, and of the builds over which its cases are spread. */
+  private static final String OF_BUILD =
+      " WHERE (build_id = :build OR build_id IN (SELECT id FROM build WHERE parent_id = :build))";
+
+  private final JdbcClient jdbc;
+  private final JsonMapper json;
+
+  LiveCases(JdbcClient jdbc, JsonMapper json) {
+    this.jdbc = jdbc;
+    this.json = json;
+  }
+
+  /** Keeps cases that have ended, within the transaction that counts them. */
+  @Transactional(propagation = Propagation.MANDATORY)
+  public void append(String buildId, List<CaseResult> ended) {
+    if (!ended.isEmpty()) {
+      jdbc.sql("INSERT INTO live_cases (build_id, cases, outcomes) VALUES (?, ?, ?)")
+          .params(buildId, ended.size(), json.writeValueAsBytes(ended))
+          .update();
+    }
+  }
+
+  /** Forgets all: a new attempt begins, or the result is there. */
+  @Transactional(propagation = Propagation.MANDATORY)
+  public void forget(String buildId) {
+    jdbc.sql("DELETE FROM live_cases" + OF_BUILD).param("build", buildId).update();
+  }
+
+  private record Batch(long id, int cases) {}
+
+  /**
+   * Cases in the order in which they ended.
+   *
+   * @throws Refusal when there is no such build
+   */
+  @Transactional(readOnly = true)
+  public Page<CaseResult> page(String buildId, Pageable page) {
+    requireBuild(buildId);
+    List<Batch> batches =
+        jdbc.sql("SELECT id, cases FROM live_cases" + OF_BUILD + " ORDER BY id")
+            .param("build", buildId)
+            .query((row, index) -> new Batch(row.getLong(1), row.getInt(2)))
+            .list();
+    long from = page.getOffset();
+    long to = from + page.getPageSize();
+    long at = 0;
+    List<CaseResult> shown = new ArrayList<>();
+    for (Batch batch : batches) {
+      long end = at + batch.cases();
+      if (end > from && at < to) {
+        List<CaseResult> cases = cases(batch.id());
+        int first = (int) Math.max(0, from - at);
+        int last = (int) Math.min(cases.size(), to - at);
+        shown.addAll(cases.subList(Math.min(first, last), last));
+      }
+      at = end;
+    }
+    return new PageImpl<>(shown, page, at);
+  }
+
+  private List<CaseResult> cases(long batch) {
+    byte[] outcomes =
+        jdbc.sql("SELECT outcomes FROM live_cases WHERE id = ?")
+            .param(batch)
+            .query((row, index) -> row.getBytes(1))
+            .single();
+    return json.readValue(outcomes, CASES);
+  }
+
+  private void requireBuild(String buildId) {
+    boolean known =
+        jdbc.sql("SELECT 1 FROM build WHERE id = ?")
+            .param(buildId)
+            .query(Integer.class)
+            .optional()
+            .isPresent();
+    if (!known) {
+      throw Refusal.notFound("build", buildId);
+    }
+  }
+}
