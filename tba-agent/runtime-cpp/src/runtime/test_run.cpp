@@ -4,6 +4,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "runtime/case_streams.hpp"
 #include "runtime/command_line.hpp"
 #include "runtime/last_words.hpp"
 #include "runtime/thrown.hpp"
@@ -92,12 +93,14 @@ class TestRun::State {
       runOne(driver, suite.current());
       keepCoverage(false);
     }
+    beginCase(0);
     closing("closing the component", [&] { driver.close(); });
   }
 
  private:
   void runOne(Driver& driver, const suite::TestCase& testCase) {
     suite::CaseResult result(testCase);
+    beginCase(testCase.no());
     stopwatch.reset();
     try {
       if (!driver.runAndSave(testCase, result)) {
@@ -196,6 +199,7 @@ void Driver::save(suite::CaseResult& result) {
 }
 
 int start(int argc, char** argv, const TestRun::Factory& factory, void (*coverage)()) {
+  markCases();
   sayLastWords(coverage);
   try {
     TestRun::State state(CommandLine::parse(argc, argv));

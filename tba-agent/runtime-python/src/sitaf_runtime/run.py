@@ -19,6 +19,7 @@ from contextlib import suppress
 from itertools import islice
 from typing import TYPE_CHECKING, Any, NoReturn
 
+from sitaf_runtime import case_streams
 from sitaf_runtime.command_line import CommandLine
 from sitaf_runtime.driver import SuiteDriver
 from sitaf_runtime.errors import CannotRunError, CaseDataError, SimulationError
@@ -98,6 +99,7 @@ class TestRun:
                 if time.monotonic() - covered > _COVERAGE_EVERY_S:
                     save_coverage()
                     covered = time.monotonic()
+            case_streams.begin(0)
             _closing("closing the component", driver.close)
         finally:
             set_current(None)
@@ -135,6 +137,7 @@ class TestRun:
 
     def _run_one(self, driver: SuiteDriver[Any], case: TestCase) -> None:
         result = CaseResult(case)
+        case_streams.begin(case.no)
         self.stopwatch.reset()
         driver.begin_case()
         try:
@@ -203,6 +206,7 @@ def start(factory: Callable[[TestRun], SuiteDriver[Any]], arguments: list[str] |
     It ends with 0 when every case has a result, with 3 and one line on the error stream when the suite could not be
     run, and does not wait for threads that the component has left over.
     """
+    case_streams.install()
     faulthandler.enable()
     if hasattr(faulthandler, "register"):
         faulthandler.register(signal.SIGQUIT, all_threads=True)

@@ -7,6 +7,7 @@ import java.time.Duration;
 import java.util.Optional;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.runtime.output.CaseStreams;
 import org.sitaf.runtime.simulation.CaseTooLongException;
 import org.sitaf.runtime.simulation.Simulation;
 import org.sitaf.runtime.simulation.SimulationException;
@@ -63,6 +64,7 @@ public final class TestRun {
    * the suite could not be run.
    */
   public static void start(String[] arguments, Function<TestRun, ? extends SuiteDriver<?>> driver) {
+    CaseStreams.install();
     System.exit(execute(arguments, driver));
   }
 
@@ -174,6 +176,7 @@ public final class TestRun {
       for (; next.isPresent(); next = suite.next()) {
         runOne(driver, next.get());
       }
+      CaseStreams.begin(0);
       closing("closing the component", 0, driver::close);
     } finally {
       CurrentHardware.set(null);
@@ -182,6 +185,7 @@ public final class TestRun {
 
   private void runOne(SuiteDriver<?> driver, TestCase testCase) throws IOException {
     CaseResult result = new CaseResult(testCase);
+    CaseStreams.begin(testCase.no());
     stopwatch.reset();
     stubbing.begin();
     try {

@@ -10,7 +10,7 @@ import org.sitaf.agent.executor.OutputSink;
 
 /**
  * The log of a build: a file, and whoever listens. What a component prints is bounded; the agent's
- * remarks are always there.
+ * remarks are always there, among them whose output follows: {@code [sitaf] case NO}.
  */
 final class BuildLog implements OutputSink, AutoCloseable {
   /** What people may still want to read; a component in an endless loop prints more in a second. */
@@ -20,6 +20,7 @@ final class BuildLog implements OutputSink, AutoCloseable {
   private final BuildListener listener;
   private long output;
   private boolean atLineStart = true;
+  private int headed;
   private boolean cut;
   private @Nullable IOException failure;
 
@@ -30,9 +31,14 @@ final class BuildLog implements OutputSink, AutoCloseable {
   }
 
   @Override
-  public synchronized void output(String text) {
+  public synchronized void output(String text, int caseNo) {
     if (cut) {
       return;
+    }
+    if (caseNo != headed) {
+      // Test applications may run side by side: whenever another case prints it is named anew.
+      remark(caseNo == 0 ? "outside of cases" : "case " + caseNo);
+      headed = caseNo;
     }
     byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
     output += bytes.length;

@@ -11,7 +11,6 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.executor.ExecutionRequest.World;
 import org.sitaf.agent.sandbox.ConfinedProcess;
@@ -43,17 +42,19 @@ final class HarnessProcess implements AutoCloseable {
         List.of(
             pump(
                 process.output(),
-                text -> {
-                  heard.add(text);
-                  sink.output(text);
-                }),
+                new CaseMarks(
+                    (text, caseNo) -> {
+                      heard.add(text);
+                      sink.output(text, caseNo);
+                    })),
             pump(
                 process.errors(),
-                text -> {
-                  lastWords.add(text);
-                  heard.add(text);
-                  sink.output(text);
-                }));
+                new CaseMarks(
+                    (text, caseNo) -> {
+                      lastWords.add(text);
+                      heard.add(text);
+                      sink.output(text, caseNo);
+                    })));
   }
 
   /**
@@ -191,7 +192,7 @@ final class HarnessProcess implements AutoCloseable {
     process.close();
   }
 
-  private static Thread pump(InputStream stream, Consumer<String> sink) {
+  private static Thread pump(InputStream stream, CaseMarks sink) {
     Thread thread =
         new Thread(
             () -> {
@@ -199,7 +200,7 @@ final class HarnessProcess implements AutoCloseable {
               try (Reader reader = new InputStreamReader(stream, StandardCharsets.UTF_8)) {
                 char[] buffer = new char[8192];
                 for (int n = reader.read(buffer); n >= 0; n = reader.read(buffer)) {
-                  sink.accept(new String(buffer, 0, n));
+                  sink.read(new String(buffer, 0, n));
                 }
               } catch (IOException e) {
                 // The process is gone, and its output with it.

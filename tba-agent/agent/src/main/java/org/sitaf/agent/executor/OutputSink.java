@@ -5,8 +5,12 @@ package org.sitaf.agent.executor;
  * threads.
  */
 public interface OutputSink {
-  /** Output of a test application; an amount that nobody would read may be cut. */
-  void output(String text);
+  /**
+   * Output of a test application; an amount that nobody would read may be cut.
+   *
+   * @param caseNo the case that printed it; 0 where none did
+   */
+  void output(String text, int caseNo);
 
   /** A remark of the agent, one line without its end; never cut. */
   void remark(String line);

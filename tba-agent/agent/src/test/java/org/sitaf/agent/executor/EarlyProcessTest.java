@@ -42,7 +42,7 @@ class EarlyProcessTest {
   private final OutputSink sink =
       new OutputSink() {
         @Override
-        public void output(String text) {
+        public void output(String text, int caseNo) {
           synchronized (log) {
             log.addAll(text.lines().toList());
           }
@@ -50,7 +50,7 @@ class EarlyProcessTest {
 
         @Override
         public void remark(String line) {
-          output("[sitaf] " + line);
+          output("[sitaf] " + line, 0);
         }
       };
 

@@ -29,7 +29,7 @@ public class BuildLogs {
       "\n[the log is cut here: it is larger than this server keeps]\n"
           .getBytes(StandardCharsets.UTF_8);
 
-  private static final int CONCATENATED_AT_ONCE = 1 << 20;
+  private static final int READ_AT_ONCE = 1 << 20;
 
   private final Path directory;
   private final long limit;
@@ -116,6 +116,23 @@ public class BuildLogs {
     return new Excerpt(java.util.Arrays.copyOf(bytes.array(), bytes.position()), end);
   }
 
+  /**
+   * What a log holds of one case, at most so many bytes of it.
+   *
+   * @throws Refusal when there is no such build
+   */
+  @Transactional(readOnly = true)
+  public byte[] ofCase(String buildId, int no, int atMost) {
+    CaseLog reader = new CaseLog(no, atMost);
+    long offset = 0;
+    Excerpt excerpt = read(buildId, offset, READ_AT_ONCE);
+    while (excerpt.bytes().length > 0 && reader.read(excerpt.bytes())) {
+      offset += excerpt.bytes().length;
+      excerpt = read(buildId, offset, READ_AT_ONCE);
+    }
+    return reader.found();
+  }
+
   /** The log of a build that was spread over parts is theirs, one after the other. */
   @TransactionalEventListener
   @Transactional(propagation = Propagation.REQUIRES_NEW)
@@ -126,11 +143,11 @@ public class BuildLogs {
       no++;
       String title = "== shard %d of %d\n".formatted(no, ended.partIds().size());
       at = put(ended.buildId(), at, title.getBytes(StandardCharsets.UTF_8));
-      Excerpt excerpt = read(part, 0, CONCATENATED_AT_ONCE);
+      Excerpt excerpt = read(part, 0, READ_AT_ONCE);
       for (long read = 0; excerpt.bytes().length > 0; ) {
         at = put(ended.buildId(), at, excerpt.bytes());
         read += excerpt.bytes().length;
-        excerpt = read(part, read, CONCATENATED_AT_ONCE);
+        excerpt = read(part, read, READ_AT_ONCE);
       }
     }
     jdbc.sql("UPDATE build SET log_length = ? WHERE id = ?").params(at, ended.buildId()).update();

@@ -43,6 +43,7 @@ class BuildController {
 
   private static final int MAX_WAIT_S = 60;
   private static final int LOG_EXCERPT = 1 << 20;
+  private static final int CASE_LOG = 1 << 18;
 
   private final Builds builds;
   private final Attempts attempts;
@@ -181,6 +182,22 @@ class BuildController {
         .contentType(MediaType.parseMediaType("text/plain;charset=UTF-8"))
         .header("Sitaf-Log-End", Long.toString(excerpt.end()))
         .body(excerpt.bytes());
+  }
+
+  @GetMapping(path = "/{id}/cases/{no}/log", produces = MediaType.TEXT_PLAIN_VALUE)
+  @Operation(
+      operationId = "getCaseLog",
+      summary = "What a build's log holds of one case, at most 256 KiB",
+      description =
+          "What the component printed while the case ran, and the agent's remarks on it; empty"
+              + " where there is nothing.")
+  @ApiResponse(
+      responseCode = "200",
+      content = @Content(mediaType = "text/plain", schema = @Schema(type = "string")))
+  ResponseEntity<byte[]> caseLog(@PathVariable String id, @PathVariable int no) {
+    return ResponseEntity.ok()
+        .contentType(MediaType.parseMediaType("text/plain;charset=UTF-8"))
+        .body(logs.ofCase(id, no, CASE_LOG));
   }
 
   private BuildView view(String id) {

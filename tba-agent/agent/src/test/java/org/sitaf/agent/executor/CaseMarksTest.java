@@ -1,0 +1,34 @@
+package org.sitaf.agent.executor;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+class CaseMarksTest {
+  private final List<String> heard = new ArrayList<>();
+  private final CaseMarks marks = new CaseMarks((text, no) -> heard.add(no + "|" + text));
+
+  @Test
+  void textIsTheCasesThatPrintedIt() {
+    marks.read("before\n\u001ecase 7\nseven\nmore\u001ecase 12\ntwelve\n\u001ecase 0\nafter");
+    assertThat(heard).containsExactly("0|before\n", "7|seven\nmore", "12|twelve\n", "0|after");
+  }
+
+  @Test
+  void aMarkMayComeInPieces() {
+    for (char c : "a\u001ecase 7\nb".toCharArray()) {
+      marks.read(String.valueOf(c));
+    }
+    assertThat(heard).containsExactly("0|a", "7|b");
+  }
+
+  @Test
+  void whatIsNoMarkIsTextLikeAllOther() {
+    marks.read("\u001ecase x\ny \u001e\u001ecase 3\nthree \u001ecase 12345678901\n");
+    assertThat(String.join("", heard.stream().map(h -> h.substring(2)).toList()))
+        .isEqualTo("\u001ecase x\ny \u001ethree \u001ecase 12345678901\n");
+    assertThat(heard).contains("3|three ");
+  }
+}

@@ -1,0 +1,87 @@
+"""The standard streams of the process, in which stands whose output follows.
+
+Before the first output of a case stands its mark; a case that prints nothing costs nothing. What native code writes
+past Python belongs to the case that printed before it.
+"""
+
+from __future__ import annotations
+
+import io
+import os
+import sys
+from contextlib import suppress
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from _typeshed import ReadableBuffer
+
+_MARK = "\x1e"
+
+
+class _Marked(io.RawIOBase):
+    """A descriptor that is told of each case that writes to it."""
+
+    def __init__(self, descriptor: int, streams: CaseStreams) -> None:
+        super().__init__()
+        self._descriptor = descriptor
+        self._streams = streams
+        self._told = 0
+
+    def writable(self) -> bool:
+        return True
+
+    def fileno(self) -> int:
+        return self._descriptor
+
+    def write(self, data: ReadableBuffer, /) -> int:
+        text = bytes(data)
+        mark = b""
+        if text and self._told != self._streams.current:
+            self._told = self._streams.current
+            mark = f"{_MARK}case {self._told}\n".encode()
+        rest = memoryview(mark + text)
+        while rest:
+            rest = rest[os.write(self._descriptor, rest) :]
+        return len(text)
+
+
+class CaseStreams:
+    """sys.stdout and sys.stderr from now on."""
+
+    def __init__(self) -> None:
+        self.current = 0
+        self._out = self._stream(1, line_buffering=False)
+        self._err = self._stream(2, line_buffering=True)
+        sys.stdout = self._out
+        sys.stderr = self._err
+
+    def begin(self, no: int) -> None:
+        """What is printed from now on is printed by this case; 0 for what belongs to none."""
+        for stream in (self._out, self._err):
+            # The component may have closed it, or nobody reads it any more.
+            with suppress(OSError, ValueError):
+                stream.flush()
+        self.current = no
+
+    def _stream(self, descriptor: int, *, line_buffering: bool) -> io.TextIOWrapper:
+        return io.TextIOWrapper(
+            io.BufferedWriter(_Marked(descriptor, self)),
+            encoding="utf-8",
+            errors="backslashreplace",
+            line_buffering=line_buffering,
+        )
+
+
+_installed: CaseStreams | None = None
+
+
+def install() -> None:
+    """Have sys.stdout and sys.stderr say from now on which case prints."""
+    global _installed  # noqa: PLW0603 - a process runs one suite
+    _installed = CaseStreams()
+
+
+def begin(no: int) -> None:
+    """What is printed from now on is printed by this case; 0 for what belongs to none."""
+    if _installed is not None:
+        _installed.begin(no)
