@@ -108,13 +108,22 @@ describe('a build', () => {
     server.advance('b1', { state: 'RUNNING', casesDone: 20, agent: 'bench-1' });
     expect(await screen.findByText('Running')).toBeVisible();
     expect(screen.getByText('20 of 55 cases')).toBeVisible();
+    server.liveCases.set('b1', resultCases(['PASS', 'FAIL']));
+    const growing = await screen.findByRole('table', { name: 'Cases' });
+    expect(growing).toHaveAttribute('aria-rowcount', String(2 + 2));
+    server.liveCases.set('b1', resultCases(['PASS', 'FAIL', 'ERROR']));
+    expect(await screen.findByText('Error')).toBeVisible();
 
     const cases = resultCases([...Array<'PASS'>(55).fill('PASS')]);
     server.cases.set('b1', cases);
     server.advance('b1', doneBuild('b1', cases));
     expect(await screen.findByText('All passed')).toBeVisible();
-    const table = await screen.findByRole('table', { name: 'Cases' });
-    expect(table).toHaveAttribute('aria-rowcount', String(2 + 55));
+    await waitFor(() => {
+      expect(screen.getByRole('table', { name: 'Cases' })).toHaveAttribute(
+        'aria-rowcount',
+        String(2 + 55),
+      );
+    });
   });
 
   test('is generated with the choice of invalid values', async () => {
@@ -230,6 +239,35 @@ describe('a result', () => {
     expect(history.location.search).toBe('');
   });
 
+  test('shows a case whole by its address, with what it printed as text', async () => {
+    const cases = resultCases(['PASS', 'FAIL']);
+    server.cases.set('b1', cases);
+    server.builds.push(doneBuild('b1', cases));
+    server.caseLogs.set('b1 2', '<b>loud</b> \u001b[31m\n');
+    const { user, history } = openPortal(server, '/builds/b1?case=2');
+    const printed = await screen.findByText('<b>loud</b> ␛[31m');
+    await waitFor(() => {
+      expect(printed).toBeVisible();
+    });
+    expect(screen.getByText('Case 2: Fail')).toBeVisible();
+    await user.keyboard('{Escape}');
+    await waitFor(() => {
+      expect(history.location.search).toBe('');
+    });
+    await user.click(screen.getByRole('button', { name: 'Case 1' }));
+    expect(await screen.findByText('It printed nothing.')).toBeVisible();
+    expect(history.location.search).toBe('?case=1');
+  });
+
+  test('says which lines of the component were not reached', async () => {
+    const cases = resultCases(['PASS']);
+    server.cases.set('b1', cases);
+    server.builds.push(doneBuild('b1', cases));
+    openPortal(server, '/builds/b1?tab=coverage');
+    expect(await screen.findByText('Not reached: line 4.')).toBeVisible();
+    expect(screen.getByText('75.0 %')).toBeVisible();
+  });
+
   test('of 100,000 cases is never fetched at once', async () => {
     const cases = resultCases([...Array<'PASS'>(100_000).fill('PASS')]);
     server.cases.set('b1', cases);
@@ -299,6 +337,21 @@ describe('the grid of cases', () => {
     await waitFor(() => {
       expect(server.suiteEdits).toEqual([{ ifMatch: '"9"', changes: [{ no: 1, literal: '7.5' }] }]);
     });
+  });
+});
+
+describe('a new schedule', () => {
+  test('shows its next ten times in words while it is written', async () => {
+    const { user } = openPortal(server, '/schedules/new?suite=s1');
+    const list = await screen.findByRole('list', { name: 'Next times' });
+    expect(within(list).getAllByRole('listitem')).toHaveLength(10);
+    expect(list).toHaveTextContent(/Tuesday,? 10 March 2099 at /);
+    const cron = screen.getByLabelText(/^Cron expression/);
+    await user.clear(cron);
+    await user.type(cron, 'soon');
+    expect(await screen.findByRole('alert', { name: 'No such times' })).toHaveTextContent(
+      'is no cron expression',
+    );
   });
 });
 

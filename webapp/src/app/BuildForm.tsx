@@ -1,7 +1,9 @@
 import { Button, NativeSelect, Group, Stack, Text } from '@mantine/core';
 import { useState, type SyntheticEvent } from 'react';
 import type { Activity, SuiteOptions } from '@/shared/api';
-import { ProblemAlert } from '@/shared/ui';
+import { DEFAULT_OPTIONS } from '@/features/builds';
+import { ButtonLink, ProblemAlert } from '@/shared/ui';
+import { HowToBuild } from './HowToBuild';
 import { useStartBuild } from './useStartBuild';
 
 const INVALID_VALUES = [
@@ -15,6 +17,7 @@ export function BuildForm({ activity }: { activity: Activity }) {
   const start = useStartBuild();
   const [model, setModel] = useState(activity.models[0]?.name);
   const [invalidValues, setInvalidValues] = useState('');
+  const [how, setHow] = useState(DEFAULT_OPTIONS);
   const chosen = activity.models.find(({ name }) => name === model);
   if (!chosen) return <Text c="dimmed">The activity has no test model.</Text>;
 
@@ -25,6 +28,7 @@ export function BuildForm({ activity }: { activity: Activity }) {
         activityId: activity.id,
         model: chosen.name,
         options: optionsOf(invalidValues),
+        how,
       });
     }
   }
@@ -49,6 +53,14 @@ export function BuildForm({ activity }: { activity: Activity }) {
             }}
             data={[...INVALID_VALUES]}
           />
+          <HowToBuild options={how} onOptions={setHow} />
+          <ButtonLink
+            variant="default"
+            to="/schedules/new"
+            search={{ activity: activity.id, model: chosen.name }}
+          >
+            Build later
+          </ButtonLink>
           <Button type="submit" loading={start.isPending}>
             Build now
           </Button>

@@ -11,6 +11,7 @@ import {
   buildSearch,
   compareSearch,
   listSearch,
+  newScheduleSearch,
   signInSearch,
   suiteSearch,
 } from './search';
@@ -116,6 +117,20 @@ const schedules = createRoute({
   component: lazyRouteComponent(() => import('./pages/SchedulesPage'), 'SchedulesPage'),
 });
 
+const newSchedule = createRoute({
+  getParentRoute,
+  path: '/schedules/new',
+  validateSearch: newScheduleSearch,
+  component: lazyRouteComponent(() => import('./pages/NewSchedulePage'), 'NewSchedulePage'),
+});
+
+const schedule = createRoute({
+  getParentRoute,
+  path: '/schedules/$scheduleId',
+  validateSearch: listSearch,
+  component: lazyRouteComponent(() => import('./pages/SchedulePage'), 'SchedulePage'),
+});
+
 /** Every page has an address of its own; the server answers unknown paths with the portal. */
 export function createPortalRouter(history?: RouterHistory) {
   return createRouter({
@@ -132,6 +147,8 @@ export function createPortalRouter(history?: RouterHistory) {
       compare,
       agents,
       schedules,
+      newSchedule,
+      schedule,
       signIn,
       settings,
     ]),

@@ -23,7 +23,7 @@ export interface SuiteSearch {
   file?: string;
 }
 
-export const BUILD_TABS = ['table', 'graphs', 'log', 'history'] as const;
+export const BUILD_TABS = ['table', 'graphs', 'coverage', 'log', 'history'] as const;
 export type BuildTab = (typeof BUILD_TABS)[number];
 
 export interface BuildSearch {
@@ -32,6 +32,14 @@ export interface BuildSearch {
   parameter?: string;
   value?: string;
   case?: number;
+  file?: string;
+}
+
+/** What is to be built at a time to come: a suite as it is, or a model of an activity. */
+export interface NewScheduleSearch {
+  suite?: string;
+  activity?: string;
+  model?: string;
 }
 
 export interface CompareSearch {
@@ -69,7 +77,12 @@ export function buildSearch(raw: Raw): BuildSearch {
     ...textIn(raw, 'parameter'),
     ...textIn(raw, 'value'),
     ...numberIn(raw, 'case', 1),
+    ...textIn(raw, 'file'),
   };
+}
+
+export function newScheduleSearch(raw: Raw): NewScheduleSearch {
+  return { ...textIn(raw, 'suite'), ...textIn(raw, 'activity'), ...textIn(raw, 'model') };
 }
 
 export function compareSearch(raw: Raw): CompareSearch {

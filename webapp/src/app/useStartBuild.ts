@@ -1,6 +1,6 @@
 import { useMutation } from '@tanstack/react-query';
 import { useNavigate } from '@tanstack/react-router';
-import { useRequestBuild } from '@/features/builds';
+import { DEFAULT_OPTIONS, requestOf, useRequestBuild, type BuildOptions } from '@/features/builds';
 import { useGenerateSuite, type SuiteOf } from '@/features/suites';
 
 /** Generates a suite of a test model, asks for a build of it, and goes to that build. */
@@ -9,7 +9,11 @@ export function useStartBuild() {
   const build = useRequestBuild();
   const navigate = useNavigate();
   return useMutation({
-    mutationFn: async (of: SuiteOf) => build.mutateAsync((await suite.mutateAsync(of)).id),
+    mutationFn: async ({ how, ...of }: SuiteOf & { how?: BuildOptions }) =>
+      build.mutateAsync({
+        suiteId: (await suite.mutateAsync(of)).id,
+        ...requestOf(how ?? DEFAULT_OPTIONS),
+      }),
     onSuccess: ({ id }) => navigate({ to: '/builds/$buildId', params: { buildId: id } }),
   });
 }

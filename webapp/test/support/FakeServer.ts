@@ -12,7 +12,8 @@ type Handler = (context: {
 
 interface Answer {
   status: number;
-  json: unknown;
+  json?: unknown;
+  text?: string;
   problem?: boolean;
 }
 
@@ -27,9 +28,13 @@ const NOUNS = [
   'agents',
   'builds',
   'cancel',
+  'calendars',
   'cases',
+  'coverage',
   'expected',
+  'log',
   'models',
+  'preview',
   'result',
   'schedules',
   'session',
@@ -41,6 +46,10 @@ export class FakeServer {
   readonly activities: Activity[] = [];
   readonly builds: Build[] = [];
   readonly cases = new Map<string, ResultCase[]>();
+  /** Cases that have ended of builds that have no result yet. */
+  readonly liveCases = new Map<string, ResultCase[]>();
+  /** What cases printed, by build and number, such as `b1 7`. */
+  readonly caseLogs = new Map<string, string>();
   agents: Agent[] = [AGENT];
   /** What the next upload is refused for; none: taken. */
   refusal: Diagnostic[] = [];
@@ -104,7 +113,7 @@ export class FakeServer {
     const path = url.pathname.split('/').slice(3).map(decodeURIComponent);
     const chunks: Buffer[] = [];
     for await (const chunk of request) chunks.push(chunk as Buffer);
-    const { status, json, problem } = await this.route(
+    const { status, json, text, problem } = await this.route(
       request.method ?? 'GET',
       path,
     )({
@@ -114,13 +123,18 @@ export class FakeServer {
       body: Buffer.concat(chunks),
     });
     response.writeHead(status, {
-      'Content-Type': problem ? 'application/problem+json' : 'application/json',
+      'Content-Type':
+        text !== undefined
+          ? 'text/plain'
+          : problem
+            ? 'application/problem+json'
+            : 'application/json',
       // jsdom's page has another origin than this server.
       'Access-Control-Allow-Origin': '*',
       'Access-Control-Allow-Methods': '*',
       'Access-Control-Allow-Headers': '*',
     });
-    response.end(JSON.stringify(json));
+    response.end(text ?? JSON.stringify(json));
   }
 
   private route(method: string, path: string[]): Handler {
@@ -171,6 +185,49 @@ export class FakeServer {
       const cases = this.cases.get(path[1] ?? '') ?? [];
       const shown = cases.filter((item) => !verdict || item.verdict === verdict);
       return { status: 200, json: pageOf(shown, query) };
+    },
+    'GET builds * cases': ({ path, query }) => ({
+      status: 200,
+      json: pageOf(this.liveCases.get(path[1] ?? '') ?? [], query),
+    }),
+    'GET builds * cases * log': ({ path }) => ({
+      status: 200,
+      text: this.caseLogs.get(`${path[1]} ${path[3]}`) ?? '',
+    }),
+    'GET builds * result coverage': () => ({
+      status: 200,
+      json: {
+        measured: true,
+        statement: 75,
+        files: [{ path: 'component/A.java', lines: 4, reached: 3, branches: 0, taken: 0 }],
+      },
+    }),
+    'GET builds * result coverage *': () => ({
+      status: 200,
+      json: {
+        path: 'component/A.java',
+        source: 'class A {}\n',
+        lines: [1, 2, 3, 4].map((number) => ({
+          number,
+          reached: number !== 4,
+          branches: 0,
+          taken: 0,
+        })),
+      },
+    }),
+    'GET calendars': () => ({ status: 200, json: [] }),
+    'POST schedules preview': ({ body }) => {
+      const { cron } = JSON.parse(body.toString()) as { cron?: string };
+      return cron?.startsWith('0 3') === true
+        ? {
+            status: 200,
+            json: Array.from({ length: 10 }, (_, n) => `2099-03-${10 + n}T03:00:00Z`),
+          }
+        : {
+            status: 400,
+            problem: true,
+            json: { title: 'Malformed', detail: 'is no cron expression', status: 400 },
+          };
     },
     'POST builds * cancel': ({ path }) => {
       this.advance(path[1] ?? '', { state: 'CANCELLED' });

@@ -1,7 +1,11 @@
 import { Stack, Text, Title } from '@mantine/core';
-import { AgentTable } from '@/features/agents';
+import { AgentTable, Enrolments } from '@/features/agents';
+import { useSession } from '@/features/session';
+import { Section } from '@/shared/ui';
 
 export function AgentsPage() {
+  const session = useSession();
+  const administrator = session.data?.role === 'ADMINISTRATOR';
   return (
     <Stack gap="lg">
       <title>Agents · SITAF</title>
@@ -14,7 +18,12 @@ export function AgentsPage() {
           it has slots.
         </Text>
       </div>
-      <AgentTable />
+      <AgentTable mayChange={administrator} />
+      {administrator && (
+        <Section title="Let an agent in">
+          <Enrolments />
+        </Section>
+      )}
     </Stack>
   );
 }

@@ -1,11 +1,20 @@
 import { Group, Stack, Text, Title } from '@mantine/core';
 import { getRouteApi } from '@tanstack/react-router';
+import type { ReactNode } from 'react';
 import { NotFound } from '@/app/NotFound';
 import { PageTabs, type PageTab } from '@/app/PageTabs';
 import { withoutAbsent, type BuildSearch, type BuildTab } from '@/app/search';
-import { BuildLog, BuildOverview, isFinished, useBuild } from '@/features/builds';
-import { ResultGraphs, ResultHistory, ResultView, type CaseFilter } from '@/features/results';
-import { ApiError } from '@/shared/api';
+import { BuildLog, BuildOverview, CaseLog, isFinished, useBuild } from '@/features/builds';
+import {
+  CoverageView,
+  LiveCases,
+  ResultGraphs,
+  ResultHistory,
+  ResultView,
+  type CaseFilter,
+} from '@/features/results';
+import { useSuite } from '@/features/suites';
+import { ApiError, type Build, type ResultCase } from '@/shared/api';
 import { Loading, ProblemAlert, RouteLink, UserText } from '@/shared/ui';
 
 const route = getRouteApi('/builds/$buildId');
@@ -29,28 +38,50 @@ export function BuildPage() {
   const filter = (wanted: CaseFilter) => {
     show(withoutAbsent<BuildSearch>({ ...wanted }));
   };
+  const caseDetails = ({ no }: ResultCase) => <CaseLog buildId={buildId} no={no} />;
   const tabs: PageTab<BuildTab>[] = [
+    {
+      value: 'table',
+      label: 'Table',
+      content: () =>
+        done ? (
+          <ResultView
+            buildId={buildId}
+            filter={withoutAbsent<CaseFilter>({
+              verdict: shown.verdict,
+              parameter: shown.parameter,
+              value: shown.value,
+            })}
+            onFilter={filter}
+            caseNo={shown.case}
+            onCase={(no) => {
+              show(withoutAbsent<BuildSearch>({ ...shown, case: no }));
+            }}
+            caseDetails={caseDetails}
+          />
+        ) : (
+          <CasesSoFar build={build.data} caseDetails={caseDetails} />
+        ),
+    },
     ...(done
       ? [
-          {
-            value: 'table' as const,
-            label: 'Table',
-            content: () => (
-              <ResultView
-                buildId={buildId}
-                filter={withoutAbsent<CaseFilter>({
-                  verdict: shown.verdict,
-                  parameter: shown.parameter,
-                  value: shown.value,
-                })}
-                onFilter={filter}
-              />
-            ),
-          },
           {
             value: 'graphs' as const,
             label: 'Graphs',
             content: () => <ResultGraphs buildId={buildId} onFilter={filter} />,
+          },
+          {
+            value: 'coverage' as const,
+            label: 'Coverage',
+            content: () => (
+              <CoverageView
+                buildId={buildId}
+                path={shown.file}
+                onPath={(file) => {
+                  show({ tab: 'coverage', file });
+                }}
+              />
+            ),
           },
         ]
       : []),
@@ -65,7 +96,8 @@ export function BuildPage() {
       content: () => <ResultHistory activityId={activityId} model={model} />,
     },
   ];
-  const wanted = shown.tab ?? (done ? 'table' : 'log');
+  // Where nothing ran, the log says why.
+  const wanted = shown.tab ?? (state === 'FAILED' ? 'log' : 'table');
   return (
     <Stack gap="lg">
       <title>{`${model} · ${activityName} · SITAF`}</title>
@@ -90,9 +122,33 @@ export function BuildPage() {
         tabs={tabs}
         value={tabs.some(({ value }) => value === wanted) ? wanted : 'log'}
         onTab={(tab) => {
-          show(withoutAbsent<BuildSearch>({ tab: tab === 'table' ? undefined : tab }));
+          show(
+            withoutAbsent<BuildSearch>({
+              tab: tab === 'table' && state !== 'FAILED' ? undefined : tab,
+            }),
+          );
         }}
       />
     </Stack>
+  );
+}
+
+interface CasesSoFarProps {
+  build: Build;
+  caseDetails: (item: ResultCase) => ReactNode;
+}
+
+/** The table grows while the build runs; the suite says what its columns are. */
+function CasesSoFar({ build, caseDetails }: CasesSoFarProps) {
+  const suite = useSuite(build.suiteId);
+  if (suite.isPending) return <Loading what="the suite" />;
+  if (!suite.data) return <ProblemAlert title="The suite could not be read" error={suite.error} />;
+  return (
+    <LiveCases
+      buildId={build.id}
+      parameters={suite.data.parameters}
+      running={!isFinished(build)}
+      caseDetails={caseDetails}
+    />
   );
 }

@@ -1,7 +1,8 @@
-import { Stack, Text, Title } from '@mantine/core';
+import { Group, Stack, Text, Title } from '@mantine/core';
 import { getRouteApi } from '@tanstack/react-router';
 import { fromIndex, toIndex, withoutAbsent, type ListSearch } from '@/app/search';
-import { ScheduleList } from '@/features/schedules';
+import { Calendars, ScheduleList } from '@/features/schedules';
+import { ButtonLink, Section } from '@/shared/ui';
 
 const route = getRouteApi('/schedules');
 
@@ -11,14 +12,17 @@ export function SchedulesPage() {
   return (
     <Stack gap="lg">
       <title>Schedules · SITAF</title>
-      <div>
-        <Title order={1} size="h2">
-          Schedules
-        </Title>
-        <Text c="dimmed" size="sm">
-          Builds at a time to come. A new one is made where its activity is: “Build later”.
-        </Text>
-      </div>
+      <Group justify="space-between" align="start">
+        <div>
+          <Title order={1} size="h2">
+            Schedules
+          </Title>
+          <Text c="dimmed" size="sm">
+            Builds at times to come, once or again and again.
+          </Text>
+        </div>
+        <ButtonLink to="/schedules/new">New schedule</ButtonLink>
+      </Group>
       <ScheduleList
         page={toIndex(page)}
         onPage={(index) =>
@@ -28,6 +32,9 @@ export function SchedulesPage() {
           })
         }
       />
+      <Section title="Calendars">
+        <Calendars />
+      </Section>
     </Stack>
   );
 }

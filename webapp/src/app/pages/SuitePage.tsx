@@ -1,15 +1,16 @@
 import { Button, Group, Stack, Text, Title } from '@mantine/core';
 import { getRouteApi, useNavigate } from '@tanstack/react-router';
-import { BuildLater } from '@/app/BuildLater';
+import { useState } from 'react';
+import { HowToBuild } from '@/app/HowToBuild';
 import { NotFound } from '@/app/NotFound';
 import { PageTabs, type PageTab } from '@/app/PageTabs';
 import { withoutAbsent, type SuiteSearch, type SuiteTab } from '@/app/search';
 import { TestApplicationView } from '@/app/TestApplicationView';
 import { useActivity } from '@/features/activities';
-import { useRequestBuild } from '@/features/builds';
+import { DEFAULT_OPTIONS, requestOf, useRequestBuild } from '@/features/builds';
 import { CaseGrid, CombinationView, SuiteChangesView, useSuite } from '@/features/suites';
 import { ApiError, type Suite } from '@/shared/api';
-import { Diagnostics, Loading, ProblemAlert, RouteLink, UserText } from '@/shared/ui';
+import { ButtonLink, Diagnostics, Loading, ProblemAlert, RouteLink, UserText } from '@/shared/ui';
 
 const route = getRouteApi('/suites/$suiteId');
 
@@ -72,6 +73,7 @@ function Head({ suite }: { suite: Suite }) {
   const activity = useActivity(suite.activityId);
   const build = useRequestBuild();
   const navigate = useNavigate();
+  const [how, setHow] = useState(DEFAULT_OPTIONS);
   return (
     <Stack gap="sm">
       <Group justify="space-between" align="start">
@@ -93,14 +95,20 @@ function Head({ suite }: { suite: Suite }) {
           </Title>
         </div>
         <Group gap="sm">
-          <BuildLater suiteId={suite.id} />
+          <HowToBuild options={how} onOptions={setHow} />
+          <ButtonLink variant="default" to="/schedules/new" search={{ suite: suite.id }}>
+            Build later
+          </ButtonLink>
           <Button
             loading={build.isPending}
             onClick={() => {
-              build.mutate(suite.id, {
-                onSuccess: ({ id }) =>
-                  void navigate({ to: '/builds/$buildId', params: { buildId: id } }),
-              });
+              build.mutate(
+                { suiteId: suite.id, ...requestOf(how) },
+                {
+                  onSuccess: ({ id }) =>
+                    void navigate({ to: '/builds/$buildId', params: { buildId: id } }),
+                },
+              );
             }}
           >
             Build now

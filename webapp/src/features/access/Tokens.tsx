@@ -1,9 +1,8 @@
 import { Button, Group, Stack, Table, Text, TextInput } from '@mantine/core';
 import { useState, type SyntheticEvent } from 'react';
 import { formatInstant } from '@/shared/lib/format';
-import { Age, Loading, ProblemAlert, ScrollTable, UserText } from '@/shared/ui';
+import { Age, Loading, ProblemAlert, ScrollTable, ShownOnce, UserText } from '@/shared/ui';
 import { useAddToken, useRevokeToken, useTokens, type Role } from './queries';
-import { ShownOnce } from './Shown';
 import { RoleSelect } from './Users';
 
 /** Tokens with which scripts act for their owner. */

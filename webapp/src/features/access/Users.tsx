@@ -1,8 +1,7 @@
 import { Button, Group, NativeSelect, Stack, Switch, Table, TextInput } from '@mantine/core';
 import { useState, type SyntheticEvent } from 'react';
-import { Age, Loading, ProblemAlert, ScrollTable, UserText } from '@/shared/ui';
+import { Age, Loading, ProblemAlert, ScrollTable, ShownOnce, UserText } from '@/shared/ui';
 import { ROLES, useAddUser, useChangeUser, useUsers, type Role } from './queries';
-import { ShownOnce } from './Shown';
 
 /** Who may sign in, and as what; for administrators. */
 export function Users() {

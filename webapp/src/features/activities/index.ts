@@ -2,4 +2,10 @@ export { ActivityFiles } from './ActivityFiles';
 export { InterfaceTree } from './InterfaceTree';
 export { ActivityList } from './ActivityList';
 export { UploadActivity } from './UploadActivity';
-export { useActivity, useChangeFiles, useDescription, useFileText } from './queries';
+export {
+  useActivity,
+  useActivityChoice,
+  useChangeFiles,
+  useDescription,
+  useFileText,
+} from './queries';

@@ -22,6 +22,16 @@ export function useActivities(page: number) {
   });
 }
 
+/** The newest activities, to choose one of. */
+export function useActivityChoice() {
+  const api = useApi();
+  return useQuery({
+    queryKey: [...ACTIVITIES, 'choice'],
+    queryFn: ({ signal }) =>
+      dataOf(api.GET('/api/v1/activities', { params: { query: { page: 0, size: 200 } }, signal })),
+  });
+}
+
 export function useActivity(id: string) {
   const api = useApi();
   return useQuery({

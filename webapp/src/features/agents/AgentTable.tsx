@@ -1,9 +1,24 @@
-import { Table, Text } from '@mantine/core';
+import { Badge, Group, Stack, Table, Text } from '@mantine/core';
+import type { Agent } from '@/shared/api';
 import { Age, Loading, ProblemAlert, ScrollTable, UserText } from '@/shared/ui';
+import { AgentActions } from './AgentActions';
 import { useAgents } from './queries';
 
-/** The agents that are or once were connected; brief: without what only an administrator asks for. */
-export function AgentTable({ brief = false }: { brief?: boolean }) {
+interface AgentTableProps {
+  /** Without what only somebody who looks for an agent asks for. */
+  brief?: boolean;
+  /** Whether who looks may change how agents stand. */
+  mayChange?: boolean;
+}
+
+const STANDINGS: Record<Agent['standing'], string> = {
+  ACTIVE: '',
+  DRAINING: 'draining: takes no new builds',
+  DISABLED: 'disabled',
+};
+
+/** The agents that are or once were connected, and what each is good for. */
+export function AgentTable({ brief = false, mayChange = false }: AgentTableProps) {
   const agents = useAgents();
   if (agents.isPending) return <Loading what="agents" />;
   if (!agents.data) {
@@ -17,7 +32,7 @@ export function AgentTable({ brief = false }: { brief?: boolean }) {
     );
   }
   return (
-    <ScrollTable label="Agents" minWidth={brief ? 320 : 720}>
+    <ScrollTable label="Agents" minWidth={brief ? 320 : 860}>
       <Table.Thead>
         <Table.Tr>
           <Table.Th>Agent</Table.Th>
@@ -25,9 +40,11 @@ export function AgentTable({ brief = false }: { brief?: boolean }) {
           <Table.Th ta="right">Busy</Table.Th>
           {!brief && (
             <>
-              <Table.Th>Toolchains</Table.Th>
+              <Table.Th>Capabilities</Table.Th>
+              <Table.Th>Labels</Table.Th>
               <Table.Th>Version</Table.Th>
               <Table.Th>Last heard of</Table.Th>
+              {mayChange && <Table.Th aria-label="Actions" />}
             </>
           )}
         </Table.Tr>
@@ -39,8 +56,7 @@ export function AgentTable({ brief = false }: { brief?: boolean }) {
               <UserText>{agent.name}</UserText>
             </Table.Td>
             <Table.Td>
-              <span aria-hidden>{agent.state === 'ONLINE' ? '●' : '○'}</span>{' '}
-              {agent.state === 'ONLINE' ? 'Online' : 'Offline'}
+              <State agent={agent} />
             </Table.Td>
             <Table.Td ta="right">
               {agent.busy} of {agent.slots}
@@ -48,11 +64,20 @@ export function AgentTable({ brief = false }: { brief?: boolean }) {
             {!brief && (
               <>
                 <Table.Td>
-                  <UserText>
-                    {agent.toolchains
-                      .map(({ language, version }) => `${language} ${version}`)
-                      .join(', ')}
-                  </UserText>
+                  <Capabilities agent={agent} />
+                </Table.Td>
+                <Table.Td>
+                  {agent.labels.length === 0 ? (
+                    '–'
+                  ) : (
+                    <Group gap={4}>
+                      {agent.labels.map((label) => (
+                        <Badge key={label} variant="default" tt="none" fw={500}>
+                          {label}
+                        </Badge>
+                      ))}
+                    </Group>
+                  )}
                 </Table.Td>
                 <Table.Td>
                   <UserText>{agent.version}</UserText>
@@ -60,11 +85,46 @@ export function AgentTable({ brief = false }: { brief?: boolean }) {
                 <Table.Td>
                   <Age at={agent.lastSeen} />
                 </Table.Td>
+                {mayChange && (
+                  <Table.Td>
+                    <AgentActions agent={agent} />
+                  </Table.Td>
+                )}
               </>
             )}
           </Table.Tr>
         ))}
       </Table.Tbody>
     </ScrollTable>
+  );
+}
+
+function State({ agent }: { agent: Agent }) {
+  const online = agent.state === 'ONLINE';
+  const remark = agent.refuses ? `takes no builds: ${agent.refuses}` : STANDINGS[agent.standing];
+  return (
+    <>
+      <span aria-hidden>{online ? '●' : '○'}</span> {online ? 'Online' : 'Offline'}
+      {remark && (
+        <Text size="xs" c="dimmed">
+          <UserText>{remark}</UserText>
+        </Text>
+      )}
+    </>
+  );
+}
+
+function Capabilities({ agent: { toolchains, simulation } }: { agent: Agent }) {
+  return (
+    <Stack gap={0}>
+      {toolchains.map(({ language, version }) => (
+        <Text key={language + version} size="sm">
+          <UserText>{`${language} ${version}`}</UserText>
+        </Text>
+      ))}
+      <Text size="sm" {...(!simulation && { c: 'dimmed' })}>
+        {simulation ? 'simulation' : 'no simulation'}
+      </Text>
+    </Stack>
   );
 }

@@ -1,2 +1,4 @@
 export { AgentsStatus } from './AgentsStatus';
 export { AgentTable } from './AgentTable';
+export { Enrolments } from './Enrolments';
+export { useAgentLabels } from './queries';

@@ -61,6 +61,11 @@ function BuildRow({ build }: { build: Build }) {
       </Table.Td>
       <Table.Td>
         <BuildStanding build={build} />
+        {build.waitingFor && (
+          <Text size="xs" c="dimmed">
+            <UserText>{build.waitingFor}</UserText>
+          </Text>
+        )}
       </Table.Td>
       <Table.Td>
         <Cases build={build} />

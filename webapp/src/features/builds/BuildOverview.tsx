@@ -22,6 +22,12 @@ export function BuildOverview({ build }: { build: Build }) {
           It waits: <UserText>{build.waitingFor}</UserText>
         </Text>
       )}
+      {!isFinished(build) && (build.requirements.length > 0 || build.priority !== 0) && (
+        <Text size="sm" c="dimmed">
+          Needs an agent with <UserText>{build.requirements.join(', ')}</UserText>
+          {build.priority !== 0 && `; priority ${build.priority}`}
+        </Text>
+      )}
       {!isFinished(build) && <Running build={build} />}
       {build.failure && (
         <Alert

@@ -1,6 +1,9 @@
 export { BuildList } from './BuildList';
 export { BuildLog } from './BuildLog';
 export { BuildOverview } from './BuildOverview';
+export { CaseLog } from './CaseLog';
+export { BuildOptionsFields } from './BuildOptionsFields';
 export { FailingActivities } from './FailingActivities';
+export { DEFAULT_OPTIONS, inWords, requestOf, type BuildOptions } from './options';
 export { isFinished } from './state';
 export { useBuild, useRequestBuild } from './queries';

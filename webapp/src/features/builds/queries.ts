@@ -1,5 +1,5 @@
 import { keepPreviousData, useMutation, useQuery, useQueryClient } from '@tanstack/react-query';
-import { dataOf, useApi, type Build } from '@/shared/api';
+import { dataOf, useApi, type Build, type BuildRequest } from '@/shared/api';
 import { isFinished } from './state';
 
 const BUILDS = ['builds'] as const;
@@ -56,12 +56,29 @@ export function useBuild(id: string) {
   });
 }
 
+/** What the log of a build holds of one case. */
+export function useCaseLog(buildId: string, no: number) {
+  const api = useApi();
+  return useQuery({
+    queryKey: [...BUILDS, 'one', buildId, 'case-log', no],
+    queryFn: async ({ signal }) =>
+      // An empty body is no data to the client.
+      (await dataOf(
+        api.GET('/api/v1/builds/{id}/cases/{no}/log', {
+          params: { path: { id: buildId, no } },
+          parseAs: 'text',
+          signal,
+        }),
+      )) ?? '',
+  });
+}
+
 /** Asks for a build of a suite, now. */
 export function useRequestBuild() {
   const api = useApi();
   const cache = useQueryClient();
   return useMutation({
-    mutationFn: (suiteId: string) => dataOf(api.POST('/api/v1/builds', { body: { suiteId } })),
+    mutationFn: (body: BuildRequest) => dataOf(api.POST('/api/v1/builds', { body })),
     onSuccess: () => cache.invalidateQueries({ queryKey: BUILDS }),
   });
 }

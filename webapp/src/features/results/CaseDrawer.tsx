@@ -13,10 +13,12 @@ interface CaseDrawerProps {
   onClose: () => void;
   /** What else can be done with a case; the app knows. */
   actions?: (item: ResultCase) => ReactNode;
+  /** What else there is to see of a case, below its values. */
+  details?: (item: ResultCase) => ReactNode;
 }
 
 /** All of a case, nothing cut. */
-export function CaseDrawer({ item, parameters, onClose, actions }: CaseDrawerProps) {
+export function CaseDrawer({ item, parameters, onClose, actions, details }: CaseDrawerProps) {
   return (
     <Drawer
       opened={item !== null}
@@ -56,6 +58,7 @@ export function CaseDrawer({ item, parameters, onClose, actions }: CaseDrawerPro
             <Fact name="In virtual hardware (µs)" value={formatTime(item.hardwareUs)} />
             <Fact name="In stubs (µs)" value={formatTime(item.stubUs)} />
           </dl>
+          {details?.(item)}
         </Stack>
       )}
     </Drawer>

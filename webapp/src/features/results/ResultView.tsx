@@ -1,10 +1,10 @@
 import { Anchor, Group, Stack } from '@mantine/core';
-import { useState, type ReactNode } from 'react';
+import type { ReactNode } from 'react';
 import type { ResultCase } from '@/shared/api';
 import { Loading, ProblemAlert, Section } from '@/shared/ui';
 import { CaseDrawer } from './CaseDrawer';
 import { CaseFilters } from './CaseFilters';
-import { useResult, type CaseFilter } from './queries';
+import { useCase, useResult, type CaseFilter } from './queries';
 import { ResultSummary } from './ResultSummary';
 import { ResultTable } from './ResultTable';
 
@@ -13,12 +13,24 @@ interface ResultViewProps {
   filter: CaseFilter;
   onFilter: (filter: CaseFilter) => void;
   caseActions?: (item: ResultCase) => ReactNode;
+  caseDetails?: (item: ResultCase) => ReactNode;
+  /** Number of the case that is looked at; none: the table alone. */
+  caseNo?: number | undefined;
+  onCase: (no: number | undefined) => void;
 }
 
 /** The result of a build in figures and as a table of its cases. */
-export function ResultView({ buildId, filter, onFilter, caseActions }: ResultViewProps) {
+export function ResultView({
+  buildId,
+  filter,
+  onFilter,
+  caseActions,
+  caseDetails,
+  caseNo,
+  onCase,
+}: ResultViewProps) {
   const result = useResult(buildId);
-  const [shown, setShown] = useState<ResultCase | null>(null);
+  const shown = useCase(buildId, caseNo);
   if (result.isPending) return <Loading what="the result" />;
   if (!result.data) {
     return <ProblemAlert title="The result could not be read" error={result.error} />;
@@ -36,15 +48,23 @@ export function ResultView({ buildId, filter, onFilter, caseActions }: ResultVie
           filter={filter}
           onFilter={onFilter}
         />
-        <ResultTable buildId={buildId} parameters={parameters} filter={filter} onCase={setShown} />
+        <ResultTable
+          buildId={buildId}
+          parameters={parameters}
+          filter={filter}
+          onCase={({ no }) => {
+            onCase(no);
+          }}
+        />
       </Section>
       <CaseDrawer
-        item={shown}
+        item={caseNo === undefined ? null : (shown.data ?? null)}
         parameters={parameters}
         onClose={() => {
-          setShown(null);
+          onCase(undefined);
         }}
         {...(caseActions && { actions: caseActions })}
+        {...(caseDetails && { details: caseDetails })}
       />
     </Stack>
   );

@@ -1,4 +1,5 @@
-import { keepPreviousData, useQuery } from '@tanstack/react-query';
+import { keepPreviousData, useQuery, useQueryClient } from '@tanstack/react-query';
+import { useEffect, useRef } from 'react';
 import { dataOf, useApi, type Verdict } from '@/shared/api';
 
 /** Cases that are fetched at once: a result of 100,000 is never loaded whole. */
@@ -57,6 +58,91 @@ export function useFirstCases(buildId: string, filter: CaseFilter) {
     queryKey: [...queryKey, 'page', 0],
     queryFn: ({ signal }) => fetchPage(0, signal),
     placeholderData: keepPreviousData,
+    staleTime: Infinity,
+  });
+}
+
+/** A case by its number; those of a suite are counted from 1 without a gap. */
+export function useCase(buildId: string, no: number | undefined) {
+  const api = useApi();
+  return useQuery({
+    queryKey: [RESULTS, buildId, 'case', no],
+    queryFn: async ({ signal }) => {
+      const { items } = await dataOf(
+        api.GET('/api/v1/builds/{id}/result/cases', {
+          params: { path: { id: buildId }, query: { page: (no ?? 1) - 1, size: 1 } },
+          signal,
+        }),
+      );
+      return items.find((item) => item.no === no) ?? null;
+    },
+    enabled: no !== undefined,
+    staleTime: Infinity,
+  });
+}
+
+const LIVE_REFRESH_MS = 1_000;
+
+/** Cases that have ended of a build that has no result yet. */
+export function useLiveCases(buildId: string, running: boolean) {
+  const api = useApi();
+  const cache = useQueryClient();
+  const queryKey = [RESULTS, buildId, 'live'] as const;
+  const fetchPage = (page: number, signal?: AbortSignal, size = CASES_PER_PAGE) =>
+    dataOf(
+      api.GET('/api/v1/builds/{id}/cases', {
+        params: { path: { id: buildId }, query: { page, size } },
+        ...(signal && { signal }),
+      }),
+    );
+  const count = useQuery({
+    queryKey: [...queryKey, 'count'],
+    queryFn: async ({ signal }) => (await fetchPage(0, signal, 1)).total,
+    refetchInterval: running ? LIVE_REFRESH_MS : false,
+  });
+  const total = count.data;
+  const known = useRef(0);
+  useEffect(() => {
+    if (total === undefined || total === known.current) return;
+    // What is complete stays as it is; with fewer than before a new attempt has begun.
+    const first = total < known.current ? 0 : Math.floor(known.current / CASES_PER_PAGE);
+    known.current = total;
+    void cache.invalidateQueries({
+      queryKey: [RESULTS, buildId, 'live', 'page'],
+      predicate: (query) => Number(query.queryKey.at(-1)) >= first,
+    });
+  }, [cache, buildId, total]);
+  return { total, error: count.error, pages: { queryKey, fetchPage } };
+}
+
+/** What was reached of the component, by file. */
+export function useCoverage(buildId: string) {
+  const api = useApi();
+  return useQuery({
+    queryKey: [RESULTS, buildId, 'coverage'],
+    queryFn: ({ signal }) =>
+      dataOf(
+        api.GET('/api/v1/builds/{id}/result/coverage', {
+          params: { path: { id: buildId } },
+          signal,
+        }),
+      ),
+    staleTime: Infinity,
+  });
+}
+
+/** A source of the component with its lines. */
+export function useCoverageSource(buildId: string, path: string) {
+  const api = useApi();
+  return useQuery({
+    queryKey: [RESULTS, buildId, 'coverage', path],
+    queryFn: ({ signal }) =>
+      dataOf(
+        api.GET('/api/v1/builds/{id}/result/coverage/source', {
+          params: { path: { id: buildId }, query: { path } },
+          signal,
+        }),
+      ),
     staleTime: Infinity,
   });
 }

@@ -1,19 +1,22 @@
-import { Button, Stack, Table, Text } from '@mantine/core';
-import { formatInstant } from '@/shared/lib/format';
+import { Stack, Table, Text } from '@mantine/core';
+import { formatMoment, formatUntil } from '@/shared/lib/format';
+import { useNow } from '@/shared/lib/useNow';
 import type { Schedule } from '@/shared/api';
 import { Loading, Pager, ProblemAlert, RouteLink, ScrollTable, UserText } from '@/shared/ui';
-import { SCHEDULES_PER_PAGE, useDeleteSchedule, useSchedules } from './queries';
+import { SCHEDULES_PER_PAGE, useScheduleAction, useSchedules } from './queries';
+import { ScheduleActions } from './ScheduleActions';
+import { stateOf, timesOf, titleOf } from './words';
 
 interface ScheduleListProps {
   page: number;
   onPage?: (page: number) => void;
-  /** Whether only what is still to come is listed. */
+  /** Whether only what is still to come is listed, in brief. */
   upcoming?: boolean;
 }
 
 export function ScheduleList({ page, onPage, upcoming = false }: ScheduleListProps) {
   const schedules = useSchedules(page);
-  const remove = useDeleteSchedule();
+  const act = useScheduleAction();
   if (schedules.isPending) return <Loading what="schedules" />;
   if (!schedules.data) {
     return <ProblemAlert title="The schedules could not be read" error={schedules.error} />;
@@ -24,54 +27,50 @@ export function ScheduleList({ page, onPage, upcoming = false }: ScheduleListPro
   }
   return (
     <Stack gap="xs">
-      {remove.isError && (
-        <ProblemAlert
-          title="The schedule was not given up"
-          error={remove.error}
-          onClose={remove.reset}
-        />
+      {act.isError && (
+        <ProblemAlert title="The schedule stays as it was" error={act.error} onClose={act.reset} />
       )}
-      <ScrollTable label="Schedules" minWidth={320}>
+      <ScrollTable label="Schedules" minWidth={upcoming ? 320 : 720}>
         <Table.Thead>
           <Table.Tr>
+            <Table.Th>Schedule</Table.Th>
             <Table.Th>Next</Table.Th>
-            <Table.Th>Times</Table.Th>
-            <Table.Th>Builds</Table.Th>
-            <Table.Th>State</Table.Th>
-            <Table.Th aria-label="Actions" />
+            {!upcoming && (
+              <>
+                <Table.Th>Times</Table.Th>
+                <Table.Th>State</Table.Th>
+                <Table.Th aria-label="Actions" />
+              </>
+            )}
           </Table.Tr>
         </Table.Thead>
         <Table.Tbody>
           {items.map((schedule) => (
             <Table.Tr key={schedule.id}>
-              <Table.Td>{schedule.next ? formatInstant(schedule.next) : '–'}</Table.Td>
               <Table.Td>
-                <UserText>{timesOf(schedule)}</UserText>
+                <RouteLink
+                  to="/schedules/$scheduleId"
+                  params={{ scheduleId: schedule.id }}
+                  size="sm"
+                  fw={600}
+                >
+                  <UserText>{titleOf(schedule)}</UserText>
+                </RouteLink>
               </Table.Td>
               <Table.Td>
-                {schedule.suiteId ? (
-                  <RouteLink to="/suites/$suiteId" params={{ suiteId: schedule.suiteId }} size="sm">
-                    Test cases
-                  </RouteLink>
-                ) : (
-                  <UserText>{schedule.model ?? ''}</UserText>
-                )}
+                <Next schedule={schedule} />
               </Table.Td>
-              <Table.Td>{stateOf(schedule)}</Table.Td>
-              <Table.Td ta="right">
-                {schedule.next && (
-                  <Button
-                    size="compact-xs"
-                    variant="default"
-                    aria-label={`Give up the build of ${formatInstant(schedule.next)}`}
-                    onClick={() => {
-                      remove.mutate(schedule.id);
-                    }}
-                  >
-                    Give up
-                  </Button>
-                )}
-              </Table.Td>
+              {!upcoming && (
+                <>
+                  <Table.Td>
+                    <UserText>{timesOf(schedule)}</UserText>
+                  </Table.Td>
+                  <Table.Td>{stateOf(schedule)}</Table.Td>
+                  <Table.Td>
+                    <ScheduleActions schedule={schedule} act={act} />
+                  </Table.Td>
+                </>
+              )}
             </Table.Tr>
           ))}
         </Table.Tbody>
@@ -89,15 +88,15 @@ export function ScheduleList({ page, onPage, upcoming = false }: ScheduleListPro
   );
 }
 
-/** When it fires, as it was asked for. */
-function timesOf({ at, cron, everyMinutes, zone }: Schedule): string {
-  if (cron) return `${cron} (${zone ?? 'UTC'})`;
-  if (everyMinutes) return `every ${everyMinutes} min`;
-  return at ? 'once' : '';
-}
-
-function stateOf({ paused, next, fired }: Schedule): string {
-  if (paused) return 'Paused';
-  if (next) return 'Waiting';
-  return fired ? 'Requested' : 'Over';
+function Next({ schedule: { next, zone } }: { schedule: Schedule }) {
+  const now = useNow(10_000);
+  if (!next) return <>–</>;
+  return (
+    <>
+      <time dateTime={next}>{formatMoment(next, zone)}</time>{' '}
+      <Text span size="sm" c="dimmed">
+        {formatUntil(next, now)}
+      </Text>
+    </>
+  );
 }

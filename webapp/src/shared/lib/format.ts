@@ -51,3 +51,44 @@ export function formatDuration(fromIso: string, toIso: string): string {
   const whole = Math.round(seconds);
   return `${Math.floor(whole / 60)} min ${whole % 60} s`;
 }
+
+/** A time to come in words, in its zone: `Monday 23 November 2026 at 03:00`. */
+export function formatMoment(iso: string, zone?: string): string {
+  const date = new Date(iso);
+  if (Number.isNaN(date.getTime())) return iso;
+  const parts = {
+    weekday: 'long',
+    day: 'numeric',
+    month: 'long',
+    year: 'numeric',
+    hour: '2-digit',
+    minute: '2-digit',
+  } as const;
+  try {
+    return date.toLocaleString('en-GB', {
+      ...parts,
+      ...(zone && { timeZone: zone === 'Z' ? 'UTC' : zone }),
+    });
+  } catch {
+    // A zone that this browser does not know: its own then.
+    return date.toLocaleString('en-GB', parts);
+  }
+}
+
+const LENGTHS: readonly [string, number][] = [
+  ['day', 86_400],
+  ['hour', 3_600],
+  ['minute', 60],
+];
+
+/** How long until a time to come: `in 2 days 3 hours`, `in 5 minutes`, `now`. */
+export function formatUntil(iso: string, now: Date): string {
+  let seconds = Math.round((new Date(iso).getTime() - now.getTime()) / 1000);
+  const parts: string[] = [];
+  for (const [unit, length] of LENGTHS) {
+    const count = Math.floor(seconds / length);
+    if (count > 0 && parts.length < 2) parts.push(plural(count, unit));
+    seconds -= Math.max(0, count) * length;
+  }
+  return parts.length > 0 ? `in ${parts.join(' ')}` : seconds > 0 ? 'in less than a minute' : 'now';
+}

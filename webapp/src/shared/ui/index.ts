@@ -1,6 +1,7 @@
 export { Age } from './Age';
 export { ButtonLink } from './ButtonLink';
 export { Chart } from './charts/Chart';
+export type { LineMark } from './code/editor';
 export { CodeEditor } from './code/CodeEditor';
 export { Difference } from './code/Difference';
 export { Formula } from './code/Formula';
@@ -10,6 +11,7 @@ export { Pager } from './Pager';
 export { ProblemAlert } from './ProblemAlert';
 export { RouteLink } from './RouteLink';
 export { ScrollTable } from './ScrollTable';
+export { ShownOnce } from './ShownOnce';
 export { Section } from './Section';
 export { useVirtualPages } from './useVirtualPages';
 export { UserText } from './UserText';

@@ -1,7 +1,7 @@
 import { useComputedColorScheme } from '@mantine/core';
 import { useEffect, useRef } from 'react';
 import classes from './code.module.css';
-import type { Editor } from './editor';
+import type { Editor, LineMark } from './editor';
 
 interface CodeEditorProps {
   label: string;
@@ -12,6 +12,8 @@ interface CodeEditorProps {
   /** The line to show, from 1. */
   line?: number | undefined;
   height?: string;
+  /** What is to be said of lines; beside text that nobody changes. */
+  marks?: readonly LineMark[];
 }
 
 /** Text of a file with its language's colours; its library is loaded with the first one shown. */
@@ -22,16 +24,17 @@ export function CodeEditor({
   onChange,
   line,
   height = '60vh',
+  marks,
 }: CodeEditorProps) {
   const place = useRef<HTMLDivElement>(null);
   const editor = useRef<Editor>(undefined);
-  const latest = useRef({ text, onChange, line });
+  const latest = useRef({ text, onChange, line, marks });
   const dark = useComputedColorScheme('light') === 'dark';
   const readOnly = !onChange;
   useEffect(() => {
-    latest.current = { text, onChange, line };
+    latest.current = { text, onChange, line, marks };
     editor.current?.setText(text);
-  }, [text, onChange, line]);
+  }, [text, onChange, line, marks]);
   useEffect(() => {
     if (line) editor.current?.reveal(line);
   }, [line]);
@@ -46,6 +49,7 @@ export function CodeEditor({
         dark,
         readOnly,
         label,
+        marks: latest.current.marks ?? [],
         onChange: (next) => latest.current.onChange?.(next),
       });
       if (latest.current.line) editor.current.reveal(latest.current.line);

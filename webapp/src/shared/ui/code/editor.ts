@@ -13,10 +13,13 @@ import {
   syntaxHighlighting,
 } from '@codemirror/language';
 import { MergeView } from '@codemirror/merge';
-import { Compartment, EditorState, type Extension } from '@codemirror/state';
+import { Compartment, EditorState, RangeSet, type Extension } from '@codemirror/state';
 import {
+  Decoration,
   drawSelection,
   EditorView,
+  gutter,
+  GutterMarker,
   highlightActiveLine,
   highlightSpecialChars,
   keymap,
@@ -41,6 +44,69 @@ const DARK = HighlightStyle.define([
   { tag: [tags.propertyName, tags.attributeName], color: '#e6c97a' },
 ]);
 
+/** What is said of a line: a sign beside it, a colour behind it, and words for both. */
+export interface LineMark {
+  /** From 1. */
+  line: number;
+  kind: 'reached' | 'partly' | 'missed';
+  sign: string;
+  title: string;
+}
+
+class Sign extends GutterMarker {
+  constructor(private readonly mark: LineMark) {
+    super();
+    this.elementClass = `cm-sign-${mark.kind}`;
+  }
+
+  override toDOM() {
+    const sign = document.createElement('span');
+    sign.textContent = this.mark.sign;
+    sign.title = this.mark.title;
+    return sign;
+  }
+}
+
+/** A bar, and no ground of its own: the colours of the language need the contrast to the editor's. */
+const MARK_COLOURS = EditorView.baseTheme({
+  '&light .cm-line-missed': { boxShadow: 'inset 4px 0 0 #a32018' },
+  '&dark .cm-line-missed': { boxShadow: 'inset 4px 0 0 #ff9a91' },
+  '&light .cm-line-partly': { boxShadow: 'inset 4px 0 0 #b98a1f' },
+  '&dark .cm-line-partly': { boxShadow: 'inset 4px 0 0 #f0bf5c' },
+  '.cm-signs': { minWidth: '2.2rem', textAlign: 'center' },
+  '&light .cm-sign-reached': { color: '#1b6e36' },
+  '&dark .cm-sign-reached': { color: '#6fd08c' },
+  '&light .cm-sign-partly': { color: '#704b00' },
+  '&dark .cm-sign-partly': { color: '#f0bf5c' },
+  '&light .cm-sign-missed': { color: '#a32018' },
+  '&dark .cm-sign-missed': { color: '#ff9a91' },
+});
+
+function marked(marks: readonly LineMark[]): Extension {
+  if (marks.length === 0) return [];
+  return [
+    MARK_COLOURS,
+    EditorView.decorations.compute(['doc'], ({ doc }) =>
+      Decoration.set(
+        marks
+          .filter(({ line, kind }) => kind !== 'reached' && line <= doc.lines)
+          .map(({ line, kind }) =>
+            Decoration.line({ class: `cm-line-${kind}` }).range(doc.line(line).from),
+          ),
+      ),
+    ),
+    gutter({
+      class: 'cm-signs',
+      markers: ({ state: { doc } }) =>
+        RangeSet.of(
+          marks
+            .filter(({ line }) => line <= doc.lines)
+            .map((mark) => new Sign(mark).range(doc.line(mark.line).from)),
+        ),
+    }),
+  ];
+}
+
 export interface EditorSettings {
   parent: HTMLElement;
   /** Its ending says which language it is. */
@@ -49,6 +115,8 @@ export interface EditorSettings {
   dark: boolean;
   readOnly: boolean;
   label: string;
+  /** By line. */
+  marks: readonly LineMark[];
   onChange: (text: string) => void;
 }
 
@@ -74,16 +142,17 @@ function basics(path: string, dark: boolean, label: string): Extension[] {
 }
 
 export function createEditor(settings: EditorSettings): Editor {
-  const { parent, path, text, dark, readOnly, label, onChange } = settings;
+  const { parent, path, text, dark, readOnly, label, marks, onChange } = settings;
   const editable = new Compartment();
   const view = new EditorView({
     parent,
     state: EditorState.create({
       doc: text,
       extensions: [
+        marked(marks),
         basics(path, dark, label),
         history(),
-        highlightActiveLine(),
+        readOnly ? [] : highlightActiveLine(),
         keymap.of([...defaultKeymap, ...historyKeymap]),
         // Tab stays the way out of the editor for those who use the keyboard.
         editable.of([EditorState.readOnly.of(readOnly)]),
@@ -93,6 +162,8 @@ export function createEditor(settings: EditorSettings): Editor {
       ],
     }),
   });
+  // What is only read is scrolled by key, too.
+  if (readOnly) view.scrollDOM.tabIndex = 0;
   return {
     destroy: () => {
       view.destroy();

@@ -4,7 +4,7 @@ import { Alert, Code, Text } from '@mantine/core';
 export function ShownOnce({ title, secret }: { title: string; secret: string }) {
   return (
     <Alert role="status" color="petrol" variant="outline" title={title}>
-      <Code>{secret}</Code>
+      <Code block>{secret}</Code>
       <Text size="sm">Keep it now: it is not shown again.</Text>
     </Alert>
   );

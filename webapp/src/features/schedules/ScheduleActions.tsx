@@ -1,0 +1,43 @@
+import { Button, Group } from '@mantine/core';
+import type { Schedule } from '@/shared/api';
+import type { useScheduleAction, ScheduleAction } from './queries';
+import { titleOf } from './words';
+
+interface ScheduleActionsProps {
+  schedule: Schedule;
+  act: ReturnType<typeof useScheduleAction>;
+  size?: string;
+  onDeleted?: () => void;
+}
+
+/** Pause or resume, run now, give up. */
+export function ScheduleActions({
+  schedule,
+  act,
+  size = 'compact-xs',
+  onDeleted,
+}: ScheduleActionsProps) {
+  const action = (name: ScheduleAction, label: string) => (
+    <Button
+      size={size}
+      variant="default"
+      aria-label={`${label}: ${titleOf(schedule)}`}
+      disabled={act.isPending}
+      onClick={() => {
+        act.mutate(
+          { id: schedule.id, action: name },
+          { onSuccess: () => (name === 'delete' ? onDeleted?.() : undefined) },
+        );
+      }}
+    >
+      {label}
+    </Button>
+  );
+  return (
+    <Group gap="xs" justify="flex-end" wrap="nowrap">
+      {schedule.paused ? action('resume', 'Resume') : schedule.next && action('pause', 'Pause')}
+      {action('run', 'Run now')}
+      {action('delete', 'Give up')}
+    </Group>
+  );
+}
