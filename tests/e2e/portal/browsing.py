@@ -1,0 +1,204 @@
+"""What people do in the portal, step by step, for the tests in a browser."""
+
+import base64
+import io
+import os
+import re
+import socket
+import threading
+import zipfile
+from contextlib import suppress
+from pathlib import Path
+
+import pytest
+
+expect = pytest.importorskip(
+    "playwright.sync_api", reason="the browser's driver is missing: pip install playwright"
+).expect
+# Machines that run many things at once are slow; nothing waits this long when all is well.
+expect.set_options(timeout=30_000)
+
+ROOT = Path(__file__).resolve().parents[3]
+AXE = ROOT / "webapp" / "node_modules" / "axe-core" / "axe.min.js"
+PICTURES = os.environ.get("SITAF_PICTURES")
+
+
+def shot(page, name):
+    """A picture of the page, where SITAF_PICTURES names a folder for them, such as docs/portal."""
+    if PICTURES:
+        page.evaluate("scrollTo(0, 0)")
+        page.screenshot(path=Path(PICTURES) / f"{name}.png")
+
+
+def go_on(page):
+    """By key: where the button is moves with the findings that come in above it, and a mouse may miss it."""
+    page.get_by_role("button", name="Next").press("Enter")
+
+
+def zip_of(folder, to):
+    with zipfile.ZipFile(to, "w") as archive:
+        for file in sorted(folder.rglob("*")):
+            if file.is_file():
+                archive.write(file, file.relative_to(folder))
+    return to
+
+
+def create_activity(page, example, name, tmp_path):
+    """The wizard of Fig. 13, to the file tree of Fig. 13(e)."""
+    folder = ROOT / "examples" / example
+    page.get_by_role("link", name="Activities", exact=True).click()
+    page.get_by_role("link", name="New activity").click()
+    page.get_by_label("Name of the activity").fill(name)
+    page.get_by_label("Properties").fill("Size: 7")
+    page.get_by_label("Calls before the one under test").fill("Enable()")
+    page.get_by_label("Files: Component profile").set_input_files(folder / "InfraredSensorComp.xml")
+    page.get_by_role("list", name=re.compile("^Component profile")).wait_for()
+    shot(page, "wizard")
+    go_on(page)
+    page.get_by_label("Files: Sources of the component").set_input_files(
+        zip_of(folder / "component", tmp_path / "component.zip")
+    )
+    expect(page.get_by_label("Class of the component")).to_have_value("org.sitaf.examples.ir.InfraredSensor")
+    go_on(page)
+    page.get_by_label("Files: Interfaces that the component provides").set_input_files(
+        folder / "InfraredSensorService.xml"
+    )
+    page.get_by_role("list", name=re.compile("^Interfaces that the component provides")).wait_for()
+    go_on(page)
+    page.get_by_label("Files: World of the simulation").set_input_files(
+        [folder / "world" / "ir.world.yaml", folder / "world" / "ir.xml"]
+    )
+    page.get_by_text("Nothing is wrong with it.").wait_for()
+    page.get_by_role("button", name="Create the activity").click()
+    page.get_by_role("navigation", name="Files of the activity").wait_for()
+    page.locator(".cm-content").wait_for()
+    shot(page, "files")
+
+
+def write_model(page):
+    """The four steps of Fig. 14, to the 55 cases of Fig. 15."""
+    page.get_by_role("tab", name="Tests").click()
+    page.get_by_role("link", name="New test model").click()
+    page.get_by_label(re.compile(r"double GetInfraredData\(int32 IndexOfSensor")).check()
+    go_on(page)
+    page.get_by_label("Distance").check()
+    go_on(page)
+    for parameter, low, high, offset in (
+        ("IndexOfSensor", "1", "7", "1"),
+        ("NumOfSensor", "1", "7", "1"),
+        ("Distance", "0.0", "10.0", "0.5"),
+    ):
+        part = page.get_by_role("region", name=f"Specification of {parameter}")
+        part.get_by_label("From", exact=True).fill(low)
+        part.get_by_label("To", exact=True).fill(high)
+        part.get_by_label("Offset").fill(offset)
+    page.get_by_role("img", name="7 values from -0.5 to 10.5 on a number line").wait_for()
+    shot(page, "specification")
+    go_on(page)
+    page.get_by_text("55 cases: 25 valid, 30 with an invalid value").wait_for()
+    shot(page, "combination")
+    page.get_by_role("button", name="Generate test cases").click()
+    page.get_by_role("table", name="Test cases").wait_for()
+
+
+def fill_expected(page):
+    page.get_by_role("button", name="Fill by formula").click()
+    page.get_by_role("textbox", name="Expected value").fill("valid && IndexOfSensor <= NumOfSensor ? Distance : -1.0")
+    page.get_by_role("button", name="Fill", exact=True).click()
+    page.get_by_role("textbox", name="Expected value").wait_for(state="hidden")
+    first = page.get_by_label("Expected return of case 1", exact=True)
+    expect(first).not_to_have_value("")
+
+
+def build(page):
+    page.get_by_role("button", name="Build now").click()
+    page.get_by_role("tab", name="Log").wait_for()
+    page.get_by_role("tab", name="Table").wait_for()
+
+
+def drop(zone, files):
+    """Drops files, by name and bytes, as if from the desktop."""
+    given = [{"name": name, "base64": base64.b64encode(content).decode()} for name, content in files.items()]
+    transfer = zone.page.evaluate_handle(
+        """files => {
+          const transfer = new DataTransfer();
+          for (const { name, base64 } of files) {
+            const bytes = Uint8Array.from(atob(base64), c => c.charCodeAt(0));
+            transfer.items.add(new File([bytes], name));
+          }
+          return transfer;
+        }""",
+        given,
+    )
+    for event in ("dragenter", "dragover", "drop"):
+        zone.dispatch_event(event, {"dataTransfer": transfer})
+
+
+def zipped(files):
+    """A zip of texts by path."""
+    content = io.BytesIO()
+    with zipfile.ZipFile(content, "w") as archive:
+        for path, text in files.items():
+            archive.writestr(path, text)
+    return content.getvalue()
+
+
+def home_of(page):
+    """The address of the portal."""
+    return re.match(r"https?://[^/]+", page.url).group(0)
+
+
+class Cable:
+    """Between a browser and the server; it can be pulled out and put in again."""
+
+    def __init__(self, address):
+        host, port = re.match(r"https?://([^:/]+):(\d+)", address).groups()
+        self._server = (host, int(port))
+        self._listener = None
+        self._open = []
+        self._port = 0
+        self.put_in()
+
+    @property
+    def address(self):
+        # The name that the session is for: cookies know no ports.
+        return f"http://localhost:{self._port}"
+
+    def put_in(self):
+        self._listener = socket.create_server(("127.0.0.1", self._port), reuse_port=False)
+        self._port = self._listener.getsockname()[1]
+        threading.Thread(target=self._accept, args=(self._listener,), daemon=True).start()
+
+    def pull_out(self):
+        # A listener on which somebody waits is let go only when it is shut down.
+        with suppress(OSError):
+            self._listener.shutdown(socket.SHUT_RDWR)
+        self._listener.close()
+        for end in self._open:
+            with suppress(OSError):
+                end.shutdown(socket.SHUT_RDWR)
+            end.close()
+        self._open.clear()
+
+    def _accept(self, listener):
+        with suppress(OSError):
+            while True:
+                near, _ = listener.accept()
+                far = socket.create_connection(self._server)
+                self._open += [near, far]
+                for one, other in ((near, far), (far, near)):
+                    threading.Thread(target=self._carry, args=(one, other), daemon=True).start()
+
+    @staticmethod
+    def _carry(one, other):
+        with suppress(OSError):
+            while data := one.recv(65536):
+                other.sendall(data)
+            other.shutdown(socket.SHUT_WR)
+
+
+def serious(page):
+    """What axe finds wrong on the page as it is, that would keep somebody from using it."""
+    page.evaluate(AXE.read_text())
+    found = page.evaluate("async () => (await axe.run(document)).violations")
+    return [(v["id"], [n["html"][:200] for n in v["nodes"]]) for v in found if v["impact"] in ("serious", "critical")]

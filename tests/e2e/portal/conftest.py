@@ -1,0 +1,63 @@
+"""One system for all tests of the portal, and a browser that is signed in to it."""
+
+import re
+import shutil
+import signal
+import subprocess
+
+import pytest
+
+PATIENCE_MS = 60_000
+
+
+@pytest.fixture(scope="package")
+def link(browser, sitaf, tmp_path_factory):
+    """A running system; the link that opens its portal signed in."""
+    data = tmp_path_factory.mktemp("portal")
+    system = subprocess.Popen(
+        [sitaf.root / "sitaf", "up", "--port", "0", "--grpc-port", "0", "--data", data],
+        stdout=subprocess.PIPE,
+        stdin=subprocess.PIPE,
+        text=True,
+    )
+    try:
+        yield next(
+            found.group(1)
+            for line in system.stdout
+            if (found := re.search(r"Open it signed in, once: (http\S+)", line))
+        )
+    finally:
+        system.send_signal(signal.SIGTERM)
+        system.wait(timeout=60)
+
+
+@pytest.fixture(scope="package")
+def browser():
+    """Debian's Chromium; the tests of the portal are skipped where it is not there."""
+    playwright = pytest.importorskip(
+        "playwright.sync_api", reason="the browser's driver is missing: pip install playwright"
+    )
+    if shutil.which("chromium") is None:
+        pytest.skip("Chromium is missing; './sitaf doctor' says how to get it")
+    with playwright.sync_playwright() as driver:
+        chromium = driver.chromium.launch(executable_path=shutil.which("chromium"), args=["--no-sandbox"])
+        yield chromium
+        chromium.close()
+
+
+@pytest.fixture(scope="package")
+def page(browser, link):
+    """A signed-in page, the same in all tests; what the browser complains of fails the test that ends them."""
+    context = browser.new_context(viewport={"width": 1280, "height": 900}, color_scheme="light")
+    context.set_default_timeout(PATIENCE_MS)
+    tab = context.new_page()
+    tab.complaints = []
+    tab.on("dialog", lambda dialog: (tab.complaints.append(dialog.message), dialog.dismiss()))
+    tab.on("pageerror", lambda error: tab.complaints.append(str(error)))
+    tab.on(
+        "console",
+        lambda message: tab.complaints.append(message.text) if "Content Security Policy" in message.text else None,
+    )
+    tab.goto(link)
+    yield tab
+    context.close()

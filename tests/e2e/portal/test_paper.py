@@ -1,0 +1,111 @@
+"""Section 4 of the paper by mouse and keyboard, in a real browser on the whole system."""
+
+import re
+
+from browsing import ROOT, build, create_activity, expect, fill_expected, shot, write_model
+
+
+def test_the_evaluation_of_the_paper_by_mouse_and_keyboard(page, tmp_path):
+    create_activity(page, "ir-sensor", "ir-sensor", tmp_path)
+    write_model(page)
+    fill_expected(page)
+    shot(page, "cases")
+    build(page)
+    page.get_by_text("All passed").wait_for()
+    expect(page.get_by_role("table", name="Cases")).to_have_attribute("aria-rowcount", "57")
+    expect(page.get_by_text("without being judged")).to_have_count(0)
+    shot(page, "result-table")
+    page.get_by_role("tab", name="Graphs").click()
+    page.get_by_role("img", name=re.compile("Of 55 cases 55 pass")).locator("canvas").wait_for()
+    shot(page, "result-graphs")
+    page.get_by_role("tab", name="Coverage").click()
+    page.get_by_role("table", name="Files of the component").get_by_text("InfraredSensor.java").wait_for()
+    expect(page.get_by_role("textbox", name=re.compile("^Text of component"))).to_contain_text("class InfraredSensor")
+    expect(page.locator(".cm-sign-reached").first).to_be_visible()
+    shot(page, "coverage")
+    page.get_by_role("tab", name="Log").click()
+    expect(page.get_by_role("log", name="Log")).not_to_have_text("The log is empty.")
+
+
+def test_a_faulty_component_shows_in_which_values_it_fails(page, tmp_path):
+    create_activity(page, "ir-sensor-faulty", "ir-sensor-faulty", tmp_path)
+    write_model(page)
+    fill_expected(page)
+    build(page)
+    page.get_by_text("Cases failed").wait_for()
+    page.get_by_role("radiogroup", name="Cases shown").get_by_text(re.compile("^Fail")).click()
+    page.get_by_role("table", name="Cases").get_by_text("Fail").first.wait_for()
+    page.get_by_label("Parameter to filter by").select_option("NumOfSensor")
+    page.get_by_label("Value of the parameter").fill("4")
+    page.get_by_role("button", name="Filter").press("Enter")
+    expect(page.get_by_role("table", name="Cases")).to_have_attribute("aria-rowcount", "3")
+    row = page.get_by_role("table", name="Cases").get_by_role("row").last
+    expect(row).to_contain_text("Fail")
+    page.get_by_role("button", name="Clear").click()
+    expect(page.get_by_role("table", name="Cases")).to_have_attribute("aria-rowcount", "7")
+    shot(page, "result-faulty-table")
+    page.get_by_role("tab", name="Graphs").click()
+    page.get_by_text(re.compile("IndexOfSensor: cases fail in")).wait_for()
+    page.get_by_role("img", name=re.compile("Of 55 cases")).locator("canvas").wait_for()
+    shot(page, "result-faulty-graphs")
+
+
+def test_an_expected_value_is_edited_in_place_and_undone(page):
+    page.get_by_role("link", name="Test cases").first.click()
+    cell = page.get_by_label("Expected return of case 2", exact=True)
+    before = cell.input_value()
+    cell.fill("42")
+    cell.press("Enter")
+    expect(cell).to_have_value("42.0")
+    expect(page.get_by_label("Expected return of case 3", exact=True)).to_be_focused()
+    page.get_by_role("button", name="Undo").click()
+    expect(cell).to_have_value(before)
+    page.get_by_role("tab", name="Combinations").click()
+    page.get_by_role("img", name=re.compile("pairs of values of")).locator("canvas").first.wait_for()
+    shot(page, "combinations")
+    page.get_by_role("tab", name="Test application").click()
+    page.get_by_role("textbox", name=re.compile("ConcreteTestDriver")).wait_for()
+    shot(page, "test-application")
+
+
+def test_a_mended_component_is_compared_with_what_it_was(page):
+    """The file is mended in the portal, built anew, and set against the build before."""
+    suite = page.url
+    page.get_by_role("link", name="ir-sensor-faulty").click()
+    page.get_by_role("tab", name="Files").click()
+    page.get_by_role("button", name=re.compile(r"InfraredSensor\.java")).click()
+    text = page.get_by_role("textbox", name=re.compile(r"^Text of component.*InfraredSensor"))
+    text.wait_for()
+    source = (ROOT / "examples/ir-sensor/component/org/sitaf/examples/ir/InfraredSensor.java").read_text()
+    text.fill(source)
+    page.get_by_role("button", name="Save").click()
+    expect(page.get_by_text("(not saved)")).to_have_count(0)
+    page.goto(suite)
+    build(page)
+    page.get_by_text("All passed").wait_for()
+    page.get_by_role("tab", name="History").click()
+    results = page.get_by_role("table", name="Results")
+    expect(results.get_by_role("checkbox")).to_have_count(2)
+    for box in results.get_by_role("checkbox").all():
+        box.check()
+    shot(page, "history")
+    page.get_by_role("link", name="Compare the two").click()
+    page.get_by_role("heading", name="Fixed: 5").wait_for()
+    page.get_by_role("heading", name="Newly failing: 0").wait_for()
+    expect(page.get_by_role("table", name="Fixed").get_by_role("row")).to_have_count(6)
+    shot(page, "comparison")
+
+
+def test_a_result_is_taken_along_in_four_forms(page):
+    page.get_by_role("link", name=re.compile("^GetInfraredData, ")).first.click()
+    for name, beginning in (
+        ("Result XML", b"<?xml"),
+        ("JUnit XML", b"<?xml"),
+        ("CSV", b"no,"),
+        ("HTML report", b"<!doctype html>"),
+    ):
+        with page.expect_download() as download:
+            page.get_by_role("link", name=name).click()
+        content = download.value.path().read_bytes()
+        assert content.lower().startswith(beginning), name
+        assert content.count(b"\n") > 0
