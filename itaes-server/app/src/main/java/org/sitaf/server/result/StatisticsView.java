@@ -22,6 +22,9 @@ record StatisticsView(
   private static final int POINTS = 400;
   private static final int VALUES = 200;
 
+  /** Of so few a hundredth is not even two. */
+  private static final int FEW = 200;
+
   @Schema(name = "TimeStatistics", description = "microseconds, of PASS and FAIL cases")
   record Times(
       int count,
@@ -96,10 +99,13 @@ record StatisticsView(
     return sorted[Math.max(0, Math.min(sorted.length - 1, rank - 1))];
   }
 
-  /** Up to the 99th percentile in equal bars; the last bar takes what is above. */
+  /**
+   * Up to a percentile that a few outliers lie above, in equal bars; the last bar takes what is
+   * above.
+   */
   private static List<Bar> histogram(double[] sorted) {
     double low = sorted[0];
-    double high = percentile(sorted, 0.99);
+    double high = percentile(sorted, sorted.length < FEW ? 0.95 : 0.99);
     double top = sorted[sorted.length - 1];
     if (high <= low) {
       return List.of(new Bar(low, top, sorted.length));
