@@ -95,12 +95,24 @@ public class Results {
     List<CaseResult> fitting =
         result.cases().stream()
             .filter(c -> verdict == null || c.verdict() == verdict)
-            .filter(c -> index < c.values().size() && c.values().get(index).equals(value))
+            .filter(c -> index < c.values().size() && isSame(c.values().get(index), value))
             .toList();
     return new PageImpl<>(
         fitting.stream().skip(page.getOffset()).limit(page.getPageSize()).toList(),
         page,
         fitting.size());
+  }
+
+  /** People write 5 for 5.0. */
+  private static boolean isSame(String literal, String given) {
+    if (literal.equals(given)) {
+      return true;
+    }
+    try {
+      return Double.parseDouble(literal) == Double.parseDouble(given);
+    } catch (NumberFormatException e) {
+      return false;
+    }
   }
 
   /** Results of an activity, of one model or all, the newest first. */

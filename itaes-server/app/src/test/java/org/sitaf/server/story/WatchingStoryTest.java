@@ -173,6 +173,23 @@ class WatchingStoryTest extends ServerTest {
     assertThat(coverage.get("files")).isEmpty();
   }
 
+  @Test
+  void casesAreFoundByVerdictAndByAValueHoweverItIsWritten() {
+    String id = api.build(suiteId);
+    try (RimAgent agent = RimAgent.register(grpcPort(), "filtering", "java")) {
+      Assignment assignment = agent.nextAssignment();
+      agent.submit(
+          assignment.getAttempt(), RimAgent.result(agent.download(assignment), List.of(2)));
+    }
+    String path = "/api/v1/builds/" + id + "/result/cases?parameter=Distance&value=";
+    int as = api.get(path + "5.0").expect(200).json().get("total").asInt();
+    assertThat(as).isPositive();
+    assertThat(api.get(path + "5").expect(200).json().get("total").asInt()).isEqualTo(as);
+    JsonNode failed = api.get(path + "5&verdict=FAIL").expect(200).json();
+    assertThat(failed.get("items")).extracting(c -> c.get("no").asInt()).containsExactly(2);
+    assertThat(api.get(path + "far").expect(200).json().get("total").asInt()).isZero();
+  }
+
   private JsonNode live(String id, String query) {
     return api.get("/api/v1/builds/" + id + "/cases" + query).expect(200).json();
   }
