@@ -1,0 +1,112 @@
+"""What `docs/deployment.md` and `docs/security.md` tell operators: TLS to agents and people, and units for systemd."""
+
+import re
+import shutil
+import ssl
+import subprocess
+
+import pytest
+from system import Api, Refused, agent, await_true, own_bridge, server
+
+PATIENCE_S = 180
+
+
+def certificate(folder, name):
+    """A certificate for this machine that vouches for itself, and its key."""
+    certificate, key = folder / f"{name}.pem", folder / f"{name}-key.pem"
+    subprocess.run(
+        ["openssl", "req", "-x509", "-newkey", "ec", "-pkeyopt", "ec_paramgen_curve:prime256v1", "-nodes", "-days", "2",
+         "-subj", f"/CN={name}", "-addext", "subjectAltName=DNS:localhost,IP:127.0.0.1",
+         "-keyout", str(key), "-out", str(certificate)],
+        check=True, capture_output=True,
+    )  # fmt: skip
+    return certificate, key
+
+
+@pytest.fixture(scope="module")
+def certificates(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("certificates")
+    return {name: certificate(folder, name) for name in ("sitaf", "stranger")}
+
+
+@pytest.fixture(scope="module")
+def secured(sitaf, certificates, tmp_path_factory):
+    assert sitaf("bench").returncode == 0
+    chain, key = certificates["sitaf"]
+    part = server(
+        tmp_path_factory.mktemp("secured"),
+        f"--spring.ssl.bundle.pem.web.keystore.certificate={chain}",
+        f"--spring.ssl.bundle.pem.web.keystore.private-key={key}",
+        "--server.ssl.bundle=web",
+        "--spring.grpc.server.ssl.bundle=web",
+    )
+    part.api = Api(part.http, ssl.create_default_context(cafile=chain))
+    with part:
+        yield part
+
+
+def test_an_agent_that_trusts_the_server_does_its_builds(secured, certificates, tmp_path):
+    options = ("--ca", str(certificates["sitaf"][0]), *own_bridge())
+    with agent(tmp_path, "trusting", secured.grpc, *options):
+        build = secured.api.build(secured.api.suite())
+        assert await_true(lambda: secured.api.state(build) == "DONE", PATIENCE_S)
+
+
+@pytest.mark.parametrize(
+    ("options", "told"),
+    [
+        ("stranger", rb"(?s)no connection to the server: UNAVAILABLE.*Ssl"),
+        (None, rb"no connection to the server"),
+    ],
+    ids=["another-authority", "without-tls"],
+)
+def test_an_agent_shows_its_token_to_no_other_server(secured, certificates, tmp_path, options, told):
+    trusted = ("--ca", str(certificates[options][0])) if options else ()
+    name = f"wary-{options}"
+    wary = agent(tmp_path, name, secured.grpc, *trusted)
+    try:
+        wary.start(wait=False)
+        assert await_true(lambda: wary.has_said(told), PATIENCE_S), wary.log.read_text()
+        assert not wary.has_said(wary.ready)
+        assert not (wary.directory / "key").exists()
+        assert name not in [a["name"] for a in secured.api.get("/api/v1/agents")]
+    finally:
+        wary.stop()
+
+
+def test_people_are_served_by_tls_alone(secured):
+    with pytest.raises((OSError, Refused)):
+        Api(secured.http).get("/api/v1/agents")
+
+
+@pytest.fixture
+def units(sitaf, tmp_path):
+    """The units, one of an agent by the name of an instance."""
+    if shutil.which("systemd-analyze") is None:
+        pytest.skip("systemd-analyze is not installed")
+    for unit in (sitaf.root / "docs" / "systemd").iterdir():
+        shutil.copy(unit, tmp_path / unit.name.replace("@.", "@1."))
+    return sorted(tmp_path.glob("*.service"))
+
+
+def verify(units):
+    return subprocess.run(
+        ["systemd-analyze", "verify", "--man=no", *map(str, units)], capture_output=True, text=True, check=False
+    )
+
+
+def test_systemd_takes_the_units_as_they_are(units):
+    assert len(units) == 2
+    verified = verify(units)
+    assert (verified.returncode, verified.stderr) == (0, "")
+    # It does refuse what is wrong.
+    units[0].write_text(units[0].read_text().replace("Restart=always", "Restart=allways"))
+    assert "allways" in verify(units).stderr
+
+
+def test_the_units_use_options_that_there_are(sitaf, units):
+    text = next(unit for unit in units if "agent" in unit.name).read_text()
+    options = set(re.findall(r"(?<=\s)--[a-z-]+", text))
+    assert {"--server", "--directory", "--bridge-command"} <= options
+    known = sitaf("agent", "--help").stdout
+    assert all(option in known for option in options), options
