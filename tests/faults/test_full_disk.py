@@ -1,0 +1,95 @@
+"""A disk that runs full stops new builds and costs no result; a small one in memory, which only root can mount."""
+
+import os
+import re
+import subprocess
+
+import pytest
+from system import agent, await_true, own_bridge, server
+
+DISK_MIB, NEEDED_MIB = 64, 24
+PATIENCE_S = 180
+
+# Leases are not what is looked at here, and a busy machine is slow to register.
+SETTINGS = ("--sitaf.lease=60s", "--sitaf.retry-delay=1s")
+
+
+@pytest.fixture
+def disk(tmp_path):
+    folder = tmp_path / "disk"
+    folder.mkdir()
+    mounted = subprocess.run(
+        ["mount", "-t", "tmpfs", "-o", f"size={DISK_MIB}m", "tmpfs", str(folder)], capture_output=True, check=False
+    )
+    if mounted.returncode != 0:
+        pytest.skip("no disk of a known size can be mounted here")
+    yield folder
+    subprocess.run(["umount", "--lazy", str(folder)], check=True)
+
+
+def fill(disk):
+    """Takes all that is left of a disk; answers what gives it back."""
+    filler = disk / "filler"
+    with filler.open("wb", buffering=0) as out:
+        try:
+            while True:
+                out.write(bytes(1 << 16))
+        except OSError:
+            pass
+        try:
+            while True:
+                out.write(b"x")
+        except OSError:
+            pass
+    stat = os.statvfs(disk)
+    assert stat.f_bavail == 0
+    return filler.unlink
+
+
+def waiting_for(api, build):
+    return api.get(f"/api/v1/builds/{build}").get("waitingFor", "")
+
+
+@pytest.fixture
+def central(installed, tmp_path):
+    with server(tmp_path, *SETTINGS) as part:
+        yield part
+
+
+def test_an_agent_whose_disk_is_full_takes_no_build_and_keeps_its_results(central, disk, tmp_path):
+    api = central.api
+    worker = agent(disk, "worker", central.grpc, "--min-free-mib", str(NEEDED_MIB), *own_bridge())
+    worker.log = tmp_path / "worker.log"
+    with worker:
+        suite = api.suite(100)
+        first = api.build(suite)
+        assert await_true(lambda: api.state(first) == "RUNNING", PATIENCE_S)
+        central.kill()
+        assert await_true(lambda: list((worker.directory / "spool").glob("*/message")), PATIENCE_S)
+        give_back = fill(disk)
+        central.start()
+        assert await_true(lambda: api.state(first) == "DONE", PATIENCE_S)
+        assert api.get(f"/api/v1/builds/{first}")["attempt"] == 1
+
+        second = api.build(suite)
+        assert await_true(lambda: re.search(r"its disk has only \d+ MiB left", waiting_for(api, second)), PATIENCE_S)
+        give_back()
+        assert await_true(lambda: api.state(second) == "DONE", PATIENCE_S)
+
+
+def test_a_disk_that_runs_full_during_a_build_blames_no_case(central, disk, tmp_path):
+    api = central.api
+    worker = agent(disk, "worker", central.grpc, "--min-free-mib", str(NEEDED_MIB), *own_bridge())
+    worker.log = tmp_path / "worker.log"
+    with worker:
+        build = api.build(api.suite(100))
+        assert await_true(lambda: api.get(f"/api/v1/builds/{build}")["casesDone"] >= 5, PATIENCE_S, 0.05)
+        give_back = fill(disk)
+        assert await_true(lambda: "its disk has only" in waiting_for(api, build), PATIENCE_S)
+        give_back()
+        assert await_true(lambda: api.state(build) == "DONE", PATIENCE_S), api.get(f"/api/v1/builds/{build}")
+        told = api.get(f"/api/v1/builds/{build}")
+        assert told["summary"]["pass"] == told["summary"]["total"] == 55
+        assert told["attempt"] >= 2
+        causes = [change["cause"] for change in api.get(f"/api/v1/builds/{build}/history")]
+        assert any("disk" in cause or "No space" in cause for cause in causes), causes
