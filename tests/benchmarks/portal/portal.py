@@ -29,7 +29,11 @@ models: [Add.xml]
 <param index="1"><type>int</type><name>a</name></param><param index="2"><type>int</type><name>b</name></param>
 </method></service_port_type></service_port_type_profile>
 """,
-    "component/demo/Adder.java": "package demo; public class Adder { public int Add(int a, int b) { return a + b; } }\n",
+    "component/demo/Adder.java": """package demo;
+public class Adder {
+  public int Add(int a, int b) { return a + b; }
+}
+""",
     "Add.xml": f"""<test_model><name>Add</name><target interface="AdderService" method="Add"/><input_spec_list>
 <test_element abstract_type="NUMERIC" real_type="int"><name>a</name><type>TDI</type>
 <test_spec type="RANDOM" count="{VALUES}" min="0" max="1000000"/></test_element>
