@@ -4,7 +4,7 @@ import type { ResultCase } from '@/shared/api';
 import { Loading, ProblemAlert, Section } from '@/shared/ui';
 import { CaseDrawer } from './CaseDrawer';
 import { CaseFilters } from './CaseFilters';
-import { useCase, useResult, type CaseFilter } from './queries';
+import { useCase, useFirstCases, useResult, type CaseFilter } from './queries';
 import { ResultSummary } from './ResultSummary';
 import { ResultTable } from './ResultTable';
 
@@ -31,6 +31,8 @@ export function ResultView({
 }: ResultViewProps) {
   const result = useResult(buildId);
   const shown = useCase(buildId, caseNo);
+  // Asked for together with the figures, so that the table need not wait for them.
+  useFirstCases(buildId, filter);
   if (result.isPending) return <Loading what="the result" />;
   if (!result.data) {
     return <ProblemAlert title="The result could not be read" error={result.error} />;
