@@ -155,6 +155,16 @@ class Simulation::Session : public Simulator {
     wire_.control("recording", &Control::RecordMotion, request);
   }
 
+  std::size_t present() const {
+    std::size_t bytes = 0;
+    for (const auto& file : std::filesystem::directory_iterator(recording_)) {
+      std::error_code taken;
+      const auto size = file.file_size(taken);
+      bytes += taken ? 0 : size;
+    }
+    return bytes;
+  }
+
   void saveMotion(int no) {
     if (recording_.empty() || recorded_ >= mostRecorded) {
       return;
@@ -170,6 +180,10 @@ class Simulation::Session : public Simulator {
       }
       // A world that diverged has nothing to show.
       return;
+    }
+    if (recorded_ + taken.gltf().size() > mostRecorded) {
+      // What was taken out of the folder meanwhile makes room.
+      recorded_ = present();
     }
     recorded_ += taken.gltf().size();
     if (recorded_ <= mostRecorded) {

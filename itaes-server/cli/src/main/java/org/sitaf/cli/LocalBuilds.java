@@ -14,6 +14,7 @@ import org.sitaf.agent.build.BuildOutcome;
 import org.sitaf.agent.build.BuildRun;
 import org.sitaf.agent.build.BuildSettings;
 import org.sitaf.agent.build.BuildStage;
+import org.sitaf.agent.build.RecordingOrder;
 import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.agent.simulation.Simulator;
 import org.sitaf.agent.toolchain.ToolchainPlaces;
@@ -27,8 +28,12 @@ import org.sitaf.core.verdict.CaseResult;
 
 /** Builds on this machine, with a simulation of their own and nothing left behind. */
 final class LocalBuilds implements AutoCloseable {
+  /** As much as a test application records. */
+  private static final long RECORDED_BYTES = 64L << 20;
+
   private final Path directory;
   private final BuildSettings settings;
+  private final @Nullable Path recordings;
   private final AtomicInteger count = new AtomicInteger();
   private final AtomicReference<@Nullable BuildRun> current = new AtomicReference<>();
   private final OnExit onExit = new OnExit(this::cancel);
@@ -43,8 +48,8 @@ final class LocalBuilds implements AutoCloseable {
             new Toolchains(new ToolchainPlaces(installation.runtimes(), installation.cache())),
             sandbox,
             coverage,
-            "",
-            recordings);
+            "");
+    this.recordings = recordings;
   }
 
   /** In which sandbox components run, or why in none. */
@@ -64,11 +69,22 @@ final class LocalBuilds implements AutoCloseable {
           new BuildRun(
               application,
               directory.resolve("build-" + count.incrementAndGet()),
-              settings,
+              settings(model),
               new Steps(model.name(), suite.cases().size(), progress));
       current.set(run);
       return run.run();
     }
+  }
+
+  private BuildSettings settings(TestModel model) {
+    return recordings == null
+        ? settings
+        : settings.recording(
+            new RecordingOrder(
+                recordings.resolve(model.name()),
+                RecordingOrder.Cases.ALL,
+                Integer.MAX_VALUE,
+                RECORDED_BYTES));
   }
 
   private void cancel() {

@@ -1,5 +1,6 @@
 package org.sitaf.agent.build;
 
+import java.nio.file.Path;
 import org.sitaf.core.verdict.CaseResult;
 
 /** Is told what a build does, from the build's own threads; must return soon. */
@@ -12,4 +13,11 @@ public interface BuildListener {
 
   /** A case has its result, judged. */
   void caseFinished(CaseResult result);
+
+  /**
+   * It is known what moved in a case that has finished.
+   *
+   * @param recording binary glTF, the build's own copy
+   */
+  default void recorded(int no, Path recording) {}
 }

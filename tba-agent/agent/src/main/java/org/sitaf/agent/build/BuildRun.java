@@ -118,9 +118,7 @@ public final class BuildRun {
             new ResultAssembler(
                 application.model(), application.suite(), application.activity().required());
         ExecutionRequest request = request(compiled, prepared);
-        Execution execution =
-            executor().execute(request, early, log, result -> announce(assembler.judge(result)));
-        keepRecording(request);
+        Execution execution = execute(request, early, assembler, log);
 
         TestResult result = report(execution, assembler, prepared.bridge(), started);
         return new BuildOutcome.Completed(withCoverage(result, compiled, request, log));
@@ -243,9 +241,36 @@ public final class BuildRun {
         applicationDirectory().resolve("suite.xml"),
         execution,
         execution.resolve("coverage"),
-        settings.recordings() == null ? null : execution.resolve("recording"),
+        settings.recordings() == null || prepared.world() == null
+            ? null
+            : execution.resolve("recording"),
         prepared.world(),
         application.activity().profile().limits());
+  }
+
+  private Execution execute(
+      ExecutionRequest request,
+      @Nullable EarlyProcess early,
+      ResultAssembler assembler,
+      BuildLog log)
+      throws IOException, InterruptedException {
+    Path recording = request.recording();
+    RecordingOrder order = settings.recordings();
+    if (recording == null || order == null) {
+      return executor().execute(request, early, log, result -> announce(assembler.judge(result)));
+    }
+    try (Recordings recordings = new Recordings(recording, order, listener, log)) {
+      return executor()
+          .execute(
+              request,
+              early,
+              log,
+              result -> {
+                CaseResult judged = announce(assembler.judge(result));
+                recordings.expect(judged);
+                return judged;
+              });
+    }
   }
 
   /**
@@ -257,14 +282,6 @@ public final class BuildRun {
     return profile.parallel() && profile.component().lifeCycle() == LifeCycle.CASE
         ? Runtime.getRuntime().availableProcessors()
         : 1;
-  }
-
-  private void keepRecording(ExecutionRequest request) throws IOException {
-    Path recording = request.recording();
-    Path recordings = settings.recordings();
-    if (recording != null && recordings != null) {
-      Recordings.keep(recording, recordings.resolve(application.model().name()));
-    }
   }
 
   /** Tells what was reached of the component; a tool that fails costs only this. */

@@ -1,6 +1,5 @@
 package org.sitaf.agent.build;
 
-import java.nio.file.Path;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.sandbox.Sandbox;
@@ -15,8 +14,7 @@ import org.sitaf.agent.toolchain.Toolchains;
  * @param coverage whether builds say which lines of the component they reached, where the
  *     language's tool is there
  * @param agent name and version of the agent for the provenance; empty for a local run
- * @param recordings where a folder of each model goes with a file of each case that shows what
- *     moved in it; null for none
+ * @param recordings what is kept of what moves in the cases; null for nothing
  */
 public record BuildSettings(
     Simulator simulator,
@@ -24,7 +22,7 @@ public record BuildSettings(
     Sandbox sandbox,
     boolean coverage,
     String agent,
-    @Nullable Path recordings) {
+    @Nullable RecordingOrder recordings) {
   public BuildSettings {
     Objects.requireNonNull(simulator);
     Objects.requireNonNull(toolchains);
@@ -36,5 +34,10 @@ public record BuildSettings(
   public BuildSettings(
       Simulator simulator, Toolchains toolchains, Sandbox sandbox, boolean coverage, String agent) {
     this(simulator, toolchains, sandbox, coverage, agent, null);
+  }
+
+  /** The same machine, for a build that is recorded. */
+  public BuildSettings recording(RecordingOrder order) {
+    return new BuildSettings(simulator, toolchains, sandbox, coverage, agent, order);
   }
 }

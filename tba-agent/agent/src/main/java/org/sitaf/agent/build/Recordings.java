@@ -1,44 +1,186 @@
 package org.sitaf.agent.build;
 
 import java.io.IOException;
+import java.io.InputStream;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
 import java.util.List;
-import java.util.regex.Pattern;
-import java.util.stream.Stream;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.agent.executor.OutputSink;
+import org.sitaf.core.verdict.CaseResult;
+import org.sitaf.core.verdict.Verdict;
 
-/** Takes what a test application recorded out of a folder that the component could write to. */
-final class Recordings {
-  private static final Pattern OF_A_CASE = Pattern.compile("[1-9][0-9]{0,8}\\.glb");
-  private static final long MOST_BYTES = 64L << 20;
+/**
+ * Takes what a test application recorded out of a folder that the component could write to, case by
+ * case while they run, from a thread of its own. What is not wanted is deleted, so that the
+ * application has room for more. A file counts when it is whole: binary glTF says how long it is.
+ */
+final class Recordings implements AutoCloseable {
+  /** Of one file. */
+  static final int MOST_BYTES = 32 << 20;
 
-  private Recordings() {}
+  private static final int HEADER_BYTES = 12;
+  private static final int MAGIC = 0x46546C67;
+  private static final long PAUSE_MS = 200;
 
-  /** Copies the files of cases, as far as they hold 64 MiB. */
-  static void keep(Path from, Path to) throws IOException {
-    if (!Files.isDirectory(from, LinkOption.NOFOLLOW_LINKS)) {
-      return;
-    }
-    Files.createDirectories(to);
-    long bytes = 0;
-    for (Path file : files(from)) {
-      bytes += Files.size(file);
-      if (bytes > MOST_BYTES) {
-        return;
+  private final Path from;
+  private final RecordingOrder order;
+  private final BuildListener listener;
+  private final OutputSink log;
+  private final Thread thread = new Thread(this::work, "sitaf-recordings");
+
+  /** Cases that have ended, and whose recording was not there yet. */
+  private final List<Ended> ended = new ArrayList<>();
+
+  private boolean closed;
+
+  // What follows belongs to whoever sweeps: the thread, and who closes after its end.
+  private int kept;
+  private long bytes;
+  private int leftOut;
+  private @Nullable IOException problem;
+
+  private record Ended(int no, Verdict verdict) {}
+
+  /**
+   * Begins to take.
+   *
+   * @param from what the test application fills; need not be there yet
+   */
+  Recordings(Path from, RecordingOrder order, BuildListener listener, OutputSink log) {
+    this.from = from;
+    this.order = order;
+    this.listener = listener;
+    this.log = log;
+    thread.setDaemon(true);
+    thread.start();
+  }
+
+  /** The recording of this case may be there soon, or never. */
+  synchronized void expect(CaseResult result) {
+    ended.add(new Ended(result.no(), result.verdict()));
+  }
+
+  private void work() {
+    try {
+      while (awaitNext()) {
+        sweep();
       }
-      Files.copy(file, to.resolve(file.getFileName()), StandardCopyOption.REPLACE_EXISTING);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
     }
   }
 
-  private static List<Path> files(Path folder) throws IOException {
-    try (Stream<Path> files = Files.list(folder)) {
-      return files
-          .filter(file -> OF_A_CASE.matcher(file.getFileName().toString()).matches())
-          .filter(file -> Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS))
-          .sorted()
-          .toList();
+  private synchronized boolean awaitNext() throws InterruptedException {
+    if (!closed) {
+      wait(PAUSE_MS);
+    }
+    return !closed;
+  }
+
+  private void sweep() {
+    List<Ended> some;
+    synchronized (this) {
+      some = List.copyOf(ended);
+    }
+    List<Ended> done = new ArrayList<>();
+    for (Ended one : some) {
+      try {
+        if (take(one)) {
+          done.add(one);
+        }
+      } catch (IOException e) {
+        problem = e;
+        done.add(one);
+      }
+    }
+    synchronized (this) {
+      ended.removeAll(done);
+    }
+  }
+
+  /** False when there is no whole recording of the case yet. */
+  private boolean take(Ended one) throws IOException {
+    Path file = from.resolve(one.no() + ".glb");
+    if (!Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS)) {
+      return false;
+    }
+    Optional<byte[]> gltf = wholeGlb(file);
+    if (gltf.isEmpty()) {
+      return false;
+    }
+    Files.delete(file);
+    if (!order.cases().include(one.verdict())) {
+      return true;
+    }
+    byte[] content = gltf.get();
+    if (kept >= order.maxRecordings() || bytes + content.length > order.maxBytes()) {
+      leftOut++;
+      return true;
+    }
+    kept++;
+    bytes += content.length;
+    Files.createDirectories(order.folder());
+    Path target = order.folder().resolve(one.no() + ".glb");
+    Files.write(target, content);
+    listener.recorded(one.no(), target);
+    return true;
+  }
+
+  private static Optional<byte[]> wholeGlb(Path file) throws IOException {
+    try (InputStream in =
+        Files.newInputStream(file, StandardOpenOption.READ, LinkOption.NOFOLLOW_LINKS)) {
+      byte[] content = in.readNBytes(MOST_BYTES + 1);
+      ByteBuffer header = ByteBuffer.wrap(content).order(ByteOrder.LITTLE_ENDIAN);
+      boolean whole =
+          content.length >= HEADER_BYTES
+              && content.length <= MOST_BYTES
+              && header.getInt() == MAGIC
+              && header.getInt(2 * Integer.BYTES) == content.length;
+      return whole ? Optional.of(content) : Optional.empty();
+    }
+  }
+
+  /** Takes what is left once the test application has ended, and says how much there is. */
+  @Override
+  public void close() {
+    synchronized (this) {
+      closed = true;
+      notifyAll();
+    }
+    boolean interrupted = false;
+    while (thread.isAlive()) {
+      try {
+        thread.join();
+      } catch (InterruptedException e) {
+        interrupted = true;
+      }
+    }
+    if (interrupted) {
+      Thread.currentThread().interrupt();
+      return;
+    }
+    sweep();
+    report();
+  }
+
+  private void report() {
+    if (kept > 0 || leftOut > 0) {
+      log.remark(
+          "recordings: %d cases, %.1f MiB".formatted(kept, bytes / (double) (1 << 20))
+              + (leftOut == 0
+                  ? ""
+                  : "; %d more are left out: a build keeps %d of at most %d MiB"
+                      .formatted(leftOut, order.maxRecordings(), order.maxBytes() >> 20)));
+    }
+    if (problem != null) {
+      log.remark("some recordings are lost: " + problem);
     }
   }
 }

@@ -18,10 +18,12 @@ import org.sitaf.agent.build.BuildOutcome;
 import org.sitaf.agent.build.BuildRun;
 import org.sitaf.agent.build.BuildSettings;
 import org.sitaf.agent.build.BuildStage;
+import org.sitaf.agent.build.RecordingOrder.Cases;
 import org.sitaf.agent.spool.FileCache;
 import org.sitaf.agent.toolchain.SourceDiagnostic;
 import org.sitaf.agent.v1.ApplicationFile;
 import org.sitaf.agent.v1.Assignment;
+import org.sitaf.agent.v1.RecordingOrder;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.harness.TestApplication;
@@ -30,6 +32,7 @@ import org.sitaf.core.verdict.CaseResult;
 /** One attempt from its assignment to an outcome: fetches the test application and builds it. */
 final class AttemptRun {
   private static final long MAX_APPLICATION_BYTES = 512L << 20;
+  private static final int MAX_RECORDINGS = 100_000;
   private static final int DAMAGED_TRIES = 3;
   private static final long CATCHING_UP_MS = 2000;
 
@@ -65,6 +68,11 @@ final class AttemptRun {
 
   Attempt attempt() {
     return attempt;
+  }
+
+  /** Where recordings lie that the server does not have yet; need not be there. */
+  Path recordings() {
+    return directory.resolve("recordings");
   }
 
   /** Somebody does not want the build any more. */
@@ -129,7 +137,9 @@ final class AttemptRun {
   /** Does the work; empty when nothing of the attempt is to be kept. */
   Optional<BuildOutcome> run() {
     BuildOutcome outcome;
-    try (ProgressReport report = new ProgressReport(attempt, calls, directory, this::giveUp)) {
+    try (RecordingUpload recordings = new RecordingUpload(attempt, calls);
+        ProgressReport report =
+            new ProgressReport(attempt, calls, directory, recordings, this::giveUp)) {
       report.stage(BuildStage.PREPARING);
       outcome = fetchAndBuild(report);
     }
@@ -144,10 +154,28 @@ final class AttemptRun {
     }
   }
 
+  private BuildSettings recorded() {
+    RecordingOrder order = assignment.getRecordings();
+    return switch (order.getCases()) {
+      case FAILED -> recorded(order, Cases.FAILED);
+      case ALL -> recorded(order, Cases.ALL);
+      case CASES_UNSPECIFIED, UNRECOGNIZED -> settings;
+    };
+  }
+
+  private BuildSettings recorded(RecordingOrder order, Cases cases) {
+    return settings.recording(
+        new org.sitaf.agent.build.RecordingOrder(
+            recordings(),
+            cases,
+            (int) Math.min(Integer.toUnsignedLong(order.getMaxRecordings()), MAX_RECORDINGS),
+            Math.max(0, order.getMaxBytes())));
+  }
+
   private BuildOutcome fetchAndBuild(ProgressReport report) {
     try {
       TestApplication application = TestApplication.read(fetch());
-      BuildRun run = new BuildRun(application, directory, settings, counting(report));
+      BuildRun run = new BuildRun(application, directory, recorded(), counting(report));
       synchronized (this) {
         build = run;
         casesLeft = application.suite().cases().size();

@@ -8,6 +8,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.build.BuildOutcome;
 import org.sitaf.agent.build.BuildRun;
 import org.sitaf.agent.build.BuildSettings;
@@ -65,9 +66,17 @@ final class Attempts {
     }
     String full = disk.whyFull();
     if (!full.isEmpty()) {
-      owe(attempt, SubmitMessages.infrastructure(attempt, "the agent is full: " + full), null);
+      owe(
+          attempt,
+          SubmitMessages.infrastructure(attempt, "the agent is full: " + full),
+          null,
+          null);
     } else if (!takeSlot(attempt, assignment)) {
-      owe(attempt, SubmitMessages.infrastructure(attempt, "the agent has no free slot"), null);
+      owe(
+          attempt,
+          SubmitMessages.infrastructure(attempt, "the agent has no free slot"),
+          null,
+          null);
     }
   }
 
@@ -108,7 +117,7 @@ final class Attempts {
       run.get().cancel(cancellation.getReason());
     } else if (!upload.owes(attempt)) {
       BuildOutcome cancelled = new BuildOutcome.Cancelled(cancellation.getReason());
-      owe(attempt, SubmitMessages.of(attempt, cancelled), null);
+      owe(attempt, SubmitMessages.of(attempt, cancelled), null, null);
     }
   }
 
@@ -128,11 +137,16 @@ final class Attempts {
     try {
       Optional<BuildOutcome> outcome = run.run();
       outcome.ifPresentOrElse(
-          ended -> owe(attempt, SubmitMessages.of(attempt, ended), directory.resolve(BuildRun.LOG)),
+          ended ->
+              owe(
+                  attempt,
+                  SubmitMessages.of(attempt, ended),
+                  directory.resolve(BuildRun.LOG),
+                  ended instanceof BuildOutcome.Completed ? run.recordings() : null),
           () -> LOGGER.log(System.Logger.Level.INFO, attempt + ": was given up"));
     } catch (RuntimeException | Error e) {
       LOGGER.log(System.Logger.Level.ERROR, attempt + ": the agent failed", e);
-      owe(attempt, SubmitMessages.infrastructure(attempt, "the agent failed: " + e), null);
+      owe(attempt, SubmitMessages.infrastructure(attempt, "the agent failed: " + e), null, null);
     } finally {
       synchronized (this) {
         running.remove(attempt.key());
@@ -150,11 +164,11 @@ final class Attempts {
    * its slot meanwhile.
    */
   private void owe(
-      Attempt attempt, SubmitResultRequest message, @org.jspecify.annotations.Nullable Path log) {
+      Attempt attempt, SubmitResultRequest message, @Nullable Path log, @Nullable Path recordings) {
     Backoff backoff = new Backoff();
     while (true) {
       try {
-        upload.add(attempt, message, log);
+        upload.add(attempt, message, log, recordings);
         return;
       } catch (IOException e) {
         LOGGER.log(System.Logger.Level.ERROR, attempt + ": the spool cannot be written: " + e);

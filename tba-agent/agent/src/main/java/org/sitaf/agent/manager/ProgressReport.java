@@ -30,6 +30,7 @@ final class ProgressReport implements BuildListener, AutoCloseable {
   private final ServerCalls calls;
   private final Path log;
   private final Runnable whenOver;
+  private final RecordingUpload recordings;
   private final Thread thread;
 
   private @Nullable AttemptState state;
@@ -47,12 +48,19 @@ final class ProgressReport implements BuildListener, AutoCloseable {
    * Begins to report.
    *
    * @param directory the build's
+   * @param recordings takes what moved in the cases; the caller closes it
    * @param whenOver what to do when the server says that the attempt is over
    */
-  ProgressReport(Attempt attempt, ServerCalls calls, Path directory, Runnable whenOver) {
+  ProgressReport(
+      Attempt attempt,
+      ServerCalls calls,
+      Path directory,
+      RecordingUpload recordings,
+      Runnable whenOver) {
     this.attempt = attempt;
     this.calls = calls;
     this.log = directory.resolve(BuildRun.LOG);
+    this.recordings = recordings;
     this.whenOver = whenOver;
     this.thread = new Thread(this::work, "sitaf-progress");
     thread.setDaemon(true);
@@ -81,6 +89,11 @@ final class ProgressReport implements BuildListener, AutoCloseable {
   public synchronized void caseFinished(CaseResult result) {
     cases.add(result);
     notifyAll();
+  }
+
+  @Override
+  public void recorded(int no, Path recording) {
+    recordings.add(recording);
   }
 
   private void work() {

@@ -47,8 +47,10 @@ final class ResultUpload implements AutoCloseable {
   }
 
   /** Takes over a result; it is safe on the disk when this returns. */
-  void add(Attempt attempt, SubmitResultRequest message, @Nullable Path log) throws IOException {
-    spool.put(attempt.key(), message.toByteArray(), log);
+  void add(
+      Attempt attempt, SubmitResultRequest message, @Nullable Path log, @Nullable Path recordings)
+      throws IOException {
+    spool.put(attempt.key(), message.toByteArray(), log, recordings);
     owed.put(attempt.key(), attempt.ref());
     wake();
   }
@@ -121,6 +123,9 @@ final class ResultUpload implements AutoCloseable {
     Attempt attempt = Attempt.of(message.getAttempt());
     try {
       uploadLog(attempt, entry);
+      if (!uploadRecordings(attempt, entry)) {
+        return false;
+      }
       SubmitResultResponse answer = calls.submit(message);
       if (!confirms(answer, message)) {
         LOGGER.log(
@@ -182,6 +187,16 @@ final class ResultUpload implements AutoCloseable {
     }
   }
 
+  /** Those that the server does not have yet, before the result ends the attempt. */
+  private boolean uploadRecordings(Attempt attempt, Spool.Entry entry) throws IOException {
+    for (Path recording : entry.attachments()) {
+      if (!RecordingUpload.upload(attempt, calls, recording)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
   /** The result is put aside for a person, and the build ends with the reason instead of never. */
   private boolean refused(
       Spool.Entry entry, Attempt attempt, SubmitResultRequest message, StatusRuntimeException e)
@@ -199,7 +214,8 @@ final class ResultUpload implements AutoCloseable {
     spool.put(
         entry.name(),
         SubmitMessages.infrastructure(attempt, reason).toByteArray(),
-        aside.resolve("log"));
+        aside.resolve("log"),
+        null);
     return false;
   }
 

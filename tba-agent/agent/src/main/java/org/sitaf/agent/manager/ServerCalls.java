@@ -2,6 +2,7 @@ package org.sitaf.agent.manager;
 
 import com.google.protobuf.ByteString;
 import com.google.protobuf.Timestamp;
+import com.google.protobuf.UnsafeByteOperations;
 import io.grpc.Channel;
 import io.grpc.Status;
 import io.grpc.StatusRuntimeException;
@@ -21,6 +22,7 @@ import org.sitaf.agent.v1.ReportCasesRequest;
 import org.sitaf.agent.v1.ReportStateRequest;
 import org.sitaf.agent.v1.SubmitResultRequest;
 import org.sitaf.agent.v1.SubmitResultResponse;
+import org.sitaf.agent.v1.UploadRecordingRequest;
 
 /**
  * The calls about an attempt, each with a deadline, so that a server that hangs is one that is
@@ -102,6 +104,29 @@ final class ServerCalls {
                 .setSequence(sequence)
                 .addAllOutcomes(outcomes)
                 .build());
+  }
+
+  /**
+   * Gives the server what moved in a case.
+   *
+   * @throws StatusRuntimeException as of the protocol, and DATA_LOSS when the server has something
+   *     else
+   */
+  void uploadRecording(Attempt attempt, int caseNo, byte[] gltf) {
+    String sha256 = SubmitMessages.sha256(gltf);
+    String stored =
+        stub(TRANSFER_DEADLINE_S)
+            .uploadRecording(
+                UploadRecordingRequest.newBuilder()
+                    .setAttempt(attempt.ref())
+                    .setCaseNo(caseNo)
+                    .setGltf(UnsafeByteOperations.unsafeWrap(gltf))
+                    .setSha256(sha256)
+                    .build())
+            .getSha256();
+    if (!stored.equals(sha256)) {
+      throw Status.DATA_LOSS.withDescription("the server confirms another").asRuntimeException();
+    }
   }
 
   /** What the server has of the attempt now, and whether it counts. */

@@ -59,7 +59,7 @@ final class SubmitMessages {
     return SubmitResultRequest.newBuilder().setAttempt(attempt.ref()).setFailure(failure).build();
   }
 
-  private static String sha256(byte[] bytes) {
+  static String sha256(byte[] bytes) {
     try {
       return HexFormat.of()
           .formatHex(java.security.MessageDigest.getInstance("SHA-256").digest(bytes));

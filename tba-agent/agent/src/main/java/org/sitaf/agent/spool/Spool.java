@@ -10,6 +10,7 @@ import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -21,6 +22,7 @@ public final class Spool {
   private static final Pattern NAME = Pattern.compile("[A-Za-z0-9_-]{1,120}");
   private static final String IN_WORK = "tmp.";
   private static final String REJECTED = "rejected.";
+  private static final String ATTACHMENTS = "attachments";
 
   private final Path directory;
 
@@ -50,6 +52,11 @@ public final class Spool {
     public Path log() {
       return directory.resolve("log");
     }
+
+    /** What else goes with it, by its name. */
+    public List<Path> attachments() throws IOException {
+      return files(directory.resolve(ATTACHMENTS));
+    }
   }
 
   /**
@@ -58,8 +65,10 @@ public final class Spool {
    *
    * @param name letters, digits, '_' and '-'
    * @param log copied; null where there is none
+   * @param attachments a folder whose files are copied; null where there is none
    */
-  public synchronized Entry put(String name, byte[] message, @Nullable Path log)
+  public synchronized Entry put(
+      String name, byte[] message, @Nullable Path log, @Nullable Path attachments)
       throws IOException {
     if (!NAME.matcher(name).matches()) {
       throw new IllegalArgumentException("'" + name + "' is no name of a spool entry");
@@ -73,6 +82,9 @@ public final class Spool {
     } else {
       Files.write(work.resolve("log"), new byte[0]);
     }
+    if (attachments != null) {
+      attach(attachments, Files.createDirectory(work.resolve(ATTACHMENTS)));
+    }
     sync(work.resolve("message"));
     sync(work.resolve("log"));
     sync(work);
@@ -83,6 +95,22 @@ public final class Spool {
     Files.move(work, entry, StandardCopyOption.ATOMIC_MOVE);
     sync(directory);
     return new Entry(name, entry);
+  }
+
+  private static void attach(Path from, Path to) throws IOException {
+    for (Path file : files(from)) {
+      sync(Files.copy(file, to.resolve(file.getFileName())));
+    }
+    sync(to);
+  }
+
+  private static List<Path> files(Path folder) throws IOException {
+    if (!Files.isDirectory(folder)) {
+      return List.of();
+    }
+    try (Stream<Path> files = Files.list(folder)) {
+      return files.sorted().toList();
+    }
   }
 
   /** All entries, in the order of their names. */

@@ -1,5 +1,6 @@
 package org.sitaf.agent.build;
 
+import static java.nio.charset.StandardCharsets.ISO_8859_1;
 import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
@@ -123,6 +124,44 @@ class GeneratedApplicationTest {
           .allSatisfy(c -> assertThat(c.verdict()).as(c.toString()).isEqualTo(Verdict.PASS));
       assertThat(result.provenance().bridge()).matches("sitaf-bridge \\S+ \\(MuJoCo \\S+\\)");
       assertThat(recording.logText()).contains("world world/ir.world.yaml on sitaf-bridge");
+    }
+  }
+
+  @Test
+  void whatMovesInTheCasesThatFailIsKept() throws Exception {
+    String component = "component/org/sitaf/examples/ir/InfraredSensor.java";
+    String source = infrared(Map.of()).activity().files().text(component).orElseThrow();
+    String wrong = source.replace("double range =", "double range = 0.25 +");
+    assertThat(wrong).isNotEqualTo(source);
+    try (Simulator simulator = Simulator.started(RealBridge.command(), directory)) {
+      BuildSettings settings =
+          new BuildSettings(simulator, EchoActivity.toolchains(), SandboxMode.AUTO.open(), true, "")
+              .recording(
+                  new RecordingOrder(
+                      directory.resolve("kept"), RecordingOrder.Cases.FAILED, 100, 64 << 20));
+      BuildOutcome outcome =
+          new BuildRun(
+                  infrared(Map.of(component, wrong)),
+                  directory.resolve("build"),
+                  settings,
+                  recording)
+              .run();
+
+      List<String> failed =
+          ((Completed) outcome)
+              .result().cases().stream()
+                  .filter(c -> c.verdict() == Verdict.FAIL)
+                  .map(c -> c.no() + ".glb")
+                  .toList();
+      assertThat(failed).isNotEmpty();
+      assertThat(recording.recordings()).containsExactlyInAnyOrderElementsOf(failed);
+      try (Stream<Path> kept = Files.list(directory.resolve("kept"))) {
+        assertThat(kept)
+            .allSatisfy(file -> assertThat(Files.readString(file, ISO_8859_1)).startsWith("glTF"))
+            .extracting(file -> file.getFileName().toString())
+            .containsExactlyInAnyOrderElementsOf(failed);
+      }
+      assertThat(recording.logText()).contains("recordings: " + failed.size() + " cases");
     }
   }
 

@@ -3,39 +3,154 @@ package org.sitaf.agent.build;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.sitaf.agent.build.RecordingOrder.Cases;
+import org.sitaf.agent.executor.OutputSink;
+import org.sitaf.core.verdict.CaseResult;
+import org.sitaf.core.verdict.Verdict;
 
 class RecordingsTest {
   @TempDir Path folder;
+  private final List<Integer> told = Collections.synchronizedList(new ArrayList<>());
+  private final List<String> remarks = Collections.synchronizedList(new ArrayList<>());
 
-  @Test
-  void keepsTheFilesOfCasesAndNothingElseThatAComponentLeftThere() throws IOException {
-    Path from = Files.createDirectory(folder.resolve("from"));
-    Path secret = Files.writeString(folder.resolve("secret"), "s");
-    Files.writeString(from.resolve("1.glb"), "one");
-    Files.writeString(from.resolve("22.glb"), "two");
-    Files.writeString(from.resolve("virus.exe"), "v");
-    Files.writeString(from.resolve("0.glb"), "zero");
-    Files.createSymbolicLink(from.resolve("3.glb"), secret);
-    Files.createDirectory(from.resolve("4.glb"));
+  private Recordings recordings(Cases cases, int most, long bytes) throws IOException {
+    Files.createDirectories(folder.resolve("from"));
+    return new Recordings(
+        folder.resolve("from"),
+        new RecordingOrder(folder.resolve("to"), cases, most, bytes),
+        new BuildListener() {
+          @Override
+          public void stage(BuildStage stage) {}
 
-    Path to = folder.resolve("to/Model");
-    Recordings.keep(from, to);
+          @Override
+          public void log(byte[] utf8) {}
 
-    assertThat(to.resolve("1.glb")).hasContent("one");
-    assertThat(to.resolve("22.glb")).hasContent("two");
-    try (var kept = Files.list(to)) {
-      assertThat(kept).hasSize(2);
+          @Override
+          public void caseFinished(CaseResult result) {}
+
+          @Override
+          public void recorded(int no, Path recording) {
+            told.add(no);
+          }
+        },
+        new OutputSink() {
+          @Override
+          public void output(String text) {}
+
+          @Override
+          public void remark(String line) {
+            remarks.add(line);
+          }
+        });
+  }
+
+  private static byte[] glb(int size) {
+    return ByteBuffer.allocate(size)
+        .order(ByteOrder.LITTLE_ENDIAN)
+        .putInt(0x46546C67)
+        .putInt(2)
+        .putInt(size)
+        .array();
+  }
+
+  private static CaseResult result(int no, Verdict verdict) {
+    return new CaseResult(no, verdict, List.of(), List.of(), List.of(), null, "");
+  }
+
+  private Path from(String name) {
+    return folder.resolve("from").resolve(name);
+  }
+
+  private List<String> kept() throws IOException {
+    try (var files = Files.list(folder.resolve("to"))) {
+      return files.map(file -> file.getFileName().toString()).sorted().toList();
     }
   }
 
   @Test
-  void keepsNothingWhereNothingWasRecorded() throws IOException {
-    Recordings.keep(folder.resolve("nothing"), folder.resolve("to"));
+  void keepsTheFilesOfCasesAndNothingElseThatAComponentLeftThere() throws IOException {
+    Path secret = Files.write(folder.resolve("secret"), glb(20));
+    try (Recordings recordings = recordings(Cases.ALL, 10, 1000)) {
+      for (int no = 1; no <= 5; no++) {
+        recordings.expect(result(no, Verdict.PASS));
+      }
+      Files.write(from("1.glb"), glb(16));
+      Files.write(from("2.glb"), glb(24));
+      Files.writeString(from("virus.exe"), "v");
+      Files.createSymbolicLink(from("3.glb"), secret);
+      Files.createDirectory(from("4.glb"));
+      Files.writeString(from("5.glb"), "no glTF at all");
+      Files.write(from("6.glb"), glb(16));
+    }
+
+    assertThat(kept()).containsExactly("1.glb", "2.glb");
+    assertThat(told).containsExactlyInAnyOrder(1, 2);
+    assertThat(from("1.glb")).doesNotExist();
+    assertThat(remarks).singleElement().asString().startsWith("recordings: 2 cases, 0.0 MiB");
+  }
+
+  @Test
+  void keepsOnlyThoseThatFailWhereNoOthersAreWantedAndMakesRoomForMore() throws IOException {
+    try (Recordings recordings = recordings(Cases.FAILED, 10, 1000)) {
+      List<Verdict> verdicts = List.of(Verdict.PASS, Verdict.FAIL, Verdict.ERROR, Verdict.DONT);
+      for (int i = 0; i < verdicts.size(); i++) {
+        Files.write(from(i + 1 + ".glb"), glb(16));
+        recordings.expect(result(i + 1, verdicts.get(i)));
+      }
+    }
+
+    assertThat(kept()).containsExactly("2.glb", "3.glb");
+    try (var left = Files.list(folder.resolve("from"))) {
+      assertThat(left).isEmpty();
+    }
+  }
+
+  @Test
+  void takesThemWhileTheCasesRun() throws Exception {
+    try (Recordings recordings = recordings(Cases.ALL, 10, 1000)) {
+      recordings.expect(result(1, Verdict.PASS));
+      Path file = Files.write(from("1.glb"), java.util.Arrays.copyOf(glb(100), 50));
+      Thread.sleep(500);
+      assertThat(told).as("half of it").isEmpty();
+      Files.write(file, glb(100));
+      for (int i = 0; i < 500 && told.isEmpty(); i++) {
+        Thread.sleep(10);
+      }
+      assertThat(told).containsExactly(1);
+    }
+  }
+
+  @Test
+  void saysWhatDidNotFit() throws IOException {
+    try (Recordings recordings = recordings(Cases.ALL, 2, 2 << 20)) {
+      for (int no = 1; no <= 4; no++) {
+        Files.write(from(no + ".glb"), glb(no == 1 ? 3 << 20 : 16));
+        recordings.expect(result(no, Verdict.PASS));
+      }
+    }
+
+    assertThat(kept()).containsExactly("2.glb", "3.glb");
+    assertThat(remarks)
+        .containsExactly(
+            "recordings: 2 cases, 0.0 MiB; 2 more are left out: a build keeps 2 of at most 2 MiB");
+  }
+
+  @Test
+  void saysNothingWhereNothingWasRecorded() throws IOException {
+    try (Recordings recordings = recordings(Cases.ALL, 10, 1000)) {
+      recordings.expect(result(1, Verdict.PASS));
+    }
 
     assertThat(folder.resolve("to")).doesNotExist();
+    assertThat(remarks).isEmpty();
   }
 }

@@ -46,6 +46,8 @@ import org.sitaf.agent.v1.ReportStateResponse;
 import org.sitaf.agent.v1.ServerMessage;
 import org.sitaf.agent.v1.SubmitResultRequest;
 import org.sitaf.agent.v1.SubmitResultResponse;
+import org.sitaf.agent.v1.UploadRecordingRequest;
+import org.sitaf.agent.v1.UploadRecordingResponse;
 import org.sitaf.core.activity.FileTree;
 
 /**
@@ -67,6 +69,9 @@ final class FakeServer extends AgentServiceGrpc.AgentServiceImplBase implements 
   private final List<SubmitResultRequest> submitted = new ArrayList<>();
   private final Map<String, ByteArrayOutputStream> logs = new HashMap<>();
   private @Nullable StreamObserver<ServerMessage> agent;
+  private final Map<Integer, String> recordings = new HashMap<>();
+  private final List<String> order = new ArrayList<>();
+  private boolean open;
   private int downloads;
   private boolean damageDownloads;
   private boolean superseded;
@@ -111,7 +116,7 @@ final class FakeServer extends AgentServiceGrpc.AgentServiceImplBase implements 
     public <Q, A> ServerCall.Listener<Q> interceptCall(
         ServerCall<Q, A> call, Metadata headers, ServerCallHandler<Q, A> next) {
       boolean enrols = call.getMethodDescriptor() == (Object) AgentServiceGrpc.getEnrolMethod();
-      if (!enrols && !keys().contains(String.valueOf(headers.get(AUTHORIZATION)))) {
+      if (!enrols && !open && !keys().contains(String.valueOf(headers.get(AUTHORIZATION)))) {
         call.close(Status.UNAUTHENTICATED, new Metadata());
         return new ServerCall.Listener<>() {};
       }
@@ -196,6 +201,15 @@ final class FakeServer extends AgentServiceGrpc.AgentServiceImplBase implements 
     refuseSubmit = status;
   }
 
+  /** Asks for no keys. */
+  synchronized void letAllIn() {
+    open = true;
+  }
+
+  synchronized void takeAttempts() {
+    refuseAttempt = null;
+  }
+
   /** Every call about an attempt is answered so. */
   synchronized void refuseAttempt(Status status) {
     refuseAttempt = status;
@@ -238,6 +252,16 @@ final class FakeServer extends AgentServiceGrpc.AgentServiceImplBase implements 
 
   synchronized List<SubmitResultRequest> submitted() {
     return List.copyOf(submitted);
+  }
+
+  /** As text, by case. */
+  synchronized Map<Integer, String> recordings() {
+    return Map.copyOf(recordings);
+  }
+
+  /** In which order recordings and results came. */
+  synchronized List<String> order() {
+    return List.copyOf(order);
   }
 
   synchronized String log(String build) {
@@ -360,6 +384,17 @@ final class FakeServer extends AgentServiceGrpc.AgentServiceImplBase implements 
   }
 
   @Override
+  public synchronized void uploadRecording(
+      UploadRecordingRequest request, StreamObserver<UploadRecordingResponse> responses) {
+    if (!refused(responses)) {
+      recordings.put(request.getCaseNo(), request.getGltf().toStringUtf8());
+      order.add("recording " + request.getCaseNo());
+      answer(
+          responses, UploadRecordingResponse.newBuilder().setSha256(request.getSha256()).build());
+    }
+  }
+
+  @Override
   public synchronized void submitResult(
       SubmitResultRequest request, StreamObserver<SubmitResultResponse> responses) {
     if (refused(responses)) {
@@ -370,6 +405,7 @@ final class FakeServer extends AgentServiceGrpc.AgentServiceImplBase implements 
       return;
     }
     submitted.add(request);
+    order.add("result");
     answer(
         responses,
         SubmitResultResponse.newBuilder()

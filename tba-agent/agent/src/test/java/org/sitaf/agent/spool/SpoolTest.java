@@ -15,13 +15,28 @@ class SpoolTest {
   @Test
   void anEntryIsThereWithItsLogAfterTheSpoolIsOpenedAgain() throws Exception {
     Path log = Files.writeString(directory.resolve("build.log"), "lines");
-    Spool.open(directory.resolve("spool")).put("a", "result".getBytes(UTF_8), log);
+    Spool.open(directory.resolve("spool")).put("a", "result".getBytes(UTF_8), log, null);
     Files.delete(log);
 
     Spool.Entry entry = Spool.open(directory.resolve("spool")).entries().get(0);
     assertThat(entry.name()).isEqualTo("a");
     assertThat(entry.message()).asString(UTF_8).isEqualTo("result");
     assertThat(entry.log()).hasContent("lines");
+  }
+
+  @Test
+  void whatIsAttachedToAnEntryStaysWithIt() throws Exception {
+    Path folder = Files.createDirectory(directory.resolve("recordings"));
+    Files.writeString(folder.resolve("7.glb"), "seven");
+    Spool spool = Spool.open(directory.resolve("spool"));
+    spool.put("a", new byte[] {1}, null, folder);
+
+    Spool.Entry entry = Spool.open(directory.resolve("spool")).entries().get(0);
+    assertThat(entry.attachments())
+        .singleElement()
+        .satisfies(f -> assertThat(f).hasContent("seven"));
+    assertThat(spool.put("b", new byte[] {1}, null, directory.resolve("nowhere")).attachments())
+        .isEmpty();
   }
 
   @Test
@@ -37,7 +52,7 @@ class SpoolTest {
   @Test
   void aDeletedEntryIsGone() throws Exception {
     Spool spool = Spool.open(directory);
-    spool.delete(spool.put("a", new byte[] {1}, null));
+    spool.delete(spool.put("a", new byte[] {1}, null, null));
 
     assertThat(spool.entries()).isEmpty();
     assertThat(directory).isEmptyDirectory();
@@ -46,7 +61,7 @@ class SpoolTest {
   @Test
   void aRejectedEntryIsKeptForAPersonAndNotSentAgain() throws Exception {
     Spool spool = Spool.open(directory);
-    Path aside = spool.reject(spool.put("a", new byte[] {1}, null));
+    Path aside = spool.reject(spool.put("a", new byte[] {1}, null, null));
 
     assertThat(spool.entries()).isEmpty();
     assertThat(aside.resolve("message")).hasBinaryContent(new byte[] {1});
@@ -57,8 +72,8 @@ class SpoolTest {
   @Test
   void aLaterEntryOfTheSameNameReplacesTheFirst() throws Exception {
     Spool spool = Spool.open(directory);
-    spool.put("a", new byte[] {1}, null);
-    spool.put("a", new byte[] {2}, null);
+    spool.put("a", new byte[] {1}, null, null);
+    spool.put("a", new byte[] {2}, null, null);
 
     assertThat(spool.entries()).hasSize(1);
     assertThat(spool.entries().get(0).message()).containsExactly(2);
@@ -68,7 +83,7 @@ class SpoolTest {
   void aNameThatIsAPathIsRefused() throws Exception {
     Spool spool = Spool.open(directory);
 
-    assertThatThrownBy(() -> spool.put("../a", new byte[0], null))
+    assertThatThrownBy(() -> spool.put("../a", new byte[0], null, null))
         .isInstanceOf(IllegalArgumentException.class);
   }
 }

@@ -2,6 +2,7 @@ package org.sitaf.agent.testing;
 
 import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.sitaf.agent.build.BuildListener;
@@ -12,6 +13,7 @@ import org.sitaf.core.verdict.CaseResult;
 public class Recording implements BuildListener {
   private final List<BuildStage> stages = new ArrayList<>();
   private final List<CaseResult> cases = new ArrayList<>();
+  private final List<String> recordings = new ArrayList<>();
   private final ByteArrayOutputStream log = new ByteArrayOutputStream();
 
   @Override
@@ -29,6 +31,16 @@ public class Recording implements BuildListener {
   public synchronized void caseFinished(CaseResult result) {
     cases.add(result);
     notifyAll();
+  }
+
+  @Override
+  public synchronized void recorded(int no, Path recording) {
+    recordings.add(String.valueOf(recording.getFileName()));
+  }
+
+  /** Names of files. */
+  public synchronized List<String> recordings() {
+    return List.copyOf(recordings);
   }
 
   public synchronized List<BuildStage> stages() {

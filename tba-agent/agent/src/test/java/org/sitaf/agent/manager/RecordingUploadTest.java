@@ -1,0 +1,109 @@
+package org.sitaf.agent.manager;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.grpc.ManagedChannel;
+import io.grpc.Status;
+import io.grpc.netty.shaded.io.grpc.netty.NettyChannelBuilder;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.sitaf.agent.spool.AgentDirectory;
+import org.sitaf.agent.spool.Spool;
+import org.sitaf.agent.v1.SubmitResultRequest;
+
+/** What becomes of recordings between the agent's disk and the server. */
+@Timeout(60)
+class RecordingUploadTest {
+  private static final Attempt ATTEMPT = Attempt.of(FakeServer.attempt("b-1", 1, 17));
+
+  @TempDir private Path directory;
+  private FakeServer server;
+  private ManagedChannel channel;
+  private ServerCalls calls;
+
+  @BeforeEach
+  void start() throws Exception {
+    server = FakeServer.start();
+    server.letAllIn();
+    channel = NettyChannelBuilder.forTarget(server.address()).usePlaintext().build();
+    calls = new ServerCalls(channel);
+  }
+
+  @AfterEach
+  void stop() {
+    channel.shutdownNow();
+    server.close();
+  }
+
+  private Path recording(int no) throws Exception {
+    return Files.writeString(
+        Files.createDirectories(directory.resolve("recordings")).resolve(no + ".glb"), "g" + no);
+  }
+
+  @Test
+  void goesWhileTheBuildRunsAndIsDeletedOnceTheServerHasIt() throws Exception {
+    Path first = recording(1);
+    try (RecordingUpload upload = new RecordingUpload(ATTEMPT, calls)) {
+      upload.add(first);
+      server.await(s -> s.recordings().containsKey(1));
+      upload.add(recording(22));
+    }
+
+    assertThat(server.recordings()).containsEntry(1, "g1").containsEntry(22, "g22");
+    assertThat(directory.resolve("recordings")).isEmptyDirectory();
+  }
+
+  @Test
+  void isLeftForTheSpoolWhileTheServerIsAway() throws Exception {
+    server.refuseAttempt(Status.UNAVAILABLE);
+    Path first = recording(1);
+    Path second = recording(2);
+    try (RecordingUpload upload = new RecordingUpload(ATTEMPT, calls)) {
+      upload.add(first);
+      upload.add(second);
+    }
+
+    assertThat(first).exists();
+    assertThat(second).exists();
+  }
+
+  @Test
+  void isNotSentAgainWhenTheServerWillNeverTakeIt() throws Exception {
+    server.refuseAttempt(Status.INVALID_ARGUMENT);
+    Path first = recording(1);
+    try (RecordingUpload upload = new RecordingUpload(ATTEMPT, calls)) {
+      upload.add(first);
+    }
+
+    assertThat(first).doesNotExist();
+  }
+
+  @Test
+  void goesFromTheSpoolBeforeTheResultThatEndsTheAttempt() throws Exception {
+    recording(3);
+    try (AgentDirectory agent = AgentDirectory.open(directory.resolve("agent"))) {
+      Spool spool = agent.spool();
+      try (ResultUpload upload = new ResultUpload(spool, calls)) {
+        server.refuseAttempt(Status.UNAVAILABLE);
+        upload.add(
+            ATTEMPT,
+            SubmitResultRequest.newBuilder().setAttempt(ATTEMPT.ref()).build(),
+            null,
+            directory.resolve("recordings"));
+        Files.delete(directory.resolve("recordings/3.glb"));
+        assertThat(spool.entries().get(0).attachments()).hasSize(1);
+        server.takeAttempts();
+        upload.wake();
+        server.await(s -> !s.submitted().isEmpty());
+      }
+      assertThat(server.recordings()).containsEntry(3, "g3");
+      assertThat(server.order()).containsSubsequence("recording 3", "result");
+      assertThat(spool.entries()).isEmpty();
+    }
+  }
+}
