@@ -89,6 +89,7 @@ export function build(id: string, changes: Partial<Build> = {}): Build {
     priority: 0,
     requirements: [],
     casesDone: 0,
+    recordedCases: 'ALL',
     ...changes,
   };
 }

@@ -117,8 +117,8 @@ class Attempt {
     state = BuildState.SUPERSEDED;
   }
 
-  Attempts.Past view() {
-    return new Attempts.Past(no, agent, state, leased, finished);
+  PastAttempt view() {
+    return new PastAttempt(no, agent, state, leased, finished);
   }
 
   AttemptKey key() {

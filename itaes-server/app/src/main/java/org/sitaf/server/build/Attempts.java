@@ -12,6 +12,7 @@ import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.TestResult;
+import org.sitaf.server.build.request.RecordedCases;
 import org.sitaf.server.file.StoredFile;
 import org.sitaf.server.refusal.Refusal;
 import org.sitaf.server.result.Results;
@@ -67,17 +68,16 @@ public class Attempts {
    * What an agent is given.
    *
    * @param activity name of the activity
+   * @param recordingBytes at most, of all recordings together
    */
   public record Assignment(
-      AttemptKey key, String activity, String model, String language, List<StoredFile> files) {}
-
-  /**
-   * An attempt as people see it.
-   *
-   * @param finished null while an agent works on it
-   */
-  public record Past(
-      int no, String agent, BuildState state, Instant leased, @Nullable Instant finished) {}
+      AttemptKey key,
+      String activity,
+      String model,
+      String language,
+      List<StoredFile> files,
+      RecordedCases recordedCases,
+      long recordingBytes) {}
 
   /** What becomes of a result. */
   public enum Delivery {
@@ -110,7 +110,13 @@ public class Attempts {
     changed(build);
     return Optional.of(
         new Assignment(
-            attempt.key(), build.activityName(), build.model(), build.language(), build.files()));
+            attempt.key(),
+            build.activityName(),
+            build.model(),
+            build.language(),
+            build.files(),
+            build.recordedCases(),
+            settings.maxRecordings().toBytes()));
   }
 
   /**
@@ -185,7 +191,7 @@ public class Attempts {
 
   /** The attempts at a build, the first first. */
   @Transactional(readOnly = true)
-  public List<Past> of(String buildId) {
+  public List<PastAttempt> of(String buildId) {
     if (builds.findById(buildId).isEmpty()) {
       throw Refusal.notFound("build", buildId);
     }

@@ -3,7 +3,6 @@ package org.sitaf.server.build;
 import jakarta.persistence.CollectionTable;
 import jakarta.persistence.Column;
 import jakarta.persistence.ElementCollection;
-import jakarta.persistence.Embeddable;
 import jakarta.persistence.Embedded;
 import jakarta.persistence.Entity;
 import jakarta.persistence.EnumType;
@@ -24,6 +23,7 @@ import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.verdict.Summary;
 import org.sitaf.server.build.request.BuildOptions;
+import org.sitaf.server.build.request.RecordedCases;
 import org.sitaf.server.build.request.Requirements;
 import org.sitaf.server.build.request.Reservation;
 import org.sitaf.server.file.StoredFile;
@@ -67,6 +67,9 @@ public class Build {
   private int part;
   private int parts;
 
+  @Enumerated(EnumType.STRING)
+  private RecordedCases recordedCases;
+
   private int casesTotal;
   private int lastCase;
   private byte[] casesSeen;
@@ -103,6 +106,7 @@ public class Build {
     model = "";
     language = "";
     requirements = "";
+    recordedCases = RecordedCases.NONE;
     state = BuildState.QUEUED;
     created = Instant.EPOCH;
     casesSeen = new byte[0];
@@ -133,6 +137,7 @@ public class Build {
     this.maxAttempts = maxAttempts;
     this.created = now;
     freeze(application);
+    this.recordedCases = application.recordedCases(options.recordings());
     if (reservation != null) {
       this.scheduleId = reservation.scheduleId();
       this.fireTime = reservation.fireTime();
@@ -154,6 +159,7 @@ public class Build {
     made.parentId = id;
     made.part = no;
     made.freeze(application);
+    made.recordedCases = recordedCases;
     made.move(BuildState.QUEUED, now, "part " + no + " of build " + id);
     parts++;
     return made;
@@ -309,6 +315,11 @@ public class Build {
     return Optional.ofNullable(notBefore);
   }
 
+  /** Of which cases it is recorded what moves in the simulation. */
+  public RecordedCases recordedCases() {
+    return recordedCases;
+  }
+
   int maxAttempts() {
     return maxAttempts;
   }
@@ -388,20 +399,5 @@ public class Build {
 
   public List<Transition> transitions() {
     return List.copyOf(transitions);
-  }
-
-  /** Cases of an accepted result by verdict. */
-  @Embeddable
-  public record CaseCounts(
-      Integer total, Integer pass, Integer fail, Integer error, Integer dont, Integer unjudged) {
-    static CaseCounts of(Summary summary) {
-      return new CaseCounts(
-          summary.total(),
-          summary.pass(),
-          summary.fail(),
-          summary.error(),
-          summary.dont(),
-          summary.unjudged());
-    }
   }
 }

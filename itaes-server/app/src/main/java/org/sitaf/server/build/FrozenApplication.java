@@ -2,8 +2,11 @@ package org.sitaf.server.build;
 
 import java.util.Collection;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.sitaf.core.harness.TestApplication;
 import org.sitaf.core.suite.TestCase;
+import org.sitaf.server.build.request.RecordedCases;
+import org.sitaf.server.build.request.Requirement;
 import org.sitaf.server.build.request.Requirements;
 import org.sitaf.server.file.StoredFile;
 
@@ -26,6 +29,18 @@ record FrozenApplication(
 
   FrozenApplication {
     files = List.copyOf(files);
+  }
+
+  /**
+   * Of which cases it is recorded what moves; where nothing is simulated, nothing does.
+   *
+   * @param wanted null where nobody said
+   */
+  RecordedCases recordedCases(@Nullable RecordedCases wanted) {
+    if (!requirements.all().contains(new Requirement.Simulation())) {
+      return RecordedCases.NONE;
+    }
+    return wanted == null ? RecordedCases.byDefault(cases) : wanted;
   }
 
   static FrozenApplication of(

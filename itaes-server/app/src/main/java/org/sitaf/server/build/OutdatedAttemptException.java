@@ -4,7 +4,8 @@ package org.sitaf.server.build;
 public final class OutdatedAttemptException extends RuntimeException {
   private static final long serialVersionUID = 1L;
 
-  OutdatedAttemptException(AttemptKey key, String why) {
+  /** Of such an attempt. */
+  public OutdatedAttemptException(AttemptKey key, String why) {
     super("attempt " + key.no() + " of build " + key.buildId() + " " + why);
   }
 }

@@ -73,7 +73,12 @@ public class StoredFiles {
     }
   }
 
-  private String store(byte[] content) {
+  /**
+   * Stores a content. Not to be called within a transaction.
+   *
+   * @return its digest
+   */
+  public String store(byte[] content) {
     String sha256 = sha256(content);
     if (!keep(sha256)) {
       try {
@@ -123,7 +128,9 @@ public class StoredFiles {
                 + " AND NOT EXISTS (SELECT 1 FROM workspace_file w"
                 + " WHERE w.sha256 = file_content.sha256)"
                 + " AND NOT EXISTS (SELECT 1 FROM build_file b"
-                + " WHERE b.sha256 = file_content.sha256)")
+                + " WHERE b.sha256 = file_content.sha256)"
+                + " AND NOT EXISTS (SELECT 1 FROM recording r"
+                + " WHERE r.sha256 = file_content.sha256)")
         .param(now().minus(KEPT))
         .update();
   }

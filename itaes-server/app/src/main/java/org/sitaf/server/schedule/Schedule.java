@@ -14,6 +14,7 @@ import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.server.build.request.AgentWishes;
 import org.sitaf.server.build.request.BuildOptions;
+import org.sitaf.server.build.request.RecordedCases;
 import org.sitaf.server.schedule.timing.Misfire;
 import org.sitaf.server.schedule.timing.Timing;
 
@@ -49,6 +50,10 @@ class Schedule {
   private @Nullable Integer retries;
   private String toolchain;
   private String labels;
+
+  @Enumerated(EnumType.STRING)
+  private @Nullable RecordedCases recordedCases;
+
   private Instant created;
   private @Nullable Instant fired;
 
@@ -111,6 +116,7 @@ class Schedule {
     this.retries = options.retries();
     this.toolchain = options.agent().toolchain();
     this.labels = String.join(SEPARATOR, new TreeSet<>(options.agent().labels()));
+    this.recordedCases = options.recordings();
     this.created = now;
   }
 
@@ -163,7 +169,8 @@ class Schedule {
         priority,
         parts,
         retries,
-        new AgentWishes(toolchain, labels.isEmpty() ? Set.of() : Set.of(labels.split(SEPARATOR))));
+        new AgentWishes(toolchain, labels.isEmpty() ? Set.of() : Set.of(labels.split(SEPARATOR))),
+        recordedCases);
   }
 
   Instant created() {

@@ -10,6 +10,7 @@ import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.server.build.request.AgentWishes;
 import org.sitaf.server.build.request.BuildOptions;
+import org.sitaf.server.build.request.RecordedCases;
 import org.sitaf.server.refusal.Refusal;
 import org.sitaf.server.schedule.timing.Misfire;
 import org.sitaf.server.schedule.timing.Timing;
@@ -48,7 +49,9 @@ record ScheduleRequest(
         @Nullable Integer retries,
     @Schema(description = "release of the component's tools, such as 17; any where absent")
         @Nullable String toolchain,
-    @Schema(description = "that the agent must have") @Nullable Set<String> labels) {
+    @Schema(description = "that the agent must have") @Nullable Set<String> labels,
+    @Schema(description = "of which cases it is recorded what moves; as of a build")
+        @Nullable RecordedCases recordings) {
   private static final int MAX_NAME = 200;
 
   /** What is built. */
@@ -85,7 +88,8 @@ record ScheduleRequest(
         priority == null ? 0 : priority,
         shards == null ? 1 : shards,
         retries,
-        new AgentWishes(toolchain == null ? "" : toolchain, labels == null ? Set.of() : labels));
+        new AgentWishes(toolchain == null ? "" : toolchain, labels == null ? Set.of() : labels),
+        recordings);
   }
 
   Misfire misfireOrDefault() {

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.server.build.request.BuildOptions;
+import org.sitaf.server.build.request.RecordedCases;
 import org.sitaf.server.schedule.timing.Misfire;
 import org.sitaf.server.schedule.timing.Timing;
 
@@ -36,6 +37,7 @@ record ScheduleView(
     @Nullable Integer retries,
     @Nullable String toolchain,
     List<String> labels,
+    @Nullable RecordedCases recordings,
     Instant created,
     @Schema(description = "when a build was last requested; absent before") @Nullable Instant fired,
     @Schema(description = "absent when it fires no more") @Nullable Instant next) {
@@ -87,6 +89,7 @@ record ScheduleView(
         options.retries(),
         options.agent().toolchain().isEmpty() ? null : options.agent().toolchain(),
         List.copyOf(new TreeSet<>(options.agent().labels())),
+        options.recordings(),
         schedule.created(),
         schedule.fired().orElse(null),
         next);

@@ -28,6 +28,7 @@ import org.springframework.validation.annotation.Validated;
  *     long after each further one, up to a minute
  * @param maxUpload largest body of a request
  * @param maxLog largest log of a build; what goes beyond is dropped, with a note
+ * @param maxRecordings what the recordings of a build may take together
  * @param stopWithStdin whether the server ends when its standard input does, so that it never
  *     outlives a launcher
  */
@@ -42,6 +43,7 @@ public record SitafSettings(
     @DurationMin(millis = 0) @DurationMax(minutes = 10) @DefaultValue("1s") Duration retryDelay,
     @DefaultValue("256MB") DataSize maxUpload,
     @DefaultValue("64MB") DataSize maxLog,
+    @DefaultValue("64MB") DataSize maxRecordings,
     @DefaultValue("false") boolean stopWithStdin) {
   public SitafSettings {
     publicHosts = List.copyOf(publicHosts);

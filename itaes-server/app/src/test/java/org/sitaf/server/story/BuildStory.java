@@ -1,12 +1,9 @@
 package org.sitaf.server.story;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.grpc.Status;
-import io.grpc.StatusRuntimeException;
 import java.util.List;
-import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.Test;
 import org.sitaf.agent.v1.Assignment;
 import org.sitaf.agent.v1.AttemptRef;
@@ -20,7 +17,7 @@ import org.sitaf.server.support.RimAgent;
 import tools.jackson.databind.JsonNode;
 
 /** Builds from request to result, with an agent at the rim. Each database runs all of it. */
-abstract class BuildStory extends DispatchStory {
+abstract class BuildStory extends RecordingStory {
   @Test
   void aBuildGoesFromRequestToResult() {
     String id = api.build(suiteId);
@@ -303,12 +300,5 @@ abstract class BuildStory extends DispatchStory {
 
   private static BuildFailure failure(BuildFailure.Category category, String message) {
     return BuildFailure.newBuilder().setCategory(category).setMessage(message).build();
-  }
-
-  private static void refused(Status.Code code, ThrowingCallable call) {
-    assertThatThrownBy(call)
-        .isInstanceOfSatisfying(
-            StatusRuntimeException.class,
-            e -> assertThat(e.getStatus().getCode()).as(e.getMessage()).isEqualTo(code));
   }
 }

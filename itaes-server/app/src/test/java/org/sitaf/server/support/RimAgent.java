@@ -41,6 +41,7 @@ import org.sitaf.agent.v1.ReportStateRequest;
 import org.sitaf.agent.v1.ServerMessage;
 import org.sitaf.agent.v1.SubmitResultRequest;
 import org.sitaf.agent.v1.Toolchain;
+import org.sitaf.agent.v1.UploadRecordingRequest;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.harness.TestApplication;
 import org.sitaf.core.verdict.CaseResult;
@@ -304,6 +305,20 @@ public final class RimAgent implements AutoCloseable {
         .getFilesList()
         .forEach(f -> files.put(f.getPath(), download(assignment.getAttempt(), f.getSha256())));
     return TestApplication.read(FileTree.of(files));
+  }
+
+  public void uploadRecording(AttemptRef attempt, int caseNo, byte[] gltf) {
+    uploadRecording(attempt, caseNo, gltf, StoredFiles.sha256(gltf));
+  }
+
+  public void uploadRecording(AttemptRef attempt, int caseNo, byte[] gltf, String sha256) {
+    calls.uploadRecording(
+        UploadRecordingRequest.newBuilder()
+            .setAttempt(attempt)
+            .setCaseNo(caseNo)
+            .setGltf(ByteString.copyFrom(gltf))
+            .setSha256(sha256)
+            .build());
   }
 
   public boolean submit(AttemptRef attempt, byte[] document) {

@@ -26,6 +26,7 @@ import org.springframework.test.context.DynamicPropertySource;
       "sitaf.lease=4s",
       "sitaf.retry-delay=50ms",
       "sitaf.max-log=64KB",
+      "sitaf.max-recordings=1MB",
       "sitaf.webhooks.allowed-hosts=localhost",
       "sitaf.webhooks.private-addresses=true",
       "sitaf.webhooks.interval=200ms"

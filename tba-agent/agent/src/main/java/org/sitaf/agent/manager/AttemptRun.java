@@ -220,6 +220,11 @@ final class AttemptRun {
         }
         report.caseFinished(result);
       }
+
+      @Override
+      public void recorded(int no, Path recording) {
+        report.recorded(no, recording);
+      }
     };
   }
 

@@ -21,11 +21,14 @@ import org.sitaf.agent.v1.ReportStateResponse;
 import org.sitaf.agent.v1.ServerMessage;
 import org.sitaf.agent.v1.SubmitResultRequest;
 import org.sitaf.agent.v1.SubmitResultResponse;
+import org.sitaf.agent.v1.UploadRecordingRequest;
+import org.sitaf.agent.v1.UploadRecordingResponse;
 import org.sitaf.server.access.enrolment.Enrolments;
 import org.sitaf.server.build.AttemptKey;
 import org.sitaf.server.build.Attempts;
 import org.sitaf.server.build.Attempts.Delivery;
 import org.sitaf.server.build.log.BuildLogs;
+import org.sitaf.server.build.recording.Recordings;
 import org.sitaf.server.file.StoredFiles;
 import org.sitaf.server.refusal.Refusal;
 import org.sitaf.server.result.Results;
@@ -42,6 +45,7 @@ class AgentService extends AgentServiceGrpc.AgentServiceImplBase {
   private final Dispatcher dispatcher;
   private final Attempts attempts;
   private final BuildLogs logs;
+  private final Recordings recordings;
   private final StoredFiles contents;
   private final SitafSettings settings;
   private final Clock clock;
@@ -52,6 +56,7 @@ class AgentService extends AgentServiceGrpc.AgentServiceImplBase {
       Dispatcher dispatcher,
       Attempts attempts,
       BuildLogs logs,
+      Recordings recordings,
       StoredFiles contents,
       SitafSettings settings,
       Clock clock) {
@@ -60,6 +65,7 @@ class AgentService extends AgentServiceGrpc.AgentServiceImplBase {
     this.dispatcher = dispatcher;
     this.attempts = attempts;
     this.logs = logs;
+    this.recordings = recordings;
     this.contents = contents;
     this.settings = settings;
     this.clock = clock;
@@ -135,6 +141,21 @@ class AgentService extends AgentServiceGrpc.AgentServiceImplBase {
                   request.getSequence(),
                   request.getOutcomesList().stream().map(Messages::toCase).toList());
           return ReportCasesResponse.newBuilder().setNextSequence(next).build();
+        });
+  }
+
+  @Override
+  public void uploadRecording(
+      UploadRecordingRequest request, StreamObserver<UploadRecordingResponse> answers) {
+    answer(
+        answers,
+        () -> {
+          recordings.store(
+              Messages.toKey(request.getAttempt()),
+              request.getCaseNo(),
+              request.getGltf().toByteArray(),
+              request.getSha256());
+          return UploadRecordingResponse.newBuilder().setSha256(request.getSha256()).build();
         });
   }
 

@@ -9,6 +9,7 @@ import org.sitaf.agent.v1.AttemptRef;
 import org.sitaf.agent.v1.AttemptState;
 import org.sitaf.agent.v1.CaseOutcome;
 import org.sitaf.agent.v1.OutputValue;
+import org.sitaf.agent.v1.RecordingOrder;
 import org.sitaf.agent.v1.Register;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.NamedValue;
@@ -18,6 +19,7 @@ import org.sitaf.server.build.Attempts;
 import org.sitaf.server.build.BuildFailure;
 import org.sitaf.server.build.BuildFailure.SourceProblem;
 import org.sitaf.server.build.BuildState;
+import org.sitaf.server.build.recording.Recordings;
 import org.sitaf.server.build.request.AgentWishes;
 import org.sitaf.server.build.request.Capabilities;
 import org.sitaf.server.refusal.Refusal;
@@ -60,7 +62,8 @@ final class Messages {
         Assignment.newBuilder()
             .setAttempt(toRef(assignment.key()))
             .setActivity(assignment.activity())
-            .setModel(assignment.model());
+            .setModel(assignment.model())
+            .setRecordings(toOrder(assignment));
     assignment.files().stream()
         .sorted(java.util.Comparator.comparing(f -> f.path()))
         .forEach(
@@ -71,6 +74,20 @@ final class Messages {
                         .setSha256(file.sha256())
                         .setSize(file.size())));
     return message.build();
+  }
+
+  private static RecordingOrder toOrder(Attempts.Assignment assignment) {
+    RecordingOrder.Cases wanted =
+        switch (assignment.recordedCases()) {
+          case NONE -> RecordingOrder.Cases.CASES_UNSPECIFIED;
+          case FAILED -> RecordingOrder.Cases.FAILED;
+          case ALL -> RecordingOrder.Cases.ALL;
+        };
+    return RecordingOrder.newBuilder()
+        .setCases(wanted)
+        .setMaxRecordings(Recordings.MAX_RECORDINGS)
+        .setMaxBytes(assignment.recordingBytes())
+        .build();
   }
 
   static BuildState toState(AttemptState state) {

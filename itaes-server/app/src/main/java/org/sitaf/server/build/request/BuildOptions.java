@@ -11,10 +11,16 @@ import org.sitaf.server.refusal.Refusal;
  * @param retries after failures of the infrastructure, 0 to 99; null as the server is set; a test
  *     that fails is never repeated
  * @param agent what the agent must be
+ * @param recordings of which cases; null as {@link RecordedCases#byDefault} has it
  */
-public record BuildOptions(int priority, int parts, @Nullable Integer retries, AgentWishes agent) {
+public record BuildOptions(
+    int priority,
+    int parts,
+    @Nullable Integer retries,
+    AgentWishes agent,
+    @Nullable RecordedCases recordings) {
   /** As a build is executed when nobody says how. */
-  public static final BuildOptions DEFAULT = new BuildOptions(0, 1, null, AgentWishes.NONE);
+  public static final BuildOptions DEFAULT = new BuildOptions(0, 1, null, AgentWishes.NONE, null);
 
   private static final int MAX_PRIORITY = 100;
   private static final int MAX_PARTS = 100;

@@ -5,6 +5,7 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.server.build.request.AgentWishes;
 import org.sitaf.server.build.request.BuildOptions;
+import org.sitaf.server.build.request.RecordedCases;
 
 /** Which suite is to be built, and how. */
 @Schema(name = "BuildRequest")
@@ -20,13 +21,19 @@ record BuildRequest(
         @Nullable Integer retries,
     @Schema(description = "release of the component's tools, such as 17; any where absent")
         @Nullable String toolchain,
-    @Schema(description = "that the agent must have") @Nullable Set<String> labels) {
+    @Schema(description = "that the agent must have") @Nullable Set<String> labels,
+    @Schema(
+            description =
+                "of which cases it is recorded what moves in the simulation; where absent of ALL of up to 200 cases, of the"
+                    + " FAILED (and ERROR) ones of up to 2,000, of NONE of more")
+        @Nullable RecordedCases recordings) {
 
   BuildOptions options() {
     return new BuildOptions(
         priority == null ? 0 : priority,
         shards == null ? 1 : shards,
         retries,
-        new AgentWishes(toolchain == null ? "" : toolchain, labels == null ? Set.of() : labels));
+        new AgentWishes(toolchain == null ? "" : toolchain, labels == null ? Set.of() : labels),
+        recordings);
   }
 }

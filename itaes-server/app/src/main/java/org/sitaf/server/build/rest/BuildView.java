@@ -4,11 +4,13 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import java.time.Instant;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import org.sitaf.server.build.Attempts;
 import org.sitaf.server.build.Build;
 import org.sitaf.server.build.BuildFailure;
 import org.sitaf.server.build.BuildState;
+import org.sitaf.server.build.CaseCounts;
+import org.sitaf.server.build.PastAttempt;
 import org.sitaf.server.build.Transition;
+import org.sitaf.server.build.request.RecordedCases;
 import org.sitaf.server.build.request.Requirement;
 import org.sitaf.server.build.request.Reservation;
 
@@ -42,7 +44,9 @@ record BuildView(
     @Schema(description = "which of the shards of its parent it is, from 1")
         @Nullable Integer shard,
     @Schema(description = "build whose cases are spread over it and others")
-        @Nullable String parentId) {
+        @Nullable String parentId,
+    @Schema(description = "of which cases it is recorded what moves in the simulation")
+        RecordedCases recordedCases) {
 
   /** As {@link BuildState}, without what only attempts can be. */
   enum State {
@@ -89,7 +93,7 @@ record BuildView(
       int error,
       @Schema(description = "not executed") int dont,
       @Schema(description = "passed without an expected value or post-condition") int unjudged) {
-    static CountsView of(Build.CaseCounts counts) {
+    static CountsView of(CaseCounts counts) {
       return new CountsView(
           counts.total(),
           counts.pass(),
@@ -122,7 +126,7 @@ record BuildView(
       BuildState state,
       Instant leased,
       @Nullable Instant finished) {
-    static AttemptView of(Attempts.Past attempt) {
+    static AttemptView of(PastAttempt attempt) {
       return new AttemptView(
           attempt.no(), attempt.agent(), attempt.state(), attempt.leased(), attempt.finished());
     }
@@ -158,6 +162,7 @@ record BuildView(
         build.notBefore().filter(t -> build.state() == BuildState.QUEUED).orElse(null),
         build.parts() == 0 ? null : build.parts(),
         build.part() == 0 ? null : build.part(),
-        build.parentId().orElse(null));
+        build.parentId().orElse(null),
+        build.recordedCases());
   }
 }

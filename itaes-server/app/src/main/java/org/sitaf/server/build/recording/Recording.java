@@ -1,0 +1,11 @@
+package org.sitaf.server.build.recording;
+
+import java.time.Instant;
+
+/**
+ * What moved in a case.
+ *
+ * @param sha256 of its binary glTF, in hexadecimal
+ * @param size in bytes
+ */
+public record Recording(int caseNo, String sha256, long size, Instant received) {}

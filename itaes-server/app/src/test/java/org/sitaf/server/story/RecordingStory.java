@@ -1,0 +1,200 @@
+package org.sitaf.server.story;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import io.grpc.Status;
+import io.grpc.StatusRuntimeException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.util.List;
+import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
+import org.junit.jupiter.api.Test;
+import org.sitaf.agent.v1.Assignment;
+import org.sitaf.agent.v1.AttemptRef;
+import org.sitaf.agent.v1.BuildFailure;
+import org.sitaf.agent.v1.RecordingOrder;
+import org.sitaf.core.harness.TestApplication;
+import org.sitaf.server.file.StoredFiles;
+import org.sitaf.server.support.Api;
+import org.sitaf.server.support.RimAgent;
+import org.springframework.beans.factory.annotation.Autowired;
+import org.springframework.jdbc.core.simple.JdbcClient;
+import tools.jackson.databind.JsonNode;
+
+/** What moved in the cases of builds, from an agent to whoever wants to see it. */
+abstract class RecordingStory extends DispatchStory {
+  @Autowired private StoredFiles files;
+  @Autowired private JdbcClient jdbc;
+
+  /** Binary glTF, as far as its header. */
+  private static byte[] glb(int size, int content) {
+    return ByteBuffer.allocate(size)
+        .order(ByteOrder.LITTLE_ENDIAN)
+        .putInt(0x46546C67)
+        .putInt(2)
+        .putInt(size)
+        .putInt(content)
+        .array();
+  }
+
+  private Api.Answer recording(String build, int caseNo) {
+    return api.get("/api/v1/builds/" + build + "/recordings/" + caseNo);
+  }
+
+  private List<Integer> recorded(String build, String order) {
+    JsonNode list =
+        api.get("/api/v1/builds/" + build + "/recordings?order=" + order).expect(200).json();
+    assertThat(list.get("total").asInt()).isEqualTo(list.get("items").size());
+    return list.get("items").valueStream().map(item -> item.get("caseNo").asInt()).toList();
+  }
+
+  @Test
+  void recordingsAreSeenWhileTheBuildRunsAndAfterwards() {
+    String id = api.build(suiteId);
+    assertThat(build(id).get("recordedCases").asString()).isEqualTo("ALL");
+    try (RimAgent agent = RimAgent.register(grpcPort(), "films", "java")) {
+      Assignment assignment = agent.nextAssignment();
+      assertThat(assignment.getRecordings().getCases()).isEqualTo(RecordingOrder.Cases.ALL);
+      assertThat(assignment.getRecordings().getMaxBytes()).isEqualTo(1L << 20);
+      AttemptRef attempt = assignment.getAttempt();
+      agent.uploadRecording(attempt, 3, glb(1000, 3));
+      agent.uploadRecording(attempt, 7, glb(100, 7));
+      agent.uploadRecording(attempt, 3, glb(1000, 3));
+      assertThat(recorded(id, "CASE")).containsExactly(3, 7);
+      assertThat(recorded(id, "NEWEST")).containsExactly(7, 3);
+      TestApplication application = agent.download(assignment);
+      agent.submit(attempt, RimAgent.result(application, List.of()));
+    }
+    Api.Answer answer = recording(id, 3).expect(200);
+    assertThat(answer.bytes()).isEqualTo(glb(1000, 3));
+    assertThat(answer.headers().firstValue("Content-Type")).hasValue("model/gltf-binary");
+    assertThat(answer.headers().allValues("Cache-Control")).containsExactly("private, no-cache");
+    String etag = answer.headers().firstValue("ETag").orElseThrow();
+    assertThat(etag).isEqualTo('"' + StoredFiles.sha256(glb(1000, 3)) + '"');
+    String path = "/api/v1/builds/" + id + "/recordings/3";
+    assertThat(api.send(api.request(path).header("If-None-Match", etag).GET()).status())
+        .isEqualTo(304);
+    Api.Answer part = api.send(api.request(path).header("Range", "bytes=0-3").GET()).expect(206);
+    assertThat(part.text()).isEqualTo("glTF");
+    recording(id, 4).expect(404);
+    recording("none", 3).expect(404);
+    api.get("/api/v1/builds/none/recordings").expect(404);
+  }
+
+  @Test
+  void whatIsRecordedIsWhatWasAskedFor() {
+    String none = request("\"recordings\": \"NONE\"");
+    try (RimAgent agent = RimAgent.register(grpcPort(), "no-films", "java")) {
+      Assignment assignment = agent.nextAssignment();
+      AttemptRef attempt = assignment.getAttempt();
+      assertThat(attempt.getBuildId()).isEqualTo(none);
+      assertThat(assignment.getRecordings().getCases())
+          .isEqualTo(RecordingOrder.Cases.CASES_UNSPECIFIED);
+      refused(Status.Code.INVALID_ARGUMENT, () -> agent.uploadRecording(attempt, 1, glb(20, 1)));
+      agent.submit(attempt, RimAgent.result(agent.download(assignment), List.of()));
+    }
+    String failed = request("\"recordings\": \"FAILED\"");
+    assertThat(build(failed).get("recordedCases").asString()).isEqualTo("FAILED");
+    try (RimAgent agent = RimAgent.register(grpcPort(), "failed-films", "java")) {
+      Assignment assignment = agent.nextAssignment();
+      AttemptRef attempt = assignment.getAttempt();
+      assertThat(assignment.getRecordings().getCases()).isEqualTo(RecordingOrder.Cases.FAILED);
+      refused(Status.Code.INVALID_ARGUMENT, () -> agent.uploadRecording(attempt, 1, new byte[100]));
+      refused(Status.Code.INVALID_ARGUMENT, () -> agent.uploadRecording(attempt, 0, glb(20, 1)));
+      byte[] cut = java.util.Arrays.copyOf(glb(100, 1), 50);
+      refused(Status.Code.INVALID_ARGUMENT, () -> agent.uploadRecording(attempt, 1, cut));
+      refused(
+          Status.Code.INVALID_ARGUMENT,
+          () -> agent.uploadRecording(attempt, 1, glb(20, 1), StoredFiles.sha256(cut)));
+      agent.submit(attempt, RimAgent.result(agent.download(assignment), List.of()));
+      refused(Status.Code.FAILED_PRECONDITION, () -> agent.uploadRecording(attempt, 1, glb(20, 1)));
+    }
+    assertThat(recorded(failed, "CASE")).isEmpty();
+    api.post("/api/v1/builds", "{\"suiteId\":\"" + suiteId + "\",\"recordings\":\"SOME\"}")
+        .expect(400);
+  }
+
+  @Test
+  void anAttemptHasNoMoreRecordingsThanItMay() {
+    String id = api.build(suiteId);
+    try (RimAgent agent = RimAgent.register(grpcPort(), "large-films", "java")) {
+      AttemptRef attempt = agent.nextAssignment().getAttempt();
+      agent.uploadRecording(attempt, 1, glb(700_000, 1));
+      agent.uploadRecording(attempt, 2, glb(300_000, 2));
+      refused(
+          Status.Code.INVALID_ARGUMENT, () -> agent.uploadRecording(attempt, 3, glb(100_000, 3)));
+      agent.uploadRecording(attempt, 1, glb(100, 1));
+      agent.uploadRecording(attempt, 3, glb(100_000, 3));
+    }
+    assertThat(recorded(id, "CASE")).containsExactly(1, 2, 3);
+  }
+
+  @Test
+  void aBuildShowsTheRecordingsOfItsLatestAttemptOnly() {
+    String id = api.build(suiteId);
+    try (RimAgent agent = RimAgent.register(grpcPort(), "film-again", "java")) {
+      AttemptRef first = agent.nextAssignment().getAttempt();
+      agent.uploadRecording(first, 1, glb(100, 1));
+      agent.uploadRecording(first, 2, glb(100, 2));
+      agent.submit(
+          first,
+          BuildFailure.newBuilder()
+              .setCategory(BuildFailure.Category.INFRASTRUCTURE)
+              .setMessage("no simulator")
+              .build());
+      AttemptRef second = agent.nextAssignment().getAttempt();
+      agent.uploadRecording(second, 2, glb(100, 22));
+      assertThat(recorded(id, "CASE")).containsExactly(2);
+      assertThat(recording(id, 2).expect(200).bytes()).isEqualTo(glb(100, 22));
+    }
+  }
+
+  @Test
+  void aBuildWithShardsShowsTheRecordingsOfAllOfThem() {
+    String id = request("\"shards\": 2");
+    try (RimAgent agent = RimAgent.register(grpcPort(), "film-parts", 2, List.of(), "java")) {
+      AttemptRef one = agent.nextAssignment().getAttempt();
+      AttemptRef other = agent.nextAssignment().getAttempt();
+      agent.uploadRecording(one, 5, glb(100, 5));
+      agent.uploadRecording(other, 40, glb(100, 40));
+      assertThat(recorded(id, "CASE")).containsExactly(5, 40);
+      assertThat(recorded(one.getBuildId(), "CASE")).containsExactly(5);
+      assertThat(recording(id, 40).expect(200).bytes()).isEqualTo(glb(100, 40));
+    }
+  }
+
+  @Test
+  void recordingsAreKeptAsLongAsTheirBuild() {
+    String id = api.build(suiteId);
+    byte[] film = glb(64, 4711);
+    try (RimAgent agent = RimAgent.register(grpcPort(), "film-kept", "java")) {
+      Assignment assignment = agent.nextAssignment();
+      agent.uploadRecording(assignment.getAttempt(), 1, film);
+      agent.submit(assignment.getAttempt(), RimAgent.result(agent.download(assignment), List.of()));
+    }
+    collect();
+    assertThat(recording(id, 1).expect(200).bytes()).isEqualTo(film);
+    api.delete("/api/v1/activities/" + activityId).expect(204);
+    collect();
+    assertThat(
+            jdbc.sql("SELECT COUNT(*) FROM file_content WHERE sha256 = ?")
+                .param(StoredFiles.sha256(film))
+                .query(Integer.class)
+                .single())
+        .isZero();
+  }
+
+  protected static void refused(Status.Code code, ThrowingCallable call) {
+    assertThatThrownBy(call)
+        .isInstanceOfSatisfying(
+            StatusRuntimeException.class,
+            e -> assertThat(e.getStatus().getCode()).as(e.getMessage()).isEqualTo(code));
+  }
+
+  private void collect() {
+    jdbc.sql("UPDATE file_content SET stored = TIMESTAMP WITH TIME ZONE '2001-01-01 00:00:00Z'")
+        .update();
+    files.collect();
+  }
+}
