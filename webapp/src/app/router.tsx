@@ -84,6 +84,18 @@ const build = createRoute({
   component: lazyRouteComponent(() => import('./pages/BuildPage'), 'BuildPage'),
 });
 
+const live = createRoute({
+  getParentRoute,
+  path: '/builds/$buildId/live',
+  component: lazyRouteComponent(() => import('./pages/LivePage'), 'LivePage'),
+});
+
+const replay = createRoute({
+  getParentRoute,
+  path: '/builds/$buildId/cases/$caseNo',
+  component: lazyRouteComponent(() => import('./pages/ReplayPage'), 'ReplayPage'),
+});
+
 const compare = createRoute({
   getParentRoute,
   path: '/builds/$buildId/compare',
@@ -144,6 +156,8 @@ export function createPortalRouter(history?: RouterHistory) {
       suite,
       builds,
       build,
+      live,
+      replay,
       compare,
       agents,
       schedules,

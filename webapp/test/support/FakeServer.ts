@@ -14,6 +14,8 @@ interface Answer {
   status: number;
   json?: unknown;
   text?: string;
+  /** Instead of JSON. */
+  bytes?: Uint8Array;
   problem?: boolean;
 }
 
@@ -35,6 +37,7 @@ const NOUNS = [
   'log',
   'models',
   'preview',
+  'recordings',
   'result',
   'schedules',
   'session',
@@ -50,6 +53,8 @@ export class FakeServer {
   readonly liveCases = new Map<string, ResultCase[]>();
   /** What cases printed, by build and number, such as `b1 7`. */
   readonly caseLogs = new Map<string, string>();
+  /** Binary glTF by build and case: `b1 7`. */
+  readonly recordings = new Map<string, Uint8Array>();
   agents: Agent[] = [AGENT];
   /** What the next upload is refused for; none: taken. */
   refusal: Diagnostic[] = [];
@@ -113,7 +118,7 @@ export class FakeServer {
     const path = url.pathname.split('/').slice(3).map(decodeURIComponent);
     const chunks: Buffer[] = [];
     for await (const chunk of request) chunks.push(chunk as Buffer);
-    const { status, json, text, problem } = await this.route(
+    const { status, json, text, bytes, problem } = await this.route(
       request.method ?? 'GET',
       path,
     )({
@@ -134,7 +139,7 @@ export class FakeServer {
       'Access-Control-Allow-Methods': '*',
       'Access-Control-Allow-Headers': '*',
     });
-    response.end(text ?? JSON.stringify(json));
+    response.end(bytes ?? text ?? JSON.stringify(json));
   }
 
   private route(method: string, path: string[]): Handler {
@@ -228,6 +233,22 @@ export class FakeServer {
             problem: true,
             json: { title: 'Malformed', detail: 'is no cron expression', status: 400 },
           };
+    },
+    'GET builds * recordings': ({ path, query }) => {
+      const items = [...this.recordings]
+        .filter(([key]) => key.startsWith(`${path[1] ?? ''} `))
+        .map(([key, { byteLength }]) => ({
+          caseNo: Number(key.split(' ')[1]),
+          sha256: key,
+          size: byteLength,
+          received: '2026-03-01T10:00:00Z',
+        }));
+      if (query.get('order') === 'NEWEST') items.reverse();
+      return { status: 200, json: pageOf(items, query) };
+    },
+    'GET builds * recordings *': ({ path }) => {
+      const bytes = this.recordings.get(`${path[1] ?? ''} ${path[3] ?? ''}`);
+      return bytes ? { status: 200, bytes } : notFound();
     },
     'POST builds * cancel': ({ path }) => {
       this.advance(path[1] ?? '', { state: 'CANCELLED' });

@@ -57,6 +57,14 @@ export function BuildPage() {
             onCase={(no) => {
               show(withoutAbsent<BuildSearch>({ ...shown, case: no }));
             }}
+            caseActions={({ no }) => (
+              <RouteLink
+                to="/builds/$buildId/cases/$caseNo"
+                params={{ buildId, caseNo: String(no) }}
+              >
+                See it in 3D
+              </RouteLink>
+            )}
             caseDetails={caseDetails}
           />
         ) : (
@@ -112,9 +120,16 @@ export function BuildPage() {
             <UserText>{model}</UserText>
           </Title>
         </div>
-        <RouteLink to="/suites/$suiteId" params={{ suiteId }} size="sm">
-          Test cases
-        </RouteLink>
+        <Group gap="md">
+          {!isFinished(build.data) && (
+            <RouteLink to="/builds/$buildId/live" params={{ buildId }} size="sm">
+              Watch it
+            </RouteLink>
+          )}
+          <RouteLink to="/suites/$suiteId" params={{ suiteId }} size="sm">
+            Test cases
+          </RouteLink>
+        </Group>
       </Group>
       <BuildOverview build={build.data} />
       <PageTabs

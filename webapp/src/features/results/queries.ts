@@ -51,6 +51,25 @@ export function useFetchCases(buildId: string, filter: CaseFilter) {
   };
 }
 
+/** A case by its number; null where the result has no such case. */
+export function useResultCase(buildId: string, no: number) {
+  const api = useApi();
+  return useQuery({
+    queryKey: [RESULTS, buildId, 'case', no],
+    queryFn: async ({ signal }) => {
+      // The cases of a suite are numbered from 1, without gaps.
+      const { items } = await dataOf(
+        api.GET('/api/v1/builds/{id}/result/cases', {
+          params: { path: { id: buildId }, query: { page: no - 1, size: 1 } },
+          signal,
+        }),
+      );
+      return items.find((item) => item.no === no) ?? null;
+    },
+    staleTime: Infinity,
+  });
+}
+
 /** The first page of a filter, which also says how many cases there are. */
 export function useFirstCases(buildId: string, filter: CaseFilter) {
   const { queryKey, fetchPage } = useFetchCases(buildId, filter);

@@ -44,7 +44,7 @@ class RecordingsTest {
         },
         new OutputSink() {
           @Override
-          public void output(String text) {}
+          public void output(String text, int caseNo) {}
 
           @Override
           public void remark(String line) {

@@ -1,0 +1,99 @@
+import { Group, Stack, Text, Title } from '@mantine/core';
+import { getRouteApi } from '@tanstack/react-router';
+import { NotFound } from '@/app/NotFound';
+import { useBuild } from '@/features/builds';
+import { CaseReplay, useRecordedCases } from '@/features/replay';
+import { CaseFacts, useResult, useResultCase } from '@/features/results';
+import { ApiError } from '@/shared/api';
+import { VERDICT_WORDS } from '@/shared/lib/verdicts';
+import { Loading, ProblemAlert, RouteLink, Section, UserText } from '@/shared/ui';
+
+const route = getRouteApi('/builds/$buildId/cases/$caseNo');
+
+/** A case of a build, seen again. */
+export function ReplayPage() {
+  const { buildId, caseNo } = route.useParams();
+  const navigate = route.useNavigate();
+  const build = useBuild(buildId);
+  const no = Number(caseNo);
+  if (!Number.isSafeInteger(no) || no < 1) return <NotFound />;
+  if (build.isPending) return <Loading what="the build" />;
+  if (!build.data) {
+    return build.error instanceof ApiError && build.error.status === 404 ? (
+      <NotFound />
+    ) : (
+      <ProblemAlert title="The build could not be read" error={build.error} />
+    );
+  }
+  const { model, activityName, state } = build.data;
+  return (
+    <Stack gap="lg">
+      <title>{`Case ${no} · ${model} · SITAF`}</title>
+      <Group justify="space-between" align="start">
+        <div>
+          <Text size="sm">
+            <RouteLink to="/builds/$buildId" params={{ buildId }}>
+              <UserText>{`${activityName}, ${model}`}</UserText>
+            </RouteLink>
+          </Text>
+          <Title order={1} size="h2">
+            Case {no}
+          </Title>
+        </div>
+        <Neighbours key={buildId} buildId={buildId} no={no} />
+      </Group>
+      <CaseReplay
+        key={no}
+        build={build.data}
+        caseNo={no}
+        facts={state === 'DONE' && <CaseOfResult buildId={buildId} no={no} />}
+        onRequested={({ id }) => {
+          void navigate({ to: '/builds/$buildId', params: { buildId: id } });
+        }}
+      />
+    </Stack>
+  );
+}
+
+function CaseOfResult({ buildId, no }: { buildId: string; no: number }) {
+  const result = useResult(buildId);
+  const item = useResultCase(buildId, no);
+  if (!result.data || !item.data) {
+    const error = result.error ?? item.error;
+    return error && <ProblemAlert title="The case could not be read" error={error} />;
+  }
+  return (
+    <Section title={`Result: ${VERDICT_WORDS[item.data.verdict].label}`}>
+      {item.data.message && (
+        <Text role="note">
+          <UserText>{item.data.message}</UserText>
+        </Text>
+      )}
+      <CaseFacts item={item.data} parameters={result.data.parameters} />
+    </Section>
+  );
+}
+
+/** The recorded cases before and after this one. */
+function Neighbours({ buildId, no }: { buildId: string; no: number }) {
+  const recorded = useRecordedCases(buildId);
+  const numbers = recorded.data?.items.map(({ caseNo }) => caseNo) ?? [];
+  const before = numbers.filter((other) => other < no).at(-1);
+  const after = numbers.find((other) => other > no);
+  const link = (other: number | undefined, words: string) =>
+    other === undefined ? null : (
+      <RouteLink
+        to="/builds/$buildId/cases/$caseNo"
+        params={{ buildId, caseNo: String(other) }}
+        size="sm"
+      >
+        {words} {other}
+      </RouteLink>
+    );
+  return (
+    <Group gap="md" component="nav" aria-label="Recorded cases">
+      {link(before, '← Case')}
+      {link(after, '→ Case')}
+    </Group>
+  );
+}

@@ -1,0 +1,3 @@
+export { CaseReplay } from './CaseReplay';
+export { LiveReplay } from './LiveReplay';
+export { useRecordedCases } from './queries';
