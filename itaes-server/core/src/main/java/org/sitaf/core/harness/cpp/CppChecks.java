@@ -13,6 +13,7 @@ import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.harness.cpp.spelling.CppNames;
 import org.sitaf.core.harness.cpp.spelling.CppType;
 import org.sitaf.core.harness.plan.HarnessPlan;
+import org.sitaf.core.harness.plan.HarnessPlan.Source;
 import org.sitaf.core.harness.plan.HarnessPlanner;
 
 /** Tells what C++ cannot express of a plan. */
@@ -30,7 +31,7 @@ final class CppChecks {
     className(plan.className());
     for (InterfaceDescription provided : plan.provided()) {
       type(provided.source(), provided.name(), "interface");
-      methods(provided.source(), provided.methods());
+      methods(provided.source(), provided.name(), provided.methods());
     }
   }
 
@@ -51,21 +52,36 @@ final class CppChecks {
     if (plan.component().adapter() != null) {
       for (InterfaceDescription provided : plan.provided()) {
         type(provided.source(), provided.name(), "interface");
-        methods(provided.source(), provided.methods());
+        methods(provided.source(), provided.name(), provided.methods());
       }
     }
     for (HarnessPlan.Stub stub : plan.stubs()) {
       type(stub.source(), stub.name(), "interface");
-      methods(stub.source(), stub.methods().stream().map(HarnessPlan.StubMethod::method).toList());
+      methods(
+          stub.source(),
+          stub.name(),
+          stub.methods().stream().map(HarnessPlan.StubMethod::method).toList());
+    }
+    for (HarnessPlan.Output output : plan.outputs()) {
+      if (output.source() instanceof Source.DataPort port && !CppNames.isName(port.port())) {
+        diagnostics.error(
+            HarnessPlanner.PROFILE,
+            0,
+            "data_port " + port.port(),
+            "is not a name that a C++ method can have");
+      }
     }
     plan.types().forEach(type -> declared(plan, type));
     plan.errors().forEach(error -> type(plan.interfaceName(), error, "error"));
   }
 
-  private void methods(String source, List<Method> methods) {
+  private void methods(String source, String interfaceName, List<Method> methods) {
     Set<String> signatures = new HashSet<>();
     for (Method method : methods) {
       method(source, method);
+      if (method.name().equals(interfaceName) || method.name().equals(interfaceName + "Stub")) {
+        problem(source, method, "is a constructor in C++, which has the name of its class");
+      }
       String signature =
           method.parameters().stream()
               .map(p -> CppType.parameter(p, "", true))

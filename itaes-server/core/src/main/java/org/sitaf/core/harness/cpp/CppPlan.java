@@ -95,6 +95,11 @@ record CppPlan(
 
   private static List<StubMethod> stubMethods(HarnessPlan.Stub stub, CppNames locals) {
     CppNames members = new CppNames();
+    // A member is its name and an underscore, and no method.
+    stub.methods().stream()
+        .map(m -> m.method().name())
+        .filter(name -> name.endsWith("_"))
+        .forEach(name -> members.take(name.substring(0, name.length() - 1)));
     List<StubMethod> methods = new ArrayList<>();
     for (HarnessPlan.StubMethod method : stub.methods()) {
       List<Answers> answers = new ArrayList<>();

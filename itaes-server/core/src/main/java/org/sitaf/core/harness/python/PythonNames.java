@@ -24,15 +24,15 @@ final class PythonNames {
   private static final Set<String> USED_TYPES =
       words(
           """
-          BOOLEAN CHARACTER CaseResult ConcreteTestDriver ERRORS Enum Exception FLOAT32 FLOAT64 INT16 INT32 INT64 INT8
+          Answer BOOLEAN CHARACTER CaseResult ConcreteTestDriver ERRORS Enum Exception FLOAT32 FLOAT64 INT16 INT32 INT64 INT8
           InOut NotImplementedError Out Protocol RUN_FOR SETTLE STRING Simulation SimulationControl StubbedMethod
           SuiteDriver TestCase TestDriver TestRun TestStub Tolerance UINT16 UINT32 UINT64 UINT8 abstractmethod answer
-          bool call_with_outs data_types dataclass enumeration errors float int list member method_of part_of
-          sequence set_property start str struct super tuple""");
+          bool call_with_outs data_types dataclass dict enumeration errors float int list member method_of object
+          part_of port_of sequence set_property start str struct super tuple type""");
 
   /** Locals of generated methods. */
   private static final Set<String> USED_LOCALS =
-      words("component parameters result returned run self test_case");
+      words("component parameters pending result returned run self test_case");
 
   private static final Pattern BORDERS =
       Pattern.compile("(?<=[\\p{Ll}\\p{Nd}])(?=\\p{Lu})|(?<=\\p{Lu})(?=\\p{Lu}\\p{Ll})");

@@ -130,6 +130,15 @@ final class PythonPlanner {
         diagnostics.error(stub.source(), 0, "type_name " + stub.name(), "is also a type's name");
       }
     }
+    for (HarnessPlan.Stub stub : neutral.stubs()) {
+      if (types.contains(stub.name() + "Stub")) {
+        diagnostics.error(
+            stub.source(),
+            0,
+            "type_name " + stub.name(),
+            "its stub would be named as the type " + stub.name() + "Stub is");
+      }
+    }
     for (String error : neutral.errors()) {
       typeName(neutral.interfaceName(), error);
       if (!types.add(error)) {

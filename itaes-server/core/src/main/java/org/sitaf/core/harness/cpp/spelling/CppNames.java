@@ -31,7 +31,7 @@ public final class CppNames {
           """
           BUFSIZ CHAR_BIT CHAR_MAX CHAR_MIN EDOM EILSEQ EOF ERANGE EXIT_FAILURE EXIT_SUCCESS FLT_MAX FLT_MIN HUGE_VAL
           INFINITY INT_MAX INT_MIN L_tmpnam LONG_MAX LONG_MIN MATH_ERREXCEPT NAN NDEBUG NULL RAND_MAX SEEK_CUR SEEK_END
-          SEEK_SET SITAF_SETTER SITAF_GETTER SIZE_MAX UINT_MAX assert errno i386 linux major minor makedev offsetof
+          SEEK_SET SITAF_MEMBER SITAF_METHOD SITAF_SETTER SIZE_MAX UINT_MAX assert errno i386 linux major minor makedev offsetof
           setjmp signals slots stderr stdin stdout unix va_arg va_copy va_end va_start""");
 
   /** Types and namespaces that generated sources use by a simple name. */
@@ -45,8 +45,9 @@ public final class CppNames {
   private static final Set<String> USED_LOCALS =
       words(
           """
-          actual argc argv call component interfaces main pending result returned run runtime simulation
-          simulationControl sitaf std stopwatch suite testCase testStub value""");
+          actual afterCase argc argv beforeCase begin beside call component execute interfaces main pending prepare
+          raise result returned run runtime save simulation simulationControl sitaf std stopwatch stubbing suite
+          testCase testStub value""");
 
   private final Set<String> taken = new HashSet<>(USED_LOCALS);
 
@@ -106,6 +107,11 @@ public final class CppNames {
       name = wanted + "Value" + (i == 2 ? "" : i - 1);
     }
     return name;
+  }
+
+  /** Keeps a name from being given to a local. */
+  public void take(String name) {
+    taken.add(name);
   }
 
   /**

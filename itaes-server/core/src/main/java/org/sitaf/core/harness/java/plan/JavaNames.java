@@ -42,8 +42,8 @@ final class JavaNames {
   private static final Set<String> USED_LOCALS =
       words(
           """
-          answer component java javax org parameters pending result returned run simulation simulationControl sitaf stopwatch
-          testCase testStub""");
+          answer args component java javax org parameters pending result returned run simulation simulationControl sitaf
+          stopwatch stubbing testCase testStub""");
 
   private final Set<String> taken = new HashSet<>(USED_LOCALS);
 
@@ -66,9 +66,12 @@ final class JavaNames {
     return isName(name) && !RESTRICTED.contains(name);
   }
 
-  /** Whether generated sources mean something else by that simple name of a type. */
+  /**
+   * Whether generated sources mean something else by that simple name of a type; a local of that
+   * name would hide it, too.
+   */
   static boolean isUsedType(String simpleName) {
-    return USED_TYPES.contains(simpleName);
+    return USED_TYPES.contains(simpleName) || USED_LOCALS.contains(simpleName);
   }
 
   /** Whether every object has a method of that name. */

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.UnaryOperator;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.activity.ActivityProfile.LifeCycle;
 import org.sitaf.core.description.CallType;
@@ -34,7 +35,13 @@ public final class JavaPlanner {
   private JavaPlanner(HarnessPlan plan, Diagnostics diagnostics) {
     this.plan = plan;
     this.diagnostics = diagnostics;
-    this.names = new JavaNames(plan.component().className().split("\\.", 2)[0]);
+    // A local would hide a type of its name, and the package that a qualified name begins with.
+    this.names =
+        new JavaNames(
+            Stream.concat(
+                    Stream.of(plan.component().className().split("\\.", 2)[0]),
+                    plan.types().stream().map(HarnessPlan::simpleName))
+                .toArray(String[]::new));
   }
 
   /**
@@ -85,7 +92,7 @@ public final class JavaPlanner {
         plan.returnsNothing() ? null : type(plan.method().returnType(), "its return type");
     List<Output> outputs = outputs(arguments);
     List<Call> before = before();
-    boolean clash = JavaNames.isUsedType(simpleName);
+    boolean clash = JavaNames.isUsedType(simpleName) || isDeclared(simpleName);
     return new JavaPlan(
         plan.modelName(),
         packageName(plan.modelName()),
@@ -108,6 +115,13 @@ public final class JavaPlanner {
         before,
         types,
         plan.errors());
+  }
+
+  /** Whether a type of the interfaces has this name. */
+  private boolean isDeclared(String name) {
+    return plan.types().stream().anyMatch(t -> HarnessPlan.simpleName(t).equals(name))
+        || plan.stubs().stream().anyMatch(s -> s.name().equals(name))
+        || plan.errors().contains(name);
   }
 
   private static void className(String className, Diagnostics diagnostics) {
@@ -176,7 +190,11 @@ public final class JavaPlanner {
   private void errors() {
     Set<String> taken = new HashSet<>();
     plan.types().forEach(t -> taken.add(HarnessPlan.simpleName(t)));
-    plan.stubs().forEach(stub -> taken.add(stub.name()));
+    for (HarnessPlan.Stub stub : plan.stubs()) {
+      if (!taken.add(stub.name())) {
+        diagnostics.error(stub.source(), 0, "type_name " + stub.name(), "is also a type's name");
+      }
+    }
     for (String error : plan.errors()) {
       if (!JavaNames.isTypeName(error) || JavaNames.isUsedType(error) || !taken.add(error)) {
         diagnostics.error(
