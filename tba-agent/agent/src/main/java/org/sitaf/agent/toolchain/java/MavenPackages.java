@@ -1,11 +1,13 @@
 package org.sitaf.agent.toolchain.java;
 
+import java.io.File;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.regex.Matcher;
@@ -28,6 +30,9 @@ final class MavenPackages {
   private static final String WORD = "[A-Za-z0-9_][A-Za-z0-9_.-]{0,199}";
   private static final Pattern COORDINATES =
       Pattern.compile("(" + WORD + "):(" + WORD + "):(" + WORD + ")");
+
+  /** What Maven may put before a line even where it is told to use no colours. */
+  private static final Pattern COLOUR = Pattern.compile("\u001b\\[[0-9;]*m");
 
   /** How many lines of Maven's complaint are told. */
   private static final int COMPLAINT = 6;
@@ -98,6 +103,8 @@ final class MavenPackages {
             "mvn",
             "--batch-mode",
             "--quiet",
+            // What was not there before may be there by now.
+            "--update-snapshots",
             "-Dmaven.repo.local=" + repository,
             "-DincludeScope=runtime",
             "-DoutputDirectory=" + jars,
@@ -111,6 +118,7 @@ final class MavenPackages {
                   Confinement.of(command, working, working, ProcessLimits.TOOL)
                       .withEnvironment(Map.of("JAVA_HOME", System.getProperty("java.home")))
                       .reading(List.of(Path.of(System.getProperty("java.home"))))
+                      .reading(installation())
                       .writing(List.of(repository))
                       .withNetwork(),
                   compilation.atMost());
@@ -131,6 +139,24 @@ final class MavenPackages {
     }
   }
 
+  /** What Maven reads of its own; its settings may lie elsewhere, and only be linked to. */
+  private static List<Path> installation() throws IOException {
+    List<Path> found = new ArrayList<>();
+    for (String folder : System.getenv().getOrDefault("PATH", "").split(File.pathSeparator)) {
+      Path program = Path.of(folder.isEmpty() ? "." : folder, "mvn");
+      if (Files.isExecutable(program)) {
+        Path home = program.toRealPath().getParent().getParent();
+        for (Path part : List.of(home, home.resolve("conf"), home.resolve("bin/m2.conf"))) {
+          if (Files.exists(part)) {
+            found.add(part.toRealPath());
+          }
+        }
+        break;
+      }
+    }
+    return found;
+  }
+
   private static String complaint(ToolEnd end, Compilation compilation) {
     if (end.gaveUp()) {
       return "Maven was given up after " + compilation.atMost().toSeconds() + " s";
@@ -141,9 +167,11 @@ final class MavenPackages {
     List<String> errors =
         (end.output() + "\n" + end.errors())
             .lines()
+            .map(line -> COLOUR.matcher(line).replaceAll(""))
             .filter(line -> line.startsWith("[ERROR]"))
             .map(line -> line.substring("[ERROR]".length()).strip())
-            .filter(line -> !line.isEmpty())
+            // Then follows how to ask Maven for more.
+            .takeWhile(line -> !line.isEmpty())
             .limit(COMPLAINT)
             .toList();
     return errors.isEmpty()
