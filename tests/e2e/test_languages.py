@@ -181,3 +181,14 @@ def test_a_method_without_a_value_that_does_not_throw_as_expected_fails(sitaf, t
     assert judged[4.0] == ("FAIL", "expected the error TooStrong, but it returned")
     assert [value for value, (verdict, _) in judged.items() if verdict == "ERROR"] == [-0.5, 8.5]
     assert verdicts(found).count("PASS") == len(found) - 3
+
+
+@pytest.mark.parametrize("example", ["ir-sensor-cpp", "ir-sensor-python"])
+def test_what_moves_in_each_case_is_recorded(sitaf, tmp_path, example):
+    if example.endswith("cpp") and WITHOUT_CPP:
+        pytest.skip("needs ./sitaf doctor --install cpp")
+    run = sitaf("run", f"examples/{example}", "--recording", tmp_path)
+    assert run.returncode == 0, run.stdout + run.stderr
+    files = list((tmp_path / "GetInfraredData").iterdir())
+    assert {file.name for file in files} == {f"{no}.glb" for no in range(1, 56)}
+    assert all(file.read_bytes().startswith(b"glTF") for file in files)
