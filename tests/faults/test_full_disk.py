@@ -90,6 +90,7 @@ def test_a_disk_that_runs_full_during_a_build_blames_no_case(central, disk, tmp_
         assert await_true(lambda: api.state(build) == "DONE", PATIENCE_S), api.get(f"/api/v1/builds/{build}")
         told = api.get(f"/api/v1/builds/{build}")
         assert told["summary"]["pass"] == told["summary"]["total"] == 55
-        assert told["attempt"] >= 2
+        # The server hears at once that the agent takes nothing: the default of three attempts is enough.
+        assert 2 <= told["attempt"] <= 3
         causes = [change["cause"] for change in api.get(f"/api/v1/builds/{build}/history")]
         assert any("disk" in cause or "No space" in cause for cause in causes), causes

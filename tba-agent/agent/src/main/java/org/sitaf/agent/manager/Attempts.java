@@ -58,11 +58,13 @@ final class Attempts {
   /**
    * Begins an attempt; one that it works on already, or whose result is on its way, is not begun
    * twice.
+   *
+   * @return false when the agent cannot take builds at present, which its server is to know soon
    */
-  void begin(Assignment assignment) {
+  boolean begin(Assignment assignment) {
     Attempt attempt = Attempt.of(assignment.getAttempt());
     if (upload.owes(attempt)) {
-      return;
+      return true;
     }
     String full = disk.whyFull();
     if (!full.isEmpty()) {
@@ -71,13 +73,16 @@ final class Attempts {
           SubmitMessages.infrastructure(attempt, "the agent is full: " + full),
           null,
           null);
-    } else if (!takeSlot(attempt, assignment)) {
+      return false;
+    }
+    if (!takeSlot(attempt, assignment)) {
       owe(
           attempt,
           SubmitMessages.infrastructure(attempt, "the agent has no free slot"),
           null,
           null);
     }
+    return true;
   }
 
   /**

@@ -11,6 +11,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.v1.AgentMessage;
@@ -46,6 +47,7 @@ final class ServerConnection implements AutoCloseable {
   private final Supplier<String> refuses;
   private final Listener listener;
   private final CountDownLatch closing = new CountDownLatch(1);
+  private final AtomicBoolean hurried = new AtomicBoolean();
   private final Thread thread = new Thread(this::work, "sitaf-heartbeat");
 
   /** What the server says, told from gRPC's threads. */
@@ -137,6 +139,11 @@ final class ServerConnection implements AutoCloseable {
     }
   }
 
+  /** Has the next heartbeat sent at once: what it says has changed. */
+  void beatSoon() {
+    hurried.set(true);
+  }
+
   /** One life of the stream. */
   private final class Stream implements ClientResponseObserver<AgentMessage, ServerMessage> {
     private final CountDownLatch ended = new CountDownLatch(1);
@@ -192,7 +199,7 @@ final class ServerConnection implements AutoCloseable {
           System.nanoTime() + (heartbeatInterval == null ? step : heartbeatInterval).toNanos();
       while (closing.getCount() > 0) {
         long left = due - System.nanoTime();
-        if (left <= 0) {
+        if (left <= 0 || (registered() && hurried.getAndSet(false))) {
           return ended.getCount() == 0;
         }
         if (ended.await(Math.min(left, step.toNanos()), TimeUnit.NANOSECONDS)) {

@@ -147,7 +147,12 @@ public final class TestBuildAgent implements AutoCloseable {
     @Override
     public void message(ServerMessage message) {
       switch (message.getMessageCase()) {
-        case ASSIGNMENT -> attempts.begin(message.getAssignment());
+        case ASSIGNMENT -> {
+          if (!attempts.begin(message.getAssignment())) {
+            // Sooner than the server tries the build again, which would only come back here.
+            connection.beatSoon();
+          }
+        }
         case CANCELLATION -> attempts.cancel(message.getCancellation());
         default -> {
           // A message of a later release; the builds do not depend on it.
