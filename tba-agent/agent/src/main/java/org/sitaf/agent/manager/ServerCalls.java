@@ -61,10 +61,20 @@ final class ServerCalls {
 
   /** A status in one line, without the stack that may hang on it. */
   static String describe(Status status) {
-    Throwable cause = status.getCause();
-    return status.getCode()
-        + (status.getDescription() == null ? "" : ": " + status.getDescription())
-        + (cause == null ? "" : ": " + cause.getMessage());
+    StringBuilder said = new StringBuilder(status.getCode().name());
+    String last = status.getDescription();
+    if (last != null) {
+      said.append(": ").append(last);
+    }
+    // The reason why a certificate is not trusted lies some causes deep.
+    for (Throwable cause = status.getCause(); cause != null; cause = cause.getCause()) {
+      String message = cause.getMessage();
+      if (message != null && !message.equals(last)) {
+        said.append(": ").append(message);
+        last = message;
+      }
+    }
+    return said.toString();
   }
 
   void reportState(Attempt attempt, AttemptState state) {
