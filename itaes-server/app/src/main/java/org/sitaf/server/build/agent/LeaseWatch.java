@@ -11,7 +11,9 @@ import org.sitaf.server.build.Attempts;
 import org.sitaf.server.settings.SitafSettings;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
+import org.springframework.boot.context.event.ApplicationReadyEvent;
 import org.springframework.context.SmartLifecycle;
+import org.springframework.context.event.EventListener;
 import org.springframework.stereotype.Component;
 
 /**
@@ -77,6 +79,12 @@ class LeaseWatch implements SmartLifecycle {
     running = true;
     attempts.renewAll();
     timer.execute(this::look);
+  }
+
+  /** A start may take longer than a lease, and nobody could renew one before its end. */
+  @EventListener
+  void on(ApplicationReadyEvent ready) {
+    attempts.renewAll();
   }
 
   @Override
