@@ -249,13 +249,19 @@ describe('a result', () => {
     await waitFor(() => {
       expect(printed).toBeVisible();
     });
-    expect(screen.getByText('Case 2: Fail')).toBeVisible();
+    await waitFor(() => {
+      expect(screen.getByText('Case 2: Fail')).toBeVisible();
+    });
     await user.keyboard('{Escape}');
     await waitFor(() => {
       expect(history.location.search).toBe('');
     });
     await user.click(screen.getByRole('button', { name: 'Case 1' }));
-    expect(await screen.findByText('It printed nothing.')).toBeVisible();
+    const nothing = await screen.findByText('It printed nothing.');
+    // The drawer slides in.
+    await waitFor(() => {
+      expect(nothing).toBeVisible();
+    });
     expect(history.location.search).toBe('?case=1');
   });
 
