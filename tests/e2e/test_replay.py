@@ -179,6 +179,7 @@ def test_a_running_build_is_watched_case_by_case(page, build):
 
 def test_a_case_is_played_and_the_scene_changes_with_the_time(page, build):
     page.goto(build)
+    page.get_by_text("All passed").wait_for()
     page.get_by_role("table", name="Cases").get_by_role(
         "button", name="Case 1", exact=True
     ).click()

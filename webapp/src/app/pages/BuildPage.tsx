@@ -38,7 +38,14 @@ export function BuildPage() {
   const filter = (wanted: CaseFilter) => {
     show(withoutAbsent<BuildSearch>({ ...wanted }));
   };
-  const caseDetails = ({ no }: ResultCase) => <CaseLog buildId={buildId} no={no} />;
+  const caseDetails = ({ no }: ResultCase) => (
+    <>
+      <RouteLink to="/builds/$buildId/cases/$caseNo" params={{ buildId, caseNo: String(no) }}>
+        See it in 3D
+      </RouteLink>
+      <CaseLog buildId={buildId} no={no} />
+    </>
+  );
   const tabs: PageTab<BuildTab>[] = [
     {
       value: 'table',
@@ -57,14 +64,6 @@ export function BuildPage() {
             onCase={(no) => {
               show(withoutAbsent<BuildSearch>({ ...shown, case: no }));
             }}
-            caseActions={({ no }) => (
-              <RouteLink
-                to="/builds/$buildId/cases/$caseNo"
-                params={{ buildId, caseNo: String(no) }}
-              >
-                See it in 3D
-              </RouteLink>
-            )}
             caseDetails={caseDetails}
           />
         ) : (
