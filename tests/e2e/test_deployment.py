@@ -55,7 +55,7 @@ def test_an_agent_that_trusts_the_server_does_its_builds(secured, certificates, 
 @pytest.mark.parametrize(
     ("options", "told"),
     [
-        ("stranger", rb"no connection to the server: UNAVAILABLE.*certification path"),
+        ("stranger", rb"(?s)no connection to the server: UNAVAILABLE.*certification path"),
         (None, rb"no connection to the server"),
     ],
     ids=["another-authority", "without-tls"],
