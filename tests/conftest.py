@@ -37,6 +37,16 @@ def sitaf():
     return Sitaf(ROOT)
 
 
+@pytest.fixture(scope="session")
+def driver():
+    """Drives browsers. One for all tests: a second one in a process is refused while the first is there."""
+    playwright = pytest.importorskip(
+        "playwright.sync_api", reason="the browser's driver is missing: pip install playwright"
+    )
+    with playwright.sync_playwright() as started:
+        yield started
+
+
 @pytest.fixture
 def activity(tmp_path):
     """A copy of the infrared example, to be spoilt."""

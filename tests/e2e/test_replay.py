@@ -82,31 +82,30 @@ def link(sitaf, tmp_path_factory):
 
 
 @pytest.fixture(scope="module")
-def page(link):
-    with playwright.sync_playwright() as driver:
-        chromium = driver.chromium.launch(
-            executable_path=CHROMIUM, args=["--no-sandbox", *SOFTWARE_GL]
-        )
-        context = chromium.new_context(
-            viewport={"width": 1280, "height": 900},
-            color_scheme="light",
-            reduced_motion="reduce",
-        )
-        context.set_default_timeout(PATIENCE_MS)
-        tab = context.new_page()
-        tab.complaints = []
-        tab.on("pageerror", lambda error: tab.complaints.append(str(error)))
-        tab.on(
-            "console",
-            lambda message: (
-                tab.complaints.append(message.text)
-                if "Content Security Policy" in message.text
-                else None
-            ),
-        )
-        tab.goto(link)
-        yield tab
-        chromium.close()
+def page(link, driver):
+    chromium = driver.chromium.launch(
+        executable_path=CHROMIUM, args=["--no-sandbox", *SOFTWARE_GL]
+    )
+    context = chromium.new_context(
+        viewport={"width": 1280, "height": 900},
+        color_scheme="light",
+        reduced_motion="reduce",
+    )
+    context.set_default_timeout(PATIENCE_MS)
+    tab = context.new_page()
+    tab.complaints = []
+    tab.on("pageerror", lambda error: tab.complaints.append(str(error)))
+    tab.on(
+        "console",
+        lambda message: (
+            tab.complaints.append(message.text)
+            if "Content Security Policy" in message.text
+            else None
+        ),
+    )
+    tab.goto(link)
+    yield tab
+    chromium.close()
 
 
 @pytest.fixture(scope="module")

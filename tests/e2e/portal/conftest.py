@@ -32,17 +32,13 @@ def link(browser, sitaf, tmp_path_factory):
 
 
 @pytest.fixture(scope="package")
-def browser():
+def browser(driver):
     """Debian's Chromium; the tests of the portal are skipped where it is not there."""
-    playwright = pytest.importorskip(
-        "playwright.sync_api", reason="the browser's driver is missing: pip install playwright"
-    )
     if shutil.which("chromium") is None:
         pytest.skip("Chromium is missing; './sitaf doctor' says how to get it")
-    with playwright.sync_playwright() as driver:
-        chromium = driver.chromium.launch(executable_path=shutil.which("chromium"), args=["--no-sandbox"])
-        yield chromium
-        chromium.close()
+    chromium = driver.chromium.launch(executable_path=shutil.which("chromium"), args=["--no-sandbox"])
+    yield chromium
+    chromium.close()
 
 
 @pytest.fixture(scope="package")
