@@ -13,7 +13,8 @@ def outage(installed, tmp_path_factory):
     said = tmp_path_factory.mktemp("outage") / "said"
     with said.open("wb") as out:
         process = subprocess.Popen(
-            [installed.root / "sitaf", "bench", "outage", "--away-s", "60"],
+            # A few agents: the twenty of the whole program compile at once, and leave nothing to what runs beside them.
+            [installed.root / "sitaf", "bench", "outage", "--away-s", "60", "--agents", "8"],
             cwd=installed.root, stdin=subprocess.DEVNULL, stdout=out, stderr=out,
         )
     yield process, said
