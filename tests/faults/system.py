@@ -1,5 +1,6 @@
 """Servers, agents and a simulation as real processes, and the server's REST interface, for programs that harm them."""
 
+import http.client
 import io
 import json
 import os
@@ -66,11 +67,19 @@ class Api:
         if data is not None:
             request.add_header("Content-Type", content_type)
         try:
+            return self.answer(request)
+        except http.client.HTTPException as error:
+            # The server died within its answer, which is no other thing than a connection that broke off.
+            raise ConnectionError(f"{method} {path}: {error}") from error
+
+    def answer(self, request):
+        try:
             with urllib.request.urlopen(request, timeout=120, context=self.tls) as answer:
                 content = answer.read()
                 return json.loads(content) if answer.headers.get_content_type() == "application/json" else content
         except urllib.error.HTTPError as error:
-            raise Refused(f"{method} {path}: {error.code} {error.read().decode(errors='replace')}") from error
+            said = error.read().decode(errors="replace")
+            raise Refused(f"{request.method} {request.selector}: {error.code} {said}") from error
 
     def get(self, path):
         return self.call("GET", path)

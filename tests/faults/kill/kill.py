@@ -92,10 +92,12 @@ def main():
                 if kind:
                     counts[kind] = counts.get(kind, 0) + 1
                     last = died
+            requested_to_the_end = client.thread.is_alive()
             client.going_on = False
             client.thread.join(40)
             ended = await_true(lambda: over(central.api), last + 2 * LEASE_S - time.monotonic())
             took = time.monotonic() - last
+            table.row("builds were requested to the end", "yes" if requested_to_the_end else "no", "yes", requested_to_the_end)
             report(table, client, agents, counts, ended, took, last - began)
         finally:
             for part in [*agents, central]:
