@@ -50,7 +50,7 @@ ssize_t writeMarked(void* cookie, const char* data, size_t size) {
   if (size > 0 && stream.told != no) {
     stream.told = no;
     char mark[32];
-    const int length = std::snprintf(mark, sizeof mark, "\x1e" "case %d\n", no);
+    const int length = std::snprintf(mark, sizeof mark, "%ccase %d\n", '\x1e', no);
     writeAll(stream.descriptor, mark, static_cast<size_t>(length));
   }
   // 0 is an error to the C library.
@@ -71,7 +71,8 @@ void markCases() {
   if (markedOut == nullptr || markedErr == nullptr) {
     return;
   }
-  // A component may ask for the same later, which would bind std::cout to a descriptor that these streams do not have; asked now, it is done.
+  // A component may ask for the same later, which would bind std::cout to a descriptor that these streams do not have; asked now, it is
+  // done.
   std::ios::sync_with_stdio(false);
   std::setvbuf(markedErr, nullptr, _IONBF, 0);
   stdout = markedOut;

@@ -46,8 +46,8 @@ class CallBeside {
   CallBeside(const CallBeside&) = delete;
   CallBeside& operator=(const CallBeside&) = delete;
 
-  /// Waits for the end of a call whose outcome was not asked for, so that it does nothing to the next case; wherever it waits for simulation
-  /// time, it gets an exception.
+  /// Waits for the end of a call whose outcome was not asked for, so that it does nothing to the next case; wherever it waits for
+  /// simulation time, it gets an exception.
   ~CallBeside() {
     if (thread_.joinable()) {
       if (simulation_ != nullptr) {
