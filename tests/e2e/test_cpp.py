@@ -102,6 +102,22 @@ def test_cpp_that_crashes_costs_only_its_own_cases(sitaf, cpp_activity):
 
 
 @cpp
+@pytest.mark.skipif(shutil.which("clang++") is None and "CI" not in os.environ, reason="needs clang++")
+def test_another_compiler_is_taken_by_the_name_that_the_environment_gives(sitaf, cpp_activity):
+    clang = {"CXX": "clang++"}
+    run = sitaf("run", cpp_activity, env=clang)
+    assert run.returncode == 0, run.stdout + run.stderr
+    assert "GetInfraredData: 55 cases, 55 PASS" in run.stdout
+    replace(cpp_activity / "component" / "infrared_sensor.cpp", "return noDistance;", "return nonsense;")
+    spoilt = sitaf("run", cpp_activity, env=clang)
+    assert spoilt.returncode == 2
+    assert re.search(r"infrared_sensor\.cpp:\d+:\d+: error: use of undeclared identifier 'nonsense'", spoilt.stderr), spoilt.stderr
+    missing = sitaf("run", cpp_activity, env={"CXX": "no-such-compiler"})
+    assert missing.returncode == 2
+    assert "CXX names 'no-such-compiler', and there is no such program" in missing.stderr, missing.stderr
+
+
+@cpp
 def test_cpp_that_throws_is_an_error_with_its_words(sitaf, cpp_activity):
     source = cpp_activity / "component" / "infrared_sensor.cpp"
     body = "double InfraredSensor::GetInfraredData(int indexOfSensor, int numOfSensor) const {\n"

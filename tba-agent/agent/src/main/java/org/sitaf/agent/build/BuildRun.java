@@ -105,6 +105,7 @@ public final class BuildRun {
 
       listener.stage(BuildStage.COMPILING);
       Toolchain toolchain = toolchain(application.activity().profile().harness());
+      log.remark("toolchain: " + toolchain.version());
       TestApplicationCompiler compiler =
           new TestApplicationCompiler(
               toolchain, settings.toolchains().compiled(), settings.coverage(), settings.sandbox());

@@ -2,6 +2,8 @@ package org.sitaf.agent.toolchain.cpp;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The compiler of this machine.
@@ -20,7 +22,25 @@ record Compiler(Path program, String version) {
   List<String> plainDiagnostics() {
     return List.of(
         "-fdiagnostics-color=never",
-        version.startsWith("clang") ? "-fno-caret-diagnostics" : "-fno-diagnostics-show-caret");
+        isClang() ? "-fno-caret-diagnostics" : "-fno-diagnostics-show-caret");
+  }
+
+  /**
+   * Whether what it notes of coverage is what gcov reads: clang's has the form of an older gcov.
+   */
+  boolean isMeasuredByGcov() {
+    return !isClang();
+  }
+
+  private boolean isClang() {
+    return version.startsWith("clang");
+  }
+
+  /** The compiler that is named, or else the first of this machine; empty where there is none. */
+  static Optional<Path> find(@Nullable String named) {
+    return named == null || named.isBlank()
+        ? Tools.find("g++", "clang++")
+        : Tools.find(named.strip());
   }
 
   static Compiler of(Path program) {

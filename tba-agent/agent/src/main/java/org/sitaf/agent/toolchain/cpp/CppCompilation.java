@@ -55,12 +55,12 @@ final class CppCompilation {
     CppLibraries libraries = CppLibraries.of(compilation);
     Path objects = Files.createDirectories(compilation.scratch().resolve("objects"));
     Path notes = compilation.output().resolve(CppApplication.NOTES);
-    if (compilation.coverage()) {
+    if (measures()) {
       Files.createDirectories(notes);
     }
     List<String> link =
         new ArrayList<>(List.of(compiler.program().toString(), "-pthread", "-rdynamic"));
-    if (compilation.coverage()) {
+    if (measures()) {
       link.add("--coverage");
     }
     List<Work> works = new ArrayList<>();
@@ -105,6 +105,10 @@ final class CppCompilation {
     throwIfErrors("the test application cannot be linked", List.of(end));
   }
 
+  private boolean measures() {
+    return compilation.coverage() && compiler.isMeasuredByGcov();
+  }
+
   private ToolEnd compile(Work work, Path objects, Path notes)
       throws IOException, InterruptedException {
     Map<String, Path> results = new HashMap<>();
@@ -120,7 +124,7 @@ final class CppCompilation {
     command.addAll(Compiler.OPTIONS);
     command.addAll(compiler.plainDiagnostics());
     command.add("-ffile-prefix-map=" + compilation.sources() + "/=");
-    boolean measured = compilation.coverage() && !unit.ofHarness();
+    boolean measured = measures() && !unit.ofHarness();
     if (measured) {
       command.add("--coverage");
     }

@@ -19,10 +19,16 @@ record CppCoverage(Path notes, Path scratch, Sandbox sandbox, String sources) {
   /** How the compiler knew the folder of the activity. */
   private static final String ACTIVITY = "activity/";
 
-  /** Empty where nobody asks for it, the component has no sources, or this machine has no gcov. */
-  static Optional<CppCoverage> of(Compilation compilation) {
+  /**
+   * Empty where nobody asks for it, the component has no sources, this machine has no gcov, or the
+   * compiler is not one that it understands.
+   */
+  static Optional<CppCoverage> of(Compilation compilation, Compiler compiler) {
     String sources = compilation.application().activity().profile().component().sources();
-    if (!compilation.coverage() || sources == null || Tools.find("gcov").isEmpty()) {
+    if (!compilation.coverage()
+        || sources == null
+        || !compiler.isMeasuredByGcov()
+        || Tools.find("gcov").isEmpty()) {
       return Optional.empty();
     }
     return Optional.of(

@@ -23,6 +23,9 @@ import org.sitaf.core.activity.ActivityProfile.Language;
 public final class CppToolchain implements Toolchain {
   private static final String REMEDY = "./sitaf doctor --install cpp";
 
+  /** The environment's word for which compiler to take, as with make and CMake. */
+  private static final String CHOICE = "CXX";
+
   private final Compiler compiler;
   private final CppRuntime runtime;
   private final ObjectCache objects;
@@ -35,9 +38,14 @@ public final class CppToolchain implements Toolchain {
 
   /** Looks for the compiler and for what the runtime is made of. */
   public static ToolchainLookup find(ToolchainPlaces places) {
-    Optional<Path> program = Tools.find("g++", "clang++");
+    String named = System.getenv(CHOICE);
+    Optional<Path> program = Compiler.find(named);
     if (program.isEmpty()) {
-      return new Missing("neither g++ nor clang++ is there", REMEDY);
+      return named == null || named.isBlank()
+          ? new Missing("neither g++ nor clang++ is there", REMEDY)
+          : new Missing(
+              CHOICE + " names '" + named + "', and there is no such program",
+              "let " + CHOICE + " name a C++ compiler, or unset it");
     }
     List<String> missing = new ArrayList<>();
     for (String tool : List.of("pkg-config", "protoc", "grpc_cpp_plugin")) {
@@ -105,6 +113,6 @@ public final class CppToolchain implements Toolchain {
         compilation.output(),
         compilation.application().entryPoint(),
         built.library(),
-        CppCoverage.of(compilation).orElse(null));
+        CppCoverage.of(compilation, compiler).orElse(null));
   }
 }

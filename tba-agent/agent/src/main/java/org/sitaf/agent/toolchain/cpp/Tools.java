@@ -15,12 +15,12 @@ final class Tools {
 
   private Tools() {}
 
-  /** The first of these programs that the search path has. */
+  /** The first of these programs that the search path has; an absolute path is taken as it is. */
   static Optional<Path> find(String... names) {
     for (String name : names) {
       for (String folder :
           System.getenv().getOrDefault("PATH", "/usr/bin:/bin").split(File.pathSeparator)) {
-        Path program = Path.of(folder.isEmpty() ? "." : folder, name).toAbsolutePath();
+        Path program = Path.of(folder.isEmpty() ? "." : folder).resolve(name).toAbsolutePath();
         if (Files.isExecutable(program)) {
           return Optional.of(program);
         }
