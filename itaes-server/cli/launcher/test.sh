@@ -42,19 +42,20 @@ if $fast; then
   exit 0
 fi
 touch "$state/java.begun"
-mvn -B -ntp verify -Dsitaf.bridge.python="$python" | grep -vE '^\[INFO\] *$|Download(ing|ed)|Overwriting|already exists in destination|Copying .*\.jar'
+mvn -B -ntp -T 2 verify -Dsitaf.bridge.python="$python" | grep -vE '^\[INFO\] *$|Download(ing|ed)|Overwriting|already exists in destination|Copying .*\.jar'
 
 # What was tested is what the launcher shall run: it need not build again.
 locked
 keep_java
 unlocked
 
-if ! "$python" -c 'import playwright, schemathesis' 2>/dev/null; then
-  # One drives Debian's Chromium and brings no browser of its own; the other asks the server whatever its description allows.
-  "$python" -m pip install --quiet playwright==1.65.2 schemathesis==4.32.5
+if ! "$python" -c 'import playwright, schemathesis, xdist' 2>/dev/null; then
+  # The first drives Debian's Chromium and brings no browser of its own; the second asks the server whatever its description
+  # allows; with the third, files of tests that mostly wait run beside others.
+  "$python" -m pip install --quiet playwright==1.65.2 schemathesis==4.32.5 pytest-xdist==3.8.0
 fi
 
 section "Across rooms: the wire of the simulator, and the launcher as a person uses it"
 cd "$home/tests"
-"$python" -m pytest -q
+"$python" -m pytest -q -n 2 --dist loadfile --no-loadscope-reorder --durations 12
 section "Done"
