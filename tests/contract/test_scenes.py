@@ -144,6 +144,45 @@ def test_recording_changes_nothing(client):
     assert final(True) == final(False)
 
 
+def test_each_film_shows_the_sizes_that_parameters_gave(client):
+    wall = """<worldbody><body name="wall" pos="0 0 1"><geom name="wall" type="box" size="0.1 1 1"/></body></worldbody>"""
+    description = "parameters: {Width: {unit: m, range: [0.5, 3], default: 1, bind: {set: geom.wall.size.1}}}"
+    with client.open(world(wall, description)) as session:
+        session("RecordMotion", interval_ns=10_000_000)
+        for width in (1, 2, 2, 0.5):
+            session.prepare(Width=width)
+            session.step(3)
+            assert extent(Gltf(session("TakeMotion").gltf).corners("wall"))[1] == pytest.approx((-width, width))
+
+
+def test_what_a_film_leaves_out_is_read_as_ever(client):
+    nearest = "  ahead: {device: scan, field: ranges.50}\n"
+    observed = SHAPES_YAML.replace("observations:\n", "observations:\n" + nearest)
+    assert observed != SHAPES_YAML
+
+    def films(description):
+        with client.open(world(SHAPES, description)) as session:
+            session("RecordMotion", interval_ns=10_000_000)
+            session.prepare(settle_ns=50_000_000)
+            state = session.step(100)
+            return state, Gltf(session("TakeMotion").gltf)
+
+    with client.open(world(SHAPES, observed)) as session:
+        session.prepare(settle_ns=50_000_000)
+        unfilmed = session.step(100)
+    state, film = films(observed)
+    assert state == unfilmed
+    readings = film.extras["readings"]
+    column = readings["columns"].index("ahead")
+    ahead = list(film.view(readings["rows"])[column :: len(readings["columns"])])
+    assert len(ahead) == 16
+    (seen,) = (o.value for o in state.observations if o.name == "ahead")
+    assert ahead[-1] == pytest.approx(seen, rel=1e-6)
+    # Where nothing needs the scan, it is there at the end all the same.
+    plain, _ = films(SHAPES_YAML)
+    assert plain.readings == unfilmed.readings
+
+
 def test_a_long_film_is_thinned_out_and_begins_with_the_case(shapes):
     shapes("RecordMotion", interval_ns=1_000_000, max_frames=20)
     shapes.step(30)

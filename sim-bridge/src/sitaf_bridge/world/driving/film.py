@@ -8,8 +8,9 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
+from sitaf_bridge.world.description.observation import DeviceNumber
 from sitaf_bridge.world.devices import KINDS, Reading
-from sitaf_bridge.world.scene.drawing import body_name, draw
+from sitaf_bridge.world.scene.drawing import Stage, body_name
 from sitaf_bridge.world.scene.glb import Glb
 from sitaf_bridge.world.state import WorldState
 from sitaf_bridge.world.world import World
@@ -33,13 +34,18 @@ class Frame:
 
 
 class Film:
-    """Frames of one session, `interval` steps apart, the first when it was begun."""
+    """Frames of one session, `interval` steps apart, the first when it was begun.
+
+    `leaves_out` are the kinds of devices of which no number stands in a frame.
+    """
 
     def __init__(self, interval: int, most: int, world: World) -> None:
+        self.leaves_out = _left_out(world)
         room = MAX_BYTES // (POSE_BYTES * max(1, int(world.model.nbody)))
         self._most = max(2, min(most or MAX_FRAMES, room))
         self._asked = interval
         self._names: tuple[World, tuple[str, ...]] | None = None
+        self._stage: Stage | None = None
         self.restart()
 
     def restart(self) -> None:
@@ -75,7 +81,9 @@ class Film:
         """The film as a GLB that ends with this state, and how many frames it has. Raises LimitReached."""
         frames = [frame for frame in self._frames if frame.step < state.step]
         frames.append(self._frame(world, data, state))
-        glb, nodes = draw(world, model, data)
+        if self._stage is None or not self._stage.shows(world, model):
+            self._stage = Stage(world, model)
+        glb, nodes = self._stage.at(data)
         seconds = np.array([frame.step * world.timestep_ns / 1e9 for frame in frames], np.float32)
         if len(frames) > 1:
             _animate(glb, nodes, frames, seconds)
@@ -103,6 +111,13 @@ def columns(world: World) -> list[str]:
     fields = [(d.name, KINDS[d.kind].fields(d)) for d in devices]
     shown = [f"{name}.{field}" for name, names in fields if len(names) <= MOST_NUMBERS for field in names]
     return [*shown, *world.description.observations]
+
+
+def _left_out(world: World) -> frozenset[str]:
+    devices = [d for d in world.description.devices.values() if not KINDS[d.kind].image]
+    observed = {o.sight.device for o in world.description.observations.values() if isinstance(o.sight, DeviceNumber)}
+    shown = {d.kind for d in devices if d.name in observed or len(KINDS[d.kind].fields(d)) <= MOST_NUMBERS}
+    return frozenset(d.kind for d in devices) - shown
 
 
 def _numbers(readings: Sequence[Reading], state: WorldState) -> tuple[float, ...]:

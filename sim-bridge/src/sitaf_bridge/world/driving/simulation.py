@@ -1,7 +1,7 @@
 """One simulation of a world: the only place where time moves and parameters take effect."""
 
 import copy
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 
 import mujoco
 import numpy as np
@@ -192,7 +192,7 @@ class Simulation:
     def scene(self) -> bytes:
         """What the world looks like at the current step, as a GLB. Raises LimitReached."""
         self._refuse_if_frozen()
-        return draw(self.world, self._model, self._data)[0].content()
+        return draw(self.world, self._model, self._data).content()
 
     def record_motion(self, interval_ns: int, most: int) -> None:
         """Note frames from now on; an interval of 0 ends that. Raises InvalidRequest."""
@@ -348,8 +348,10 @@ class Simulation:
     def _run(self, steps: int, wanted: Callable[[], bool]) -> None:
         left, film = steps, self._film
         every = left > 0 and self._sensing.keeps_past(self._data)
+        # Of what nobody reads meanwhile and no film shows, such as laser scans.
+        without = frozenset() if film is None or every else film.leaves_out
         if left > 0 and (every or film is not None):
-            self._observe()
+            self._observe(without)
         while left > 0:
             if not wanted():
                 raise Cancelled("the caller went away; the step was undone")
@@ -367,7 +369,7 @@ class Simulation:
             if left > 0 and self._divergence.seen():
                 return
             if left > 0 and film is not None:
-                self._observe()
+                self._observe(without)
 
     def _refresh(self) -> WorldState:
         """Bring derived quantities up to date: after mj_step, sensor data lag by one substep."""
@@ -377,9 +379,9 @@ class Simulation:
         self._state = self._observe()
         return self._state
 
-    def _observe(self) -> WorldState:
+    def _observe(self, without: Collection[str] = ()) -> WorldState:
         mujoco.mj_forward(self._model, self._data)
-        readings = self._read()
+        readings = self._read(without)
         state = WorldState(
             declared=self.world.description,
             step=self._step,
@@ -393,5 +395,5 @@ class Simulation:
             self._film.look(self.world, self._data, state)
         return state
 
-    def _read(self) -> tuple[Reading, ...]:
-        return self._sensing.read(self._model, self._data, self._step)
+    def _read(self, without: Collection[str] = ()) -> tuple[Reading, ...]:
+        return self._sensing.read(self._model, self._data, self._step, without)

@@ -22,48 +22,68 @@ SHOWN_GROUPS = 3
 Z_UP = [-(0.5**0.5), 0.0, 0.0, 0.5**0.5]
 
 
-def draw(world: World, model: mujoco.MjModel, data: mujoco.MjData) -> tuple[Glb, list[int]]:
-    """The scene, and the node of each body by its id; the world's own is the root of all. Raises LimitReached."""
-    glb = Glb()
-    pencil = _Pencil(glb, model)
-    nodes = [glb.add("nodes", name="world", rotation=Z_UP)]
-    glb.add_root(nodes[0])
-    children: list[list[int]] = [[]]
-    for body in range(1, model.nbody):
-        nodes.append(
-            glb.add(
-                "nodes",
-                name=body_name(model, body),
-                translation=data.xpos[body].tolist(),
-                rotation=xyzw(data.xquat[body]),
-            )
-        )
-        children[0].append(nodes[-1])
-        children.append([])
-    for geom in _shown(model):
-        node = pencil.node(geom)
-        if node is not None:
-            children[int(model.geom_bodyid[geom])].append(node)
-    devices: list[dict[str, Any]] = []
-    for device in world.description.devices.values():
-        entry: dict[str, Any] = {"name": device.name, "kind": device.kind}
-        site = _site(model, device)
-        if site >= 0:
-            body = int(model.site_bodyid[site])
-            entry["body"] = body_name(model, body)
-            place = glb.add(
-                "nodes",
-                translation=model.site_pos[site].tolist(),
-                rotation=xyzw(model.site_quat[site]),
-                extras={"device": device.name, "kind": device.kind},
-            )
-            children[body].append(place)
-        devices.append(entry)
-    for node, inside in zip(nodes, children, strict=True):
-        if inside:
-            glb.entry("nodes", node)["children"] = inside
-    glb.extras = {"world": world.description.file, "digest": world.digest, "devices": devices}
-    return glb, nodes
+def draw(world: World, model: mujoco.MjModel, data: mujoco.MjData) -> Glb:
+    """The scene. Raises LimitReached."""
+    return Stage(world, model).at(data)[0]
+
+
+class Stage:
+    """A world drawn but for where its bodies are: the same for all that happens in it. Raises LimitReached."""
+
+    def __init__(self, world: World, model: mujoco.MjModel) -> None:
+        self._world = world
+        self._model = model
+        self._sizes = model.geom_size.tobytes()
+        self._glb = Glb()
+        self._nodes = self._draw()
+
+    def shows(self, world: World, model: mujoco.MjModel) -> bool:
+        """Whether the world still looks like this: of what is drawn, parameters set the sizes of solids only."""
+        return world is self._world and model is self._model and model.geom_size.tobytes() == self._sizes
+
+    def at(self, data: mujoco.MjData) -> tuple[Glb, list[int]]:
+        """The scene at a moment, and the node of each body by its id; the world's own is the root of all."""
+        glb = self._glb.copy()
+        for node, place, turn in zip(self._nodes[1:], data.xpos[1:].tolist(), data.xquat[1:].tolist(), strict=True):
+            entry = glb.entry("nodes", node)
+            entry["translation"], entry["rotation"] = place, xyzw(turn)
+        return glb, self._nodes
+
+    def _draw(self) -> list[int]:
+        glb, model, world = self._glb, self._model, self._world
+        pencil = _Pencil(glb, model)
+        nodes = [glb.add("nodes", name="world", rotation=Z_UP)]
+        glb.add_root(nodes[0])
+        children: list[list[int]] = [[]]
+        for body in range(1, model.nbody):
+            # Where it is comes with the moment; the keys keep their order.
+            nodes.append(glb.add("nodes", name=body_name(model, body), translation=None, rotation=None))
+            children[0].append(nodes[-1])
+            children.append([])
+        for geom in _shown(model):
+            node = pencil.node(geom)
+            if node is not None:
+                children[int(model.geom_bodyid[geom])].append(node)
+        devices: list[dict[str, Any]] = []
+        for device in world.description.devices.values():
+            entry: dict[str, Any] = {"name": device.name, "kind": device.kind}
+            site = _site(model, device)
+            if site >= 0:
+                body = int(model.site_bodyid[site])
+                entry["body"] = body_name(model, body)
+                place = glb.add(
+                    "nodes",
+                    translation=model.site_pos[site].tolist(),
+                    rotation=xyzw(model.site_quat[site]),
+                    extras={"device": device.name, "kind": device.kind},
+                )
+                children[body].append(place)
+            devices.append(entry)
+        for node, inside in zip(nodes, children, strict=True):
+            if inside:
+                glb.entry("nodes", node)["children"] = inside
+        glb.extras = {"world": world.description.file, "digest": world.digest, "devices": devices}
+        return nodes
 
 
 def body_name(model: mujoco.MjModel, body: int) -> str:

@@ -29,6 +29,14 @@ class Glb:
         self._binary: list[bytes] = []
         self._size = 0
 
+    def copy(self) -> "Glb":
+        """The same so far; entries that are completed later are those of the copy alone."""
+        copied = Glb()
+        copied.extras = dict(self.extras)
+        copied._lists = {kind: [dict(entry) for entry in entries] for kind, entries in self._lists.items()}
+        copied._roots, copied._binary, copied._size = [*self._roots], [*self._binary], self._size
+        return copied
+
     def add(self, kind: str, **entry: Any) -> int:
         """Put an entry into one of glTF's lists, such as `nodes`; gives its index."""
         entries = self._lists.setdefault(kind, [])

@@ -1,7 +1,7 @@
 """What the devices of one simulation read, as against what is true."""
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 
 import mujoco
 import numpy as np
@@ -73,9 +73,18 @@ class Sensing:
             return True
         return any(self._knobs(data)[1 :: len(KNOBS)])
 
-    def read(self, model: mujoco.MjModel, data: mujoco.MjData, step: int) -> tuple[Reading, ...]:
-        """The readings in the order of declaration, of data that `mj_forward` has brought up to date."""
-        truth = [reading for bank in self.world.banks.values() for reading in bank.read(model, data)]
+    def read(
+        self, model: mujoco.MjModel, data: mujoco.MjData, step: int, without: Collection[str] = ()
+    ) -> tuple[Reading, ...]:
+        """The readings in the order of declaration, of data that `mj_forward` has brought up to date.
+
+        Devices of the kinds in `without` are not read and have no values; not for data in which a device is delayed.
+        """
+        banks = self.world.banks
+        truth = [reading for kind in banks if kind not in without for reading in banks[kind].read(model, data)]
+        if without:
+            devices = self.world.description.devices.values()
+            truth += [Reading(device, ()) for device in devices if device.kind in without and device.kind in banks]
         if len(self.world.banks) > 1:
             truth.sort(key=lambda reading: -reading.device.slot)
         if not self._faults and not any(self._knobs(data)):
