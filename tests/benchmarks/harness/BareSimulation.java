@@ -17,8 +17,8 @@ import org.sitaf.sim.v1.WorldSource;
 
 /** The calls that prepare cases in bulk, without a harness around them. */
 final class BareSimulation {
-  private static final int CALLS = 100;
-  private static final int CASES = 200;
+  private static final int CALLS = 20;
+  private static final int CASES = 1_000;
 
   private BareSimulation() {}
 

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import org.sitaf.agent.build.BuildListener;
 import org.sitaf.agent.build.BuildOutcome;
@@ -19,7 +20,6 @@ import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.harness.InterfaceTestApplicationGenerator;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.suite.GenerationOptions;
-import org.sitaf.core.suite.TestCase;
 import org.sitaf.core.suite.TestCaseGenerator;
 import org.sitaf.core.suite.TestSuite;
 import org.sitaf.core.verdict.CaseResult;
@@ -39,15 +39,15 @@ record Builds(Simulator simulator, Toolchains toolchains, Sandbox sandbox, Path 
   /**
    * Runs the cases of an activity's first model.
    *
-   * @param atLeast so many cases, by repeating them
+   * @param lengthened makes the suite that is run of the one that the model gives
    * @param change a remark that is added to each source of the component; empty for none
    */
-  Run run(Path activityFolder, int atLeast, String change) throws Exception {
+  Run run(Path activityFolder, UnaryOperator<TestSuite> lengthened, String change) throws Exception {
     long began = System.nanoTime();
     Activity activity = Activity.read(files(activityFolder, change));
     TestModel model = activity.models().get(0);
     TestSuite suite =
-        repeated(TestCaseGenerator.generate(model, GenerationOptions.DEFAULT).suite(), atLeast);
+        lengthened.apply(TestCaseGenerator.generate(model, GenerationOptions.DEFAULT).suite());
     List<Long> ends = new ArrayList<>();
     BuildSettings settings = new BuildSettings(simulator, toolchains, sandbox, false, "benchmark");
     Path folder = Files.createTempDirectory(directory, "build");
@@ -106,15 +106,5 @@ record Builds(Simulator simulator, Toolchains toolchains, Sandbox sandbox, Path 
         ? (new String(content, StandardCharsets.UTF_8) + "\n" + mark + change + "\n")
             .getBytes(StandardCharsets.UTF_8)
         : content;
-  }
-
-  private static TestSuite repeated(TestSuite suite, int atLeast) {
-    List<TestCase> cases = new ArrayList<>(suite.cases());
-    while (cases.size() < atLeast) {
-      TestCase again = cases.get(cases.size() % suite.cases().size());
-      cases.add(new TestCase(cases.size() + 1, again.valid(), again.values(), again.expected()));
-    }
-    return new TestSuite(
-        suite.name(), suite.description(), suite.modelName(), suite.generation(), suite.parameters(), cases);
   }
 }
