@@ -2,7 +2,7 @@
 
 import re
 
-from browsing import Cable, drop, expect, home_of, zipped
+from portal.browsing import Cable, drop, expect, home_of, zipped
 
 MARKUP = "<img src=x onerror=alert(1)>"
 COMPONENT = """

@@ -2,7 +2,7 @@
 
 import re
 
-from browsing import ROOT, drop, expect, go_on, home_of, shot, zipped
+from portal.browsing import ROOT, drop, expect, go_on, home_of, shot, zipped
 
 EXAMPLES = ROOT / "examples"
 
@@ -85,10 +85,11 @@ def test_a_schedule_is_made_with_its_next_ten_times_paused_resumed_and_run(page)
     assert "Monday" in told
     assert "Sunday" not in told
     assert "Saturday" not in told
-    page.get_by_role("button", name="Agent and priority").click()
+    page.get_by_role("button", name="Agent, priority, recordings").click()
     page.get_by_role("textbox", name="Priority").fill("7")
+    page.get_by_label("Recordings to see in 3D").select_option(label="cases that fail or end in an error")
     page.keyboard.press("Escape")
-    page.get_by_role("button", name="With priority 7").wait_for()
+    page.get_by_role("button", name="With priority 7, failing cases recorded").wait_for()
     shot(page, "new-schedule")
     page.get_by_role("textbox", name="Cron expression").fill("whenever")
     page.get_by_role("alert", name="No such times").get_by_text("is no cron expression").wait_for()
@@ -97,6 +98,7 @@ def test_a_schedule_is_made_with_its_next_ten_times_paused_resumed_and_run(page)
     page.get_by_role("button", name="Schedule", exact=True).click()
     page.get_by_role("heading", name="nightly", level=1).wait_for()
     expect(times).to_have_count(10)
+    expect(page.get_by_role("table", name="Facts")).to_contain_text("cases that fail or end in an error")
     page.get_by_role("button", name="Pause: nightly").click()
     page.get_by_role("heading", name="Paused").wait_for()
     page.get_by_role("button", name="Resume: nightly").click()
@@ -116,7 +118,7 @@ def test_a_schedule_is_made_with_its_next_ten_times_paused_resumed_and_run(page)
 def test_a_build_that_no_agent_can_do_says_why_it_waits(page):
     page.goto(home_of(page) + "/activities")
     page.get_by_role("link", name="dropped").click()
-    page.get_by_role("button", name="Agent and priority").click()
+    page.get_by_role("button", name="Agent, priority, recordings").click()
     page.get_by_role("combobox", name="Labels that the agent must have").fill("real-hardware")
     page.keyboard.press("Enter")
     page.keyboard.press("Escape")

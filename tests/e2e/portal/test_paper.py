@@ -2,7 +2,7 @@
 
 import re
 
-from browsing import ROOT, build, create_activity, expect, fill_expected, shot, write_model
+from portal.browsing import ROOT, build, create_activity, expect, fill_expected, shot, write_model
 
 
 def test_the_evaluation_of_the_paper_by_mouse_and_keyboard(page, tmp_path):

@@ -1,36 +1,13 @@
 """A case seen again in 3D, and a build watched while it runs: real agent, real simulation, real browser."""
 
 import base64
-import os
 import re
 import shutil
-import signal
-import subprocess
-import zipfile
-from pathlib import Path
 
 import pytest
 
-playwright = pytest.importorskip(
-    "playwright.sync_api",
-    reason="the browser's driver is missing: pip install playwright",
-)
+from portal.browsing import ROOT, expect, home_of, serious, shot, zip_of
 
-CHROMIUM = shutil.which("chromium")
-pytestmark = pytest.mark.skipif(
-    CHROMIUM is None, reason="Chromium is missing; './sitaf doctor' says how to get it"
-)
-
-ROOT = Path(__file__).resolve().parents[2]
-AXE = ROOT / "webapp" / "node_modules" / "axe-core" / "axe.min.js"
-PATIENCE_MS = 90_000
-PICTURES = os.environ.get("SITAF_PICTURES")
-# WebGL without a graphics card.
-SOFTWARE_GL = [
-    "--use-gl=angle",
-    "--use-angle=swiftshader",
-    "--enable-unsafe-swiftshader",
-]
 # Simulated in a moment, but the cases are to end one by one.
 SLOW = "java.util.concurrent.locks.LockSupport.parkNanos(2_000_000_000L);"
 
@@ -53,59 +30,11 @@ DIFFERENCE = """async ([one, other]) => {
 
 
 @pytest.fixture(scope="module")
-def link(sitaf, tmp_path_factory):
-    """A running system; the link that opens its portal signed in."""
-    system = subprocess.Popen(
-        [
-            sitaf.root / "sitaf",
-            "up",
-            "--port",
-            "0",
-            "--grpc-port",
-            "0",
-            "--data",
-            tmp_path_factory.mktemp("replay"),
-        ],
-        stdout=subprocess.PIPE,
-        stdin=subprocess.PIPE,
-        text=True,
-    )
-    try:
-        yield next(
-            found.group(1)
-            for line in system.stdout
-            if (found := re.search(r"Open it signed in, once: (http\S+)", line))
-        )
-    finally:
-        system.send_signal(signal.SIGTERM)
-        system.wait(timeout=60)
-
-
-@pytest.fixture(scope="module")
-def page(link, driver):
-    chromium = driver.chromium.launch(
-        executable_path=CHROMIUM, args=["--no-sandbox", *SOFTWARE_GL]
-    )
-    context = chromium.new_context(
-        viewport={"width": 1280, "height": 900},
-        color_scheme="light",
-        reduced_motion="reduce",
-    )
-    context.set_default_timeout(PATIENCE_MS)
-    tab = context.new_page()
-    tab.complaints = []
-    tab.on("pageerror", lambda error: tab.complaints.append(str(error)))
-    tab.on(
-        "console",
-        lambda message: (
-            tab.complaints.append(message.text)
-            if "Content Security Policy" in message.text
-            else None
-        ),
-    )
-    tab.goto(link)
-    yield tab
-    chromium.close()
+def page(page, tab_of):
+    """A page of its own in the same session, of somebody who asked for calm."""
+    with tab_of(reduced_motion="reduce", storage_state=page.context.storage_state()) as tab:
+        tab.goto(home_of(page))
+        yield tab
 
 
 @pytest.fixture(scope="module")
@@ -120,15 +49,10 @@ def build(page, tmp_path_factory):
     source.write_text(text.replace(begin, f"{begin}    {SLOW}\n"))
     # On a machine that is busy with other tests.
     profile = folder / "slow" / "activity.yaml"
-    profile.write_text(
-        profile.read_text().replace("case_wall_s: 30", "case_wall_s: 240")
-    )
-    with zipfile.ZipFile(folder / "slow.zip", "w") as archive:
-        for file in sorted((folder / "slow").rglob("*")):
-            if file.is_file():
-                archive.write(file, file.relative_to(folder / "slow"))
+    profile.write_text(profile.read_text().replace("case_wall_s: 30", "case_wall_s: 240"))
+    archive = zip_of(folder / "slow", folder / "slow.zip")
     page.get_by_role("link", name="Activities", exact=True).click()
-    page.get_by_label("Zip of an activity").set_input_files(folder / "slow.zip")
+    page.get_by_label("Zip of an activity").set_input_files(archive)
     page.get_by_role("button", name="Build now: wall-approach Approach").click()
     page.get_by_role("tab", name="Log").wait_for()
     return page.url.split("?")[0]
@@ -142,21 +66,12 @@ def scene(page):
 
 def picture(page):
     # Two frames: what was asked for is drawn with the next one.
-    page.evaluate(
-        "() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
-    )
+    page.evaluate("() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
     return base64.b64encode(scene(page).locator("canvas").screenshot()).decode()
 
 
 def seconds(page):
     return float(page.get_by_test_id("clock").inner_text().split()[0])
-
-
-def shot(page, name):
-    """A picture of the page, where SITAF_PICTURES names a folder for them, such as docs/portal."""
-    if PICTURES:
-        page.evaluate("scrollTo(0, 0)")
-        page.screenshot(path=Path(PICTURES) / f"{name}.png")
 
 
 def test_a_running_build_is_watched_case_by_case(page, build):
@@ -169,9 +84,7 @@ def test_a_running_build_is_watched_case_by_case(page, build):
     first = page.get_by_text(re.compile(r"^Case \d+; ")).inner_text().split(";")[0]
     # To its end, then comes the newest by then.
     page.get_by_role("group", name="Replay").press("End")
-    playwright.expect(page.get_by_text(re.compile(r"^Case \d+; "))).not_to_contain_text(
-        f"{first};", timeout=PATIENCE_MS
-    )
+    expect(page.get_by_text(re.compile(r"^Case \d+; "))).not_to_contain_text(f"{first};", timeout=90_000)
     scene(page)
     shot(page, "live")
 
@@ -179,9 +92,7 @@ def test_a_running_build_is_watched_case_by_case(page, build):
 def test_a_case_is_played_and_the_scene_changes_with_the_time(page, build):
     page.goto(build)
     page.get_by_text("All passed").wait_for()
-    page.get_by_role("table", name="Cases").get_by_role(
-        "button", name="Case 1", exact=True
-    ).click()
+    page.get_by_role("table", name="Cases").get_by_role("button", name="Case 1", exact=True).click()
     page.get_by_role("link", name="See it in 3D").click()
     page.get_by_role("heading", name="Case 1").wait_for()
     assert page.url == f"{build}/cases/1"
@@ -199,12 +110,7 @@ def test_a_case_is_played_and_the_scene_changes_with_the_time(page, build):
     assert page.evaluate(DIFFERENCE, [at_begin, at_end]) > 0.002
     assert read_at_end != read_at_begin
     # What is read at the end is what was measured.
-    measured = (
-        page.get_by_text("Measured robot_x")
-        .locator("xpath=../..")
-        .locator("dd")
-        .inner_text()
-    )
+    measured = page.get_by_text("Measured robot_x").locator("xpath=../..").locator("dd").inner_text()
     read = dict(re.findall(r"(\S+)\s*\n\s*(\S+)", read_at_end))["robot_x"]
     assert float(read) == pytest.approx(float(measured), abs=1e-4)
 
@@ -217,9 +123,7 @@ def test_a_case_is_played_and_the_scene_changes_with_the_time(page, build):
     assert seconds(page) == pytest.approx(0.02)
     page.get_by_label("Speed").select_option("4")
     player.press("Space")
-    page.wait_for_function(
-        "() => parseFloat(document.querySelector('[data-testid=clock]').innerText) > 0.3"
-    )
+    page.wait_for_function("() => parseFloat(document.querySelector('[data-testid=clock]').innerText) > 0.3")
     player.press("Space")
     stopped = seconds(page)
     page.wait_for_timeout(300)
@@ -246,9 +150,7 @@ def test_the_camera_turns_by_key_and_follows_what_moves(page, build):
 
 def test_the_recording_is_a_file_that_any_viewer_reads(page, build):
     address = f"/api/v1/builds/{build.rsplit('/', 1)[1]}/recordings"
-    recorded = page.evaluate(
-        "async (address) => (await fetch(address)).json()", address
-    )
+    recorded = page.evaluate("async (address) => (await fetch(address)).json()", address)
     numbers = [item["caseNo"] for item in recorded["items"]]
     assert numbers == list(range(1, len(numbers) + 1))
     kind, head, size = page.evaluate(
@@ -272,19 +174,10 @@ def test_axe_finds_nothing_serious(page, build, scheme):
     for place in (f"{build}/cases/1", f"{build}/live", f"{build}/cases/4711"):
         page.goto(place)
         if "4711" in place:
-            page.get_by_role(
-                "button", name="Build again and record all cases"
-            ).wait_for()
+            page.get_by_role("button", name="Build again and record all cases").wait_for()
         else:
             scene(page)
-        page.evaluate(AXE.read_text())
-        found = page.evaluate("async () => (await axe.run(document)).violations")
-        serious = [
-            (v["id"], [n["html"][:200] for n in v["nodes"]])
-            for v in found
-            if v["impact"] in ("serious", "critical")
-        ]
-        assert serious == [], place
+        assert serious(page) == [], place
     if scheme == "dark":
         page.goto(f"{build}/cases/1")
         scene(page)
@@ -298,7 +191,7 @@ def test_a_browser_without_webgl_shows_the_readings(page, build):
     page.get_by_label("Readings at the time shown").wait_for()
     page.get_by_text(re.compile("^Readings over time as a table")).click()
     table = page.get_by_role("table", name="Readings over time")
-    playwright.expect(table.get_by_role("columnheader", name="robot_x")).to_be_visible()
+    expect(table.get_by_role("columnheader", name="robot_x")).to_be_visible()
 
 
 def test_the_browser_complained_of_nothing(page):

@@ -3,7 +3,7 @@
 import re
 
 import pytest
-from browsing import serious, shot
+from portal.browsing import serious, shot
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
