@@ -7,16 +7,18 @@ interface HowToBuildProps {
   onOptions: (options: BuildOptions) => void;
 }
 
-/** Agent requirements and priority of a build that is about to be asked for. */
+const TITLE = 'Agent, priority, recordings';
+
+/** How a build that is about to be asked for is executed. */
 export function HowToBuild({ options, onOptions }: HowToBuildProps) {
   const labels = useAgentLabels();
   const words = inWords(options);
   return (
     <Popover width={440} position="bottom-end" trapFocus withRoles>
       <Popover.Target>
-        <Button variant="default">{words === '' ? 'Agent and priority' : `With ${words}`}</Button>
+        <Button variant="default">{words === '' ? TITLE : `With ${words}`}</Button>
       </Popover.Target>
-      <Popover.Dropdown aria-label="Agent and priority">
+      <Popover.Dropdown aria-label={TITLE}>
         <BuildOptionsFields options={options} onOptions={onOptions} knownLabels={labels} />
         <Text size="xs" c="dimmed" mt="sm">
           The component’s language and a simulation are asked for anyway.

@@ -1,8 +1,7 @@
 import { Group, Stack, Title } from '@mantine/core';
 import { getRouteApi } from '@tanstack/react-router';
-import { BuildNow } from '@/app/BuildNow';
+import { BuildNow, useStartBuild } from '@/app/building';
 import { fromIndex, toIndex, withoutAbsent, type ListSearch } from '@/app/search';
-import { useStartBuild } from '@/app/useStartBuild';
 import { ActivityList, UploadActivity } from '@/features/activities';
 import { ProblemAlert, ButtonLink } from '@/shared/ui';
 

@@ -1,6 +1,6 @@
 import { Group, Stack, Text, Title } from '@mantine/core';
 import { getRouteApi } from '@tanstack/react-router';
-import { BuildForm } from '@/app/BuildForm';
+import { BuildForm } from '@/app/building';
 import { NotFound } from '@/app/NotFound';
 import { PageTabs, type PageTab } from '@/app/PageTabs';
 import {
@@ -12,7 +12,7 @@ import {
 } from '@/app/search';
 import { ActivityFiles, InterfaceTree, useActivity } from '@/features/activities';
 import { BuildList } from '@/features/builds';
-import { ResultHistory } from '@/features/results';
+import { ResultHistory } from '@/features/history';
 import { SuiteList } from '@/features/suites';
 import { ApiError, type Activity } from '@/shared/api';
 import { Loading, ProblemAlert, RouteLink, Section, UserText } from '@/shared/ui';

@@ -9,10 +9,10 @@ import {
   CoverageView,
   LiveCases,
   ResultGraphs,
-  ResultHistory,
   ResultView,
   type CaseFilter,
 } from '@/features/results';
+import { ResultHistory } from '@/features/history';
 import { useSuite } from '@/features/suites';
 import { ApiError, type Build, type ResultCase } from '@/shared/api';
 import { Loading, ProblemAlert, RouteLink, UserText } from '@/shared/ui';

@@ -2,7 +2,7 @@ import { Stack, Text, Title } from '@mantine/core';
 import { getRouteApi } from '@tanstack/react-router';
 import { NotFound } from '@/app/NotFound';
 import { useBuild } from '@/features/builds';
-import { ResultComparison } from '@/features/results';
+import { ResultComparison } from '@/features/history';
 import { formatInstant } from '@/shared/lib/format';
 import { RouteLink, UserText } from '@/shared/ui';
 

@@ -1,7 +1,7 @@
 import { NativeSelect, Stack, Text, Title } from '@mantine/core';
 import { getRouteApi } from '@tanstack/react-router';
 import { useState } from 'react';
-import { HowToBuild } from '@/app/HowToBuild';
+import { HowToBuild } from '@/app/building';
 import { withoutAbsent, type NewScheduleSearch } from '@/app/search';
 import { useActivityChoice } from '@/features/activities';
 import { DEFAULT_OPTIONS, requestOf } from '@/features/builds';

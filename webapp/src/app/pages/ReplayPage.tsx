@@ -3,7 +3,7 @@ import { getRouteApi } from '@tanstack/react-router';
 import { NotFound } from '@/app/NotFound';
 import { useBuild } from '@/features/builds';
 import { CaseReplay, useRecordedCases } from '@/features/replay';
-import { CaseFacts, useResult, useResultCase } from '@/features/results';
+import { CaseFacts, useResult, useCase } from '@/features/results';
 import { ApiError } from '@/shared/api';
 import { VERDICT_WORDS } from '@/shared/lib/verdicts';
 import { Loading, ProblemAlert, RouteLink, Section, UserText } from '@/shared/ui';
@@ -57,7 +57,7 @@ export function ReplayPage() {
 
 function CaseOfResult({ buildId, no }: { buildId: string; no: number }) {
   const result = useResult(buildId);
-  const item = useResultCase(buildId, no);
+  const item = useCase(buildId, no);
   if (!result.data || !item.data) {
     const error = result.error ?? item.error;
     return error && <ProblemAlert title="The case could not be read" error={error} />;

@@ -1,7 +1,7 @@
 import { Button, Group, Stack, Text, Title } from '@mantine/core';
 import { getRouteApi, useNavigate } from '@tanstack/react-router';
 import { useState } from 'react';
-import { HowToBuild } from '@/app/HowToBuild';
+import { HowToBuild } from '@/app/building';
 import { NotFound } from '@/app/NotFound';
 import { PageTabs, type PageTab } from '@/app/PageTabs';
 import { withoutAbsent, type SuiteSearch, type SuiteTab } from '@/app/search';

@@ -1,7 +1,7 @@
-import { Button, Group, Stack, Table, Text, TextInput } from '@mantine/core';
-import { useState, type SyntheticEvent } from 'react';
+import { Button, Stack, Table, Text, TextInput } from '@mantine/core';
+import { useState } from 'react';
 import { formatInstant } from '@/shared/lib/format';
-import { Age, Loading, ProblemAlert, ScrollTable, ShownOnce, UserText } from '@/shared/ui';
+import { Age, IssueForm, Loading, ProblemAlert, ScrollTable, UserText } from '@/shared/ui';
 import { useAddToken, useRevokeToken, useTokens, type Role } from './queries';
 import { RoleSelect } from './Users';
 
@@ -18,44 +18,36 @@ export function Tokens() {
     return <ProblemAlert title="The tokens could not be read" error={tokens.error} />;
   }
 
-  function submit(event: SyntheticEvent) {
-    event.preventDefault();
-    add.mutate({ name, role, days: Number(days) });
-  }
-
   return (
     <Stack gap="sm">
-      <form onSubmit={submit}>
-        <Group align="end">
-          <TextInput
-            label="Name of a new token"
-            required
-            value={name}
-            onChange={(event) => {
-              setName(event.currentTarget.value);
-            }}
-          />
-          <RoleSelect label="Role" value={role} onRole={setRole} />
-          <TextInput
-            label="Days"
-            type="number"
-            min={1}
-            required
-            w={90}
-            value={days}
-            onChange={(event) => {
-              setDays(event.currentTarget.value);
-            }}
-          />
-          <Button type="submit" loading={add.isPending}>
-            Make
-          </Button>
-        </Group>
-      </form>
-      {add.isSuccess && (
-        <ShownOnce title={`Token ${add.data.token.name}`} secret={add.data.secret} />
-      )}
-      {add.isError && <ProblemAlert title="Not made" error={add.error} onClose={add.reset} />}
+      <IssueForm
+        issue={add}
+        wish={{ name, role, days: Number(days) }}
+        action="Make"
+        refused="Not made"
+        secretOf={({ token, secret }) => ({ title: `Token ${token.name}`, secret })}
+      >
+        <TextInput
+          label="Name of a new token"
+          required
+          value={name}
+          onChange={(event) => {
+            setName(event.currentTarget.value);
+          }}
+        />
+        <RoleSelect label="Role" value={role} onRole={setRole} />
+        <TextInput
+          label="Days"
+          type="number"
+          min={1}
+          required
+          w={90}
+          value={days}
+          onChange={(event) => {
+            setDays(event.currentTarget.value);
+          }}
+        />
+      </IssueForm>
       {revoke.isError && (
         <ProblemAlert title="Not revoked" error={revoke.error} onClose={revoke.reset} />
       )}

@@ -1,6 +1,6 @@
-import { Button, Group, NativeSelect, Stack, Switch, Table, TextInput } from '@mantine/core';
-import { useState, type SyntheticEvent } from 'react';
-import { Age, Loading, ProblemAlert, ScrollTable, ShownOnce, UserText } from '@/shared/ui';
+import { NativeSelect, Stack, Switch, Table, TextInput } from '@mantine/core';
+import { useState } from 'react';
+import { Age, IssueForm, Loading, ProblemAlert, ScrollTable, UserText } from '@/shared/ui';
 import { ROLES, useAddUser, useChangeUser, useUsers, type Role } from './queries';
 
 /** Who may sign in, and as what; for administrators. */
@@ -13,33 +13,25 @@ export function Users() {
   if (users.isPending) return <Loading what="users" />;
   if (!users.data) return <ProblemAlert title="The users could not be read" error={users.error} />;
 
-  function submit(event: SyntheticEvent) {
-    event.preventDefault();
-    add.mutate({ name, role });
-  }
-
   return (
     <Stack gap="sm">
-      <form onSubmit={submit}>
-        <Group align="end">
-          <TextInput
-            label="Name of a new user"
-            required
-            value={name}
-            onChange={(event) => {
-              setName(event.currentTarget.value);
-            }}
-          />
-          <RoleSelect label="Role" value={role} onRole={setRole} />
-          <Button type="submit" loading={add.isPending}>
-            Add
-          </Button>
-        </Group>
-      </form>
-      {add.isSuccess && (
-        <ShownOnce title={`Password of ${add.data.user.name}`} secret={add.data.password} />
-      )}
-      {add.isError && <ProblemAlert title="Not added" error={add.error} onClose={add.reset} />}
+      <IssueForm
+        issue={add}
+        wish={{ name, role }}
+        action="Add"
+        refused="Not added"
+        secretOf={({ user, password }) => ({ title: `Password of ${user.name}`, secret: password })}
+      >
+        <TextInput
+          label="Name of a new user"
+          required
+          value={name}
+          onChange={(event) => {
+            setName(event.currentTarget.value);
+          }}
+        />
+        <RoleSelect label="Role" value={role} onRole={setRole} />
+      </IssueForm>
       {change.isError && (
         <ProblemAlert title="Not changed" error={change.error} onClose={change.reset} />
       )}

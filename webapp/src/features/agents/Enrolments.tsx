@@ -1,7 +1,7 @@
-import { Button, Code, Group, NumberInput, Stack, Table, Text, TextInput } from '@mantine/core';
-import { useState, type SyntheticEvent } from 'react';
+import { Button, Code, NumberInput, Stack, Table, Text, TextInput } from '@mantine/core';
+import { useState } from 'react';
 import { formatInstant } from '@/shared/lib/format';
-import { Loading, ProblemAlert, ScrollTable, ShownOnce, UserText } from '@/shared/ui';
+import { IssueForm, Loading, ProblemAlert, ScrollTable, UserText } from '@/shared/ui';
 import { useDeleteEnrolment, useEnrol, useEnrolments } from './queries';
 
 /** Tokens that let new agents in, for administrators. */
@@ -17,69 +17,64 @@ export function Enrolments() {
     return <ProblemAlert title="The enrolments could not be read" error={enrolments.error} />;
   }
 
-  function submit(event: SyntheticEvent) {
-    event.preventDefault();
-    enrol.mutate({
-      uses: Number(uses),
-      hours: Number(hours),
-      ...(agent.trim() !== '' && { agent: agent.trim() }),
-    });
-  }
-
   return (
     <Stack gap="sm">
-      <form onSubmit={submit}>
-        <Group align="end">
-          <TextInput
-            label="Name of the agent"
-            placeholder="any that is new"
-            value={agent}
-            onChange={(event) => {
-              setAgent(event.currentTarget.value);
-            }}
-          />
-          <NumberInput
-            label="Agents"
-            min={1}
-            max={10_000}
-            required
-            w={100}
-            value={uses}
-            onChange={(value) => {
-              setUses(String(value));
-            }}
-          />
-          <NumberInput
-            label="Hours"
-            min={1}
-            max={720}
-            required
-            w={100}
-            value={hours}
-            onChange={(value) => {
-              setHours(String(value));
-            }}
-          />
-          <Button type="submit" loading={enrol.isPending}>
-            Make a token
-          </Button>
-        </Group>
-      </form>
-      {enrol.isSuccess && (
-        <>
-          <ShownOnce title="Token for a new agent" secret={enrol.data.secret} />
-          <Text size="sm">
-            On the machine of the agent, with the server’s address for agents in the place of
-            SERVER:9090:
-          </Text>
-          <Code block>
-            {`SITAF_ENROLMENT_TOKEN=${enrol.data.secret} ./sitaf agent --server SERVER:9090`}
-          </Code>
-        </>
-      )}
-      {enrol.isError && (
-        <ProblemAlert title="No token was made" error={enrol.error} onClose={enrol.reset} />
-      )}
+      <IssueForm
+        issue={enrol}
+        wish={{
+          uses: Number(uses),
+          hours: Number(hours),
+          ...(agent.trim() !== '' && { agent: agent.trim() }),
+        }}
+        action="Make a token"
+        refused="No token was made"
+        secretOf={({ secret }) => ({
+          title: 'Token for a new agent',
+          secret,
+          use: (
+            <>
+              <Text size="sm" mt="sm">
+                On the machine of the agent, with the server’s address for agents in the place of
+                SERVER:9090:
+              </Text>
+              <Code
+                block
+              >{`SITAF_ENROLMENT_TOKEN=${secret} ./sitaf agent --server SERVER:9090`}</Code>
+            </>
+          ),
+        })}
+      >
+        <TextInput
+          label="Name of the agent"
+          placeholder="any that is new"
+          value={agent}
+          onChange={(event) => {
+            setAgent(event.currentTarget.value);
+          }}
+        />
+        <NumberInput
+          label="Agents"
+          min={1}
+          max={10_000}
+          required
+          w={100}
+          value={uses}
+          onChange={(value) => {
+            setUses(String(value));
+          }}
+        />
+        <NumberInput
+          label="Hours"
+          min={1}
+          max={720}
+          required
+          w={100}
+          value={hours}
+          onChange={(value) => {
+            setHours(String(value));
+          }}
+        />
+      </IssueForm>
       {remove.isError && (
         <ProblemAlert title="It was not deleted" error={remove.error} onClose={remove.reset} />
       )}

@@ -3,7 +3,7 @@ import { useMemo, useState } from 'react';
 import type { EChartsCoreOption } from 'echarts/core';
 import type { ResultOfBuild } from '@/shared/api';
 import { formatInstant, formatTime } from '@/shared/lib/format';
-import { VERDICTS, VERDICT_WORDS, countOf } from '@/shared/lib/verdicts';
+import { VERDICTS, VERDICT_COLOURS, VERDICT_WORDS, countOf } from '@/shared/lib/verdicts';
 import {
   ButtonLink,
   Chart,
@@ -13,7 +13,6 @@ import {
   ScrollTable,
   UserText,
 } from '@/shared/ui';
-import { VERDICT_COLOURS } from './graphs';
 import { useHistory } from './queries';
 
 interface ResultHistoryProps {

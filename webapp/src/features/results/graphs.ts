@@ -1,15 +1,7 @@
 import type { EChartsCoreOption } from 'echarts/core';
 import type { ResultStatistics, ResultSummary } from '@/shared/api';
 import { formatTime } from '@/shared/lib/format';
-import { VERDICTS, VERDICT_WORDS, countOf } from '@/shared/lib/verdicts';
-
-/** Apart from each other for the colour-blind, and visible on light and dark ground. */
-export const VERDICT_COLOURS = {
-  PASS: '#2f9e6b',
-  FAIL: '#d9503f',
-  ERROR: '#8f3fb0',
-  DONT: '#b98a1f',
-} as const;
+import { VERDICTS, VERDICT_COLOURS, VERDICT_WORDS, countOf } from '@/shared/lib/verdicts';
 
 const LINE = '#2a94a2';
 

@@ -1,8 +1,6 @@
 export { CoverageView } from './CoverageView';
 export { LiveCases } from './LiveCases';
 export { CaseFacts } from './CaseFacts';
-export { useResult, useResultCase, type CaseFilter } from './queries';
-export { ResultComparison } from './ResultComparison';
+export { useCase, useResult, type CaseFilter } from './queries';
 export { ResultGraphs } from './ResultGraphs';
-export { ResultHistory } from './ResultHistory';
 export { ResultView } from './ResultView';

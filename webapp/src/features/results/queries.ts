@@ -51,25 +51,6 @@ export function useFetchCases(buildId: string, filter: CaseFilter) {
   };
 }
 
-/** A case by its number; null where the result has no such case. */
-export function useResultCase(buildId: string, no: number) {
-  const api = useApi();
-  return useQuery({
-    queryKey: [RESULTS, buildId, 'case', no],
-    queryFn: async ({ signal }) => {
-      // The cases of a suite are numbered from 1, without gaps.
-      const { items } = await dataOf(
-        api.GET('/api/v1/builds/{id}/result/cases', {
-          params: { path: { id: buildId }, query: { page: no - 1, size: 1 } },
-          signal,
-        }),
-      );
-      return items.find((item) => item.no === no) ?? null;
-    },
-    staleTime: Infinity,
-  });
-}
-
 /** The first page of a filter, which also says how many cases there are. */
 export function useFirstCases(buildId: string, filter: CaseFilter) {
   const { queryKey, fetchPage } = useFetchCases(buildId, filter);
@@ -81,12 +62,13 @@ export function useFirstCases(buildId: string, filter: CaseFilter) {
   });
 }
 
-/** A case by its number; those of a suite are counted from 1 without a gap. */
+/** A case by its number; null where the result has no such case. */
 export function useCase(buildId: string, no: number | undefined) {
   const api = useApi();
   return useQuery({
     queryKey: [RESULTS, buildId, 'case', no],
     queryFn: async ({ signal }) => {
+      // The cases of a suite are numbered from 1, without gaps.
       const { items } = await dataOf(
         api.GET('/api/v1/builds/{id}/result/cases', {
           params: { path: { id: buildId }, query: { page: (no ?? 1) - 1, size: 1 } },
@@ -174,36 +156,6 @@ export function useStatistics(buildId: string) {
       dataOf(
         api.GET('/api/v1/builds/{id}/result/statistics', {
           params: { path: { id: buildId } },
-          signal,
-        }),
-      ),
-    staleTime: Infinity,
-  });
-}
-
-/** Results of an activity, of one model or all, the newest first. */
-export function useHistory(activityId: string, model?: string) {
-  const api = useApi();
-  return useQuery({
-    queryKey: [RESULTS, 'history', activityId, model],
-    queryFn: ({ signal }) =>
-      dataOf(
-        api.GET('/api/v1/activities/{id}/results', {
-          params: { path: { id: activityId }, query: { size: 100, ...(model && { model }) } },
-          signal,
-        }),
-      ),
-  });
-}
-
-export function useComparison(buildId: string, other: string) {
-  const api = useApi();
-  return useQuery({
-    queryKey: [RESULTS, buildId, 'comparison', other],
-    queryFn: ({ signal }) =>
-      dataOf(
-        api.GET('/api/v1/builds/{id}/result/comparison', {
-          params: { path: { id: buildId }, query: { with: other } },
           signal,
         }),
       ),

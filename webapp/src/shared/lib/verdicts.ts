@@ -10,6 +10,14 @@ export const VERDICT_WORDS: Record<Verdict, { label: string; sign: string }> = {
   DONT: { label: 'Not executed', sign: '–' },
 };
 
+/** Apart from each other for the colour-blind, and visible on light and dark ground. */
+export const VERDICT_COLOURS = {
+  PASS: '#2f9e6b',
+  FAIL: '#d9503f',
+  ERROR: '#8f3fb0',
+  DONT: '#b98a1f',
+} as const;
+
 /** How many cases of each verdict. */
 interface Counts {
   pass: number;

@@ -1,0 +1,2 @@
+export { ResultComparison } from './ResultComparison';
+export { ResultHistory } from './ResultHistory';
