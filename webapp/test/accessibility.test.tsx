@@ -1,24 +1,20 @@
 import { screen } from '@testing-library/react';
 import axe from 'axe-core';
-import { afterEach, beforeEach, expect, test } from 'vitest';
-import { FakeServer } from './support/FakeServer';
+import { expect, test } from 'vitest';
+import { eachWithServer } from './support/eachWithServer';
+import type { FakeServer } from './support/FakeServer';
 import { openPortal } from './support/openPortal';
 import { activity, build, doneBuild, resultCases, suiteCases } from './support/samples';
 
 let server: FakeServer;
 
-beforeEach(async () => {
-  server = new FakeServer();
-  await server.start();
+eachWithServer((started) => {
+  server = started;
   const cases = resultCases(['PASS', 'FAIL', 'ERROR', 'DONT']);
   server.activities.push(activity('a1'));
   server.builds.push(build('b2', { state: 'RUNNING', casesDone: 5 }), doneBuild('b1', cases));
   server.cases.set('b1', cases);
   server.suiteCases = suiteCases(9);
-});
-
-afterEach(async () => {
-  await server.stop();
 });
 
 test.each([

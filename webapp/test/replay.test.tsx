@@ -1,19 +1,15 @@
 import { screen, within } from '@testing-library/react';
-import { afterEach, beforeEach, expect, test } from 'vitest';
-import { FakeServer } from './support/FakeServer';
+import { expect, test } from 'vitest';
+import { eachWithServer } from './support/eachWithServer';
+import type { FakeServer } from './support/FakeServer';
 import { recordingGlb } from './support/glb';
 import { openPortal } from './support/openPortal';
 import { build, doneBuild, resultCase, resultCases } from './support/samples';
 
 let server: FakeServer;
 
-beforeEach(async () => {
-  server = new FakeServer();
-  await server.start();
-});
-
-afterEach(async () => {
-  await server.stop();
+eachWithServer((started) => {
+  server = started;
 });
 
 function addDone(recorded: number[]) {

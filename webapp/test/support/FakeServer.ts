@@ -1,6 +1,14 @@
 import { createServer, type IncomingMessage, type Server, type ServerResponse } from 'node:http';
 import type { AddressInfo } from 'node:net';
-import type { Activity, Agent, Build, Diagnostic, ResultCase, SuiteCase } from '@/shared/api';
+import type {
+  Activity,
+  Agent,
+  Build,
+  BuildRequest,
+  Diagnostic,
+  ResultCase,
+  SuiteCase,
+} from '@/shared/api';
 import { AGENT, activity, build, result, suite } from './samples';
 
 type Handler = (context: {
@@ -56,6 +64,8 @@ export class FakeServer {
   /** Binary glTF by build and case: `b1 7`. */
   readonly recordings = new Map<string, Uint8Array>();
   agents: Agent[] = [AGENT];
+  readonly buildRequests: BuildRequest[] = [];
+  readonly scheduleRequests: unknown[] = [];
   /** What the next upload is refused for; none: taken. */
   refusal: Diagnostic[] = [];
   /** `METHOD /path?query` of every request, in order. */
@@ -171,7 +181,9 @@ export class FakeServer {
       return { status: 200, json: pageOf(shown, query) };
     },
     'POST builds': ({ body }) => {
-      const { suiteId } = JSON.parse(body.toString()) as { suiteId: string };
+      const request = JSON.parse(body.toString()) as BuildRequest;
+      this.buildRequests.push(request);
+      const { suiteId } = request;
       const created = build(`b${this.builds.length + 1}`, { suiteId });
       this.builds.unshift(created);
       return { status: 201, json: created };
@@ -221,6 +233,10 @@ export class FakeServer {
       },
     }),
     'GET calendars': () => ({ status: 200, json: [] }),
+    'POST schedules': ({ body }) => {
+      this.scheduleRequests.push(JSON.parse(body.toString()));
+      return { status: 201, json: { id: 'p1' } };
+    },
     'POST schedules preview': ({ body }) => {
       const { cron } = JSON.parse(body.toString()) as { cron?: string };
       return cron?.startsWith('0 3') === true

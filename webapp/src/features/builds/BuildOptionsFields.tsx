@@ -1,4 +1,5 @@
-import { NumberInput, SimpleGrid, Stack, TagsInput, TextInput } from '@mantine/core';
+import { NativeSelect, NumberInput, SimpleGrid, Stack, TagsInput, TextInput } from '@mantine/core';
+import { RECORDINGS } from '@/shared/lib/recordings';
 import type { BuildOptions } from './options';
 
 interface BuildOptionsFieldsProps {
@@ -8,7 +9,7 @@ interface BuildOptionsFieldsProps {
   knownLabels: readonly string[];
 }
 
-/** What the agent must be, and how much the build matters. */
+/** What the agent must be, how much the build matters, and what is recorded of it. */
 export function BuildOptionsFields({ options, onOptions, knownLabels }: BuildOptionsFieldsProps) {
   const number = (key: 'priority' | 'shards' | 'retries') => ({
     value: options[key],
@@ -59,6 +60,21 @@ export function BuildOptionsFields({ options, onOptions, knownLabels }: BuildOpt
           onOptions({ ...options, labels });
         }}
         clearButtonProps={{ 'aria-label': 'Remove all labels' }}
+      />
+      <NativeSelect
+        label="Recordings to see in 3D"
+        description="Take each case some milliseconds, many times what a quick case takes by itself, even if only those that fail are kept."
+        value={options.recordings}
+        data={[...RECORDINGS].map(({ value, label }) => ({
+          value,
+          label: value === '' ? `by default: ${label}` : label,
+        }))}
+        onChange={({ currentTarget: { value } }) => {
+          onOptions({
+            ...options,
+            recordings: RECORDINGS.find((known) => known.value === value)?.value ?? '',
+          });
+        }}
       />
     </Stack>
   );

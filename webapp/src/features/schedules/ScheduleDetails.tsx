@@ -1,6 +1,7 @@
 import { SimpleGrid, Stack, Table, Text } from '@mantine/core';
 import type { Schedule } from '@/shared/api';
 import { formatInstant } from '@/shared/lib/format';
+import { recordingsInWords } from '@/shared/lib/recordings';
 import {
   Loading,
   Pager,
@@ -75,6 +76,7 @@ function Facts({ schedule }: { schedule: Schedule }) {
     ],
     ['Priority', String(schedule.priority)],
     ['Shards', String(schedule.shards)],
+    ['Recordings', recordingsInWords(schedule.recordings ?? '')],
   ];
   return (
     <Table verticalSpacing={4} withRowBorders={false} aria-label="Facts">

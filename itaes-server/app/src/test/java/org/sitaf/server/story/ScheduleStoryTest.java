@@ -34,17 +34,22 @@ class ScheduleStoryTest extends ServerTest {
     String suiteId = api.suite(activityId);
     OffsetDateTime at = OffsetDateTime.now(ZoneOffset.ofHours(9)).plusSeconds(3);
     JsonNode schedule =
-        api.post("/api/v1/schedules", "{\"suiteId\":\"%s\",\"at\":\"%s\"}".formatted(suiteId, at))
+        api.post(
+                "/api/v1/schedules",
+                "{\"suiteId\":\"%s\",\"at\":\"%s\",\"recordings\":\"FAILED\"}"
+                    .formatted(suiteId, at))
             .expect(201)
             .json();
     assertThat(schedule.get("at").asString()).endsWith("+09:00");
+    assertThat(schedule.get("recordings").asString()).isEqualTo("FAILED");
     assertThat(schedule.has("fired")).isFalse();
     assertThat(builds(activityId)).isEmpty();
     String id = schedule.get("id").asString();
     await().until(() -> api.get("/api/v1/schedules/" + id).json().has("fired"));
     assertThat(builds(activityId))
         .hasSize(1)
-        .allSatisfy(b -> assertThat(b.get("scheduleId").asString()).isEqualTo(id));
+        .allSatisfy(b -> assertThat(b.get("scheduleId").asString()).isEqualTo(id))
+        .allSatisfy(b -> assertThat(b.get("recordedCases").asString()).isEqualTo("FAILED"));
   }
 
   @Test

@@ -24,8 +24,8 @@ record BuildRequest(
     @Schema(description = "that the agent must have") @Nullable Set<String> labels,
     @Schema(
             description =
-                "of which cases it is recorded what moves in the simulation; where absent of ALL of up to 200 cases, of the"
-                    + " FAILED (and ERROR) ones of up to 2,000, of NONE of more")
+                "of which cases it is recorded what moves in the simulation: ALL, the FAILED (and ERROR) ones, or NONE;"
+                    + " where absent of ALL of up to 100 cases, of NONE of more")
         @Nullable RecordedCases recordings) {
 
   BuildOptions options() {

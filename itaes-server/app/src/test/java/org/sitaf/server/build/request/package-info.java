@@ -1,0 +1,5 @@
+/** How builds are asked for. */
+@NullMarked
+package org.sitaf.server.build.request;
+
+import org.jspecify.annotations.NullMarked;

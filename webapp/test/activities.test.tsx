@@ -1,0 +1,92 @@
+import { fireEvent, screen, within } from '@testing-library/react';
+import { describe, expect, test } from 'vitest';
+import { eachWithServer } from './support/eachWithServer';
+import type { FakeServer } from './support/FakeServer';
+import { openPortal } from './support/openPortal';
+import { activity } from './support/samples';
+
+let server: FakeServer;
+
+eachWithServer((started) => {
+  server = started;
+});
+
+function zip(name = 'ir-sensor.zip') {
+  return new File(['PK\u0003\u0004'], name, { type: 'application/zip' });
+}
+
+describe('the activities', () => {
+  test('are listed with their component and their test models', async () => {
+    server.activities.push(activity('a1'));
+    openPortal(server, '/activities');
+    const table = await screen.findByRole('table', { name: 'Activities' });
+    const [, row] = within(table).getAllByRole('row');
+    expect(row).toHaveTextContent('ir-sensor');
+    expect(row).toHaveTextContent('org.sitaf.examples.ir.InfraredSensor');
+    expect(row).toHaveTextContent('GetInfraredData');
+  });
+
+  test('are fetched a page at a time, and the address says which', async () => {
+    for (let n = 1; n <= 45; n++) server.activities.push(activity(`a${n}`, { name: `no-${n}` }));
+    const { user, history } = openPortal(server, '/activities');
+    await user.click(await screen.findByRole('button', { name: 'Page 3' }));
+    expect(await screen.findByRole('link', { name: 'no-45' })).toBeVisible();
+    expect(screen.queryByRole('link', { name: 'no-40' })).toBeNull();
+    expect(history.location.search).toBe('?page=3');
+  });
+
+  test('take a zip by button, byte for byte', async () => {
+    const { user } = openPortal(server, '/activities');
+    await user.upload(await screen.findByLabelText('Zip of an activity'), zip());
+    expect(await screen.findByRole('table', { name: 'Activities' })).toHaveTextContent('uploaded');
+    expect(server.uploads.map((body) => body.toString())).toEqual(['PK\u0003\u0004']);
+  });
+
+  test('take a zip by drag and drop', async () => {
+    openPortal(server, '/activities');
+    const zone = await screen.findByRole('group', { name: 'Upload an activity' });
+    fireEvent.drop(zone, { dataTransfer: { files: [zip()] } });
+    expect(await screen.findByRole('table', { name: 'Activities' })).toHaveTextContent('uploaded');
+  });
+
+  test('refuse several zips dropped at once', async () => {
+    openPortal(server, '/activities');
+    const zone = await screen.findByRole('group', { name: 'Upload an activity' });
+    fireEvent.drop(zone, { dataTransfer: { files: [zip('a.zip'), zip('b.zip')] } });
+    expect(await screen.findByText(/One zip at a time/)).toBeVisible();
+    expect(server.uploads).toEqual([]);
+  });
+
+  test('show what is wrong with a zip as file, line and message', async () => {
+    server.refusal = [
+      {
+        severity: 'ERROR',
+        file: 'GetInfraredData.xml',
+        line: 12,
+        element: 'equiv_class',
+        message: 'min 7 is greater than max 1',
+      },
+      {
+        severity: 'WARNING',
+        file: 'activity.yaml',
+        line: 0,
+        element: '',
+        message: 'the world has no parameters',
+      },
+    ];
+    const { user } = openPortal(server, '/activities');
+    await user.upload(await screen.findByLabelText('Zip of an activity'), zip());
+    const list = await screen.findByRole('list', { name: 'Diagnostics' });
+    expect(
+      within(list)
+        .getAllByRole('listitem')
+        .map((item) => item.textContent),
+    ).toEqual([
+      'GetInfraredData.xml:12: equiv_class: min 7 is greater than max 1',
+      'activity.yaml: warning: the world has no parameters',
+    ]);
+    expect(screen.getByRole('alert', { name: 'ir-sensor.zip was not taken' })).toHaveTextContent(
+      'The input cannot be used',
+    );
+  });
+});

@@ -1,0 +1,59 @@
+import { screen, waitFor } from '@testing-library/react';
+import { describe, expect, test } from 'vitest';
+import { eachWithServer } from './support/eachWithServer';
+import type { FakeServer } from './support/FakeServer';
+import { openPortal } from './support/openPortal';
+import { suiteCases } from './support/samples';
+
+let server: FakeServer;
+
+eachWithServer((started) => {
+  server = started;
+});
+
+describe('the grid of cases', () => {
+  test('stores what is typed onto the version that was seen', async () => {
+    server.suiteCases = suiteCases(55);
+    const { user } = openPortal(server, '/suites/s1');
+    const cell = await screen.findByLabelText('Expected return of case 3');
+    await user.clear(cell);
+    await user.type(cell, '7.5{Enter}');
+    await screen.findByText(/all stored/);
+    expect(server.suiteEdits).toEqual([{ ifMatch: '"1"', changes: [{ no: 3, literal: '7.5' }] }]);
+    expect(screen.getByLabelText('Expected return of case 3')).toHaveValue('7.5');
+  });
+
+  test('takes the rows of a spreadsheet from the cell on', async () => {
+    server.suiteCases = suiteCases(55);
+    const { user } = openPortal(server, '/suites/s1');
+    await user.click(await screen.findByLabelText('Expected return of case 2'));
+    await user.paste('1.0\r\n2.0\r\n3.0\r\n');
+    await waitFor(() => {
+      expect(server.suiteEdits.map(({ changes }) => changes)).toEqual([
+        [
+          { no: 2, literal: '1.0' },
+          { no: 3, literal: '2.0' },
+          { no: 4, literal: '3.0' },
+        ],
+      ]);
+    });
+  });
+
+  test('says that somebody else changed the suite, and overwrites nothing', async () => {
+    server.suiteCases = suiteCases(5);
+    const { user } = openPortal(server, '/suites/s1');
+    const cell = await screen.findByLabelText('Expected return of case 1');
+    server.suiteVersion = 9;
+    await user.clear(cell);
+    await user.type(cell, '7.5{Enter}');
+    expect(
+      await screen.findByRole('alert', { name: 'Somebody else changed this suite' }),
+    ).toBeVisible();
+    expect(server.suiteEdits).toEqual([]);
+    expect(screen.getByLabelText('Expected return of case 1')).toHaveValue('7.5');
+    await user.click(screen.getByRole('button', { name: 'Put mine onto theirs' }));
+    await waitFor(() => {
+      expect(server.suiteEdits).toEqual([{ ifMatch: '"9"', changes: [{ no: 1, literal: '7.5' }] }]);
+    });
+  });
+});
