@@ -2,6 +2,8 @@ package org.sitaf.server.access;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.time.Instant;
+import java.time.temporal.ChronoUnit;
 import java.util.UUID;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -207,6 +209,21 @@ class AccessStoryTest extends ServerTest {
         .contains("/sign-in?link=expired");
     late.get("/api/v1/session").expect(401);
     browser.send("POST", "/api/v1/session/link", "").expect(403);
+  }
+
+  @Test
+  void whoComesByALinkHasSignedIn() {
+    Instant before = Instant.now().truncatedTo(ChronoUnit.MILLIS);
+    String path = api.post("/api/v1/session/link", "").expect(200).json().get("path").asString();
+    browser.get(path).expect(303);
+    String who = browser.get("/api/v1/session").expect(200).json().get("name").asString();
+    assertThat(api.get("/api/v1/users?size=500").expect(200).json().get("items"))
+        .filteredOn(user -> user.get("name").asString().equals(who))
+        .singleElement()
+        .satisfies(
+            user ->
+                assertThat(Instant.parse(user.path("lastSignIn").asString()))
+                    .isAfterOrEqualTo(before));
   }
 
   @Test

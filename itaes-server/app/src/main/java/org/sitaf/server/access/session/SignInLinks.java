@@ -36,7 +36,7 @@ class SignInLinks {
     return code;
   }
 
-  /** Uses a link up; whose it was, unless it is none, or none any more. */
+  /** Uses a link up; whose it was, who thereby signs in, unless it is none, or none any more. */
   Optional<User> use(String code) {
     String hash = Secret.hash(code);
     Optional<String> personId =
@@ -46,7 +46,7 @@ class SignInLinks {
             .optional();
     // Who deletes it has it: of two at the same time only one.
     boolean first = jdbc.sql("DELETE FROM sign_in_link WHERE hash = ?").param(hash).update() == 1;
-    return personId.filter(id -> first).map(users::find).filter(User::enabled);
+    return personId.filter(id -> first).map(users::find).filter(User::enabled).map(users::signedIn);
   }
 
   private OffsetDateTime now() {

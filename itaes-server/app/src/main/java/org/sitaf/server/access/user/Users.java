@@ -67,8 +67,13 @@ public class Users {
     if (!passwords.matches(password, hash)) {
       return Optional.empty();
     }
-    jdbc.sql("UPDATE person SET last_sign_in = ? WHERE name = ?").params(now(), known).update();
-    return byName(known);
+    return byName(known).map(this::signedIn);
+  }
+
+  /** Notes that a person has signed in, in whichever way. */
+  public User signedIn(User user) {
+    jdbc.sql("UPDATE person SET last_sign_in = ? WHERE id = ?").params(now(), user.id()).update();
+    return find(user.id());
   }
 
   /** The person of this name. */
