@@ -20,7 +20,11 @@ import org.sitaf.cli.ProgressLine;
  * only.
  */
 final class LocalSystem implements AutoCloseable {
-  private static final Duration START_LIMIT = Duration.ofSeconds(60);
+
+  /** A machine may be busy with other things: who comes on, however slowly, is waited for. */
+  private static final Patience PATIENCE =
+      new Patience(Duration.ofMinutes(2), Duration.ofMinutes(20));
+
   private static final Pattern LISTENING = Pattern.compile("^listening http=(\\d+) grpc=(\\d+)");
   private static final Pattern REGISTERED = Pattern.compile("^registered ");
   private static final int SECRET_BYTES = 32;
@@ -70,7 +74,7 @@ final class LocalSystem implements AutoCloseable {
             directory.resolve("server.log"),
             LISTENING);
     try {
-      Matcher ports = server.awaitReady(START_LIMIT);
+      Matcher ports = server.awaitReady(PATIENCE, progress);
       progress.step("Starting an agent");
       List<String> agentCommand = new ArrayList<>(installation.agentCommand());
       agentCommand.addAll(
@@ -88,7 +92,7 @@ final class LocalSystem implements AutoCloseable {
               directory.resolve("agent.log"),
               REGISTERED);
       try {
-        agent.awaitReady(START_LIMIT);
+        agent.awaitReady(PATIENCE, progress, server);
         return new LocalSystem(
             server, agent, URI.create("http://localhost:" + ports.group(1)), token);
       } catch (IOException | InterruptedException e) {

@@ -17,6 +17,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.sitaf.cli.ProgressLine;
 
 /**
  * A process of ours: says in a line of its output that it is ready, and ends when its standard
@@ -25,6 +26,9 @@ import java.util.regex.Pattern;
 final class StartedProcess implements AutoCloseable {
   private static final Duration STOP_LIMIT = Duration.ofSeconds(10);
   private static final int LAST_LINES = 15;
+  private static final long LOOK_MS = 200;
+  private static final Duration EXPECTED = Duration.ofSeconds(20);
+  private static final Duration SIGN_OF_WORK = Duration.ofMillis(200);
 
   private final String name;
   private final Path log;
@@ -54,22 +58,82 @@ final class StartedProcess implements AutoCloseable {
   }
 
   /**
-   * Waits until it is ready.
+   * Waits until it is ready, for as long as it comes on.
    *
+   * @param progress is told of a wait that is longer than people expect
+   * @param others what this process waits for itself: while they come on, so does it
    * @return what was found in the line that says so
-   * @throws IOException when it ends before, or takes too long; the message holds the end of its
-   *     log
+   * @throws IOException when it ends before, or patience does; the message holds the end of its log
    */
-  Matcher awaitReady(Duration limit) throws IOException, InterruptedException {
-    try {
-      return ready.get(limit.toMillis(), TimeUnit.MILLISECONDS);
-    } catch (TimeoutException e) {
-      throw new IOException(
-          "the " + name + " was not ready within " + limit.toSeconds() + " s" + lastWords(), e);
-    } catch (ExecutionException e) {
-      process.waitFor(1, TimeUnit.SECONDS);
-      throw new IOException("the " + name + " ended before it was ready" + lastWords(), e);
+  Matcher awaitReady(Patience patience, ProgressLine progress, StartedProcess... others)
+      throws IOException, InterruptedException {
+    long began = System.nanoTime();
+    long cameOn = began;
+    Work seen = work(others);
+    boolean told = false;
+    while (true) {
+      try {
+        return ready.get(LOOK_MS, TimeUnit.MILLISECONDS);
+      } catch (ExecutionException e) {
+        process.waitFor(1, TimeUnit.SECONDS);
+        throw new IOException("the " + name + " ended before it was ready" + lastWords(), e);
+      } catch (TimeoutException e) {
+        long now = System.nanoTime();
+        Duration waited = Duration.ofNanos(now - began);
+        Work done = work(others);
+        if (done.isMoreThan(seen)) {
+          cameOn = now;
+          seen = done;
+        }
+        if (waited.compareTo(patience.atMost()) > 0) {
+          throw new IOException(
+              "the " + name + " was not ready within " + waited.toSeconds() + " s" + lastWords(),
+              e);
+        }
+        Duration still = Duration.ofNanos(now - cameOn);
+        if (still.compareTo(patience.withoutProgress()) > 0) {
+          throw new IOException(
+              "the %s is not ready after %d s, and did nothing for the last %d s%s"
+                  .formatted(name, waited.toSeconds(), still.toSeconds(), lastWords()),
+              e);
+        }
+        if (waited.compareTo(EXPECTED) > 0) {
+          if (!told) {
+            progress.step(
+                "Waiting for the %s, which starts slowly: this machine is busy (log: %s)"
+                    .formatted(name, log));
+            told = true;
+          }
+          progress.detail(waited.toSeconds() + " s");
+        }
+      }
     }
+  }
+
+  /**
+   * What processes have done so far.
+   *
+   * @param cpu the time that they have had of a processor
+   * @param logged bytes that they have written
+   */
+  private record Work(Duration cpu, long logged) {
+    /** More than a virtual machine does that only waits. */
+    boolean isMoreThan(Work before) {
+      return logged > before.logged || cpu.minus(before.cpu).compareTo(SIGN_OF_WORK) > 0;
+    }
+
+    Work plus(Work other) {
+      return new Work(cpu.plus(other.cpu), logged + other.logged);
+    }
+  }
+
+  private Work work(StartedProcess... others) {
+    Duration cpu = process.info().totalCpuDuration().orElse(Duration.ZERO);
+    Work all = new Work(cpu, log.toFile().length());
+    for (StartedProcess other : others) {
+      all = all.plus(other.work());
+    }
+    return all;
   }
 
   /** Waits for the end of the process. */
