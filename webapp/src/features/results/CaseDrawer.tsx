@@ -10,14 +10,12 @@ interface CaseDrawerProps {
   item: ResultCase | null;
   parameters: readonly ResultParameter[];
   onClose: () => void;
-  /** What else can be done with a case; the app knows. */
-  actions?: (item: ResultCase) => ReactNode;
-  /** What else there is to see of a case, below its values. */
+  /** What else there is to see of a case, below its values; the app knows. */
   details?: (item: ResultCase) => ReactNode;
 }
 
 /** All of a case, nothing cut. */
-export function CaseDrawer({ item, parameters, onClose, actions, details }: CaseDrawerProps) {
+export function CaseDrawer({ item, parameters, onClose, details }: CaseDrawerProps) {
   return (
     <Drawer
       opened={item !== null}
@@ -29,7 +27,6 @@ export function CaseDrawer({ item, parameters, onClose, actions, details }: Case
     >
       {item && (
         <Stack gap="md">
-          {actions?.(item)}
           {item.message && (
             <Text className={classes.whole} role="note">
               <UserText>{item.message}</UserText>

@@ -12,7 +12,6 @@ interface ResultViewProps {
   buildId: string;
   filter: CaseFilter;
   onFilter: (filter: CaseFilter) => void;
-  caseActions?: (item: ResultCase) => ReactNode;
   caseDetails?: (item: ResultCase) => ReactNode;
   /** Number of the case that is looked at; none: the table alone. */
   caseNo?: number | undefined;
@@ -24,7 +23,6 @@ export function ResultView({
   buildId,
   filter,
   onFilter,
-  caseActions,
   caseDetails,
   caseNo,
   onCase,
@@ -65,7 +63,6 @@ export function ResultView({
         onClose={() => {
           onCase(undefined);
         }}
-        {...(caseActions && { actions: caseActions })}
         {...(caseDetails && { details: caseDetails })}
       />
     </Stack>
