@@ -4,10 +4,8 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Comparator;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
-import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.build.BuildListener;
 import org.sitaf.agent.build.BuildOutcome;
@@ -17,6 +15,7 @@ import org.sitaf.agent.build.BuildStage;
 import org.sitaf.agent.build.RecordingOrder;
 import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.agent.simulation.Simulator;
+import org.sitaf.agent.spool.Folders;
 import org.sitaf.agent.toolchain.ToolchainPlaces;
 import org.sitaf.agent.toolchain.Toolchains;
 import org.sitaf.core.activity.Activity;
@@ -103,10 +102,8 @@ final class LocalBuilds implements AutoCloseable {
   }
 
   private void delete() {
-    try (Stream<Path> files = Files.walk(directory)) {
-      for (Path path : files.sorted(Comparator.reverseOrder()).toList()) {
-        Files.delete(path);
-      }
+    try {
+      Folders.delete(directory);
     } catch (IOException e) {
       throw new UncheckedIOException("left behind: " + directory, e);
     }

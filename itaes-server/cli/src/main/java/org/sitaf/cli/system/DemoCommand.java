@@ -5,12 +5,11 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Comparator;
 import java.util.Map;
 import java.util.Objects;
 import java.util.concurrent.Callable;
-import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.agent.spool.Folders;
 import org.sitaf.cli.Installation;
 import org.sitaf.cli.OnExit;
 import org.sitaf.cli.ProgressLine;
@@ -56,7 +55,7 @@ public final class DemoCommand implements Callable<Integer> {
         }
         return exitCode;
       } finally {
-        delete(directory);
+        Folders.delete(directory);
       }
     }
   }
@@ -113,13 +112,5 @@ public final class DemoCommand implements Callable<Integer> {
 
   private static boolean allPassed(TestResult result) {
     return result.summary().total() > 0 && result.summary().pass() == result.summary().total();
-  }
-
-  private static void delete(Path directory) throws IOException {
-    try (Stream<Path> files = Files.walk(directory)) {
-      for (Path path : files.sorted(Comparator.reverseOrder()).toList()) {
-        Files.deleteIfExists(path);
-      }
-    }
   }
 }

@@ -2,7 +2,6 @@ package org.sitaf.agent.compiler;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
@@ -12,21 +11,23 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.sitaf.agent.spool.Folders;
+import org.sitaf.agent.spool.SharedCache;
 
 /**
- * What was compiled, a folder for each key. An entry is there whole or not at all, and several
- * agents and commands may share the cache: they add by renaming and remove by renaming.
+ * What was compiled, a folder for each key.
  *
- * @param directory created when it is needed
+ * @param shared with other agents and commands
  * @param limitBytes what all entries together may hold
  */
-record CompileCache(Path directory, long limitBytes) {
+record CompileCache(SharedCache shared, long limitBytes) {
   private static final Pattern KEY = Pattern.compile("[0-9a-f]{64}");
   private static final int MOST_ENTRIES = 500;
 
   /** Copies what was compiled into an empty folder; false where the key is not known. */
   boolean restore(String key, Path output) throws IOException {
-    Path entry = entry(key);
+    requireKey(key);
+    Path entry = shared.entry(key);
     if (!Files.isDirectory(entry)) {
       return false;
     }
@@ -43,26 +44,17 @@ record CompileCache(Path directory, long limitBytes) {
 
   /** Takes a copy of what was compiled, and lets go of what was used longest ago. */
   void keep(String key, Path output) throws IOException {
-    Path entry = entry(key);
-    Files.createDirectories(directory);
-    Path work = Files.createTempDirectory(directory, "new");
-    try {
-      copy(output, work);
-      Files.move(work, entry, StandardCopyOption.ATOMIC_MOVE);
-    } catch (FileSystemException e) {
-      if (!Files.isDirectory(entry)) {
-        throw e;
-      }
-      // Somebody else compiled the same meanwhile.
-    } finally {
-      delete(work);
+    requireKey(key);
+    try (SharedCache.Draft draft = shared.draft()) {
+      copy(output, draft.folder());
+      draft.addAs(key);
     }
     shrink();
   }
 
   private void shrink() throws IOException {
     List<Path> newestFirst;
-    try (Stream<Path> entries = Files.list(directory)) {
+    try (Stream<Path> entries = Files.list(shared.directory())) {
       newestFirst =
           entries
               .filter(entry -> KEY.matcher(entry.getFileName().toString()).matches())
@@ -75,22 +67,15 @@ record CompileCache(Path directory, long limitBytes) {
       bytes += size(entry);
       // What was just added stays, however large it is.
       if (++count > 1 && (bytes > limitBytes || count > MOST_ENTRIES)) {
-        Path gone = Files.createTempDirectory(directory, "old").resolve("entry");
-        try {
-          Files.move(entry, gone, StandardCopyOption.ATOMIC_MOVE);
-        } catch (IOException e) {
-          // Somebody else was faster.
-        }
-        delete(gone.getParent());
+        shared.remove(entry.getFileName().toString());
       }
     }
   }
 
-  private Path entry(String key) {
+  private static void requireKey(String key) {
     if (!KEY.matcher(key).matches()) {
       throw new IllegalArgumentException("'" + key + "' is no key");
     }
-    return directory.resolve(key);
   }
 
   private static FileTime used(Path entry) {
@@ -129,18 +114,7 @@ record CompileCache(Path directory, long limitBytes) {
       inside = files.toList();
     }
     for (Path file : inside) {
-      delete(file);
-    }
-  }
-
-  private static void delete(Path folder) throws IOException {
-    if (!Files.exists(folder)) {
-      return;
-    }
-    try (Stream<Path> files = Files.walk(folder)) {
-      for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
-        Files.deleteIfExists(file);
-      }
+      Folders.delete(file);
     }
   }
 }

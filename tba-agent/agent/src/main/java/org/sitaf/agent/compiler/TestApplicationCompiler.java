@@ -5,6 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import org.sitaf.agent.sandbox.Sandbox;
+import org.sitaf.agent.spool.SharedCache;
 import org.sitaf.agent.toolchain.Compilation;
 import org.sitaf.agent.toolchain.CompilationException;
 import org.sitaf.agent.toolchain.CompiledApplication;
@@ -52,7 +53,7 @@ public record TestApplicationCompiler(
   public CompiledApplication compile(Compilation compilation)
       throws CompilationException, InterruptedException, IOException {
     TestApplication application = compilation.application();
-    CompileCache compiled = new CompileCache(cache, CACHE_BYTES);
+    CompileCache compiled = new CompileCache(new SharedCache(cache), CACHE_BYTES);
     String key = CompileKey.of(application, toolchain, coverage);
     if (!compiled.restore(key, compilation.output())) {
       try {

@@ -12,8 +12,8 @@ import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.build.BuildOutcome;
 import org.sitaf.agent.build.BuildRun;
 import org.sitaf.agent.build.BuildSettings;
-import org.sitaf.agent.spool.AgentDirectory;
 import org.sitaf.agent.spool.FileCache;
+import org.sitaf.agent.spool.Folders;
 import org.sitaf.agent.spool.FreeSpace;
 import org.sitaf.agent.v1.Assignment;
 import org.sitaf.agent.v1.AttemptRef;
@@ -157,7 +157,7 @@ final class Attempts {
         running.remove(attempt.key());
       }
       try {
-        AgentDirectory.deleteTree(directory);
+        Folders.delete(directory);
       } catch (IOException e) {
         LOGGER.log(System.Logger.Level.WARNING, directory + " cannot be deleted: " + e);
       }

@@ -35,7 +35,7 @@ public final class Spool {
     Files.createDirectories(directory);
     try (DirectoryStream<Path> unfinished = Files.newDirectoryStream(directory, IN_WORK + "*")) {
       for (Path path : unfinished) {
-        AgentDirectory.deleteTree(path);
+        Folders.delete(path);
       }
     }
     return new Spool(directory);
@@ -74,7 +74,7 @@ public final class Spool {
       throw new IllegalArgumentException("'" + name + "' is no name of a spool entry");
     }
     Path work = directory.resolve(IN_WORK + name);
-    AgentDirectory.deleteTree(work);
+    Folders.delete(work);
     Files.createDirectories(work);
     Files.write(work.resolve("message"), message);
     if (log != null && Files.isRegularFile(log)) {
@@ -131,15 +131,15 @@ public final class Spool {
   /** Forgets an entry that the server has, or will never want. */
   public synchronized void delete(Entry entry) throws IOException {
     Path work = directory.resolve(IN_WORK + "deleted." + entry.name());
-    AgentDirectory.deleteTree(work);
+    Folders.delete(work);
     Files.move(entry.directory(), work, StandardCopyOption.ATOMIC_MOVE);
-    AgentDirectory.deleteTree(work);
+    Folders.delete(work);
   }
 
   /** Puts aside an entry that the server refuses, for a person to look at. */
   public synchronized Path reject(Entry entry) throws IOException {
     Path aside = directory.resolve(REJECTED + entry.name());
-    AgentDirectory.deleteTree(aside);
+    Folders.delete(aside);
     return Files.move(entry.directory(), aside, StandardCopyOption.ATOMIC_MOVE);
   }
 

@@ -1,6 +1,6 @@
 /**
- * What an agent keeps on disk: results that it still owes its server, and files that it need not
- * fetch again.
+ * What an agent keeps on disk: results that it still owes its server, and what it need not fetch or
+ * make again.
  */
 @NullMarked
 package org.sitaf.agent.spool;

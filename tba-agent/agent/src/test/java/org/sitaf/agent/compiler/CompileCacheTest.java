@@ -7,12 +7,14 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
+import java.time.Duration;
 import java.time.Instant;
 import java.util.concurrent.CompletableFuture;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sitaf.agent.sandbox.Sandbox;
+import org.sitaf.agent.spool.SharedCache;
 import org.sitaf.agent.testing.EchoActivity;
 import org.sitaf.agent.toolchain.Compilation;
 import org.sitaf.agent.toolchain.CompiledApplication;
@@ -131,7 +133,7 @@ class CompileCacheTest {
 
   @Test
   void whatWasUsedLongestAgoGoesFirst() throws Exception {
-    CompileCache cache = new CompileCache(directory.resolve("cache"), 25);
+    CompileCache cache = cache(25);
     Path output = Files.createDirectories(directory.resolve("output"));
     Files.writeString(output.resolve("program"), "0123456789");
     for (int i = 0; i < 3; i++) {
@@ -150,7 +152,7 @@ class CompileCacheTest {
 
   @Test
   void severalMayKeepTheSameAtTheSameTime() throws Exception {
-    CompileCache cache = new CompileCache(directory.resolve("cache"), 1 << 20);
+    CompileCache cache = cache(1 << 20);
     Path output = Files.createDirectories(directory.resolve("output"));
     Files.writeString(output.resolve("program"), "0123456789");
 
@@ -177,11 +179,39 @@ class CompileCacheTest {
   }
 
   @Test
+  void whatAKilledProcessLeftGoesWithTheNextEntryAndWhatIsInTheMakingStays() throws Exception {
+    Path folder = directory.resolve("cache");
+    Path killed = aside(folder, "new123", 61);
+    Path killedWhileRemoving = aside(folder, "old123", 61);
+    Path inTheMaking = aside(folder, "new456", 59);
+    Path kept = aside(folder, key(1), 600);
+    Path output = Files.createDirectories(directory.resolve("output"));
+    cache(1 << 20).keep(key(0), output);
+
+    assertThat(killed).doesNotExist();
+    assertThat(killedWhileRemoving).doesNotExist();
+    assertThat(inTheMaking.resolve("folder/program")).exists();
+    assertThat(kept.resolve("folder/program")).exists();
+  }
+
+  private static Path aside(Path cache, String name, int minutesAgo) throws IOException {
+    Path folder = cache.resolve(name);
+    Files.writeString(Files.createDirectories(folder.resolve("folder")).resolve("program"), "1");
+    Files.setLastModifiedTime(
+        folder, FileTime.from(Instant.now().minus(Duration.ofMinutes(minutesAgo))));
+    return folder;
+  }
+
+  @Test
   void aKeyCannotLeaveTheCache() {
-    CompileCache cache = new CompileCache(directory, 1);
+    CompileCache cache = cache(1);
 
     assertThatThrownBy(() -> cache.restore("../x", directory))
         .isInstanceOf(IllegalArgumentException.class);
+  }
+
+  private CompileCache cache(long limitBytes) {
+    return new CompileCache(new SharedCache(directory.resolve("cache")), limitBytes);
   }
 
   private boolean restores(CompileCache cache, int i) throws IOException {

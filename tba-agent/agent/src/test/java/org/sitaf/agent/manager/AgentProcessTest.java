@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.sitaf.agent.spool.AgentDirectory;
+import org.sitaf.agent.spool.Folders;
 import org.sitaf.agent.testing.EchoActivity;
 import org.sitaf.agent.v1.AttemptRef;
 
@@ -95,7 +95,7 @@ class AgentProcessTest {
     assertThat(classPath).contains(classes.toString());
     BufferedReader output = start();
     output.readLine();
-    AgentDirectory.deleteTree(classes);
+    Folders.delete(classes);
 
     agent.toHandle().destroy();
     assertThat(agent.waitFor(20, TimeUnit.SECONDS)).isTrue();

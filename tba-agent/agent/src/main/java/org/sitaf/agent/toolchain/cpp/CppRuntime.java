@@ -16,6 +16,7 @@ import org.sitaf.agent.sandbox.Confinement;
 import org.sitaf.agent.sandbox.ProcessLimits;
 import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.agent.sandbox.ToolEnd;
+import org.sitaf.agent.spool.Folders;
 
 /**
  * The runtime of C++ test applications: kept as sources, compiled once for a machine and a compiler

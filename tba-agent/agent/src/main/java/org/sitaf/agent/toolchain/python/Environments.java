@@ -1,14 +1,10 @@
 package org.sitaf.agent.toolchain.python;
 
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.AtomicMoveNotSupportedException;
-import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.nio.file.attribute.FileOwnerAttributeView;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.nio.file.attribute.UserPrincipal;
@@ -16,7 +12,6 @@ import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.time.Duration;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
@@ -25,6 +20,7 @@ import org.sitaf.agent.sandbox.Confinement;
 import org.sitaf.agent.sandbox.ProcessLimits;
 import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.agent.sandbox.ToolEnd;
+import org.sitaf.agent.spool.SharedCache;
 import org.sitaf.agent.toolchain.CompilationException;
 import org.sitaf.agent.toolchain.SourceDiagnostic;
 
@@ -42,12 +38,12 @@ final class Environments {
 
   private final Interpreter interpreter;
   private final Path runtime;
-  private final Path cache;
+  private final SharedCache cache;
 
   Environments(Interpreter interpreter, Path runtime, Path cache) {
     this.interpreter = interpreter;
     this.runtime = runtime;
-    this.cache = cache;
+    this.cache = new SharedCache(cache);
   }
 
   /** The interpreter of an environment. */
@@ -82,30 +78,19 @@ final class Environments {
       held.append(wheel.getFileName()).append(' ').append(digest(Files.readAllBytes(wheel)));
     }
     String key = digest(held.toString().getBytes(StandardCharsets.UTF_8));
-    Path environment = cache.resolve(key.substring(0, 24));
+    String name = key.substring(0, 24);
+    Path environment = cache.entry(name);
     if (Files.isDirectory(environment)) {
       return environment;
     }
-    Files.createDirectories(cache);
-    Path fresh = Files.createTempDirectory(cache, "new-");
-    // Tests run as other users than the one that it is made by.
-    Files.setPosixFilePermissions(fresh, PosixFilePermissions.fromString("rwxr-xr-x"));
-    try {
+    try (SharedCache.Draft draft = cache.draft()) {
+      Path fresh = draft.folder();
+      // Tests run as other users than the one that it is made by.
+      Files.setPosixFilePermissions(fresh, PosixFilePermissions.fromString("rwxr-xr-x"));
       make(fresh, requirements, scratch, atMost, sandbox);
       own(fresh);
-      try {
-        Files.move(fresh, environment, StandardCopyOption.ATOMIC_MOVE);
-      } catch (AtomicMoveNotSupportedException e) {
-        throw e;
-      } catch (FileSystemException e) {
-        if (!Files.isDirectory(environment)) {
-          throw e;
-        }
-        // Another agent has made the same meanwhile.
-      }
+      draft.addAs(name);
       return environment;
-    } finally {
-      delete(fresh);
     }
   }
 
@@ -214,7 +199,7 @@ final class Environments {
 
   /** Takes over what the tools have left, so that no later process owns it. */
   private void own(Path fresh) throws IOException {
-    UserPrincipal owner = Files.getOwner(cache);
+    UserPrincipal owner = Files.getOwner(cache.directory());
     try (Stream<Path> paths = Files.walk(fresh)) {
       for (Path path : (Iterable<Path>) paths::iterator) {
         if (!Files.getOwner(path, LinkOption.NOFOLLOW_LINKS).equals(owner)) {
@@ -241,24 +226,6 @@ final class Environments {
               .filter(p -> p.toString().endsWith(".py"))
               .sorted()
               .toList());
-    }
-  }
-
-  private static void delete(Path folder) throws IOException {
-    if (!Files.exists(folder)) {
-      return;
-    }
-    try (Stream<Path> paths = Files.walk(folder)) {
-      paths
-          .sorted(Comparator.reverseOrder())
-          .forEach(
-              path -> {
-                try {
-                  Files.deleteIfExists(path);
-                } catch (IOException e) {
-                  throw new UncheckedIOException(e);
-                }
-              });
     }
   }
 
