@@ -67,6 +67,9 @@ record Builds(Simulator simulator, Toolchains toolchains, Sandbox sandbox, Path 
                   public void caseFinished(CaseResult result) {
                     ends.add(System.nanoTime());
                   }
+
+                  @Override
+                  public void recorded(int no, Path recording) {}
                 })
             .run();
     if (!(outcome instanceof BuildOutcome.Completed completed)) {

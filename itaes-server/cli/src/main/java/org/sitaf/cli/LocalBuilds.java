@@ -136,5 +136,10 @@ final class LocalBuilds implements AutoCloseable {
     public void caseFinished(CaseResult result) {
       progress.detail(done.incrementAndGet() + "/" + total);
     }
+
+    @Override
+    public void recorded(int no, Path recording) {
+      // It lies where the person has ordered it.
+    }
   }
 }

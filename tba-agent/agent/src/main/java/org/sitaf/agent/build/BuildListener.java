@@ -19,5 +19,5 @@ public interface BuildListener {
    *
    * @param recording binary glTF, the build's own copy
    */
-  default void recorded(int no, Path recording) {}
+  void recorded(int no, Path recording);
 }
