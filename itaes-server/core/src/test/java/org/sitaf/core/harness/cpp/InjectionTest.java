@@ -3,13 +3,11 @@ package org.sitaf.core.harness.cpp;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import java.io.File;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Assumptions;
@@ -18,8 +16,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.sitaf.core.activity.ActivityProfile.Language;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.diagnostic.InvalidInputException;
+import org.sitaf.core.harness.LanguageCompiler;
 import org.sitaf.core.harness.TestApplication;
 
 /** Names and values that try to become code: in strings, comments, identifiers and templates. */
@@ -126,9 +126,7 @@ class InjectionTest {
   @Tag("slow")
   void whatComesOutCompiles() throws IOException, InterruptedException {
     Assumptions.assumeTrue(
-        Arrays.stream(System.getenv("PATH").split(File.pathSeparator))
-            .anyMatch(bin -> Files.isExecutable(Path.of(bin, "g++"))),
-        "g++ is not installed");
+        new LanguageCompiler(Language.CPP, folder).isInstalled(), "g++ is not installed");
     TestApplication application =
         generate(
             "x" + String.join(" ", HOSTILE).substring(0, 300),
@@ -141,9 +139,7 @@ class InjectionTest {
   @Tag("slow")
   void everyKindOfTypeAndStubCompiles() throws IOException, InterruptedException {
     Assumptions.assumeTrue(
-        Arrays.stream(System.getenv("PATH").split(File.pathSeparator))
-            .anyMatch(bin -> Files.isExecutable(Path.of(bin, "g++"))),
-        "g++ is not installed");
+        new LanguageCompiler(Language.CPP, folder).isInstalled(), "g++ is not installed");
     Path wide = Path.of("src/test/resources/org/sitaf/core/harness/cpp/wide-activity");
     assertThat(compile(GoldenHarnessTest.generate(GoldenHarnessTest.tree(wide)))).isEmpty();
   }

@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -15,12 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.sitaf.core.activity.Activity;
-import org.sitaf.core.activity.ActivityProfile;
-import org.sitaf.core.activity.ActivityProfile.Component;
 import org.sitaf.core.activity.ActivityProfile.Language;
-import org.sitaf.core.activity.ActivityProfile.LifeCycle;
-import org.sitaf.core.activity.ActivityProfile.Limits;
 import org.sitaf.core.description.CallType;
 import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.Direction;
@@ -29,17 +23,10 @@ import org.sitaf.core.description.Method;
 import org.sitaf.core.description.Parameter;
 import org.sitaf.core.description.ScalarType;
 import org.sitaf.core.diagnostic.InvalidInputException;
-import org.sitaf.core.harness.InterfaceTestApplicationGenerator;
+import org.sitaf.core.harness.OneCase;
 import org.sitaf.core.harness.TestApplication;
 import org.sitaf.core.model.InputKind;
-import org.sitaf.core.model.InvalidValues;
-import org.sitaf.core.model.Strength;
-import org.sitaf.core.model.Target;
-import org.sitaf.core.model.TestModel;
 import org.sitaf.core.suite.CaseParameter;
-import org.sitaf.core.suite.Generation;
-import org.sitaf.core.suite.TestCase;
-import org.sitaf.core.suite.TestSuite;
 
 /** Names and values that try to become code: in strings, comments, identifiers and templates. */
 @Tag("slow")
@@ -85,34 +72,6 @@ class InjectionTest {
   private List<InterfaceDescription> required = List.of();
 
   private TestApplication generate() {
-    Component component =
-        new Component(
-            Language.JAVA,
-            "component/",
-            null,
-            null,
-            null,
-            null,
-            className,
-            null,
-            null,
-            properties,
-            LifeCycle.CASE,
-            null,
-            before);
-    ActivityProfile profile =
-        new ActivityProfile(
-            "echo",
-            description,
-            component,
-            List.of("provided.xml"),
-            List.of(),
-            List.of(),
-            Language.JAVA,
-            null,
-            List.of("model.xml"),
-            false,
-            Limits.DEFAULT);
     Method say =
         new Method(
             method,
@@ -120,39 +79,19 @@ class InjectionTest {
             List.of(new Parameter(parameter, STRING, Direction.IN)),
             CallType.BLOCKING,
             1);
-    TestModel model =
-        new TestModel(
+    return new OneCase(
+            Language.JAVA,
+            className,
             modelName,
             description,
-            new Target(interfaceName, method, null, Duration.ZERO, Duration.ZERO),
-            List.of(),
-            List.of(),
-            List.of(),
-            List.of(),
-            InvalidValues.ISOLATE,
-            new Strength(1),
-            List.of(),
-            List.of(),
-            "model.xml");
-    TestSuite suite =
-        new TestSuite(
-            "s",
-            "",
-            modelName,
-            new Generation(new Strength(1), InvalidValues.ISOLATE, 1, "default", "test"),
-            List.of(new CaseParameter(parameter, InputKind.TDI, "string")),
-            List.of(new TestCase(1, true, List.of("hello"), List.of())));
-    Activity activity =
-        new Activity(
-            profile,
+            properties,
+            before,
             HarnessBuild.tree(Map.of("model.xml", "", "component/robot/Echo.java", ECHO)),
             List.of(new InterfaceDescription(interfaceName, List.of(say), source)),
             required,
-            List.of(),
-            null,
-            List.of(model),
-            List.of());
-    return InterfaceTestApplicationGenerator.generate(activity, model, suite);
+            List.of(new CaseParameter(parameter, InputKind.TDI, "string")),
+            List.of("hello"))
+        .application();
   }
 
   /** Gives back, as numbers of characters, everything that it was ever given. */
