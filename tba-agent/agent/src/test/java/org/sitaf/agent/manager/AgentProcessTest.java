@@ -55,7 +55,7 @@ class AgentProcessTest {
                 System.getProperty("sitaf.runtimes")));
     command.addAll(List.of(more));
     ProcessBuilder builder = new ProcessBuilder(command).redirectError(errors().toFile());
-    builder.environment().put("SITAF_ENROLMENT_TOKEN", FakeServer.ENROLMENT);
+    builder.environment().put("SITAF_ENROLMENT_TOKEN", FakeDoor.ENROLMENT);
     agent = builder.start();
     return agent.inputReader();
   }

@@ -2,11 +2,7 @@ package org.sitaf.agent.manager;
 
 import com.google.protobuf.ByteString;
 import com.google.protobuf.Duration;
-import io.grpc.Metadata;
 import io.grpc.Server;
-import io.grpc.ServerCall;
-import io.grpc.ServerCallHandler;
-import io.grpc.ServerInterceptor;
 import io.grpc.ServerInterceptors;
 import io.grpc.Status;
 import io.grpc.netty.shaded.io.grpc.netty.NettyServerBuilder;
@@ -55,12 +51,8 @@ import org.sitaf.core.activity.FileTree;
  * and fails on request.
  */
 final class FakeServer extends AgentServiceGrpc.AgentServiceImplBase implements AutoCloseable {
-  static final String ENROLMENT = "enrolment of the tests";
-
-  private static final Metadata.Key<String> AUTHORIZATION =
-      Metadata.Key.of("authorization", Metadata.ASCII_STRING_MARSHALLER);
-
   private final Server server;
+  private final FakeDoor door = new FakeDoor();
   private final Map<String, byte[]> files = new HashMap<>();
   private final List<Register> registrations = new ArrayList<>();
   private final List<Heartbeat> heartbeats = new ArrayList<>();
@@ -71,18 +63,16 @@ final class FakeServer extends AgentServiceGrpc.AgentServiceImplBase implements 
   private @Nullable StreamObserver<ServerMessage> agent;
   private final Map<Integer, String> recordings = new HashMap<>();
   private final List<String> order = new ArrayList<>();
-  private boolean open;
   private int downloads;
   private boolean damageDownloads;
   private boolean superseded;
-  private final List<String> keys = new ArrayList<>();
   private @Nullable Status refuseSubmit;
   private @Nullable Status refuseAttempt;
 
   private FakeServer(int port) throws IOException {
     server =
         NettyServerBuilder.forAddress(new InetSocketAddress(InetAddress.getLoopbackAddress(), port))
-            .addService(ServerInterceptors.intercept(this, new Keys()))
+            .addService(ServerInterceptors.intercept(this, door))
             .build()
             .start();
   }
@@ -110,40 +100,9 @@ final class FakeServer extends AgentServiceGrpc.AgentServiceImplBase implements 
     }
   }
 
-  /** Refuses every call but enrolment that does not show a key it has given and not revoked. */
-  private final class Keys implements ServerInterceptor {
-    @Override
-    public <Q, A> ServerCall.Listener<Q> interceptCall(
-        ServerCall<Q, A> call, Metadata headers, ServerCallHandler<Q, A> next) {
-      boolean enrols = call.getMethodDescriptor() == (Object) AgentServiceGrpc.getEnrolMethod();
-      if (!enrols && !open && !keys().contains(String.valueOf(headers.get(AUTHORIZATION)))) {
-        call.close(Status.UNAUTHENTICATED, new Metadata());
-        return new ServerCall.Listener<>() {};
-      }
-      return next.startCall(call, headers);
-    }
-  }
-
-  /** As they are shown, in the order in which they were given. */
-  synchronized List<String> keys() {
-    return List.copyOf(keys);
-  }
-
-  /** Lets the agent in again when it shows a key that another server has given. */
-  synchronized void know(List<String> others) {
-    keys.addAll(others);
-  }
-
-  @Override
-  public synchronized void enrol(EnrolRequest request, StreamObserver<EnrolResponse> answers) {
-    if (!request.getToken().equals(ENROLMENT)) {
-      answers.onError(Status.UNAUTHENTICATED.asRuntimeException());
-      return;
-    }
-    String key = "key-" + request.getName() + "-" + keys.size();
-    keys.add("Bearer " + key);
-    answers.onNext(EnrolResponse.newBuilder().setKey(key).build());
-    answers.onCompleted();
+  /** Who is let in. */
+  FakeDoor door() {
+    return door;
   }
 
   // What tests tell it to do.
@@ -199,11 +158,6 @@ final class FakeServer extends AgentServiceGrpc.AgentServiceImplBase implements 
 
   synchronized void refuseSubmit(@Nullable Status status) {
     refuseSubmit = status;
-  }
-
-  /** Asks for no keys. */
-  synchronized void letAllIn() {
-    open = true;
   }
 
   synchronized void takeAttempts() {
@@ -274,6 +228,11 @@ final class FakeServer extends AgentServiceGrpc.AgentServiceImplBase implements 
   }
 
   // The protocol.
+
+  @Override
+  public void enrol(EnrolRequest request, StreamObserver<EnrolResponse> answers) {
+    door.enrol(request, answers);
+  }
 
   @Override
   public StreamObserver<AgentMessage> connect(StreamObserver<ServerMessage> responses) {

@@ -29,7 +29,7 @@ class RecordingUploadTest {
   @BeforeEach
   void start() throws Exception {
     server = FakeServer.start();
-    server.letAllIn();
+    server.door().letAllIn();
     channel = NettyChannelBuilder.forTarget(server.address()).usePlaintext().build();
     calls = new ServerCalls(channel);
   }
@@ -78,6 +78,11 @@ class RecordingUploadTest {
     Path first = recording(1);
     try (RecordingUpload upload = new RecordingUpload(ATTEMPT, calls)) {
       upload.add(first);
+      // The end gives it two seconds, in which a busy machine may not even have connected.
+      for (long end = System.nanoTime() + 30_000_000_000L;
+          Files.exists(first) && System.nanoTime() < end; ) {
+        Thread.sleep(10);
+      }
     }
 
     assertThat(first).doesNotExist();

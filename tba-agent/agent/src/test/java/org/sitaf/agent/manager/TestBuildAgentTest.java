@@ -50,7 +50,7 @@ class TestBuildAgentTest {
     AgentSettings settings =
         new AgentSettings(
             server.address(),
-            ServerAccess.byToken(FakeServer.ENROLMENT),
+            ServerAccess.byToken(FakeDoor.ENROLMENT),
             "tester",
             "1",
             directory,
