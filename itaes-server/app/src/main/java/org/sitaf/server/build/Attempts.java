@@ -1,82 +1,54 @@
 package org.sitaf.server.build;
 
 import java.time.Clock;
-import java.time.Duration;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
 import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import java.util.stream.Collectors;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.TestResult;
-import org.sitaf.server.build.request.RecordedCases;
 import org.sitaf.server.file.StoredFile;
 import org.sitaf.server.refusal.Refusal;
 import org.sitaf.server.result.Results;
 import org.sitaf.server.result.live.LiveCases;
-import org.sitaf.server.settings.SitafSettings;
 import org.springframework.context.ApplicationEventPublisher;
-import org.springframework.jdbc.core.simple.JdbcClient;
 import org.springframework.stereotype.Service;
 import org.springframework.transaction.annotation.Transactional;
 
 /**
- * Attempts at builds: their leases, what agents report of them, and their ends. A build is executed
- * at least once, and exactly one result of it is accepted: each change locks the build first and
- * looks at the fencing token then.
+ * Attempts at builds: what agents report of them, and how they end by themselves. A build is
+ * executed at least once, and exactly one result of it is accepted: each change locks the build
+ * first and looks at the fencing token then.
  */
 @Service
 @Transactional
 public class Attempts {
-  private static final Duration LONGEST_PAUSE = Duration.ofMinutes(1);
-
   private final BuildRepository builds;
   private final AttemptRepository attempts;
-  private final BuildQueue queue;
   private final Results results;
   private final LiveCases live;
-  private final JdbcClient jdbc;
+  private final Retries retries;
   private final ApplicationEventPublisher events;
-  private final SitafSettings settings;
   private final Clock clock;
 
   Attempts(
       BuildRepository builds,
       AttemptRepository attempts,
-      BuildQueue queue,
       Results results,
       LiveCases live,
-      JdbcClient jdbc,
+      Retries retries,
       ApplicationEventPublisher events,
-      SitafSettings settings,
       Clock clock) {
     this.builds = builds;
     this.attempts = attempts;
-    this.queue = queue;
     this.results = results;
     this.live = live;
-    this.jdbc = jdbc;
+    this.retries = retries;
     this.events = events;
-    this.settings = settings;
     this.clock = clock;
   }
-
-  /**
-   * What an agent is given.
-   *
-   * @param activity name of the activity
-   * @param recordingBytes at most, of all recordings together
-   */
-  public record Assignment(
-      AttemptKey key,
-      String activity,
-      String model,
-      String language,
-      List<StoredFile> files,
-      RecordedCases recordedCases,
-      long recordingBytes) {}
 
   /** What becomes of a result. */
   public enum Delivery {
@@ -88,106 +60,6 @@ public class Attempts {
     GIVEN_UP
   }
 
-  /** Gives a build to an agent; empty when it does not wait any more. */
-  public Optional<Assignment> lease(String buildId, String agent) {
-    if (!queue.claim(buildId)) {
-      return Optional.empty();
-    }
-    Build build = builds.findForChange(buildId).orElseThrow();
-    Instant now = now();
-    long logStart =
-        jdbc.sql("SELECT log_length FROM build WHERE id = ?")
-            .param(buildId)
-            .query(Long.class)
-            .single();
-    int no = build.attempt() + 1;
-    Attempt attempt =
-        attempts.saveAndFlush(
-            new Attempt(buildId, no, agent, now, now.plus(settings.lease()), logStart));
-    build.lease(no, agent, now);
-    live.forget(buildId);
-    changed(build);
-    return Optional.of(
-        new Assignment(
-            attempt.key(),
-            build.activityName(),
-            build.model(),
-            build.language(),
-            build.files(),
-            build.recordedCases(),
-            settings.maxRecordings().toBytes()));
-  }
-
-  /**
-   * Renews the leases of what an agent says it works on; answers with what it should not work on
-   * any more.
-   */
-  public Set<AttemptKey> renew(String agent, Collection<AttemptKey> running) {
-    if (running.isEmpty()) {
-      return Set.of();
-    }
-    Set<Long> live =
-        Set.copyOf(attempts.findLive(agent, running.stream().map(AttemptKey::token).toList()));
-    if (!live.isEmpty()) {
-      attempts.renew(live, now().plus(settings.lease()));
-    }
-    return running.stream()
-        .filter(key -> !live.contains(key.token()))
-        .collect(Collectors.toUnmodifiableSet());
-  }
-
-  /** Grants everybody a whole lease: while the server was away nobody could renew one. */
-  public int renewAll() {
-    return attempts.renewAll(now().plus(settings.lease()));
-  }
-
-  /** Attempts of agents that were not heard of for a lease. */
-  @Transactional(readOnly = true)
-  public List<AttemptKey> overdue() {
-    return attempts.findOverdue(now());
-  }
-
-  /** When the next lease ends, if nobody renews it. */
-  @Transactional(readOnly = true)
-  public Optional<Instant> nextDeadline() {
-    return attempts.findNextDeadline();
-  }
-
-  /** Gives up an attempt whose lease has ended, unless it was renewed meanwhile. */
-  public void expire(AttemptKey key) {
-    Optional<Build> build = builds.findForChange(key.buildId());
-    Optional<Attempt> attempt = attempts.findById(key.token());
-    if (build.isPresent() && attempt.isPresent() && attempt.get().isOverdue(now())) {
-      giveUp(
-          build.get(),
-          attempt.get(),
-          "nothing was heard of agent "
-              + attempt.get().agent()
-              + " for "
-              + settings.lease().toSeconds()
-              + " s");
-    }
-  }
-
-  /**
-   * Gives up what an agent had and does not have any more, because it was started anew.
-   *
-   * @param running what it says it works on
-   */
-  public void giveUpAllBut(String agent, Collection<AttemptKey> running) {
-    Set<Long> kept = running.stream().map(AttemptKey::token).collect(Collectors.toSet());
-    for (AttemptKey key : attempts.findLiveOf(agent)) {
-      if (!kept.contains(key.token())) {
-        giveUp(key, "agent " + agent + " was started anew and knows nothing of it");
-      }
-    }
-  }
-
-  /** Takes an agent's attempts away from it. */
-  public void giveUpAll(String agent, String why) {
-    attempts.findLiveOf(agent).forEach(key -> giveUp(key, why));
-  }
-
   /** The attempts at a build, the first first. */
   @Transactional(readOnly = true)
   public List<PastAttempt> of(String buildId) {
@@ -195,21 +67,6 @@ public class Attempts {
       throw Refusal.notFound("build", buildId);
     }
     return attempts.findByBuildIdOrderByNo(buildId).stream().map(Attempt::view).toList();
-  }
-
-  /** Which of these attempts are over. */
-  @Transactional(readOnly = true)
-  public Set<Long> over(Collection<Long> tokens) {
-    return tokens.isEmpty() ? Set.of() : Set.copyOf(attempts.findOver(tokens));
-  }
-
-  /** Gives up an attempt that its agent did not even get to know of. */
-  public void giveUp(AttemptKey key, String why) {
-    Optional<Build> build = builds.findForChange(key.buildId());
-    Optional<Attempt> attempt = attempts.findById(key.token());
-    if (build.isPresent() && attempt.isPresent() && !attempt.get().isOver()) {
-      giveUp(build.get(), attempt.get(), why);
-    }
   }
 
   /** Follows an agent from state to state. */
@@ -317,7 +174,7 @@ public class Attempts {
     requireLive(attempt);
     attempt.end(BuildState.FAILED, now());
     events.publishEvent(new BuildEvent.Delivered(key, attempt.agent()));
-    tryAgain(build, failure, pauseAfter(build.noteFailure()));
+    retries.afterFailure(build, failure);
   }
 
   /**
@@ -334,33 +191,6 @@ public class Attempts {
     attempt.end(BuildState.CANCELLED, now());
     build.cancel(message, now());
     changed(build);
-  }
-
-  /** A failure that an agent reports may last: the build waits the longer, the more there were. */
-  private void tryAgain(Build build, BuildFailure failure, Duration pause) {
-    boolean again =
-        failure.category() == BuildFailure.Category.INFRASTRUCTURE
-            && build.attempt() < build.maxAttempts();
-    if (again) {
-      build.queueAgain(failure.message(), now().plus(pause), now());
-    } else {
-      build.fail(failure, now());
-    }
-    changed(build);
-  }
-
-  private Duration pauseAfter(int failuresBefore) {
-    Duration doubled = settings.retryDelay().multipliedBy(1L << Math.min(failuresBefore, 20));
-    return doubled.compareTo(LONGEST_PAUSE) < 0 ? doubled : LONGEST_PAUSE;
-  }
-
-  private void giveUp(Build build, Attempt attempt, String why) {
-    attempt.end(BuildState.FAILED, now());
-    events.publishEvent(new BuildEvent.Stopped(attempt.key(), attempt.agent(), why, true));
-    tryAgain(
-        build,
-        new BuildFailure(BuildFailure.Category.INFRASTRUCTURE, why, List.of()),
-        Duration.ZERO);
   }
 
   /** A late result is kept for people; what counts is decided already. */

@@ -13,13 +13,11 @@ import jakarta.persistence.OrderColumn;
 import jakarta.persistence.Version;
 import java.time.Instant;
 import java.util.ArrayList;
-import java.util.BitSet;
 import java.util.Collection;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.verdict.Summary;
 import org.sitaf.server.build.request.BuildOptions;
@@ -70,10 +68,7 @@ public class Build {
   @Enumerated(EnumType.STRING)
   private RecordedCases recordedCases;
 
-  private int casesTotal;
-  private int lastCase;
-  private byte[] casesSeen;
-  private int casesDone;
+  @Embedded private CaseProgress cases;
 
   @Enumerated(EnumType.STRING)
   private BuildFailure.@Nullable Category failureCategory;
@@ -109,7 +104,7 @@ public class Build {
     recordedCases = RecordedCases.NONE;
     state = BuildState.QUEUED;
     created = Instant.EPOCH;
-    casesSeen = new byte[0];
+    cases = new CaseProgress();
   }
 
   /**
@@ -169,8 +164,7 @@ public class Build {
     language = application.language();
     requirements = application.requirements().text();
     files.addAll(application.files());
-    casesTotal = application.cases();
-    lastCase = application.lastCase();
+    cases = new CaseProgress(application.cases(), application.lastCase());
   }
 
   /** Gives it to an agent. */
@@ -179,8 +173,7 @@ public class Build {
     attempt = attemptNo;
     agent = toAgent;
     started = started == null ? now : started;
-    casesSeen = new byte[0];
-    casesDone = 0;
+    cases.restart();
     move(BuildState.LEASED, now, "given to agent " + toAgent);
   }
 
@@ -202,22 +195,14 @@ public class Build {
    */
   Set<Integer> noteCases(Collection<Integer> numbers) {
     require(state.isActive(), "worked on");
-    BitSet seen = BitSet.valueOf(casesSeen);
-    Set<Integer> news =
-        numbers.stream()
-            .filter(no -> no >= 1 && no <= lastCase && !seen.get(no))
-            .collect(Collectors.toUnmodifiableSet());
-    news.forEach(seen::set);
-    casesSeen = seen.toByteArray();
-    casesDone = Math.min(seen.cardinality(), casesTotal);
-    return news;
+    return cases.note(numbers);
   }
 
   /** The result is accepted. */
   void complete(Summary summary, Instant now) {
     require(state.isActive(), "completed");
     counts = CaseCounts.of(summary);
-    casesDone = summary.total() - summary.dont();
+    cases.set(summary.total() - summary.dont());
     finished = now;
     move(BuildState.DONE, now, "result accepted");
   }
@@ -263,7 +248,7 @@ public class Build {
       started = now;
       move(BuildState.RUNNING, now, "the first of its " + parts + " parts was given to an agent");
     }
-    casesDone = casesOfParts;
+    cases.set(casesOfParts);
   }
 
   private void move(BuildState to, Instant now, String cause) {
@@ -369,11 +354,11 @@ public class Build {
   }
 
   public int casesTotal() {
-    return casesTotal;
+    return cases.total();
   }
 
   public int casesDone() {
-    return casesDone;
+    return cases.done();
   }
 
   /** What reserved it; empty for a build at once. */

@@ -16,8 +16,8 @@ import org.sitaf.agent.v1.Cancellation;
 import org.sitaf.agent.v1.Register;
 import org.sitaf.agent.v1.ServerMessage;
 import org.sitaf.server.build.AttemptKey;
-import org.sitaf.server.build.Attempts;
 import org.sitaf.server.build.BuildEvent;
+import org.sitaf.server.build.Leases;
 import org.sitaf.server.build.agent.KnownAgent.Standing;
 import org.sitaf.server.refusal.Refusal;
 import org.sitaf.server.settings.Database;
@@ -35,7 +35,7 @@ class Agents {
   private final AtomicReference<Shown> shown = new AtomicReference<>(Shown.nothing());
   private final Map<String, AgentSession> sessions = new ConcurrentHashMap<>();
   private final KnownAgentRepository known;
-  private final Attempts attempts;
+  private final Leases leases;
   private final TransactionTemplate transaction;
   private final Database database;
   private final SitafSettings settings;
@@ -43,13 +43,13 @@ class Agents {
 
   Agents(
       KnownAgentRepository known,
-      Attempts attempts,
+      Leases leases,
       TransactionTemplate transaction,
       Database database,
       SitafSettings settings,
       Clock clock) {
     this.known = known;
-    this.attempts = attempts;
+    this.leases = leases;
     this.transaction = transaction;
     this.database = database;
     this.settings = settings;
@@ -106,7 +106,7 @@ class Agents {
    * An agent has come: what it had and does not know of is lost, and need not wait for its lease.
    */
   void came(AgentSession session, Collection<AttemptKey> running) {
-    attempts.giveUpAllBut(session.name(), running);
+    leases.giveUpAllBut(session.name(), running);
   }
 
   /**
@@ -114,12 +114,11 @@ class Agents {
    */
   void heard(AgentSession session, Collection<AttemptKey> running) {
     // Most agents are idle most of the time, and hundreds of them need no transaction to say so.
-    Set<AttemptKey> outdated =
-        running.isEmpty() ? Set.of() : attempts.renew(session.name(), running);
+    Set<AttemptKey> outdated = running.isEmpty() ? Set.of() : leases.renew(session.name(), running);
     session.heard(running, now());
     Set<Long> unspoken = session.unspokenOf(running);
     if (!unspoken.isEmpty()) {
-      session.free(attempts.over(unspoken));
+      session.free(leases.over(unspoken));
     }
     outdated.forEach(
         key -> {
@@ -210,7 +209,7 @@ class Agents {
           known.save(agent);
         });
     if (standing == Standing.DISABLED) {
-      attempts.giveUpAll(name, "agent " + name + " was disabled");
+      leases.giveUpAll(name, "agent " + name + " was disabled");
     }
   }
 

@@ -14,10 +14,10 @@ import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.sitaf.agent.v1.ServerMessage;
-import org.sitaf.server.build.Attempts;
 import org.sitaf.server.build.BuildEvent;
 import org.sitaf.server.build.BuildQueue;
 import org.sitaf.server.build.BuildQueue.Waiting;
+import org.sitaf.server.build.Leases;
 import org.sitaf.server.build.request.Requirements;
 import org.sitaf.server.settings.Database;
 import org.slf4j.Logger;
@@ -38,7 +38,7 @@ class Dispatcher implements SmartLifecycle {
   private static final int MAX_WINDOW = 200;
   private static final Duration SHARED_LOOK = Duration.ofMillis(300);
 
-  private final Attempts attempts;
+  private final Leases leases;
   private final BuildQueue queue;
   private final Agents agents;
   private final Database database;
@@ -48,8 +48,8 @@ class Dispatcher implements SmartLifecycle {
   private ScheduledExecutorService thread = newThread();
   private Instant wakesAt = Instant.MAX;
 
-  Dispatcher(Attempts attempts, BuildQueue queue, Agents agents, Database database, Clock clock) {
-    this.attempts = attempts;
+  Dispatcher(Leases leases, BuildQueue queue, Agents agents, Database database, Clock clock) {
+    this.leases = leases;
     this.queue = queue;
     this.agents = agents;
     this.database = database;
@@ -125,12 +125,12 @@ class Dispatcher implements SmartLifecycle {
   }
 
   private boolean give(String buildId, AgentSession agent) {
-    Optional<Attempts.Assignment> assignment = attempts.lease(buildId, agent.name());
+    Optional<Leases.Assignment> assignment = leases.lease(buildId, agent.name());
     assignment.ifPresent(given -> send(agent, given));
     return assignment.isPresent();
   }
 
-  private void send(AgentSession agent, Attempts.Assignment assignment) {
+  private void send(AgentSession agent, Leases.Assignment assignment) {
     agent.occupy(assignment.key());
     boolean sent =
         agent.send(
@@ -143,7 +143,7 @@ class Dispatcher implements SmartLifecycle {
           assignment.model(),
           agent.name());
     } else {
-      attempts.giveUp(assignment.key(), "agent " + agent.name() + " went away");
+      leases.giveUp(assignment.key(), "agent " + agent.name() + " went away");
     }
   }
 

@@ -7,7 +7,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import org.sitaf.server.build.AttemptKey;
-import org.sitaf.server.build.Attempts;
+import org.sitaf.server.build.Leases;
 import org.sitaf.server.settings.SitafSettings;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -25,15 +25,15 @@ import org.springframework.stereotype.Component;
 class LeaseWatch implements SmartLifecycle {
   private static final Logger log = LoggerFactory.getLogger(LeaseWatch.class);
 
-  private final Attempts attempts;
+  private final Leases leases;
   private final Agents agents;
   private final SitafSettings settings;
   private final Clock clock;
   private ScheduledExecutorService timer = newTimer();
   private volatile boolean running;
 
-  LeaseWatch(Attempts attempts, Agents agents, SitafSettings settings, Clock clock) {
-    this.attempts = attempts;
+  LeaseWatch(Leases leases, Agents agents, SitafSettings settings, Clock clock) {
+    this.leases = leases;
     this.agents = agents;
     this.settings = settings;
     this.clock = clock;
@@ -45,11 +45,11 @@ class LeaseWatch implements SmartLifecycle {
     try {
       agents.closeSilent();
       agents.noteConnected();
-      for (AttemptKey key : attempts.overdue()) {
+      for (AttemptKey key : leases.overdue()) {
         log.warn("Build {}: attempt {} has lost its agent", key.buildId(), key.no());
-        attempts.expire(key);
+        leases.expire(key);
       }
-      Instant deadline = attempts.nextDeadline().orElse(next);
+      Instant deadline = leases.nextDeadline().orElse(next);
       next = deadline.isBefore(next) ? deadline : next;
       for (AgentSession session : agents.connected()) {
         Instant silentAt = session.lastHeard().plus(settings.lease());
@@ -77,14 +77,14 @@ class LeaseWatch implements SmartLifecycle {
       timer = newTimer();
     }
     running = true;
-    attempts.renewAll();
+    leases.renewAll();
     timer.execute(this::look);
   }
 
   /** A start may take longer than a lease, and nobody could renew one before its end. */
   @EventListener
   void on(ApplicationReadyEvent ready) {
-    attempts.renewAll();
+    leases.renewAll();
   }
 
   @Override

@@ -15,10 +15,10 @@ import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.NamedValue;
 import org.sitaf.core.verdict.Verdict;
 import org.sitaf.server.build.AttemptKey;
-import org.sitaf.server.build.Attempts;
 import org.sitaf.server.build.BuildFailure;
 import org.sitaf.server.build.BuildFailure.SourceProblem;
 import org.sitaf.server.build.BuildState;
+import org.sitaf.server.build.Leases;
 import org.sitaf.server.build.recording.Recordings;
 import org.sitaf.server.build.request.AgentWishes;
 import org.sitaf.server.build.request.Capabilities;
@@ -57,7 +57,7 @@ final class Messages {
         .build();
   }
 
-  static Assignment toAssignment(Attempts.Assignment assignment) {
+  static Assignment toAssignment(Leases.Assignment assignment) {
     Assignment.Builder message =
         Assignment.newBuilder()
             .setAttempt(toRef(assignment.key()))
@@ -76,7 +76,7 @@ final class Messages {
     return message.build();
   }
 
-  private static RecordingOrder toOrder(Attempts.Assignment assignment) {
+  private static RecordingOrder toOrder(Leases.Assignment assignment) {
     RecordingOrder.Cases wanted =
         switch (assignment.recordedCases()) {
           case NONE -> RecordingOrder.Cases.CASES_UNSPECIFIED;
