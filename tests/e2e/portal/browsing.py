@@ -27,7 +27,7 @@ def shot(page, name):
     """A picture of the page, where SITAF_PICTURES names a folder for them, such as docs/portal."""
     if PICTURES:
         page.evaluate("scrollTo(0, 0)")
-        page.screenshot(path=Path(PICTURES) / f"{name}.png")
+        page.screenshot(path=Path(PICTURES) / f"{name}.png", animations="disabled")
 
 
 def go_on(page):
@@ -93,7 +93,7 @@ def write_model(page):
         part.get_by_label("To", exact=True).fill(high)
         part.get_by_label("Offset").fill(offset)
     page.get_by_role("img", name="7 values from -0.5 to 10.5 on a number line").wait_for()
-    shot(page, "specification")
+    shot(page, "model-editor")
     go_on(page)
     page.get_by_text("55 cases: 25 valid, 30 with an invalid value").wait_for()
     shot(page, "combination")

@@ -9,7 +9,7 @@ def test_the_evaluation_of_the_paper_by_mouse_and_keyboard(page, tmp_path):
     create_activity(page, "ir-sensor", "ir-sensor", tmp_path)
     write_model(page)
     fill_expected(page)
-    shot(page, "cases")
+    shot(page, "test-cases")
     build(page)
     page.get_by_text("All passed").wait_for()
     expect(page.get_by_role("table", name="Cases")).to_have_attribute("aria-rowcount", "57")

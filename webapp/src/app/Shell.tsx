@@ -16,7 +16,8 @@ import { ConnectionBanner } from './ConnectionBanner';
 import classes from './Shell.module.css';
 
 const PLACES = [
-  { to: '/activities', label: 'Activities' },
+  // A suite belongs to an activity.
+  { to: '/activities', label: 'Activities', also: '/suites/' },
   { to: '/builds', label: 'Builds' },
   { to: '/schedules', label: 'Schedules' },
   { to: '/agents', label: 'Agents' },
@@ -42,31 +43,31 @@ export function Shell() {
       </a>
       <header className={classes.header}>
         <Container size="xl">
-          <Group justify="space-between" py="xs" gap="sm">
-            <Group gap="lg">
-              <RouteLink to="/" className={classes.brand} underline="never" c="inherit">
-                <img src="/favicon.svg" alt="" width={24} height={24} />
-                SITAF
-              </RouteLink>
-              <nav aria-label="Main" className={classes.places} hidden={nobody}>
-                {PLACES.map(({ to, label }) => (
-                  <Link
-                    key={to}
-                    to={to}
-                    className={classes.place}
-                    activeProps={{ 'aria-current': 'page' }}
-                  >
-                    {label}
-                  </Link>
-                ))}
-              </nav>
-            </Group>
-            <Group gap="md">
-              {session.data && <AgentsStatus />}
+          <div className={classes.bar}>
+            <RouteLink to="/" className={classes.brand} underline="never" c="inherit">
+              <img src="/favicon.svg" alt="" width={24} height={24} />
+              SITAF
+            </RouteLink>
+            <nav aria-label="Main" className={classes.places} hidden={nobody}>
+              {PLACES.map(({ to, label, ...place }) => (
+                <Link
+                  key={to}
+                  to={to}
+                  className={classes.place}
+                  {...('also' in place &&
+                    pathname.startsWith(place.also) && { 'aria-current': 'page' as const })}
+                  activeProps={{ 'aria-current': 'page' }}
+                >
+                  {label}
+                </Link>
+              ))}
+            </nav>
+            <div className={classes.status}>{session.data && <AgentsStatus />}</div>
+            <Group gap="md" wrap="nowrap" className={classes.account ?? ''}>
               {session.data && <Account name={session.data.name} />}
               <SchemeSwitch />
             </Group>
-          </Group>
+          </div>
         </Container>
       </header>
       <ConnectionBanner />
@@ -82,8 +83,8 @@ export function Shell() {
 function Account({ name }: { name: string }) {
   const signOut = useSignOut();
   return (
-    <Group gap="xs">
-      <Text size="sm">
+    <Group gap="xs" wrap="nowrap">
+      <Text size="sm" className={classes.name ?? ''}>
         <UserText>{name}</UserText>
       </Text>
       <Button

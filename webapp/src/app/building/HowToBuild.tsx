@@ -14,7 +14,7 @@ export function HowToBuild({ options, onOptions }: HowToBuildProps) {
   const labels = useAgentLabels();
   const words = inWords(options);
   return (
-    <Popover width={440} position="bottom-end" trapFocus withRoles>
+    <Popover width="min(440px, calc(100vw - 2rem))" position="bottom-end" trapFocus withRoles>
       <Popover.Target>
         <Button variant="default">{words === '' ? TITLE : `With ${words}`}</Button>
       </Popover.Target>

@@ -2,7 +2,7 @@ import { SimpleGrid, Stack, Title } from '@mantine/core';
 import { AgentTable } from '@/features/agents';
 import { BuildList, FailingActivities } from '@/features/builds';
 import { ScheduleList } from '@/features/schedules';
-import { ButtonLink, RouteLink, Section } from '@/shared/ui';
+import { RouteLink, Section } from '@/shared/ui';
 
 /** How everything stands, at a glance. */
 export function HomePage() {
@@ -25,9 +25,9 @@ export function HomePage() {
       <Section
         title="Failing activities"
         actions={
-          <ButtonLink to="/activities" variant="default" size="xs">
+          <RouteLink to="/activities" size="sm">
             All activities
-          </ButtonLink>
+          </RouteLink>
         }
       >
         <FailingActivities />

@@ -83,7 +83,12 @@ export function Tokens() {
                     variant="default"
                     aria-label={`Revoke ${token.name}`}
                     onClick={() => {
-                      revoke.mutate(token.id);
+                      revoke.mutate(token.id, {
+                        onSuccess: () => {
+                          // Its secret is of no use any more.
+                          if (add.data?.token.id === token.id) add.reset();
+                        },
+                      });
                     }}
                   >
                     Revoke

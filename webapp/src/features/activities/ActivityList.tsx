@@ -18,13 +18,13 @@ export function ActivityList({ page, onPage, modelAction }: ActivityListProps) {
     return <ProblemAlert title="The activities could not be read" error={activities.error} />;
   }
   const { items, total } = activities.data;
-  if (total === 0) return <Text c="dimmed">No activity yet. Upload one to begin.</Text>;
+  if (total === 0) return <Text c="dimmed">No activity yet. Make a new one, or drop a zip.</Text>;
   return (
     <Stack gap="xs">
       <ScrollTable label="Activities" minWidth={720}>
         <Table.Thead>
           <Table.Tr>
-            <Table.Th>Activity</Table.Th>
+            <Table.Th miw={200}>Activity</Table.Th>
             <Table.Th>Component</Table.Th>
             <Table.Th>Test models</Table.Th>
             <Table.Th>Changed</Table.Th>

@@ -22,21 +22,21 @@ export function BuildOptionsFields({ options, onOptions, knownLabels }: BuildOpt
       <SimpleGrid cols={{ base: 1, xs: 3 }}>
         <NumberInput
           label="Priority"
-          description="-100 to 100, higher first"
+          description="higher goes first"
           min={-100}
           max={100}
           {...number('priority')}
         />
         <NumberInput
           label="Shards"
-          description="agents to spread over"
+          description="spread over"
           min={1}
           max={100}
           {...number('shards')}
         />
         <NumberInput
           label="Retries"
-          description="when an agent fails"
+          description="if an agent fails"
           placeholder="as ever"
           min={0}
           max={99}

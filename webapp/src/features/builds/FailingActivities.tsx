@@ -15,6 +15,7 @@ export function FailingActivities() {
   if (!builds.data) {
     return <ProblemAlert title="The builds could not be read" error={builds.error} />;
   }
+  if (builds.data.total === 0) return <Text c="dimmed">Nothing has been built yet.</Text>;
   const failing = latestOfEach(builds.data.items).filter(isFailing);
   if (failing.length === 0) {
     return <Text c="dimmed">None: the latest build of every activity is fine.</Text>;

@@ -1,4 +1,5 @@
 import type { Build, BuildState } from '@/shared/api';
+import { buildStateInWords } from '@/shared/lib/buildStates';
 
 const FINISHED: readonly BuildState[] = ['DONE', 'FAILED', 'CANCELLED'];
 
@@ -13,16 +14,14 @@ export interface Standing {
   tone: 'waiting' | 'active' | 'good' | 'bad' | 'neutral';
 }
 
-const STANDINGS: Record<BuildState, Standing> = {
-  QUEUED: { label: 'Queued', tone: 'waiting' },
-  LEASED: { label: 'Taken by an agent', tone: 'active' },
-  PREPARING: { label: 'Preparing', tone: 'active' },
-  COMPILING: { label: 'Compiling', tone: 'active' },
-  RUNNING: { label: 'Running', tone: 'active' },
-  UPLOADING: { label: 'Uploading the result', tone: 'active' },
-  DONE: { label: 'Done', tone: 'neutral' },
-  FAILED: { label: 'Could not run', tone: 'bad' },
-  CANCELLED: { label: 'Cancelled', tone: 'neutral' },
+const TONES: Partial<Record<BuildState, Standing['tone']>> = {
+  QUEUED: 'waiting',
+  LEASED: 'active',
+  PREPARING: 'active',
+  COMPILING: 'active',
+  RUNNING: 'active',
+  UPLOADING: 'active',
+  FAILED: 'bad',
 };
 
 /** A build that is done says what came of it; one that could not run is not a failed test. */
@@ -33,8 +32,7 @@ export function standingOf(build: Build): Standing {
     if (fail + error > 0) return { label: 'Cases failed', tone: 'bad' };
     return { label: 'Not all executed', tone: 'waiting' };
   }
-  // A newer server may know states that this portal does not.
-  return STANDINGS[build.state] ?? { label: build.state, tone: 'neutral' };
+  return { label: buildStateInWords(build.state), tone: TONES[build.state] ?? 'neutral' };
 }
 
 /** Executed cases in percent, 0 to 100. */

@@ -133,6 +133,7 @@ function historyOption(oldestFirst: readonly ResultOfBuild[]): EChartsCoreOption
       ...VERDICTS.map((verdict) => ({
         type: 'bar',
         stack: 'verdict',
+        barMaxWidth: 64,
         name: VERDICT_WORDS[verdict].label,
         itemStyle: { color: VERDICT_COLOURS[verdict] },
         data: oldestFirst.map(({ summary }) => countOf(summary, verdict)),

@@ -138,7 +138,7 @@ function Controls({
   const { time, begin, end, running } = playback;
   const still = end <= begin;
   return (
-    <Group gap="sm" wrap="nowrap">
+    <Group gap="sm">
       <Button size="xs" w={80} disabled={still} onClick={playback.toggle}>
         {running ? 'Pause' : 'Play'}
       </Button>
@@ -165,7 +165,7 @@ function Controls({
         ›
       </Button>
       <Slider
-        flex={1}
+        flex="1 1 10rem"
         thumbLabel="Time"
         thumbProps={{ 'aria-valuetext': `${formatSeconds(time - begin)} s` }}
         label={null}

@@ -18,6 +18,7 @@ export function CaseFilters({ summary, parameters, filter, onFilter }: CaseFilte
     <Group justify="space-between" gap="sm">
       <SegmentedControl
         aria-label="Cases shown"
+        style={{ overflowX: 'auto' }}
         size="sm"
         value={filter.verdict ?? 'ALL'}
         onChange={(value) => {

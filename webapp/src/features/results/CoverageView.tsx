@@ -45,7 +45,7 @@ export function CoverageView({ buildId, path, onPath }: CoverageViewProps) {
           <Table.Tr>
             <Table.Th>File</Table.Th>
             <Table.Th>Lines reached</Table.Th>
-            <Table.Th ta="right">Branches gone</Table.Th>
+            <Table.Th ta="right">Branches taken</Table.Th>
           </Table.Tr>
         </Table.Thead>
         <Table.Tbody>
@@ -110,7 +110,7 @@ function Source({ buildId, path }: { buildId: string; path: string }) {
     title: !reached
       ? 'not reached'
       : branches > 0
-        ? `reached; ${taken} of ${branches} branches gone`
+        ? `reached; ${taken} of ${branches} branches taken`
         : 'reached',
   }));
   return (
@@ -120,7 +120,7 @@ function Source({ buildId, path }: { buildId: string; path: string }) {
           ? 'Every line with a statement was reached.'
           : `Not reached: ${missed.length === 1 ? 'line' : 'lines'} ${ranges(missed)}.`}
         {partly.length > 0 &&
-          ` Branches left out: ${partly.length === 1 ? 'line' : 'lines'} ${partly.map(({ number }) => number).join(', ')}.`}
+          ` Branches not taken: ${partly.length === 1 ? 'line' : 'lines'} ${partly.map(({ number }) => number).join(', ')}.`}
       </Text>
       {text == null ? (
         <Text c="dimmed">The text of this file is not kept with the build.</Text>

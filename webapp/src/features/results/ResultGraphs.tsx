@@ -89,7 +89,7 @@ function OverCases({ times }: { times: Times }) {
   const facts: [string, ReactNode][] = [
     ['Min (µs)', formatTime(times.min)],
     ['Average (µs)', formatTime(times.average)],
-    ['Std deviation (µs)', formatTime(times.standardDeviation)],
+    ['Std dev. (µs)', formatTime(times.standardDeviation)],
     ['50 % below (µs)', formatTime(times.p50)],
     ['90 % below (µs)', formatTime(times.p90)],
     ['95 % below (µs)', formatTime(times.p95)],

@@ -1,5 +1,6 @@
 import { SimpleGrid, Stack, Table, Text } from '@mantine/core';
 import type { Schedule } from '@/shared/api';
+import { buildStateInWords } from '@/shared/lib/buildStates';
 import { formatInstant } from '@/shared/lib/format';
 import { recordingsInWords } from '@/shared/lib/recordings';
 import {
@@ -119,7 +120,7 @@ function Fires({ id, page, onPage }: { id: string; page: number; onPage: (page: 
               <Table.Td>
                 {fire.buildId && fire.buildState ? (
                   <RouteLink to="/builds/$buildId" params={{ buildId: fire.buildId }} size="sm">
-                    {`Build: ${fire.buildState.toLowerCase()}`}
+                    {`Build: ${buildStateInWords(fire.buildState).toLowerCase()}`}
                   </RouteLink>
                 ) : (
                   <UserText>{fire.message ?? 'A build that is gone.'}</UserText>

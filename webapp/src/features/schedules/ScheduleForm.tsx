@@ -134,7 +134,7 @@ function TimingFields({ timing, onTiming }: TimingFieldsProps) {
           <TextInput
             label="Cron expression"
             description="minute, hour, day of month, month, day of week"
-            ff="monospace"
+            styles={{ input: { fontFamily: 'var(--mantine-font-family-monospace)' } }}
             required
             value={timing.cron}
             onChange={(event) => {

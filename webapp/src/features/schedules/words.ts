@@ -45,8 +45,8 @@ export function titleOf({ name, model }: Schedule): string {
 
 export const KINDS = [
   { value: 'once', label: 'Once' },
-  { value: 'interval', label: 'Every so many minutes' },
-  { value: 'cron', label: 'By the calendar (cron)' },
+  { value: 'interval', label: 'Every n minutes' },
+  { value: 'cron', label: 'Calendar (cron)' },
 ] as const;
 export type Kind = (typeof KINDS)[number]['value'];
 

@@ -88,7 +88,7 @@ function Picture({
     <Chart
       label={`${covered} of ${plural(cells.length, 'pair')} of values of ${parameters[counts.first]?.name ?? ''} and ${parameters[counts.second]?.name ?? ''} occur in a case`}
       option={option}
-      height={Math.min(640, 120 + 32 * counts.cases.length)}
+      height={Math.min(640, 140 + 32 * counts.cases.length)}
     />
   );
 }
@@ -100,7 +100,7 @@ function heatmap(parameters: Combinations['parameters'], counts: Counts): EChart
   const largest = Math.max(1, ...counts.cases.flat());
   return {
     tooltip: { position: 'top' },
-    grid: { left: 90, right: 30, top: 10, bottom: 70 },
+    grid: { left: 90, right: 30, top: 30, bottom: 70 },
     xAxis: {
       type: 'category',
       data: columns?.values ?? [],
@@ -124,7 +124,12 @@ function heatmap(parameters: Combinations['parameters'], counts: Counts): EChart
       {
         type: 'heatmap',
         data,
-        label: { show: counts.cases.flat().length <= 400 },
+        label: {
+          show: counts.cases.flat().length <= 400,
+          // A pair that never occurs is a hole; a nought on grey is hard to read.
+          formatter: ({ value: [, , count] }: { value: [number, number, number] }) =>
+            count === 0 ? '' : String(count),
+        },
         itemStyle: { borderColor: 'rgba(128,128,128,0.35)', borderWidth: 1 },
       },
     ],

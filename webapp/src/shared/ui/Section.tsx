@@ -1,5 +1,6 @@
 import { Group, Stack, Title } from '@mantine/core';
 import { useId, type ReactNode } from 'react';
+import classes from './text.module.css';
 
 interface SectionProps {
   title: string;
@@ -13,7 +14,7 @@ export function Section({ title, actions, children }: SectionProps) {
   return (
     <Stack component="section" gap="sm" aria-labelledby={id}>
       <Group justify="space-between">
-        <Title order={2} size="h3" id={id}>
+        <Title order={2} size="h3" id={id} className={classes.title ?? ''}>
           {title}
         </Title>
         {actions}
