@@ -1,6 +1,10 @@
-"""The installation that is harmed."""
+"""The installation that is harmed, and disks that can run full."""
+
+import subprocess
 
 import pytest
+
+DISK_MIB = 64
 
 
 @pytest.fixture(scope="session")
@@ -9,3 +13,17 @@ def installed(sitaf):
     listed = sitaf("bench")
     assert listed.returncode == 0, listed.stderr
     return sitaf
+
+
+@pytest.fixture
+def disk(tmp_path):
+    """A small disk in memory, which only root can mount."""
+    folder = tmp_path / "disk"
+    folder.mkdir()
+    mounted = subprocess.run(
+        ["mount", "-t", "tmpfs", "-o", f"size={DISK_MIB}m", "tmpfs", str(folder)], capture_output=True, check=False
+    )
+    if mounted.returncode != 0:
+        pytest.skip("no disk of a known size can be mounted here")
+    yield folder
+    subprocess.run(["umount", "--lazy", str(folder)], check=True)

@@ -295,6 +295,28 @@ def show(*parts, lines=80):
         print(f"-- {part.name}", *part.log.read_text(errors="replace").splitlines()[-lines:], sep="\n", file=sys.stderr)
 
 
+def fill(disk, leave=0):
+    """Takes all that is left of a disk but so many bytes; answers what gives it back."""
+    filler = disk / "filler"
+    free = os.statvfs(disk).f_bavail * os.statvfs(disk).f_frsize
+    with filler.open("wb", buffering=0) as out:
+        if leave:
+            os.posix_fallocate(out.fileno(), 0, free - leave)
+            return filler.unlink
+        try:
+            while True:
+                out.write(bytes(1 << 16))
+        except OSError:
+            pass
+        try:
+            while True:
+                out.write(b"x")
+        except OSError:
+            pass
+    assert os.statvfs(disk).f_bavail == 0
+    return filler.unlink
+
+
 def together(parts, action):
     threads = [threading.Thread(target=action, args=(part,)) for part in parts]
     for thread in threads:

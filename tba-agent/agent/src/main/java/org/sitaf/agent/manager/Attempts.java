@@ -34,10 +34,17 @@ final class Attempts {
   private final FileCache cache;
   private final ResultUpload upload;
   private final FreeSpace disk;
+  private final Runnable onFull;
   private final Map<String, AttemptRun> running = new HashMap<>();
   private final List<Thread> threads = new ArrayList<>();
   private boolean stopping;
 
+  /**
+   * No attempts yet.
+   *
+   * @param onFull is told that the agent cannot take builds at present, which its server is to know
+   *     sooner than it tries a build again, which would only come back here
+   */
   Attempts(
       int slots,
       Path builds,
@@ -45,7 +52,8 @@ final class Attempts {
       ServerCalls calls,
       FileCache cache,
       ResultUpload upload,
-      FreeSpace disk) {
+      FreeSpace disk,
+      Runnable onFull) {
     this.slots = slots;
     this.builds = builds;
     this.settings = settings;
@@ -53,27 +61,27 @@ final class Attempts {
     this.cache = cache;
     this.upload = upload;
     this.disk = disk;
+    this.onFull = onFull;
   }
 
   /**
    * Begins an attempt; one that it works on already, or whose result is on its way, is not begun
    * twice.
-   *
-   * @return false when the agent cannot take builds at present, which its server is to know soon
    */
-  boolean begin(Assignment assignment) {
+  void begin(Assignment assignment) {
     Attempt attempt = Attempt.of(assignment.getAttempt());
     if (upload.owes(attempt)) {
-      return true;
+      return;
     }
     String full = disk.whyFull();
     if (!full.isEmpty()) {
+      onFull.run();
       owe(
           attempt,
           SubmitMessages.infrastructure(attempt, "the agent is full: " + full),
           null,
           null);
-      return false;
+      return;
     }
     if (!takeSlot(attempt, assignment)) {
       owe(
@@ -82,7 +90,6 @@ final class Attempts {
           null,
           null);
     }
-    return true;
   }
 
   /**
@@ -141,6 +148,9 @@ final class Attempts {
     LOGGER.log(System.Logger.Level.INFO, attempt + ": begins");
     try {
       Optional<BuildOutcome> outcome = run.run();
+      if (!disk.whyFull().isEmpty()) {
+        onFull.run();
+      }
       outcome.ifPresentOrElse(
           ended ->
               owe(

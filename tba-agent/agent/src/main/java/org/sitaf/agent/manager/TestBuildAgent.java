@@ -85,7 +85,8 @@ public final class TestBuildAgent implements AutoCloseable {
             calls,
             directory.fileCache(),
             upload,
-            disk);
+            disk,
+            this::beatSoon);
     this.connection =
         new ServerConnection(
             channel, key, this::registration, attempts::refs, disk::whyFull, new FromServer());
@@ -111,6 +112,10 @@ public final class TestBuildAgent implements AutoCloseable {
     return settings.bridgeCommand().isEmpty()
         ? Simulator.none()
         : Simulator.started(settings.bridgeCommand(), directory.path().resolve("bridge"));
+  }
+
+  private void beatSoon() {
+    connection.beatSoon();
   }
 
   private Register registration() {
@@ -147,12 +152,7 @@ public final class TestBuildAgent implements AutoCloseable {
     @Override
     public void message(ServerMessage message) {
       switch (message.getMessageCase()) {
-        case ASSIGNMENT -> {
-          if (!attempts.begin(message.getAssignment())) {
-            // Sooner than the server tries the build again, which would only come back here.
-            connection.beatSoon();
-          }
-        }
+        case ASSIGNMENT -> attempts.begin(message.getAssignment());
         case CANCELLATION -> attempts.cancel(message.getCancellation());
         default -> {
           // A message of a later release; the builds do not depend on it.
