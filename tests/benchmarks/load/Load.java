@@ -34,7 +34,7 @@ import org.sitaf.agent.v1.SubmitResultResponse;
 import org.sitaf.agent.v1.Toolchain;
 import org.sitaf.core.suite.TestCase;
 import org.sitaf.core.suite.TestSuite;
-import org.sitaf.core.suite.TestSuiteXml;
+import org.sitaf.core.suite.document.TestSuiteXml;
 
 /**
  * Simulated agents that answer each assignment at once with a result, and clients that request builds and read: all that

@@ -6,7 +6,7 @@ import org.sitaf.core.verdict.NamedValue;
 import org.sitaf.core.verdict.Provenance;
 import org.sitaf.core.verdict.Summary;
 import org.sitaf.core.verdict.TestResult;
-import org.sitaf.core.verdict.TestResultXml;
+import org.sitaf.core.verdict.document.TestResultXml;
 import org.sitaf.core.verdict.Verdict;
 
 /** Results as agents send them. */

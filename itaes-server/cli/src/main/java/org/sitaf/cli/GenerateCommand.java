@@ -18,7 +18,7 @@ import org.sitaf.core.suite.GeneratedSuite;
 import org.sitaf.core.suite.GenerationOptions;
 import org.sitaf.core.suite.TestCaseGenerator;
 import org.sitaf.core.suite.TestSuite;
-import org.sitaf.core.suite.TestSuiteXml;
+import org.sitaf.core.suite.document.TestSuiteXml;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;

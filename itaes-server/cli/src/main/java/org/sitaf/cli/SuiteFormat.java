@@ -4,10 +4,10 @@ import java.io.IOException;
 import java.io.OutputStream;
 import org.sitaf.core.suite.CaseParameter;
 import org.sitaf.core.suite.ExpectedValue;
-import org.sitaf.core.suite.SuiteCsv;
 import org.sitaf.core.suite.TestCase;
 import org.sitaf.core.suite.TestSuite;
-import org.sitaf.core.suite.TestSuiteXml;
+import org.sitaf.core.suite.document.SuiteCsv;
+import org.sitaf.core.suite.document.TestSuiteXml;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.json.JsonFactory;
 

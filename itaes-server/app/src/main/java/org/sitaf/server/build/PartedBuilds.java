@@ -12,7 +12,7 @@ import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import org.sitaf.core.harness.TestApplication;
 import org.sitaf.core.verdict.TestResult;
-import org.sitaf.core.verdict.TestResultXml;
+import org.sitaf.core.verdict.document.TestResultXml;
 import org.sitaf.server.file.StoredFiles;
 import org.sitaf.server.refusal.Refusal;
 import org.sitaf.server.result.Results;

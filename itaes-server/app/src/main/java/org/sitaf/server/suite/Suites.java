@@ -19,7 +19,7 @@ import org.sitaf.core.suite.GeneratedSuite;
 import org.sitaf.core.suite.GenerationOptions;
 import org.sitaf.core.suite.TestCaseGenerator;
 import org.sitaf.core.suite.TestSuite;
-import org.sitaf.core.suite.TestSuiteXml;
+import org.sitaf.core.suite.document.TestSuiteXml;
 import org.sitaf.server.activity.Workspaces;
 import org.sitaf.server.refusal.Refusal;
 import org.springframework.data.domain.Page;

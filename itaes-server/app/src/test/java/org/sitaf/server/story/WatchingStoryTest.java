@@ -17,7 +17,7 @@ import org.sitaf.agent.v1.ProcessingTime;
 import org.sitaf.core.harness.TestApplication;
 import org.sitaf.core.verdict.Coverage;
 import org.sitaf.core.verdict.TestResult;
-import org.sitaf.core.verdict.TestResultXml;
+import org.sitaf.core.verdict.document.TestResultXml;
 import org.sitaf.server.result.Results;
 import org.sitaf.server.support.Activities;
 import org.sitaf.server.support.RimAgent;

@@ -48,8 +48,8 @@ import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.NamedValue;
 import org.sitaf.core.verdict.Provenance;
 import org.sitaf.core.verdict.ResultAssembler;
-import org.sitaf.core.verdict.TestResultXml;
 import org.sitaf.core.verdict.Verdict;
+import org.sitaf.core.verdict.document.TestResultXml;
 import org.sitaf.server.file.StoredFiles;
 
 /**

@@ -14,7 +14,7 @@ import org.sitaf.cli.ProgressLine;
 import org.sitaf.core.diagnostic.Diagnostic;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.verdict.TestResult;
-import org.sitaf.core.verdict.TestResultXml;
+import org.sitaf.core.verdict.document.TestResultXml;
 import tools.jackson.databind.JsonNode;
 
 /** A build on a server, followed to its end. */

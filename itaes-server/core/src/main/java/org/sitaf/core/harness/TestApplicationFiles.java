@@ -10,7 +10,7 @@ import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.model.TestModelXml;
 import org.sitaf.core.suite.TestSuite;
-import org.sitaf.core.suite.TestSuiteXml;
+import org.sitaf.core.suite.document.TestSuiteXml;
 
 /** The layout of a test application as files. */
 final class TestApplicationFiles {

@@ -1,4 +1,4 @@
-/** Test cases: values combined, expected values from the oracle, and their document. */
+/** Test cases: values combined, and expected values from the oracle. */
 @NullMarked
 package org.sitaf.core.suite;
 

@@ -1,4 +1,4 @@
-/** Results of cases: post-conditions, statistics, and the test result descriptor. */
+/** Results of cases: their verdicts by post-conditions, calls and statistics. */
 @NullMarked
 package org.sitaf.core.verdict;
 

@@ -13,6 +13,7 @@ import org.sitaf.core.combine.Effort;
 import org.sitaf.core.model.InvalidValues;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.model.TestModelXml;
+import org.sitaf.core.suite.document.TestSuiteXml;
 
 /**
  * The evaluation of the paper (section 4, Table 2): where its tool made 60 cases, 55 and 49 are the

@@ -13,6 +13,8 @@ import org.sitaf.core.model.TestModelXml;
 import org.sitaf.core.suite.GenerationOptions;
 import org.sitaf.core.suite.TestCaseGenerator;
 import org.sitaf.core.suite.TestSuite;
+import org.sitaf.core.verdict.document.JunitXml;
+import org.sitaf.core.verdict.document.TestResultXml;
 
 class ResultAssemblerTest {
   private static final String MODEL =

@@ -23,6 +23,7 @@ import org.sitaf.core.model.TestModel;
 import org.sitaf.core.model.TestModelXml;
 import org.sitaf.core.suite.GenerationOptions;
 import org.sitaf.core.suite.TestCaseGenerator;
+import org.sitaf.core.verdict.document.TestResultXml;
 
 /** Post-conditions over what the component asked of its required interfaces, and over parts. */
 class StubCallsTest {

@@ -12,8 +12,8 @@ import org.sitaf.core.suite.TestCase;
 import org.sitaf.core.suite.TestSuite;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.NamedValue;
-import org.sitaf.core.verdict.TestResultXml;
 import org.sitaf.core.verdict.Verdict;
+import org.sitaf.core.verdict.document.TestResultXml;
 
 /** Which cases of a suite have a result, and which is next. Cases run in the order of the suite. */
 final class CaseProgress {

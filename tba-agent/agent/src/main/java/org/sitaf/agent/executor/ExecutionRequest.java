@@ -13,7 +13,7 @@ import org.sitaf.agent.toolchain.CompiledApplication;
 import org.sitaf.core.activity.ActivityProfile.Limits;
 import org.sitaf.core.suite.TestCase;
 import org.sitaf.core.suite.TestSuite;
-import org.sitaf.core.suite.TestSuiteXml;
+import org.sitaf.core.suite.document.TestSuiteXml;
 
 /**
  * What to execute.

@@ -10,7 +10,7 @@ import org.sitaf.agent.v1.BuildFailure;
 import org.sitaf.agent.v1.BuildFailure.Category;
 import org.sitaf.agent.v1.Diagnostic;
 import org.sitaf.agent.v1.SubmitResultRequest;
-import org.sitaf.core.verdict.TestResultXml;
+import org.sitaf.core.verdict.document.TestResultXml;
 
 /** What is submitted to the server for an outcome. */
 final class SubmitMessages {

@@ -25,7 +25,7 @@ import org.sitaf.agent.v1.BuildFailure.Category;
 import org.sitaf.agent.v1.CaseOutcome;
 import org.sitaf.agent.v1.SubmitResultRequest;
 import org.sitaf.core.verdict.TestResult;
-import org.sitaf.core.verdict.TestResultXml;
+import org.sitaf.core.verdict.document.TestResultXml;
 
 /** The whole agent against a server at the rim. */
 @Tag("slow")

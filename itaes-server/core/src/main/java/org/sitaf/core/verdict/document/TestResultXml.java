@@ -1,4 +1,4 @@
-package org.sitaf.core.verdict;
+package org.sitaf.core.verdict.document;
 
 import java.io.InputStream;
 import java.io.OutputStream;
@@ -9,7 +9,15 @@ import org.jspecify.annotations.Nullable;
 import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.document.XmlDocuments;
-import org.sitaf.core.suite.TestSuiteXml;
+import org.sitaf.core.suite.document.TestSuiteXml;
+import org.sitaf.core.verdict.CaseResult;
+import org.sitaf.core.verdict.Coverage;
+import org.sitaf.core.verdict.NamedValue;
+import org.sitaf.core.verdict.Provenance;
+import org.sitaf.core.verdict.StubCalls;
+import org.sitaf.core.verdict.Summary;
+import org.sitaf.core.verdict.TestResult;
+import org.sitaf.core.verdict.Verdict;
 import org.sitaf.schemas.CallType;
 import org.sitaf.schemas.CaseTimeType;
 import org.sitaf.schemas.NamedValueType;

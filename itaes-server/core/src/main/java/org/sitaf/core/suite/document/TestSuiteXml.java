@@ -1,4 +1,4 @@
-package org.sitaf.core.suite;
+package org.sitaf.core.suite.document;
 
 import java.io.InputStream;
 import java.io.OutputStream;
@@ -11,6 +11,11 @@ import org.sitaf.core.document.XmlDocuments;
 import org.sitaf.core.model.InputKind;
 import org.sitaf.core.model.InvalidValues;
 import org.sitaf.core.model.Strength;
+import org.sitaf.core.suite.CaseParameter;
+import org.sitaf.core.suite.ExpectedValue;
+import org.sitaf.core.suite.Generation;
+import org.sitaf.core.suite.TestCase;
+import org.sitaf.core.suite.TestSuite;
 import org.sitaf.schemas.CaseListType;
 import org.sitaf.schemas.CaseParamInfoType;
 import org.sitaf.schemas.CaseType;

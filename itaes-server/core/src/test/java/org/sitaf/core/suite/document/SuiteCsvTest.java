@@ -1,4 +1,4 @@
-package org.sitaf.core.suite;
+package org.sitaf.core.suite.document;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -13,6 +13,11 @@ import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.model.InputKind;
 import org.sitaf.core.model.InvalidValues;
 import org.sitaf.core.model.Strength;
+import org.sitaf.core.suite.CaseParameter;
+import org.sitaf.core.suite.ExpectedValue;
+import org.sitaf.core.suite.Generation;
+import org.sitaf.core.suite.TestCase;
+import org.sitaf.core.suite.TestSuite;
 
 class SuiteCsvTest {
   private static final TestSuite SUITE =

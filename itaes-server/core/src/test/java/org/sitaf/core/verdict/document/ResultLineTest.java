@@ -1,4 +1,4 @@
-package org.sitaf.core.verdict;
+package org.sitaf.core.verdict.document;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -14,6 +14,9 @@ import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 import org.junit.jupiter.api.Test;
 import org.sitaf.core.diagnostic.InvalidInputException;
+import org.sitaf.core.verdict.CaseResult;
+import org.sitaf.core.verdict.NamedValue;
+import org.sitaf.core.verdict.Verdict;
 
 /** What is read fast is what is read at leisure, or it is not read fast. */
 class ResultLineTest {

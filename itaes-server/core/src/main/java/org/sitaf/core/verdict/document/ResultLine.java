@@ -1,9 +1,13 @@
-package org.sitaf.core.verdict;
+package org.sitaf.core.verdict.document;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.core.verdict.CaseResult;
+import org.sitaf.core.verdict.NamedValue;
+import org.sitaf.core.verdict.StubCalls;
+import org.sitaf.core.verdict.Verdict;
 
 /**
  * Reads the line of a case in the one spelling that the runtimes of test applications write, in a

@@ -1,4 +1,4 @@
-package org.sitaf.core.verdict;
+package org.sitaf.core.verdict.document;
 
 import java.io.OutputStream;
 import java.util.List;
@@ -8,6 +8,10 @@ import java.util.stream.IntStream;
 import javax.xml.stream.XMLOutputFactory;
 import javax.xml.stream.XMLStreamException;
 import javax.xml.stream.XMLStreamWriter;
+import org.sitaf.core.verdict.CaseResult;
+import org.sitaf.core.verdict.NamedValue;
+import org.sitaf.core.verdict.Summary;
+import org.sitaf.core.verdict.TestResult;
 
 /** A result in the format that CI systems read: FAIL is a failure, ERROR an error, DONT skipped. */
 public final class JunitXml {

@@ -1,9 +1,10 @@
-package org.sitaf.core.verdict;
+package org.sitaf.core.verdict.document;
 
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.core.verdict.Coverage;
 import org.sitaf.schemas.CoverageListType;
 import org.sitaf.schemas.CoveredFileType;
 import org.sitaf.schemas.CoveredLineType;

@@ -1,4 +1,4 @@
-package org.sitaf.core.suite;
+package org.sitaf.core.suite.document;
 
 import java.io.IOException;
 import java.io.InputStream;
@@ -12,6 +12,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
 import org.sitaf.core.diagnostic.Diagnostics;
+import org.sitaf.core.suite.CaseParameter;
+import org.sitaf.core.suite.ExpectedValue;
+import org.sitaf.core.suite.TestCase;
+import org.sitaf.core.suite.TestSuite;
 
 /**
  * The cases of a suite as comma-separated values: a header {@code no,class,PARAMETER...,expected
