@@ -7,11 +7,13 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.build.BuildListener;
 import org.sitaf.agent.build.BuildOutcome;
 import org.sitaf.agent.build.BuildRun;
 import org.sitaf.agent.build.BuildSettings;
 import org.sitaf.agent.build.BuildStage;
+import org.sitaf.agent.build.RecordingOrder;
 import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.agent.simulation.Simulator;
 import org.sitaf.agent.toolchain.Toolchains;
@@ -27,6 +29,10 @@ import org.sitaf.core.verdict.TestResult;
 
 /** Whole builds of activities, as an agent runs them. */
 record Builds(Simulator simulator, Toolchains toolchains, Sandbox sandbox, Path directory) {
+  /** As the server bounds them. */
+  private static final int MOST_RECORDINGS = 500;
+
+  private static final long MOST_BYTES = 64 << 20;
 
   /**
    * How a build went.
@@ -34,7 +40,12 @@ record Builds(Simulator simulator, Toolchains toolchains, Sandbox sandbox, Path 
    * @param firstCaseSeconds from the activity's files to the first result
    * @param casesMicros from the first result to the last
    */
-  record Run(int cases, double firstCaseSeconds, double casesMicros, double medianComponentMicros) {}
+  record Run(int cases, double firstCaseSeconds, double casesMicros, double medianComponentMicros) {
+    /** From the activity's files to the last result. */
+    double seconds() {
+      return firstCaseSeconds + casesMicros / 1e6;
+    }
+  }
 
   /**
    * Runs the cases of an activity's first model.
@@ -43,6 +54,16 @@ record Builds(Simulator simulator, Toolchains toolchains, Sandbox sandbox, Path 
    * @param change a remark that is added to each source of the component; empty for none
    */
   Run run(Path activityFolder, UnaryOperator<TestSuite> lengthened, String change) throws Exception {
+    return run(activityFolder, lengthened, change, null);
+  }
+
+  /** The same, keeping what moves in the simulation of these cases; null for none. */
+  Run run(
+      Path activityFolder,
+      UnaryOperator<TestSuite> lengthened,
+      String change,
+      RecordingOrder.@Nullable Cases recorded)
+      throws Exception {
     long began = System.nanoTime();
     Activity activity = Activity.read(files(activityFolder, change));
     TestModel model = activity.models().get(0);
@@ -51,6 +72,11 @@ record Builds(Simulator simulator, Toolchains toolchains, Sandbox sandbox, Path 
     List<Long> ends = new ArrayList<>();
     BuildSettings settings = new BuildSettings(simulator, toolchains, sandbox, false, "benchmark");
     Path folder = Files.createTempDirectory(directory, "build");
+    if (recorded != null) {
+      settings =
+          settings.recording(
+              new RecordingOrder(folder.resolve("kept"), recorded, MOST_RECORDINGS, MOST_BYTES));
+    }
     BuildOutcome outcome =
         new BuildRun(
                 InterfaceTestApplicationGenerator.generate(activity, model, suite),

@@ -6,8 +6,10 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.function.ToDoubleFunction;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
+import org.sitaf.agent.build.RecordingOrder;
 import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.agent.sandbox.SandboxMode;
 import org.sitaf.agent.simulation.Simulator;
@@ -24,6 +26,13 @@ import org.sitaf.core.suite.TestSuite;
 public final class HarnessBenchmark {
   private static final int FEW = 1_000;
   private static final int MANY = 21_000;
+
+  /** As the server records by default, and what may be added to the wait for such a build. */
+  private static final int RECORDED = 100;
+
+  private static final int RECORDED_RUNS = 5;
+  private static final double RECORDING_SECONDS = 0.5;
+
   private static final int RUNS = 3;
   private static final int CHANGES = 9;
   private static final int WARM_UP = 4;
@@ -44,9 +53,51 @@ public final class HarnessBenchmark {
   private double lineMicros;
   private double clockMicros;
 
-  /** Arguments are languages; without any, all are measured. */
+  /** Arguments are languages, and {@code recording}; without any, all are measured. */
   public static void main(String[] arguments) throws Exception {
     System.exit(new HarnessBenchmark().measure(List.of(arguments)) ? 0 : 1);
+  }
+
+  /**
+   * What recording adds to a case and to the build of as many cases as are recorded where nobody
+   * says otherwise, from a changed source: where nothing moves, and where a robot drives for
+   * seconds. Recorded builds and others take turns.
+   */
+  private void measureRecordings(Builds builds) throws Exception {
+    measureRecordings("ir-sensor", LongSuite.ofOwnDistances(RECORDED), builds);
+    measureRecordings("wall-approach", UnaryOperator.identity(), builds);
+  }
+
+  private void measureRecordings(String example, UnaryOperator<TestSuite> cases, Builds builds)
+      throws Exception {
+    Path folder = home.resolve("examples").resolve(example);
+    List<Builds.Run> plain = new ArrayList<>();
+    List<Builds.Run> recorded = new ArrayList<>();
+    builds.run(folder, UnaryOperator.identity(), "");
+    for (int i = 0; i < RECORDED_RUNS; i++) {
+      plain.add(builds.run(folder, cases, changed(i), null));
+      recorded.add(builds.run(folder, cases, changed(i), RecordingOrder.Cases.ALL));
+    }
+    double micros = median(plain, run -> run.casesMicros() / run.cases());
+    double more = median(recorded, run -> run.casesMicros() / run.cases());
+    row(
+        example + ": recording adds to a case",
+        more - micros, "us", Double.NaN, false,
+        more / micros, String.format(Locale.ROOT, "a case without (%.0f us)", micros));
+    double seconds = median(plain, Builds.Run::seconds);
+    double longer = median(recorded, Builds.Run::seconds);
+    row(
+        example + ": recording adds to the build of " + plain.get(0).cases() + " cases",
+        longer - seconds, "s", RECORDING_SECONDS, false,
+        longer / seconds, String.format(Locale.ROOT, "the build without (%.2f s)", seconds));
+  }
+
+  private static String changed(int i) {
+    return "change " + i + " of " + System.nanoTime();
+  }
+
+  private static double median(List<Builds.Run> runs, ToDoubleFunction<Builds.Run> of) {
+    return runs.stream().mapToDouble(of).sorted().skip(runs.size() / 2).findFirst().orElseThrow();
   }
 
   private boolean measure(List<String> languages) throws Exception {
@@ -73,6 +124,9 @@ public final class HarnessBenchmark {
       told("the simulation alone, in bulk, a case", bareMicros, "us");
       told("the writing of a line alone", lineMicros, "us");
       told("two readings of the clock alone", clockMicros, "us");
+      if (languages.isEmpty() || languages.contains("recording")) {
+        measureRecordings(builds);
+      }
       for (Language language : Language.values()) {
         Path example = home.resolve("examples").resolve(TARGETS.get(language).example());
         if (!languages.isEmpty() && !languages.contains(language.spelling())) {
@@ -123,7 +177,7 @@ public final class HarnessBenchmark {
     List<Double> seconds = new ArrayList<>();
     for (int i = 0; i < WARM_UP + CHANGES; i++) {
       double second =
-          builds.run(example, UnaryOperator.identity(), "change " + i + " of " + System.nanoTime()).firstCaseSeconds();
+          builds.run(example, UnaryOperator.identity(), changed(i)).firstCaseSeconds();
       if (i >= WARM_UP) {
         seconds.add(second);
       }
