@@ -109,3 +109,13 @@ def test_a_result_is_taken_along_in_four_forms(page):
         content = download.value.path().read_bytes()
         assert content.lower().startswith(beginning), name
         assert content.count(b"\n") > 0
+
+
+def test_the_home_page_says_how_everything_stands(page):
+    page.get_by_role("link", name="SITAF").click()
+    builds = page.get_by_role("table", name="Builds")
+    expect(builds).to_contain_text("50 of 55 passed, 5 failed")
+    # The latest build is what counts.
+    expect(page.get_by_role("region", name="Failing activities")).to_contain_text("None")
+    expect(page.get_by_role("table", name="Agents")).to_contain_text("Online")
+    shot(page, "home")

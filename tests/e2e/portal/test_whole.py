@@ -15,7 +15,7 @@ def test_axe_finds_nothing_serious_on_any_page(page, scheme):
     build_link = page.get_by_role("table", name="Builds").get_by_role("link", name=re.compile("^ir-sensor .*GetInfraredData$")).first
     build_page = home + build_link.get_attribute("href")
     page.get_by_role("table", name="Agents").wait_for()
-    shot(page, "home" if scheme == "light" else "home-dark")
+    shot(page, f"home-{scheme}")
     places = {
         home: "Interface tests",
         home + "/activities": "Activities",
