@@ -63,7 +63,7 @@ export function BuildOptionsFields({ options, onOptions, knownLabels }: BuildOpt
       />
       <NativeSelect
         label="Recordings to see in 3D"
-        description="Take each case some milliseconds, many times what a quick case takes by itself, even if only those that fail are kept."
+        description="Each case takes some milliseconds longer, a quick one many times as long, whether its recording is kept or not."
         value={options.recordings}
         data={[...RECORDINGS].map(({ value, label }) => ({
           value,
