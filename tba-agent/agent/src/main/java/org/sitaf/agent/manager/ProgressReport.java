@@ -31,7 +31,7 @@ final class ProgressReport implements BuildListener, AutoCloseable {
   private final Path log;
   private final Runnable whenOver;
   private final RecordingUpload recordings;
-  private final Thread thread;
+  private final BackgroundThread thread;
 
   private @Nullable AttemptState state;
   private final List<CaseResult> cases = new ArrayList<>();
@@ -62,8 +62,7 @@ final class ProgressReport implements BuildListener, AutoCloseable {
     this.log = directory.resolve(BuildRun.LOG);
     this.recordings = recordings;
     this.whenOver = whenOver;
-    this.thread = new Thread(this::work, "sitaf-progress");
-    thread.setDaemon(true);
+    this.thread = new BackgroundThread("sitaf-progress", this::work);
     thread.start();
   }
 
@@ -217,15 +216,6 @@ final class ProgressReport implements BuildListener, AutoCloseable {
       closed = true;
       notifyAll();
     }
-    boolean interrupted = false;
-    try {
-      thread.join(FLUSH.toMillis());
-    } catch (InterruptedException e) {
-      interrupted = true;
-    }
-    thread.interrupt();
-    if (interrupted) {
-      Thread.currentThread().interrupt();
-    }
+    thread.end(FLUSH);
   }
 }

@@ -22,13 +22,13 @@ final class RecordingUpload implements AutoCloseable {
   private final Attempt attempt;
   private final ServerCalls calls;
   private final Deque<Path> waiting = new ArrayDeque<>();
-  private final Thread thread = new Thread(this::work, "sitaf-recording-upload");
+  private final BackgroundThread thread =
+      new BackgroundThread("sitaf-recording-upload", this::work);
   private boolean closed;
 
   RecordingUpload(Attempt attempt, ServerCalls calls) {
     this.attempt = attempt;
     this.calls = calls;
-    thread.setDaemon(true);
     thread.start();
   }
 
@@ -111,21 +111,7 @@ final class RecordingUpload implements AutoCloseable {
       closed = true;
       notifyAll();
     }
-    boolean interrupted = false;
-    try {
-      thread.join(FLUSH.toMillis());
-    } catch (InterruptedException e) {
-      interrupted = true;
-    }
-    thread.interrupt();
-    try {
-      // What it has in its hand is either there or not before the spool looks.
-      thread.join();
-    } catch (InterruptedException e) {
-      interrupted = true;
-    }
-    if (interrupted) {
-      Thread.currentThread().interrupt();
-    }
+    // What it has in its hand is either there or not before the spool looks.
+    thread.endSurely(FLUSH);
   }
 }

@@ -6,6 +6,7 @@ import io.grpc.StatusRuntimeException;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.Collection;
 import java.util.List;
 import java.util.Map;
@@ -23,12 +24,12 @@ import org.sitaf.agent.v1.SubmitResultResponse;
  */
 final class ResultUpload implements AutoCloseable {
   private static final System.Logger LOGGER = System.getLogger("org.sitaf.agent");
-  private static final long CLOSE_MS = 3000;
+  private static final Duration FLUSH = Duration.ofSeconds(3);
 
   private final Spool spool;
   private final ServerCalls calls;
   private final Map<String, AttemptRef> owed = new ConcurrentHashMap<>();
-  private final Thread thread = new Thread(this::work, "sitaf-upload");
+  private final BackgroundThread thread = new BackgroundThread("sitaf-upload", this::work);
   private boolean news = true;
   private boolean closed;
 
@@ -42,7 +43,6 @@ final class ResultUpload implements AutoCloseable {
         owed.put(entry.name(), message.getAttempt());
       }
     }
-    thread.setDaemon(true);
     thread.start();
   }
 
@@ -241,15 +241,6 @@ final class ResultUpload implements AutoCloseable {
       closed = true;
       notifyAll();
     }
-    boolean interrupted = false;
-    try {
-      thread.join(CLOSE_MS);
-    } catch (InterruptedException e) {
-      interrupted = true;
-    }
-    thread.interrupt();
-    if (interrupted) {
-      Thread.currentThread().interrupt();
-    }
+    thread.end(FLUSH);
   }
 }
