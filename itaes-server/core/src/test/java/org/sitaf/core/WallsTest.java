@@ -24,6 +24,15 @@ class WallsTest {
           .resideInAnyPackage("org.springframework..", "jakarta.persistence..", "io.grpc..");
 
   @ArchTest
+  static final ArchRule suitesAndResultsDoNotKnowHowTheyAreWritten =
+      noClasses()
+          .that()
+          .resideInAnyPackage("org.sitaf.core.suite", "org.sitaf.core.verdict")
+          .should()
+          .dependOnClassesThat()
+          .resideInAnyPackage("..suite.document..", "..verdict.document..");
+
+  @ArchTest
   static final ArchRule filesAreForTheRim =
       noClasses()
           .should()
