@@ -14,6 +14,11 @@ public sealed interface DataType {
     return List.of();
   }
 
+  /** The type of a member of this name; unknown where there is no such member. */
+  default DataType member(String name) {
+    return new Unknown("");
+  }
+
   /**
    * A type without parts.
    *
@@ -103,6 +108,15 @@ public sealed interface DataType {
     @Override
     public List<DataType> parts() {
       return members.stream().map(Member::type).toList();
+    }
+
+    @Override
+    public DataType member(String wanted) {
+      return members.stream()
+          .filter(member -> member.name().equals(wanted))
+          .map(Member::type)
+          .findFirst()
+          .orElse(new Unknown(""));
     }
 
     @Override

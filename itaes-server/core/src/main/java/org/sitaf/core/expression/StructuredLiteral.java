@@ -99,20 +99,10 @@ final class StructuredLiteral {
         }
         String name = text.substring(at, colon).strip();
         at = colon + 1;
-        values.put(name, value(member(type, name)));
+        values.put(name, value(type.member(name)));
       } while (goesOn('}'));
     }
     return values;
-  }
-
-  private static DataType member(DataType type, String name) {
-    return type instanceof DataType.Struct struct
-        ? struct.members().stream()
-            .filter(m -> m.name().equals(name))
-            .map(DataType.Member::type)
-            .findFirst()
-            .orElse(new DataType.Unknown(""))
-        : new DataType.Unknown("");
   }
 
   private String quoted() {

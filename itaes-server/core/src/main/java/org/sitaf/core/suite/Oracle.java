@@ -97,7 +97,9 @@ final class Oracle {
     }
     if (result instanceof Map<?, ?> map) {
       return map.entrySet().stream()
-          .map(e -> e.getKey() + ": " + nested(e.getValue(), member(type, e.getKey())))
+          .map(
+              e ->
+                  e.getKey() + ": " + nested(e.getValue(), type.member(String.valueOf(e.getKey()))))
           .collect(Collectors.joining(", ", "{", "}"));
     }
     if (result instanceof List<?> list) {
@@ -115,15 +117,5 @@ final class Oracle {
     return result instanceof String text && !(type instanceof DataType.Enumeration)
         ? '"' + text.replace("\\", "\\\\").replace("\"", "\\\"") + '"'
         : literal(result, type);
-  }
-
-  private static DataType member(DataType type, Object name) {
-    return type instanceof DataType.Struct struct
-        ? struct.members().stream()
-            .filter(m -> m.name().equals(name))
-            .map(DataType.Member::type)
-            .findFirst()
-            .orElse(new DataType.Unknown(""))
-        : new DataType.Unknown("");
   }
 }

@@ -6,6 +6,7 @@ import org.sitaf.core.description.DataType;
 import org.sitaf.core.harness.cpp.spelling.CppNames;
 import org.sitaf.core.harness.cpp.spelling.CppText;
 import org.sitaf.core.harness.cpp.spelling.CppType;
+import org.sitaf.core.harness.plan.Words;
 
 /** What the template of the concrete test driver prints. */
 record ConcreteTestDriverView(
@@ -54,7 +55,7 @@ record ConcreteTestDriverView(
         .properties()
         .forEach(
             (name, value) -> {
-              String setter = "set" + CppNames.raised(name);
+              String setter = "set" + Words.raised(name);
               statements.add(
                   CppText.list(
                       4,

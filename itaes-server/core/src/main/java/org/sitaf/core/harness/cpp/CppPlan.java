@@ -10,6 +10,7 @@ import org.sitaf.core.harness.cpp.spelling.CppNames;
 import org.sitaf.core.harness.cpp.spelling.CppText;
 import org.sitaf.core.harness.cpp.spelling.CppType;
 import org.sitaf.core.harness.plan.HarnessPlan;
+import org.sitaf.core.harness.plan.Words;
 
 /**
  * A test application with the names that its parts have in C++.
@@ -114,7 +115,7 @@ record CppPlan(
           continue;
         }
         String name =
-            method.method().name() + (parameter == null ? "" : CppNames.raised(parameter.name()));
+            method.method().name() + (parameter == null ? "" : Words.raised(parameter.name()));
         String type =
             HarnessPlan.isVoid(answer.type()) ? "runtime::Nothing" : CppType.of(answer.type());
         answers.add(new Answers(members.local(name), parameter, type, List.of(spelled)));

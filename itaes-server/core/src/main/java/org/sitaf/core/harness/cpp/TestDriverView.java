@@ -10,13 +10,13 @@ import org.sitaf.core.activity.ActivityProfile.LifeCycle;
 import org.sitaf.core.description.CallType;
 import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.MemberPath.Step;
-import org.sitaf.core.harness.cpp.spelling.CppNames;
 import org.sitaf.core.harness.cpp.spelling.CppText;
 import org.sitaf.core.harness.cpp.spelling.CppType;
 import org.sitaf.core.harness.plan.HarnessPlan;
 import org.sitaf.core.harness.plan.HarnessPlan.Output;
 import org.sitaf.core.harness.plan.HarnessPlan.Source;
 import org.sitaf.core.harness.plan.Hooks;
+import org.sitaf.core.harness.plan.Words;
 import org.sitaf.core.model.Tolerance;
 
 /** What the templates of the test driver print: the five steps of Fig. 10. */
@@ -257,7 +257,7 @@ record TestDriverView(
       return "runtime::dataPort(component, SITAF_METHOD("
           + port.port()
           + "), SITAF_METHOD(get"
-          + CppNames.raised(port.port())
+          + Words.raised(port.port())
           + "), SITAF_MEMBER("
           + port.port()
           + "))";

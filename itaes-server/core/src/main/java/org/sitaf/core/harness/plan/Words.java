@@ -1,8 +1,9 @@
 package org.sitaf.core.harness.plan;
 
+import java.util.Locale;
 import java.util.regex.Pattern;
 
-/** What a name in generated sources can be made of, whatever the language. */
+/** What names in generated sources are made of, whatever the language. */
 public final class Words {
   private static final Pattern WORD = Pattern.compile("[\\p{L}_$][\\p{L}\\p{Nd}_$]*");
   private static final int MAX_LENGTH = 255;
@@ -14,5 +15,37 @@ public final class Words {
    */
   public static boolean isWord(String name) {
     return name.length() <= MAX_LENGTH && WORD.matcher(name).matches();
+  }
+
+  /**
+   * Words in camel case: {@code IndexOfSensor} gives {@code indexOfSensor}, {@code Finder} and
+   * {@code GetRange} give {@code finderGetRange}.
+   */
+  public static String camelCase(String[] words) {
+    StringBuilder joined = new StringBuilder();
+    for (String word : words) {
+      joined.append(joined.isEmpty() ? lowered(word) : raised(word));
+    }
+    return joined.toString();
+  }
+
+  /**
+   * {@code IndexOfSensor} to {@code indexOfSensor}, {@code IRSensor} to {@code irSensor}, {@code
+   * ID} to {@code id}.
+   */
+  private static String lowered(String word) {
+    int upper = 0;
+    while (upper < word.length() && Character.isUpperCase(word.charAt(upper))) {
+      upper++;
+    }
+    int lowered = upper > 1 && upper < word.length() ? upper - 1 : upper;
+    return word.substring(0, lowered).toLowerCase(Locale.ROOT) + word.substring(lowered);
+  }
+
+  /** {@code pose} to {@code Pose}. */
+  public static String raised(String word) {
+    return word.isEmpty()
+        ? word
+        : word.substring(0, 1).toUpperCase(Locale.ROOT) + word.substring(1);
   }
 }

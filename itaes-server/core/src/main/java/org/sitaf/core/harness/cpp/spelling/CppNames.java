@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.Set;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import org.sitaf.core.harness.plan.Words;
 
 /**
  * Names of users' documents in C++ sources. What is called must keep its name and is refused where
@@ -94,14 +95,9 @@ public final class CppNames {
    * gives {@code finderGetRange}.
    */
   public String local(String documentName) {
-    StringBuilder joined = new StringBuilder();
-    for (String part : documentName.split("[^A-Za-z0-9]+")) {
-      joined.append(joined.isEmpty() ? lowered(part) : raised(part));
-    }
+    String joined = Words.camelCase(documentName.split("[^A-Za-z0-9]+"));
     String wanted =
-        joined.isEmpty() || Character.isDigit(joined.charAt(0))
-            ? "value" + joined
-            : joined.toString();
+        joined.isEmpty() || Character.isDigit(joined.charAt(0)) ? "value" + joined : joined;
     String name = isName(wanted) ? wanted : wanted + "Value";
     for (int i = 2; !taken.add(name); i++) {
       name = wanted + "Value" + (i == 2 ? "" : i - 1);
@@ -112,25 +108,5 @@ public final class CppNames {
   /** Keeps a name from being given to a local. */
   public void take(String name) {
     taken.add(name);
-  }
-
-  /**
-   * {@code IndexOfSensor} to {@code indexOfSensor}, {@code IRSensor} to {@code irSensor}, {@code
-   * ID} to {@code id}.
-   */
-  private static String lowered(String part) {
-    int upper = 0;
-    while (upper < part.length() && Character.isUpperCase(part.charAt(upper))) {
-      upper++;
-    }
-    int lowered = upper > 1 && upper < part.length() ? upper - 1 : upper;
-    return part.substring(0, lowered).toLowerCase(Locale.ROOT) + part.substring(lowered);
-  }
-
-  /** {@code pose} to {@code Pose}. */
-  public static String raised(String part) {
-    return part.isEmpty()
-        ? part
-        : part.substring(0, 1).toUpperCase(Locale.ROOT) + part.substring(1);
   }
 }

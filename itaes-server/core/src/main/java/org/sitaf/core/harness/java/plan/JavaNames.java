@@ -96,34 +96,11 @@ final class JavaNames {
    * gives {@code finderGetRange}.
    */
   String local(String documentName) {
-    StringBuilder joined = new StringBuilder();
-    for (String part : documentName.split("[^\\p{L}\\p{Nd}_$]+")) {
-      joined.append(joined.isEmpty() ? lowered(part) : raised(part));
-    }
-    String wanted = joined.toString();
+    String wanted = Words.camelCase(documentName.split("[^\\p{L}\\p{Nd}_$]+"));
     String name = isName(wanted) && !RESTRICTED.contains(wanted) ? wanted : wanted + "Value";
     for (int i = 2; !taken.add(name); i++) {
       name = wanted + "Value" + (i == 2 ? "" : i - 1);
     }
     return name;
-  }
-
-  /**
-   * {@code IndexOfSensor} to {@code indexOfSensor}, {@code IRSensor} to {@code irSensor}, {@code
-   * ID} to {@code id}.
-   */
-  private static String lowered(String part) {
-    int upper = 0;
-    while (upper < part.length() && Character.isUpperCase(part.charAt(upper))) {
-      upper++;
-    }
-    int lowered = upper > 1 && upper < part.length() ? upper - 1 : upper;
-    return part.substring(0, lowered).toLowerCase(Locale.ROOT) + part.substring(lowered);
-  }
-
-  private static String raised(String part) {
-    return part.isEmpty()
-        ? part
-        : part.substring(0, 1).toUpperCase(Locale.ROOT) + part.substring(1);
   }
 }
