@@ -7,6 +7,9 @@ import java.time.OffsetDateTime;
 import java.time.ZoneOffset;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.server.storage.DiskSpace;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 import org.springframework.data.domain.PageRequest;
 import org.springframework.jdbc.core.simple.JdbcClient;
 import org.springframework.stereotype.Service;
@@ -23,11 +26,15 @@ public class Audit {
   private static final String WANTED =
       " FROM audit_event WHERE actor = COALESCE(?, actor) AND action = COALESCE(?, action)";
 
+  private static final Logger log = LoggerFactory.getLogger(Audit.class);
+
   private final JdbcClient jdbc;
+  private final DiskSpace disk;
   private final Clock clock;
 
-  Audit(JdbcClient jdbc, Clock clock) {
+  Audit(JdbcClient jdbc, DiskSpace disk, Clock clock) {
     this.jdbc = jdbc;
+    this.disk = disk;
     this.clock = clock;
   }
 
@@ -49,8 +56,18 @@ public class Audit {
       String outcome,
       String address) {}
 
-  /** Adds an event. */
+  /** Adds an event; while there is no room for it, only to the server's own log. */
   public void record(String actor, String action, String subject, String outcome, String address) {
+    if (!disk.canWrite()) {
+      log.warn(
+          "No room in the audit log: {} {} {} {} {}",
+          plain(cut(actor, 100)),
+          plain(cut(action, 60)),
+          plain(cut(subject, 400)),
+          plain(cut(outcome, 200)),
+          plain(cut(address, 60)));
+      return;
+    }
     jdbc.sql(
             "INSERT INTO audit_event (at_time, actor, action, subject, outcome, address)"
                 + " VALUES (?, ?, ?, ?, ?, ?)")
@@ -97,6 +114,11 @@ public class Audit {
 
   private static OffsetDateTime utc(Instant instant) {
     return instant.atOffset(ZoneOffset.UTC);
+  }
+
+  /** In one line of a log, whatever strangers send. */
+  private static String plain(String text) {
+    return text.replaceAll("\\p{Cntrl}", "?");
   }
 
   /** Of what strangers send, too; a NUL is no text for PostgreSQL. */

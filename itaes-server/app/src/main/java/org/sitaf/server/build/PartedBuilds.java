@@ -17,6 +17,7 @@ import org.sitaf.server.file.StoredFiles;
 import org.sitaf.server.refusal.Refusal;
 import org.sitaf.server.result.Results;
 import org.sitaf.server.result.live.LiveCases;
+import org.sitaf.server.storage.DiskSpace;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.springframework.context.ApplicationEventPublisher;
@@ -42,6 +43,7 @@ class PartedBuilds implements SmartLifecycle {
   private final LiveCases live;
   private final TransactionTemplate transaction;
   private final ApplicationEventPublisher events;
+  private final DiskSpace disk;
   private final Clock clock;
   private ScheduledExecutorService thread = newThread();
   private volatile boolean running;
@@ -54,6 +56,7 @@ class PartedBuilds implements SmartLifecycle {
       LiveCases live,
       TransactionTemplate transaction,
       ApplicationEventPublisher events,
+      DiskSpace disk,
       Clock clock) {
     this.builds = builds;
     this.all = all;
@@ -62,6 +65,7 @@ class PartedBuilds implements SmartLifecycle {
     this.live = live;
     this.transaction = transaction;
     this.events = events;
+    this.disk = disk;
     this.clock = clock;
   }
 
@@ -76,6 +80,9 @@ class PartedBuilds implements SmartLifecycle {
   }
 
   private void look() {
+    if (!disk.canWrite()) {
+      return;
+    }
     try {
       builds.findUnfinishedWithParts().forEach(this::follow);
     } catch (RuntimeException e) {

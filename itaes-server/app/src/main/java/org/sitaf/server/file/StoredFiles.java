@@ -15,6 +15,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.sitaf.core.activity.FileTree;
+import org.sitaf.server.storage.DiskSpace;
 import org.springframework.dao.DuplicateKeyException;
 import org.springframework.jdbc.core.simple.JdbcClient;
 import org.springframework.stereotype.Repository;
@@ -30,10 +31,12 @@ public class StoredFiles {
   private static final OffsetDateTime NEVER = Instant.EPOCH.atOffset(ZoneOffset.UTC);
 
   private final JdbcClient jdbc;
+  private final DiskSpace disk;
   private final Clock clock;
 
-  StoredFiles(JdbcClient jdbc, Clock clock) {
+  StoredFiles(JdbcClient jdbc, DiskSpace disk, Clock clock) {
     this.jdbc = jdbc;
+    this.disk = disk;
     this.clock = clock;
   }
 
@@ -77,10 +80,12 @@ public class StoredFiles {
    * Stores a content. Not to be called within a transaction.
    *
    * @return its digest
+   * @throws org.sitaf.server.refusal.Refusal when there is no room for it
    */
   public String store(byte[] content) {
     String sha256 = sha256(content);
     if (!keep(sha256)) {
+      disk.requireFor(content.length);
       try {
         jdbc.sql("INSERT INTO file_content (sha256, size, content, stored) VALUES (?, ?, ?, ?)")
             .params(sha256, (long) content.length, content, now())

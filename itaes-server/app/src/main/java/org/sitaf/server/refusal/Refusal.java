@@ -15,7 +15,9 @@ public final class Refusal extends RuntimeException {
     /** The thing was changed in the meantime. */
     OUTDATED,
     /** More than the server takes. */
-    TOO_LARGE
+    TOO_LARGE,
+    /** The server's disk is full. */
+    NO_ROOM
   }
 
   private final Reason reason;
@@ -54,6 +56,21 @@ public final class Refusal extends RuntimeException {
             + " was changed meanwhile and is at version "
             + current
             + "; read it again and repeat the change.");
+  }
+
+  /**
+   * The server's disk is full, or nearly so.
+   *
+   * @param what is not done
+   * @param why which disk, and how much is left
+   */
+  public static Refusal noRoom(String what, String why) {
+    return new Refusal(
+        Reason.NO_ROOM,
+        what
+            + ": "
+            + why
+            + ". Make room on it, or ask whoever runs this server; what is stored can be read.");
   }
 
   /** More than the limit. */

@@ -16,6 +16,7 @@ import org.sitaf.server.refusal.Refusal;
 import org.sitaf.server.schedule.Schedule.Subject;
 import org.sitaf.server.schedule.timing.Misfire;
 import org.sitaf.server.schedule.timing.Timing;
+import org.sitaf.server.storage.DiskSpace;
 import org.sitaf.server.suite.SuiteOrigin;
 import org.sitaf.server.suite.Suites;
 import org.springframework.data.domain.Page;
@@ -33,6 +34,7 @@ class Schedules {
   private final Suites suites;
   private final Builds builds;
   private final TransactionTemplate transaction;
+  private final DiskSpace disk;
   private final Clock clock;
 
   Schedules(
@@ -43,6 +45,7 @@ class Schedules {
       Suites suites,
       Builds builds,
       TransactionTemplate transaction,
+      DiskSpace disk,
       Clock clock) {
     this.schedules = schedules;
     this.calendars = calendars;
@@ -51,6 +54,7 @@ class Schedules {
     this.suites = suites;
     this.builds = builds;
     this.transaction = transaction;
+    this.disk = disk;
     this.clock = clock;
   }
 
@@ -127,6 +131,7 @@ class Schedules {
     @Nullable String buildId = null;
     String message = "";
     try {
+      disk.requireForNewWork();
       String suiteId = subject.suiteId();
       if (suiteId == null) {
         suiteId = suites.generateAnew(subject.activityId(), subject.model(), subject.seed());

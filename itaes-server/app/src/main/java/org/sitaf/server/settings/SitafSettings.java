@@ -29,6 +29,8 @@ import org.springframework.validation.annotation.Validated;
  * @param maxUpload largest body of a request
  * @param maxLog largest log of a build; what goes beyond is dropped, with a note
  * @param maxRecordings what the recordings of a build may take together
+ * @param minFree with less room than this on the disks of data and logs no new work is taken, and
+ *     with a quarter of it nothing is written; 0 asks for none
  * @param stopWithStdin whether the server ends when its standard input does, so that it never
  *     outlives a launcher
  */
@@ -44,6 +46,7 @@ public record SitafSettings(
     @DefaultValue("256MB") DataSize maxUpload,
     @DefaultValue("64MB") DataSize maxLog,
     @DefaultValue("64MB") DataSize maxRecordings,
+    @DefaultValue("256MB") DataSize minFree,
     @DefaultValue("false") boolean stopWithStdin) {
   public SitafSettings {
     publicHosts = List.copyOf(publicHosts);

@@ -2,10 +2,12 @@ package org.sitaf.server.web;
 
 import io.swagger.v3.oas.annotations.media.Schema;
 import java.util.List;
+import java.util.Optional;
 import org.apache.tomcat.util.http.InvalidParameterException;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.storage.StorageFailure;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.springframework.dao.OptimisticLockingFailureException;
@@ -56,6 +58,7 @@ class Problems extends ResponseEntityExceptionHandler {
           case CONFLICT -> problem(HttpStatus.CONFLICT, "Not possible at present", e);
           case OUTDATED -> problem(HttpStatus.PRECONDITION_FAILED, "Changed meanwhile", e);
           case TOO_LARGE -> problem(HttpStatus.CONTENT_TOO_LARGE, "Too large", e);
+          case NO_ROOM -> problem(HttpStatus.INSUFFICIENT_STORAGE, "No room", e);
         });
   }
 
@@ -78,12 +81,36 @@ class Problems extends ResponseEntityExceptionHandler {
   /** What nobody foresaw: the log has it all, the answer nothing of the inside. */
   @ExceptionHandler
   @Nullable ResponseEntity<Object> failed(Exception e, WebRequest request) {
+    Optional<StorageFailure> passing = StorageFailure.of(e);
+    if (passing.isPresent()) {
+      log.warn("{}: {}", request.getDescription(false), e.getMessage());
+      ResponseEntity<ProblemDetail> answer = answer(problem(passing.get()));
+      return createResponseEntity(
+          answer.getBody(), answer.getHeaders(), answer.getStatusCode(), request);
+    }
     log.error("A request failed: {}", request.getDescription(false), e);
     ProblemDetail problem =
         ProblemDetail.forStatusAndDetail(
             HttpStatus.INTERNAL_SERVER_ERROR, "The server failed; its log says why.");
     return handleExceptionInternal(
         e, problem, new HttpHeaders(), HttpStatus.INTERNAL_SERVER_ERROR, request);
+  }
+
+  private static ProblemDetail problem(StorageFailure passing) {
+    ProblemDetail problem =
+        switch (passing) {
+          case NO_ROOM ->
+              ProblemDetail.forStatusAndDetail(
+                  HttpStatus.INSUFFICIENT_STORAGE,
+                  "The server's disk is full, so nothing was changed. Repeat the request when there"
+                      + " is room on it; what is stored can be read.");
+          case DATABASE_AWAY ->
+              ProblemDetail.forStatusAndDetail(
+                  HttpStatus.SERVICE_UNAVAILABLE,
+                  "The server's database cannot be reached at present; repeat the request soon.");
+        };
+    problem.setTitle(passing == StorageFailure.NO_ROOM ? "No room" : "Not available");
+    return problem;
   }
 
   /** A refusal while a body was read comes wrapped by the reader. */
@@ -122,9 +149,14 @@ class Problems extends ResponseEntityExceptionHandler {
    * wrong.
    */
   private static ResponseEntity<ProblemDetail> answer(ProblemDetail problem) {
-    return ResponseEntity.status(problem.getStatus())
-        .contentType(MediaType.APPLICATION_PROBLEM_JSON)
-        .body(problem);
+    ResponseEntity.BodyBuilder answer =
+        ResponseEntity.status(problem.getStatus()).contentType(MediaType.APPLICATION_PROBLEM_JSON);
+    if (problem.getStatus() == HttpStatus.INSUFFICIENT_STORAGE.value()) {
+      answer.header(HttpHeaders.RETRY_AFTER, "60");
+    } else if (problem.getStatus() == HttpStatus.SERVICE_UNAVAILABLE.value()) {
+      answer.header(HttpHeaders.RETRY_AFTER, "5");
+    }
+    return answer.body(problem);
   }
 
   static List<Class<?>> views() {

@@ -9,6 +9,7 @@ import java.time.Instant;
 import java.time.OffsetDateTime;
 import java.time.ZoneOffset;
 import java.util.List;
+import org.sitaf.server.storage.DiskSpace;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.springframework.data.domain.PageRequest;
@@ -34,11 +35,13 @@ class Deliveries {
 
   private final JdbcClient jdbc;
   private final Sender sender;
+  private final DiskSpace disk;
   private final Clock clock;
 
-  Deliveries(JdbcClient jdbc, Sender sender, Clock clock) {
+  Deliveries(JdbcClient jdbc, Sender sender, DiskSpace disk, Clock clock) {
     this.jdbc = jdbc;
     this.sender = sender;
+    this.disk = disk;
     this.clock = clock;
   }
 
@@ -46,6 +49,9 @@ class Deliveries {
 
   @Scheduled(fixedDelayString = "${sitaf.webhooks.interval:2s}")
   void sendDue() {
+    if (!disk.canWrite()) {
+      return;
+    }
     List<Delivery> due =
         jdbc.sql(COLUMNS + "WHERE state = 'WAITING' AND due <= ? ORDER BY due LIMIT ?")
             .params(utc(clock.instant()), AT_ONCE)

@@ -16,6 +16,7 @@ import org.sitaf.server.access.Caller;
 import org.sitaf.server.access.Role;
 import org.sitaf.server.access.Secret;
 import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.storage.DiskSpace;
 import org.springframework.data.domain.PageRequest;
 import org.springframework.jdbc.core.simple.JdbcClient;
 import org.springframework.stereotype.Service;
@@ -35,11 +36,13 @@ public class ApiTokens {
 
   private final JdbcClient jdbc;
   private final AccessSettings settings;
+  private final DiskSpace disk;
   private final Clock clock;
 
-  ApiTokens(JdbcClient jdbc, AccessSettings settings, Clock clock) {
+  ApiTokens(JdbcClient jdbc, AccessSettings settings, DiskSpace disk, Clock clock) {
     this.jdbc = jdbc;
     this.settings = settings;
+    this.disk = disk;
     this.clock = clock;
   }
 
@@ -134,7 +137,7 @@ public class ApiTokens {
 
   private void noteUse(ApiToken token, Instant now) {
     boolean known = token.lastUsed().filter(last -> last.plus(USE_STEP).isAfter(now)).isPresent();
-    if (!known) {
+    if (!known && disk.canWrite()) {
       jdbc.sql("UPDATE api_token SET last_used = ? WHERE id = ?")
           .params(utc(now), token.id())
           .update();

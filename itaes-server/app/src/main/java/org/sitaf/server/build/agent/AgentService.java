@@ -33,6 +33,7 @@ import org.sitaf.server.file.StoredFiles;
 import org.sitaf.server.refusal.Refusal;
 import org.sitaf.server.result.Results;
 import org.sitaf.server.settings.SitafSettings;
+import org.sitaf.server.storage.DiskSpace;
 import org.springframework.stereotype.Service;
 
 /** The agents' gRPC service; agent.proto says what each call means. */
@@ -48,6 +49,7 @@ class AgentService extends AgentServiceGrpc.AgentServiceImplBase {
   private final Recordings recordings;
   private final StoredFiles contents;
   private final SitafSettings settings;
+  private final DiskSpace disk;
   private final Clock clock;
 
   AgentService(
@@ -59,6 +61,7 @@ class AgentService extends AgentServiceGrpc.AgentServiceImplBase {
       Recordings recordings,
       StoredFiles contents,
       SitafSettings settings,
+      DiskSpace disk,
       Clock clock) {
     this.enrolments = enrolments;
     this.agents = agents;
@@ -68,6 +71,7 @@ class AgentService extends AgentServiceGrpc.AgentServiceImplBase {
     this.recordings = recordings;
     this.contents = contents;
     this.settings = settings;
+    this.disk = disk;
     this.clock = clock;
   }
 
@@ -121,6 +125,7 @@ class AgentService extends AgentServiceGrpc.AgentServiceImplBase {
           if (request.getChunk().size() > CHUNK) {
             throw Refusal.malformed("chunk: must be at most 64 KiB.");
           }
+          disk.requireFor(request.getChunk().size());
           long end =
               logs.append(
                   Messages.toKey(request.getAttempt()),
@@ -150,6 +155,7 @@ class AgentService extends AgentServiceGrpc.AgentServiceImplBase {
     answer(
         answers,
         () -> {
+          disk.requireFor(request.getGltf().size());
           recordings.store(
               Messages.toKey(request.getAttempt()),
               request.getCaseNo(),
@@ -166,6 +172,7 @@ class AgentService extends AgentServiceGrpc.AgentServiceImplBase {
         answers,
         () -> {
           AttemptKey key = Messages.toKey(request.getAttempt());
+          disk.requireFor(request.getSerializedSize());
           boolean accepted =
               switch (request.getOutcomeCase()) {
                 case RESULT_DESCRIPTOR ->

@@ -22,6 +22,7 @@ import org.sitaf.server.build.agent.KnownAgent.Standing;
 import org.sitaf.server.refusal.Refusal;
 import org.sitaf.server.settings.Database;
 import org.sitaf.server.settings.SitafSettings;
+import org.sitaf.server.storage.DiskSpace;
 import org.springframework.stereotype.Component;
 import org.springframework.transaction.event.TransactionalEventListener;
 import org.springframework.transaction.support.TransactionTemplate;
@@ -39,6 +40,7 @@ class Agents {
   private final TransactionTemplate transaction;
   private final Database database;
   private final SitafSettings settings;
+  private final DiskSpace disk;
   private final Clock clock;
 
   Agents(
@@ -47,12 +49,14 @@ class Agents {
       TransactionTemplate transaction,
       Database database,
       SitafSettings settings,
+      DiskSpace disk,
       Clock clock) {
     this.known = known;
     this.leases = leases;
     this.transaction = transaction;
     this.database = database;
     this.settings = settings;
+    this.disk = disk;
     this.clock = clock;
   }
 
@@ -96,7 +100,7 @@ class Agents {
   /** The session's stream has ended. */
   void remove(AgentSession session) {
     session.close(null);
-    if (sessions.remove(session.name(), session)) {
+    if (sessions.remove(session.name(), session) && disk.canWrite()) {
       change(
           () -> known.findById(session.name()).ifPresent(a -> a.disconnect(session.lastHeard())));
     }
@@ -114,7 +118,9 @@ class Agents {
    */
   void heard(AgentSession session, Collection<AttemptKey> running) {
     // Most agents are idle most of the time, and hundreds of them need no transaction to say so.
-    Set<AttemptKey> outdated = running.isEmpty() ? Set.of() : leases.renew(session.name(), running);
+    // While the disk is full nobody can renew a lease, and none ends.
+    Set<AttemptKey> outdated =
+        running.isEmpty() || !disk.canWrite() ? Set.of() : leases.renew(session.name(), running);
     session.heard(running, now());
     Set<Long> unspoken = session.unspokenOf(running);
     if (!unspoken.isEmpty()) {

@@ -20,9 +20,12 @@ import org.sitaf.server.build.BuildQueue.Waiting;
 import org.sitaf.server.build.Leases;
 import org.sitaf.server.build.request.Requirements;
 import org.sitaf.server.settings.Database;
+import org.sitaf.server.storage.DiskSpace;
+import org.sitaf.server.storage.RoomAgain;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.springframework.context.SmartLifecycle;
+import org.springframework.context.event.EventListener;
 import org.springframework.stereotype.Component;
 import org.springframework.transaction.event.TransactionalEventListener;
 
@@ -42,17 +45,25 @@ class Dispatcher implements SmartLifecycle {
   private final BuildQueue queue;
   private final Agents agents;
   private final Database database;
+  private final DiskSpace disk;
   private final Clock clock;
   private final AtomicBoolean due = new AtomicBoolean();
   private volatile boolean running;
   private ScheduledExecutorService thread = newThread();
   private Instant wakesAt = Instant.MAX;
 
-  Dispatcher(Leases leases, BuildQueue queue, Agents agents, Database database, Clock clock) {
+  Dispatcher(
+      Leases leases,
+      BuildQueue queue,
+      Agents agents,
+      Database database,
+      DiskSpace disk,
+      Clock clock) {
     this.leases = leases;
     this.queue = queue;
     this.agents = agents;
     this.database = database;
+    this.disk = disk;
     this.clock = clock;
   }
 
@@ -68,9 +79,17 @@ class Dispatcher implements SmartLifecycle {
     wake();
   }
 
+  @EventListener
+  void on(RoomAgain event) {
+    wake();
+  }
+
   private void dispatch() {
     due.set(false);
     try {
+      if (disk.whyNoNewWork().isPresent()) {
+        return;
+      }
       List<AgentSession> free = free();
       List<Requirements> met =
           free.isEmpty()

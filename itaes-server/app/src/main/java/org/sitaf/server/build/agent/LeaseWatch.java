@@ -9,6 +9,7 @@ import java.util.concurrent.TimeUnit;
 import org.sitaf.server.build.AttemptKey;
 import org.sitaf.server.build.Leases;
 import org.sitaf.server.settings.SitafSettings;
+import org.sitaf.server.storage.DiskSpace;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.springframework.boot.context.event.ApplicationReadyEvent;
@@ -28,14 +29,17 @@ class LeaseWatch implements SmartLifecycle {
   private final Leases leases;
   private final Agents agents;
   private final SitafSettings settings;
+  private final DiskSpace disk;
   private final Clock clock;
   private ScheduledExecutorService timer = newTimer();
   private volatile boolean running;
+  private boolean diskWasFull;
 
-  LeaseWatch(Leases leases, Agents agents, SitafSettings settings, Clock clock) {
+  LeaseWatch(Leases leases, Agents agents, SitafSettings settings, DiskSpace disk, Clock clock) {
     this.leases = leases;
     this.agents = agents;
     this.settings = settings;
+    this.disk = disk;
     this.clock = clock;
   }
 
@@ -43,6 +47,15 @@ class LeaseWatch implements SmartLifecycle {
     // Other servers hear of our agents three times a lease.
     Instant next = clock.instant().plus(settings.lease().dividedBy(3));
     try {
+      if (!disk.canWrite()) {
+        diskWasFull = true;
+        return;
+      }
+      if (diskWasFull) {
+        // Nobody could renew one meanwhile.
+        leases.renewAll();
+        diskWasFull = false;
+      }
       agents.closeSilent();
       agents.noteConnected();
       for (AttemptKey key : leases.overdue()) {

@@ -7,6 +7,7 @@ import org.sitaf.server.access.enrolment.EnrolmentRefused;
 import org.sitaf.server.build.OutdatedAttemptException;
 import org.sitaf.server.build.log.BuildLogs;
 import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.storage.StorageFailure;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.springframework.dao.DataAccessException;
@@ -46,7 +47,13 @@ final class StatusOf {
         case NOT_FOUND -> Status.NOT_FOUND;
         case MALFORMED, TOO_LARGE -> Status.INVALID_ARGUMENT;
         case CONFLICT, OUTDATED -> Status.FAILED_PRECONDITION;
+        case NO_ROOM -> Status.UNAVAILABLE;
       };
+    }
+    if (StorageFailure.of(e).isPresent()) {
+      // Known and said elsewhere; agents call again and again until it is over.
+      log.debug("A call of an agent has to wait", e);
+      return Status.UNAVAILABLE;
     }
     log.error("A call of an agent failed", e);
     boolean passing = e instanceof DataAccessException || e instanceof TransactionException;

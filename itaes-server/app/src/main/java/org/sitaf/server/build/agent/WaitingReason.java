@@ -3,19 +3,23 @@ package org.sitaf.server.build.agent;
 import java.time.Clock;
 import java.time.Instant;
 import java.util.List;
+import java.util.Optional;
 import org.sitaf.server.build.Build;
 import org.sitaf.server.build.agent.KnownAgent.Standing;
 import org.sitaf.server.build.request.Requirements;
+import org.sitaf.server.storage.DiskSpace;
 import org.springframework.stereotype.Component;
 
 /** Says to people why a build waits. */
 @Component
 public class WaitingReason {
   private final Agents agents;
+  private final DiskSpace disk;
   private final Clock clock;
 
-  WaitingReason(Agents agents, Clock clock) {
+  WaitingReason(Agents agents, DiskSpace disk, Clock clock) {
     this.agents = agents;
+    this.disk = disk;
     this.clock = clock;
   }
 
@@ -23,6 +27,10 @@ public class WaitingReason {
   public String of(Build build) {
     if (build.parts() > 0) {
       return "its " + build.parts() + " shards wait for agents";
+    }
+    Optional<String> full = disk.whyNoNewWork();
+    if (full.isPresent()) {
+      return full.get();
     }
     Instant notBefore = build.notBefore().orElse(Instant.MIN);
     if (notBefore.isAfter(clock.instant())) {

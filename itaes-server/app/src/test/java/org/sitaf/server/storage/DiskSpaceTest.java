@@ -1,0 +1,107 @@
+package org.sitaf.server.storage;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatCode;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.Test;
+import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.settings.SitafSettings;
+import org.springframework.util.unit.DataSize;
+
+class DiskSpaceTest {
+  private static final Path DATA = Path.of("/data/sitaf");
+  private static final Path LOGS = Path.of("/logs/sitaf");
+
+  private static DiskSpace disk(long minFreeMib, @Nullable Path logs, Map<Path, Long> freeMib) {
+    return disk(minFreeMib, logs, true, freeMib);
+  }
+
+  private static DiskSpace disk(
+      long minFreeMib, @Nullable Path logs, boolean holdsDatabase, Map<Path, Long> freeMib) {
+    DataSize some = DataSize.ofMegabytes(1);
+    SitafSettings settings =
+        new SitafSettings(
+            DATA,
+            logs,
+            List.of(),
+            Duration.ofSeconds(15),
+            3,
+            Duration.ofSeconds(1),
+            some,
+            some,
+            some,
+            DataSize.ofMegabytes(minFreeMib),
+            false);
+    return new DiskSpace(
+        settings,
+        holdsDatabase,
+        folder -> DataSize.ofMegabytes(freeMib.getOrDefault(folder, 0L)).toBytes());
+  }
+
+  @Test
+  void withRoomAllIsTaken() {
+    DiskSpace disk = disk(256, null, Map.of(DATA, 256L));
+    assertThat(disk.whyNoNewWork()).isEmpty();
+    assertThat(disk.canWrite()).isTrue();
+    assertThatCode(disk::requireForNewWork).doesNotThrowAnyException();
+  }
+
+  @Test
+  void withLittleRoomOnlyNewWorkIsRefused() {
+    DiskSpace disk = disk(256, null, Map.of(DATA, 255L));
+    assertThat(disk.whyNoNewWork())
+        .contains("the disk of the server's data has only 255 MiB left, 256 are needed");
+    assertThat(disk.canWrite()).isTrue();
+    assertThatThrownBy(disk::requireForNewWork)
+        .isInstanceOfSatisfying(
+            Refusal.class, e -> assertThat(e.reason()).isEqualTo(Refusal.Reason.NO_ROOM))
+        .hasMessageStartingWith("No new work is taken: the disk of the server's data has only");
+  }
+
+  @Test
+  void belowTheReserveNothingIsWritten() {
+    DiskSpace disk = disk(256, null, Map.of(DATA, 63L));
+    assertThat(disk.whyNothingIsWritten()).isPresent();
+    assertThat(disk.canWrite()).isFalse();
+  }
+
+  @Test
+  void whatIsLargeLeavesTheReserve() {
+    DiskSpace disk = disk(256, null, Map.of(DATA, 100L));
+    assertThatCode(() -> disk.requireFor(DataSize.ofMegabytes(36).toBytes()))
+        .doesNotThrowAnyException();
+    assertThatThrownBy(() -> disk.requireFor(DataSize.ofMegabytes(37).toBytes()))
+        .isInstanceOf(Refusal.class)
+        .hasMessageContaining("100 MiB left, 101 are needed");
+  }
+
+  @Test
+  void logsOnAnotherDiskNeedRoomAsWell() {
+    DiskSpace disk = disk(256, LOGS, Map.of(DATA, 1000L, LOGS, 10L));
+    assertThat(disk.whyNoNewWork())
+        .contains("the disk of the logs of builds has only 10 MiB left, 256 are needed");
+    assertThat(disk.whyNothingIsWritten()).isPresent();
+    assertThat(disk.canWrite()).isTrue();
+  }
+
+  @Test
+  void aDatabaseElsewhereIsWrittenToWhateverIsLeftHere() {
+    DiskSpace disk = disk(256, null, false, Map.of(DATA, 0L));
+    assertThat(disk.whyNoNewWork()).isPresent();
+    assertThat(disk.canWrite()).isTrue();
+  }
+
+  @Test
+  void whoAsksForNoRoomIsRefusedNothing() {
+    DiskSpace disk = disk(0, null, Map.of());
+    assertThat(disk.whyNoNewWork()).isEmpty();
+    assertThat(disk.canWrite()).isTrue();
+    assertThatCode(() -> disk.requireFor(1)).doesNotThrowAnyException();
+  }
+}
