@@ -29,7 +29,7 @@ export function BuildOptionsFields({ options, onOptions, knownLabels }: BuildOpt
         />
         <NumberInput
           label="Shards"
-          description="spread over"
+          description="so many agents"
           min={1}
           max={100}
           {...number('shards')}
