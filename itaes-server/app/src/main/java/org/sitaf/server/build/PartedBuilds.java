@@ -7,7 +7,6 @@ import java.time.Instant;
 import java.time.temporal.ChronoUnit;
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import org.sitaf.core.harness.TestApplication;
@@ -18,6 +17,7 @@ import org.sitaf.server.refusal.Refusal;
 import org.sitaf.server.result.Results;
 import org.sitaf.server.result.live.LiveCases;
 import org.sitaf.server.storage.DiskSpace;
+import org.sitaf.server.timer.DaemonTimer;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.springframework.context.ApplicationEventPublisher;
@@ -45,7 +45,7 @@ class PartedBuilds implements SmartLifecycle {
   private final ApplicationEventPublisher events;
   private final DiskSpace disk;
   private final Clock clock;
-  private ScheduledExecutorService thread = newThread();
+  private ScheduledExecutorService thread = DaemonTimer.named("parted-builds");
   private volatile boolean running;
 
   PartedBuilds(
@@ -174,7 +174,7 @@ class PartedBuilds implements SmartLifecycle {
   @Override
   public void start() {
     if (thread.isShutdown()) {
-      thread = newThread();
+      thread = DaemonTimer.named("parted-builds");
     }
     running = true;
     var unused =
@@ -195,14 +195,5 @@ class PartedBuilds implements SmartLifecycle {
 
   private Instant now() {
     return clock.instant().truncatedTo(ChronoUnit.MICROS);
-  }
-
-  private static ScheduledExecutorService newThread() {
-    return Executors.newSingleThreadScheduledExecutor(
-        task -> {
-          Thread made = new Thread(task, "parted-builds");
-          made.setDaemon(true);
-          return made;
-        });
   }
 }

@@ -1,8 +1,8 @@
 package org.sitaf.server.file;
 
-import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
+import org.sitaf.server.timer.DaemonTimer;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.springframework.context.SmartLifecycle;
@@ -16,7 +16,7 @@ class FileCollection implements SmartLifecycle {
   private static final long EVERY_MIN = 30;
 
   private final StoredFiles files;
-  private ScheduledExecutorService timer = newTimer();
+  private ScheduledExecutorService timer = DaemonTimer.named("file-collection");
   private volatile boolean running;
 
   FileCollection(StoredFiles files) {
@@ -39,7 +39,7 @@ class FileCollection implements SmartLifecycle {
   @Override
   public void start() {
     if (timer.isShutdown()) {
-      timer = newTimer();
+      timer = DaemonTimer.named("file-collection");
     }
     running = true;
     var unused =
@@ -55,14 +55,5 @@ class FileCollection implements SmartLifecycle {
   @Override
   public boolean isRunning() {
     return running;
-  }
-
-  private static ScheduledExecutorService newTimer() {
-    return Executors.newSingleThreadScheduledExecutor(
-        task -> {
-          Thread made = new Thread(task, "file-collection");
-          made.setDaemon(true);
-          return made;
-        });
   }
 }

@@ -9,7 +9,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
@@ -22,6 +21,7 @@ import org.sitaf.server.build.request.Requirements;
 import org.sitaf.server.settings.Database;
 import org.sitaf.server.storage.DiskSpace;
 import org.sitaf.server.storage.RoomAgain;
+import org.sitaf.server.timer.DaemonTimer;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.springframework.context.SmartLifecycle;
@@ -49,7 +49,7 @@ class Dispatcher implements SmartLifecycle {
   private final Clock clock;
   private final AtomicBoolean due = new AtomicBoolean();
   private volatile boolean running;
-  private ScheduledExecutorService thread = newThread();
+  private ScheduledExecutorService thread = DaemonTimer.named("dispatcher");
   private Instant wakesAt = Instant.MAX;
 
   Dispatcher(
@@ -178,7 +178,7 @@ class Dispatcher implements SmartLifecycle {
   @Override
   public void start() {
     if (thread.isShutdown()) {
-      thread = newThread();
+      thread = DaemonTimer.named("dispatcher");
     }
     running = true;
     wake();
@@ -199,14 +199,5 @@ class Dispatcher implements SmartLifecycle {
   @Override
   public boolean isRunning() {
     return running;
-  }
-
-  private static ScheduledExecutorService newThread() {
-    return Executors.newSingleThreadScheduledExecutor(
-        task -> {
-          Thread made = new Thread(task, "dispatcher");
-          made.setDaemon(true);
-          return made;
-        });
   }
 }

@@ -3,13 +3,13 @@ package org.sitaf.server.build.agent;
 import java.time.Clock;
 import java.time.Duration;
 import java.time.Instant;
-import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import org.sitaf.server.build.AttemptKey;
 import org.sitaf.server.build.Leases;
 import org.sitaf.server.settings.SitafSettings;
 import org.sitaf.server.storage.DiskSpace;
+import org.sitaf.server.timer.DaemonTimer;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.springframework.boot.context.event.ApplicationReadyEvent;
@@ -31,7 +31,7 @@ class LeaseWatch implements SmartLifecycle {
   private final SitafSettings settings;
   private final DiskSpace disk;
   private final Clock clock;
-  private ScheduledExecutorService timer = newTimer();
+  private ScheduledExecutorService timer = DaemonTimer.named("lease-watch");
   private volatile boolean running;
   private boolean diskWasFull;
 
@@ -87,7 +87,7 @@ class LeaseWatch implements SmartLifecycle {
   @Override
   public void start() {
     if (timer.isShutdown()) {
-      timer = newTimer();
+      timer = DaemonTimer.named("lease-watch");
     }
     running = true;
     leases.renewAll();
@@ -109,14 +109,5 @@ class LeaseWatch implements SmartLifecycle {
   @Override
   public boolean isRunning() {
     return running;
-  }
-
-  private static ScheduledExecutorService newTimer() {
-    return Executors.newSingleThreadScheduledExecutor(
-        task -> {
-          Thread made = new Thread(task, "lease-watch");
-          made.setDaemon(true);
-          return made;
-        });
   }
 }

@@ -4,11 +4,11 @@ import jakarta.annotation.PreDestroy;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
-import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import org.sitaf.server.build.BuildEvent;
 import org.sitaf.server.settings.Database;
+import org.sitaf.server.timer.DaemonTimer;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.springframework.stereotype.Component;
@@ -23,13 +23,7 @@ class BuildWaiters {
   private final Map<String, Set<Runnable>> waiters = new ConcurrentHashMap<>();
 
   /** A thread of its own: who changed the build still holds its connection to the database. */
-  private final ScheduledExecutorService thread =
-      Executors.newSingleThreadScheduledExecutor(
-          task -> {
-            Thread made = new Thread(task, "build-waiters");
-            made.setDaemon(true);
-            return made;
-          });
+  private final ScheduledExecutorService thread = DaemonTimer.named("build-waiters");
 
   BuildWaiters(Database database) {
     if (database.isShared()) {
