@@ -32,6 +32,20 @@ class Sitaf:
         )
 
 
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config, log):
+    """Files run side by side, but those of the portal: they use one system, and what came before them in it."""
+    from xdist.scheduler import LoadFileScheduling
+
+    class Scheduling(LoadFileScheduling):
+        def _split_scope(self, nodeid):
+            file = super()._split_scope(nodeid)
+            folder = file.rpartition("/")[0]
+            return folder if folder == "e2e/portal" else file
+
+    return Scheduling(config, log)
+
+
 @pytest.fixture(scope="session")
 def sitaf():
     return Sitaf(ROOT)
