@@ -52,7 +52,7 @@ unlocked() {
 newer_than() {
   local stamp=$1
   shift
-  [ ! -e "$stamp" ] || [ -n "$(find "$@" \( -name target -o -name node_modules -o -name dist -o -name build -o -name '*.egg-info' -o -name __pycache__ -o -name '*_pb2*' -o -name schema.d.ts -o -name .jqwik-database \) -prune \
+  [ ! -e "$stamp" ] || [ -n "$(find "$@" \( -name target -o -name node_modules -o -name dist -o -name build -o -name '*.egg-info' -o -name __pycache__ -o -name '.*_cache' -o -name '*_pb2*' -o -name schema.d.ts -o -name .jqwik-database \) -prune \
     -o -type f -newer "$stamp" -print -quit)" ]
 }
 

@@ -28,7 +28,10 @@ if $fast; then "$python" -m pytest -q -m "not slow"; else "$python" -m pytest -q
 
 section "Runtime of Python tests: format, lint, types, tests"
 cd "$home/tba-agent/runtime-python"
-"$python" -m pip install --quiet --editable ".[dev]"
+if newer_than "$state/runtime-python.stamp" "$home/tba-agent/runtime-python" "$home/proto"; then
+  "$python" -m pip install --quiet --editable ".[dev]"
+  touch "$state/runtime-python.stamp"
+fi
 bash check.sh "$python"
 "$python" -m pytest -q
 
@@ -38,7 +41,7 @@ bash "$home/tba-agent/runtime-cpp/check.sh"
 section "Java and portal: format, lint, types, tests"
 cd "$home"
 if $fast; then
-  mvn -B -ntp -q -T 2 verify -DexcludedGroups=slow -Dsitaf.bridge.python="$python"
+  mvn -B -ntp -q -T 2 verify -DexcludedGroups=slow -Dportal.check=check:changed -Dsitaf.bridge.python="$python"
   exit 0
 fi
 touch "$state/java.begun"
