@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.agent.sandbox.cgroup.ControlGroup;
 
 /** A process of other people's code at work, with all that it started. */
 public final class ConfinedProcess implements AutoCloseable {
@@ -16,22 +17,40 @@ public final class ConfinedProcess implements AutoCloseable {
 
   private final Process process;
   private final ProcessGroup group;
+  private final ControlGroup controlGroup;
+  private final int memoryMiB;
   private final int generations;
   private volatile @Nullable String broken;
 
-  private ConfinedProcess(Process process, ProcessGroup group, int generations) {
+  private ConfinedProcess(
+      Process process,
+      ProcessGroup group,
+      ControlGroup controlGroup,
+      int memoryMiB,
+      int generations) {
     this.process = process;
     this.group = group;
+    this.controlGroup = controlGroup;
+    this.memoryMiB = memoryMiB;
     this.generations = generations;
   }
 
   /**
    * Starts a process with nothing of the agent's environment.
    *
+   * @param variables in addition to those that every process has
+   * @param controlGroup which the command enters; removed after its end
    * @param generations how many processes lie between the one that is started and the one that was
    *     asked for
+   * @param onEnd what is done after its end and that of all that it started
    */
-  static ConfinedProcess start(List<String> command, Confinement confinement, int generations)
+  static ConfinedProcess start(
+      List<String> command,
+      Confinement confinement,
+      Map<String, String> variables,
+      ControlGroup controlGroup,
+      int generations,
+      Runnable onEnd)
       throws IOException {
     ProcessBuilder builder = new ProcessBuilder(command);
     builder.directory(confinement.working().toFile());
@@ -43,16 +62,25 @@ public final class ConfinedProcess implements AutoCloseable {
     environment.put("HOME", confinement.working().toString());
     environment.put("TMPDIR", confinement.temporary().toString());
     environment.put("LANG", "C.UTF-8");
-    environment.putAll(confinement.environment());
+    environment.putAll(variables);
     ProcessGroup group = new ProcessGroup(ProcessGroup.markOf(confinement.working()));
     environment.put(ProcessGroup.VARIABLE, group.mark());
     Process process = builder.start();
     if (!confinement.heldBack()) {
       process.getOutputStream().close();
     }
-    ConfinedProcess confined = new ConfinedProcess(process, group, generations);
     int memoryMiB = confinement.limits().memoryMiB();
-    MemoryWatch.over(process, memoryMiB, () -> confined.breakOff(memoryMiB));
+    ConfinedProcess confined =
+        new ConfinedProcess(process, group, controlGroup, memoryMiB, generations);
+    MemoryWatch.over(
+        process,
+        controlGroup,
+        memoryMiB,
+        confined::breakOff,
+        () -> {
+          controlGroup.remove();
+          onEnd.run();
+        });
     return confined;
   }
 
@@ -109,7 +137,9 @@ public final class ConfinedProcess implements AutoCloseable {
 
   /** Ends what it left behind, which would keep its output open. */
   public void killRest() {
+    controlGroup.kill();
     group.kill();
+    controlGroup.remove();
   }
 
   /** Its exit code; above 128 a signal's number is added, as shells have it. Only after its end. */
@@ -119,6 +149,9 @@ public final class ConfinedProcess implements AutoCloseable {
 
   /** Which limit it was ended for. */
   public Optional<String> brokenLimit() {
+    if (broken == null && controlGroup.exceededMemory()) {
+      broken = memoryBroken();
+    }
     return Optional.ofNullable(broken);
   }
 
@@ -127,15 +160,21 @@ public final class ConfinedProcess implements AutoCloseable {
     destroy();
   }
 
-  private void breakOff(int memoryMiB) {
-    broken = "it used more than " + memoryMiB + " MiB of memory";
+  private void breakOff() {
+    broken = memoryBroken();
     destroy();
+  }
+
+  private String memoryBroken() {
+    return "it used more than " + memoryMiB + " MiB of memory";
   }
 
   private void destroy() {
     List<ProcessHandle> descendants = process.descendants().toList();
     process.destroyForcibly();
     descendants.forEach(ProcessHandle::destroyForcibly);
+    controlGroup.kill();
     group.kill();
+    controlGroup.remove();
   }
 }
