@@ -129,6 +129,11 @@ public final class ConfinedProcess implements AutoCloseable {
     }
   }
 
+  /** The process outside, of which all others of it descend. */
+  ProcessHandle handle() {
+    return process.toHandle();
+  }
+
   /** Ends it now, with all that it started. */
   public void kill() throws InterruptedException {
     destroy();
