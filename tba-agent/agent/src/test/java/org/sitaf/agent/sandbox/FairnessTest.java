@@ -60,7 +60,6 @@ class FairnessTest {
 
   private ConfinedProcess start(Sandbox sandbox, String name, String... command) throws Exception {
     Path own = Files.createDirectories(folder.resolve(name));
-    Escapes.confinement(folder, LIMITS, List.of(command));
     return sandbox.start(
         Escapes.confinement(own, LIMITS, List.of(command)).reading(List.of(Path.of(command[0]))));
   }

@@ -1,5 +1,6 @@
 package org.sitaf.agent.sandbox;
 
+import java.net.URISyntaxException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Arrays;
@@ -26,16 +27,17 @@ final class SandboxProgram {
   }
 
   /** The words of a command that runs it. */
-  static List<String> command() {
+  static List<String> command() throws URISyntaxException {
     return List.of(
         Path.of(System.getProperty("java.home"), "bin", "java").toString(),
         "-cp",
-        // The folders of classes alone; an ordinary user may not read the others.
-        String.join(
-            ":",
-            Arrays.stream(System.getProperty("java.class.path").split(":"))
-                .filter(entry -> !entry.endsWith(".jar"))
-                .toList()),
+        // The folders of classes alone; an ordinary user may not read the libraries.
+        folderOf(Sandbox.class) + ":" + folderOf(SandboxProgram.class),
         SandboxProgram.class.getName());
+  }
+
+  static Path folderOf(Class<?> type) throws URISyntaxException {
+    return Path.of(type.getProtectionDomain().getCodeSource().getLocation().toURI())
+        .toAbsolutePath();
   }
 }

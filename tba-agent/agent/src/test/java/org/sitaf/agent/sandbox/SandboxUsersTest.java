@@ -40,7 +40,9 @@ class SandboxUsersTest {
         new ProcessBuilder(
                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                 "-cp",
-                System.getProperty("java.class.path"),
+                SandboxProgram.folderOf(Sandbox.class)
+                    + ":"
+                    + SandboxProgram.folderOf(Claim.class),
                 Claim.class.getName(),
                 claims.toString())
             .redirectErrorStream(true)

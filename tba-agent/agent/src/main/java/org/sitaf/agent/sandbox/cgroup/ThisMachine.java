@@ -11,8 +11,8 @@ import org.jspecify.annotations.Nullable;
 final class ThisMachine {
   /** What a user does whose agent has none. */
   private static final String ADVICE =
-      "run the agent by its systemd unit (Delegate=yes), as root, or by 'systemd-run --user --scope"
-          + " -p Delegate=yes'";
+      "start the agent by its systemd unit (Delegate=yes), by 'systemd-run --user --scope -p"
+          + " Delegate=yes' or, with control groups v1, as root";
 
   private static final long PROBE_SECONDS = 10;
   private static final GroupLimits PROBE = new GroupLimits(64L << 20, 16);
