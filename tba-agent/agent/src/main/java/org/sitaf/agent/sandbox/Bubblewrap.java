@@ -42,7 +42,6 @@ final class Bubblewrap implements Sandbox {
 
   private Bubblewrap(
       Path program,
-      String help,
       boolean required,
       ControlGroups groups,
       @Nullable SystemCallFilter filter)
@@ -54,7 +53,8 @@ final class Bubblewrap implements Sandbox {
     this.filter = filter;
     this.users =
         probe(List.of("id", "-u")).strip().equals("0") ? SandboxUsers.ofThisProcess() : null;
-    this.disablesNamespaces = users == null && help.contains(DISABLE_NAMESPACES);
+    this.disablesNamespaces =
+        users == null && probe(List.of(program.toString(), "--help")).contains(DISABLE_NAMESPACES);
   }
 
   /**
@@ -87,8 +87,7 @@ final class Bubblewrap implements Sandbox {
           filtered
               ? SystemCallFilter.of(groups.bindMemory(), groups.shareProcessors())
               : Optional.empty();
-      String help = probe(List.of(program.toString(), "--help"));
-      Bubblewrap found = new Bubblewrap(program, help, required, groups, filter.orElse(null));
+      Bubblewrap found = new Bubblewrap(program, required, groups, filter.orElse(null));
       if (required && !found.bindsMemory()) {
         throw new SandboxMissingException(
             "the memory of components cannot be bounded: "
@@ -189,8 +188,7 @@ final class Bubblewrap implements Sandbox {
     if (user >= 0) {
       command.addAll(Rights.become(user));
     }
-    command.addAll(Rights.environment(confinement.environment()));
-    command.addAll(confinement.command());
+    command.addAll(Rights.with(confinement.environment(), confinement.command()));
     return command;
   }
 

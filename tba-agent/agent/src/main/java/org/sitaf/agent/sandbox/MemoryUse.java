@@ -20,7 +20,8 @@ import java.util.stream.Stream;
  */
 final class MemoryUse {
   private static final Path PROC = Path.of("/proc");
-  private static final Set<String> COUNTED = Set.of("RssAnon", "RssShmem", "VmPTE", "HugetlbPages");
+  private static final Set<String> COUNTED = 
+      Set.of("RssAnon", "RssShmem", "VmSwap", "VmPTE", "HugetlbPages");
 
   /** Up to here a process has descriptors for its own purposes, with little in them. */
   private static final int FREE_DESCRIPTORS = 128;
@@ -29,6 +30,7 @@ final class MemoryUse {
   private static final long SOCKET_KIB = 208;
 
   private static final long PIPE_KIB = 64;
+  private static final long OTHER_KIB = 1;
 
   private MemoryUse() {}
 
@@ -71,7 +73,9 @@ final class MemoryUse {
       try {
         String target = Files.readSymbolicLink(process.resolve("fd").resolve(name)).toString();
         sum +=
-            target.startsWith("socket:") ? SOCKET_KIB : target.startsWith("pipe:") ? PIPE_KIB : 0;
+            target.startsWith("socket:")
+                ? SOCKET_KIB
+                : target.startsWith("pipe:") ? PIPE_KIB : OTHER_KIB;
       } catch (IOException e) {
         // Closed meanwhile.
       }

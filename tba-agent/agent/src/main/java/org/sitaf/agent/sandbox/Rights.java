@@ -70,15 +70,20 @@ final class Rights {
   }
 
   /**
-   * Variables that the command alone sees. Those before it, bubblewrap among them, have more rights
-   * and must not be made to load its libraries.
+   * A command with variables that it alone sees. Those before it, bubblewrap among them, have more
+   * rights and must not be made to load its libraries.
    */
-  static List<String> environment(Map<String, String> variables) {
+  static List<String> with(Map<String, String> variables, List<String> command) {
     if (variables.isEmpty()) {
-      return List.of();
+      return command;
     }
     List<String> words = new ArrayList<>(List.of("env", "--"));
     variables.forEach((name, value) -> words.add(name + "=" + value));
+    if (command.get(0).contains("=")) {
+      // Else it would be taken for a variable.
+      words.addAll(List.of("sh", "-c", "exec \"$@\"", "sh"));
+    }
+    words.addAll(command);
     return words;
   }
 
