@@ -108,7 +108,7 @@ final class MountPlan {
     return plan;
   }
 
-  /** Where programs write without being told where. */
+  /** Where programs write by default. */
   private void temporary(Confinement confinement, boolean inMemory) {
     for (String folder : List.of(TMP.toString(), "/dev/shm")) {
       if (inMemory) {
