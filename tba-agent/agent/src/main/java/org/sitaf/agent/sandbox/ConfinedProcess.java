@@ -76,7 +76,7 @@ public final class ConfinedProcess implements AutoCloseable {
         process,
         controlGroup,
         memoryMiB,
-        confined::breakOff,
+        () -> confined.breakOff(confined.memoryBroken()),
         () -> {
           controlGroup.remove();
           onEnd.run();
@@ -165,8 +165,8 @@ public final class ConfinedProcess implements AutoCloseable {
     destroy();
   }
 
-  private void breakOff() {
-    broken = memoryBroken();
+  private void breakOff(String limit) {
+    broken = limit;
     destroy();
   }
 
