@@ -120,7 +120,8 @@ if command -v bwrap >/dev/null; then
   fi
   if [ -n "$(own_group cpu)" ] || { [ -n "$unified" ] && [ "$(id -u)" -ne 0 ] && grep -qw cpu "$unified/cgroup.controllers"; }; then
     held "processors" "shared by control groups" ""
-  elif [ "$(cat /proc/sys/kernel/sched_autogroup_enabled 2>/dev/null)" = 1 ]; then
+  elif [ "$(cat /proc/sys/kernel/sched_autogroup_enabled 2>/dev/null)" = 1 ] &&
+    grep -qE '^([0-9]+:([^:]*,)?cpu(,[^:]*)?|0:):/$' /proc/self/cgroup; then
     held "processors" "shared by session" ""
   else
     held "processors" "NOT SHARED OUT" "a component can slow others down; $delegate"

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.agent.sandbox.cgroup.AutomaticGroups;
 import org.sitaf.agent.sandbox.cgroup.ControlGroup;
 import org.sitaf.agent.sandbox.cgroup.ControlGroups;
 import org.sitaf.agent.sandbox.seccomp.SystemCallFilter;
@@ -145,6 +146,9 @@ final class Bubblewrap implements Sandbox {
     }
     if (filter == null) {
       text.append(", SYSTEM CALLS ARE NOT FILTERED on ").append(System.getProperty("os.arch"));
+    }
+    if (!groups.shareProcessors() && (filter == null || !AutomaticGroups.shareProcessors())) {
+      text.append(", PROCESSORS ARE NOT SHARED OUT");
     }
     return text.toString();
   }

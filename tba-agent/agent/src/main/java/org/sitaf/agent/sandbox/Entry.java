@@ -20,7 +20,7 @@ final class Entry {
       filter=$1; shift
       while [ "$1" != -- ]; do echo 0 >"$1" || exit 126; shift; done
       shift
-      echo 500 >/proc/self/oom_score_adj
+      { echo 500 >/proc/self/oom_score_adj; } 2>/dev/null
       [ -z "$filter" ] || exec %d<"$filter"
       exec "$@"
       """

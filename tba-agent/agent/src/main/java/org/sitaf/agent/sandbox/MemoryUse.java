@@ -11,6 +11,7 @@ import java.util.Deque;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
@@ -31,6 +32,10 @@ final class MemoryUse {
 
   private static final long PIPE_KIB = 64;
   private static final long OTHER_KIB = 1;
+
+  /** Not every kernel lists the children of a thread; it is slower to ask all processes. */
+  private static final boolean LISTS_CHILDREN =
+      Files.exists(Path.of("/proc/self/task", Long.toString(ProcessHandle.current().pid()), "children"));
 
   private MemoryUse() {}
 
@@ -85,6 +90,11 @@ final class MemoryUse {
 
   /** Each thread has children of its own; orphans are those of the first process in there. */
   private static Set<Long> children(Path process) {
+    if (!LISTS_CHILDREN) {
+      return ProcessHandle.of(Long.parseLong(process.getFileName().toString()))
+          .map(handle -> handle.children().map(ProcessHandle::pid).collect(Collectors.toSet()))
+          .orElse(Set.of());
+    }
     Set<Long> children = new HashSet<>();
     try (DirectoryStream<Path> threads = Files.newDirectoryStream(process.resolve("task"))) {
       for (Path thread : threads) {

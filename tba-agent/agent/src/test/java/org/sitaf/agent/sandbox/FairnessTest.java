@@ -16,6 +16,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.sitaf.agent.sandbox.Escapes.Bound;
+import org.sitaf.agent.sandbox.cgroup.AutomaticGroups;
 
 /**
  * A component that burns all processors leaves another its share. What counts is the processor time
@@ -26,7 +27,6 @@ import org.sitaf.agent.sandbox.Escapes.Bound;
 class FairnessTest {
   private static final ProcessLimits LIMITS =
       new ProcessLimits(256, 600, 64, Duration.ofMinutes(5));
-  private static final Path AUTOGROUP = Path.of("/proc/sys/kernel/sched_autogroup_enabled");
 
   /** Of the time of the one that burns; an even share would be 1. */
   private static final double LEAST_SHARE = 0.34;
@@ -39,7 +39,7 @@ class FairnessTest {
     assumeTrue(
         bound == Bound.GROUPS
             ? bound.groups().shareProcessors()
-            : Files.exists(AUTOGROUP) && Files.readString(AUTOGROUP).strip().equals("1"),
+            : AutomaticGroups.shareProcessors(),
         "skipped: nothing shares the processors out here");
     String program = Escapes.compiled("burn", folder).toString();
     int processors = Runtime.getRuntime().availableProcessors();

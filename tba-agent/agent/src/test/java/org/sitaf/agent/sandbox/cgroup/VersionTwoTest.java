@@ -150,4 +150,12 @@ class VersionTwoTest {
         .containsEntry("cpu", Path.of("/sys/fs/cgroup/cpu,cpuacct/a"))
         .containsEntry("memory", Path.of("/sys/fs/cgroup/memory/c"));
   }
+
+  @Test
+  void sessionsShareNothingInAGroupThatDoes() {
+    assertThat(AutomaticGroups.isInNoGroupFor("cpu", List.of("1:cpu,cpuacct:/", "0::/a"))).isTrue();
+    assertThat(AutomaticGroups.isInNoGroupFor("cpu", List.of("1:cpu:/a", "0::/"))).isFalse();
+    assertThat(AutomaticGroups.isInNoGroupFor("cpu", List.of("0::/"))).isTrue();
+    assertThat(AutomaticGroups.isInNoGroupFor("cpu", List.of("0::/user.slice"))).isFalse();
+  }
 }
