@@ -42,10 +42,7 @@ final class Bubblewrap implements Sandbox {
   private final boolean disablesNamespaces;
 
   private Bubblewrap(
-      Path program,
-      boolean required,
-      ControlGroups groups,
-      @Nullable SystemCallFilter filter)
+      Path program, boolean required, ControlGroups groups, @Nullable SystemCallFilter filter)
       throws IOException {
     this.program = program;
     this.version = probe(List.of(program.toString(), "--version")).strip();

@@ -21,7 +21,7 @@ import java.util.stream.Stream;
  */
 final class MemoryUse {
   private static final Path PROC = Path.of("/proc");
-  private static final Set<String> COUNTED = 
+  private static final Set<String> COUNTED =
       Set.of("RssAnon", "RssShmem", "VmSwap", "VmPTE", "HugetlbPages");
 
   /** Up to here a process has descriptors for its own purposes, with little in them. */
@@ -35,7 +35,8 @@ final class MemoryUse {
 
   /** Not every kernel lists the children of a thread; it is slower to ask all processes. */
   private static final boolean LISTS_CHILDREN =
-      Files.exists(Path.of("/proc/self/task", Long.toString(ProcessHandle.current().pid()), "children"));
+      Files.exists(
+          Path.of("/proc/self/task", Long.toString(ProcessHandle.current().pid()), "children"));
 
   private MemoryUse() {}
 

@@ -25,15 +25,13 @@ import org.sitaf.agent.sandbox.cgroup.ControlGroups;
 @Tag("slow")
 @Timeout(60)
 class ControlGroupsTest {
-  private static final ProcessLimits LIMITS =
-      new ProcessLimits(256, 32, 64, Duration.ofMinutes(1));
+  private static final ProcessLimits LIMITS = new ProcessLimits(256, 32, 64, Duration.ofMinutes(1));
 
   @TempDir Path folder;
 
   private static List<Path> groupsOf(long process) throws Exception {
     ControlGroups groups = ControlGroups.ofThisMachine();
-    ControlGroup any =
-        groups.make(new org.sitaf.agent.sandbox.cgroup.GroupLimits(64 << 20, 8));
+    ControlGroup any = groups.make(new org.sitaf.agent.sandbox.cgroup.GroupLimits(64 << 20, 8));
     List<Path> found = new ArrayList<>();
     for (Path entrance : any.entrances()) {
       try (Stream<Path> siblings = Files.list(entrance.getParent().getParent())) {
@@ -68,9 +66,7 @@ class ControlGroupsTest {
   @Test
   void oneThatIsKilledLeavesNothingEither() throws Exception {
     ConfinedProcess process =
-        Bound.GROUPS
-            .sandbox()
-            .start(Escapes.confinement(folder, LIMITS, List.of("sleep", "100")));
+        Bound.GROUPS.sandbox().start(Escapes.confinement(folder, LIMITS, List.of("sleep", "100")));
     process.kill();
     process.close();
 

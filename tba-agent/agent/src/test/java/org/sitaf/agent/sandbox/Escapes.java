@@ -38,8 +38,7 @@ final class Escapes {
 
     Sandbox sandbox() throws IOException {
       ControlGroups groups = groups();
-      assumeTrue(
-          this == WATCH || groups.bindMemory(), () -> "skipped: " + groups.description());
+      assumeTrue(this == WATCH || groups.bindMemory(), () -> "skipped: " + groups.description());
       try {
         return Bubblewrap.find(true, groups, true);
       } catch (SandboxMissingException e) {

@@ -34,7 +34,12 @@ class FairnessTest {
   @TempDir Path folder;
 
   @ParameterizedTest(name = "{0} {1} {2}")
-  @CsvSource({"GROUPS,threads,512", "GROUPS,processes,400", "WATCH,threads,512", "WATCH,processes,100"})
+  @CsvSource({
+    "GROUPS,threads,512",
+    "GROUPS,processes,400",
+    "WATCH,threads,512",
+    "WATCH,processes,100"
+  })
   void anotherHasItsShare(Bound bound, String kind, String number) throws Exception {
     assumeTrue(
         bound == Bound.GROUPS

@@ -104,7 +104,6 @@ class MemoryLimitsTest {
     List<String> command = new ArrayList<>(List.of(program.toString()));
     command.addAll(List.of(way));
     return Escapes.run(
-        bound.sandbox(),
-        Escapes.confinement(folder, LIMITS, command).reading(List.of(program)));
+        bound.sandbox(), Escapes.confinement(folder, LIMITS, command).reading(List.of(program)));
   }
 }

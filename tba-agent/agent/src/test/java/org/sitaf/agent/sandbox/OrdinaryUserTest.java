@@ -36,7 +36,8 @@ class OrdinaryUserTest {
     Files.setPosixFilePermissions(programs, PosixFilePermissions.fromString("rwxr-xr-x"));
     Files.setAttribute(folder, "unix:uid", USER);
     assumeTrue(
-        ended(List.of("test", "-r", SandboxProgram.folderOf(Sandbox.class).toString())).endsWith("0"),
+        ended(List.of("test", "-r", SandboxProgram.folderOf(Sandbox.class).toString()))
+            .endsWith("0"),
         "skipped: the classes are not readable for others");
     assumeTrue(
         ended(List.of("bwrap", "--unshare-user", "--ro-bind", "/", "/", "true")).endsWith("0"),
@@ -58,7 +59,10 @@ class OrdinaryUserTest {
             List.of("setpriv", "--reuid=" + USER, "--regid=" + USER, "--clear-groups", "--"));
     words.addAll(command);
     Process process =
-        new ProcessBuilder(words).directory(new java.io.File("/")).redirectErrorStream(true).start();
+        new ProcessBuilder(words)
+            .directory(new java.io.File("/"))
+            .redirectErrorStream(true)
+            .start();
     String said = new String(process.getInputStream().readAllBytes());
     return said + process.waitFor();
   }
@@ -105,7 +109,8 @@ class OrdinaryUserTest {
     String said = confined(Escapes.compiled("calls", programs).toString());
 
     assertThat(said)
-        .contains("\nclone:user 1\n", "\nunshare 1\n", "\nio_uring_setup 38\n", "\nuserfaultfd 38\n")
+        .contains(
+            "\nclone:user 1\n", "\nunshare 1\n", "\nio_uring_setup 38\n", "\nuserfaultfd 38\n")
         .contains("\nclone3 38\n", "\nclone:plain ok\n", "\nthread ok\n")
         .contains("ended 0 within its limits");
   }

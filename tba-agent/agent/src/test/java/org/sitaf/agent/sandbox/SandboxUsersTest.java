@@ -40,9 +40,7 @@ class SandboxUsersTest {
         new ProcessBuilder(
                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                 "-cp",
-                SandboxProgram.folderOf(Sandbox.class)
-                    + ":"
-                    + SandboxProgram.folderOf(Claim.class),
+                SandboxProgram.folderOf(Sandbox.class) + ":" + SandboxProgram.folderOf(Claim.class),
                 Claim.class.getName(),
                 claims.toString())
             .redirectErrorStream(true)

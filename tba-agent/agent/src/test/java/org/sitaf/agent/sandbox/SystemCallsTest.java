@@ -53,8 +53,7 @@ class SystemCallsTest {
   }
 
   private End run(Bound bound, List<String> command) throws Exception {
-    return Escapes.run(
-        bound.sandbox(), Escapes.confinement(folder, ProcessLimits.TOOL, command));
+    return Escapes.run(bound.sandbox(), Escapes.confinement(folder, ProcessLimits.TOOL, command));
   }
 
   @ParameterizedTest(name = "{0}")
@@ -87,7 +86,8 @@ class SystemCallsTest {
 
   @Test
   void theFilterIsOnEveryThreadAndForGood() throws Exception {
-    End end = run(Bound.WATCH, List.of("grep", "-E", "^(Seccomp|NoNewPrivs):", "/proc/self/status"));
+    End end =
+        run(Bound.WATCH, List.of("grep", "-E", "^(Seccomp|NoNewPrivs):", "/proc/self/status"));
 
     assertThat(end.output()).isEqualTo("NoNewPrivs:\t1\nSeccomp:\t2\n");
   }

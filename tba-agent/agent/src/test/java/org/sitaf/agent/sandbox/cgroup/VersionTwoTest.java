@@ -60,8 +60,7 @@ class VersionTwoTest {
   void aSecondAgentThereUsesTheSameSubtree() throws IOException {
     FakeGroupFiles files = new FakeGroupFiles(folder, "memory pids");
     assertThat(VersionTwo.in(files, folder, Owner.thisProcess())).isPresent();
-    Hierarchies moved =
-        new Hierarchies(Optional.of(folder.resolve(VersionTwo.SELF)), Map.of());
+    Hierarchies moved = new Hierarchies(Optional.of(folder.resolve(VersionTwo.SELF)), Map.of());
 
     assertThat(VersionTwo.find(files, moved, Owner.thisProcess())).isPresent();
   }
@@ -142,7 +141,8 @@ class VersionTwoTest {
             List.of(
                 "30 20 0:26 / /sys/fs/cgroup/unified rw - cgroup2 cgroup2 rw",
                 "31 20 0:27 / /sys/fs/cgroup/cpu,cpuacct rw - cgroup cgroup rw,cpu,cpuacct",
-                "32 20 0:28 /docker/b /sys/fs/cgroup/memory rw shared:1 - cgroup cgroup rw,memory"));
+                "32 20 0:28 /docker/b /sys/fs/cgroup/memory rw shared:1 - cgroup cgroup"
+                    + " rw,memory"));
 
     assertThat(hierarchies.unified())
         .contains(Path.of("/sys/fs/cgroup/unified/system.slice/x.service"));
