@@ -32,12 +32,14 @@ final class HarnessProcess implements AutoCloseable {
   private static final int CPU_FACTOR = 4;
 
   private final ConfinedProcess process;
+  private final Written written;
   private final LastWords lastWords = new LastWords();
   private final Answer heard = new Answer();
   private final List<Thread> pumps;
 
-  private HarnessProcess(ConfinedProcess process, OutputSink sink) {
+  private HarnessProcess(ConfinedProcess process, Written written, OutputSink sink) {
     this.process = process;
+    this.written = written;
     this.pumps =
         List.of(
             pump(
@@ -113,7 +115,10 @@ final class HarnessProcess implements AutoCloseable {
     if (heldBack) {
       confinement = confinement.heldBackUntilLetGo();
     }
-    return new HarnessProcess(request.sandbox().start(confinement), sink);
+    return new HarnessProcess(
+        request.sandbox().start(confinement),
+        new Written(working, temporary, coverage, recording),
+        sink);
   }
 
   /** All cases may use their wall-clock time to the end. */
@@ -184,6 +189,7 @@ final class HarnessProcess implements AutoCloseable {
     for (Thread pump : pumps) {
       pump.join(OUTPUT_GRACE.toMillis());
     }
+    written.makeRoom(process.brokenLimit().isPresent());
     return new ProcessEnd(process.exitCode(), process.brokenLimit().orElse(""), lastWords.get());
   }
 

@@ -46,13 +46,18 @@ public final class ConfinedProcess implements AutoCloseable {
     environment.putAll(confinement.environment());
     ProcessGroup group = new ProcessGroup(ProcessGroup.markOf(confinement.working()));
     environment.put(ProcessGroup.VARIABLE, group.mark());
+    DiskWatch disk = DiskWatch.of(confinement);
     Process process = builder.start();
     if (!confinement.heldBack()) {
       process.getOutputStream().close();
     }
     ConfinedProcess confined = new ConfinedProcess(process, group, generations);
     int memoryMiB = confinement.limits().memoryMiB();
-    MemoryWatch.over(process, memoryMiB, () -> confined.breakOff(memoryMiB));
+    MemoryWatch.over(
+        process,
+        memoryMiB,
+        () -> confined.breakOff("it used more than " + memoryMiB + " MiB of memory"));
+    disk.over(process, confined::breakOff);
     return confined;
   }
 
@@ -127,8 +132,8 @@ public final class ConfinedProcess implements AutoCloseable {
     destroy();
   }
 
-  private void breakOff(int memoryMiB) {
-    broken = "it used more than " + memoryMiB + " MiB of memory";
+  private void breakOff(String limit) {
+    broken = limit;
     destroy();
   }
 
