@@ -5,6 +5,7 @@ import java.net.InetAddress;
 import java.net.URISyntaxException;
 import java.net.UnknownHostException;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -90,6 +91,15 @@ public final class AgentMain implements Callable<Integer> {
       description =
           "Takes no new build while less is free on the disk of --directory; default ${DEFAULT-VALUE}.")
   private long minFreeMib;
+
+  @Option(
+      names = "--longest-build-min",
+      paramLabel = "MINUTES",
+      defaultValue = "720",
+      description =
+          "The cases of a build take no longer than this together, whatever limits its activity"
+              + " sets; default ${DEFAULT-VALUE}.")
+  private long longestBuildMin;
 
   @Option(
       names = "--bridge-command",
@@ -221,7 +231,8 @@ public final class AgentMain implements Callable<Integer> {
         sandbox,
         !noCoverage,
         Set.copyOf(labels),
-        minFreeMib << 20);
+        minFreeMib << 20,
+        Duration.ofMinutes(longestBuildMin));
   }
 
   /**

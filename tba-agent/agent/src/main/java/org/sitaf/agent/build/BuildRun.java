@@ -42,7 +42,7 @@ import org.sitaf.core.verdict.TestResult;
 
 /**
  * One build of a test application, without any server: its outcome is the same in an agent and in a
- * person's shell. Runs once, on the thread that calls {@link #run()}.
+ * person's shell. Runs once, in a thread of its own for which {@link #run()} waits.
  */
 public final class BuildRun {
   private static final System.Logger LOGGER = System.getLogger("org.sitaf.agent");
@@ -69,6 +69,9 @@ public final class BuildRun {
   /** The log's file in a build's folder. */
   public static final String LOG = "build.log";
 
+  /** The folder in a build's folder that test applications write to; may be there already. */
+  public static final String WRITTEN = "execution";
+
   /** Ends the build soon, in whatever stage it is; from any thread, also before it begins. */
   public void cancel(String reason) {
     cancellation.request(reason);
@@ -78,6 +81,17 @@ public final class BuildRun {
    * Goes through the stages and says how it ended; no failure of a stage leaves as an exception.
    */
   public BuildOutcome run() {
+    return new BuildThread(cancellation, this::work).run(limit().all());
+  }
+
+  private TimeLimit limit() {
+    return TimeLimit.of(
+        application.suite().cases().size(),
+        application.activity().profile().limits(),
+        settings.atMost());
+  }
+
+  private BuildOutcome work() {
     try {
       Files.createDirectories(directory);
       try (BuildLog log = new BuildLog(directory.resolve(LOG), listener)) {
@@ -228,12 +242,13 @@ public final class BuildRun {
   }
 
   private ParallelExecutor executor() {
-    return new ParallelExecutor(TestApplicationExecutor.DEFAULT, sessions());
+    return new ParallelExecutor(
+        TestApplicationExecutor.DEFAULT.within(limit().cases()), sessions());
   }
 
   private ExecutionRequest request(CompiledApplication compiled, Prepared prepared)
       throws IOException {
-    Path execution = Files.createDirectories(directory.resolve("execution"));
+    Path execution = Files.createDirectories(directory.resolve(WRITTEN));
     return new ExecutionRequest(
         compiled,
         settings.sandbox(),
@@ -294,8 +309,9 @@ public final class BuildRun {
     }
     try {
       return compiled.coverage(request.coverage()).map(result::with).orElse(result);
-    } catch (IOException | IllegalArgumentException e) {
-      log.remark("the coverage of the component is not known: " + e.getMessage());
+    } catch (IOException | RuntimeException | StackOverflowError | OutOfMemoryError e) {
+      // A component may write there as well, and what it wrote must not cost the verdicts.
+      log.conclude("the coverage of the component is not known: " + e);
       return result;
     }
   }
@@ -346,12 +362,12 @@ public final class BuildRun {
 
   private static void remarkOn(BuildOutcome outcome, BuildLog log) {
     if (outcome instanceof BuildOutcome.CompilationFailed failed) {
-      failed.diagnostics().forEach(diagnostic -> log.remark(diagnostic.toString()));
-      log.remark(failed.message());
+      failed.diagnostics().forEach(diagnostic -> log.conclude(diagnostic.toString()));
+      log.conclude(failed.message());
     } else if (outcome instanceof BuildOutcome.InfrastructureFailed failed) {
-      log.remark(failed.message());
+      log.conclude(failed.message());
     } else if (outcome instanceof BuildOutcome.Cancelled cancelled) {
-      log.remark("cancelled: " + cancelled.reason());
+      log.conclude("cancelled: " + cancelled.reason());
     }
   }
 }

@@ -16,11 +16,12 @@ import org.sitaf.core.verdict.CaseResult;
  * @param startUp what a process may take until it is ready for its first case
  * @param crashesInARow after so many processes that ended in their first case the rest is not
  *     executed
+ * @param atMost what all cases together may take; the rest is not executed then
  */
-public record TestApplicationExecutor(Duration startUp, int crashesInARow) {
-  /** What agents use. */
+public record TestApplicationExecutor(Duration startUp, int crashesInARow, Duration atMost) {
+  /** What agents use, without a limit for all cases together. */
   public static final TestApplicationExecutor DEFAULT =
-      new TestApplicationExecutor(Duration.ofSeconds(30), 20);
+      new TestApplicationExecutor(Duration.ofSeconds(30), 20, Duration.ofDays(1000));
 
   private static final Duration POLL = Duration.ofMillis(10);
   private static final Duration EXIT_GRACE = Duration.ofSeconds(2);
@@ -29,9 +30,15 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow) {
 
   public TestApplicationExecutor {
     Objects.requireNonNull(startUp);
+    Objects.requireNonNull(atMost);
     if (crashesInARow < 1) {
       throw new IllegalArgumentException("crashesInARow must be at least 1");
     }
+  }
+
+  /** With a limit for all cases together. */
+  public TestApplicationExecutor within(Duration limit) {
+    return new TestApplicationExecutor(startUp, crashesInARow, limit);
   }
 
   /**
@@ -64,7 +71,8 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow) {
   private enum Follow {
     ENDED,
     NO_ANSWER,
-    NOT_READY
+    NOT_READY,
+    OUT_OF_TIME
   }
 
   /** What is known from one process to the next. */
@@ -73,6 +81,7 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow) {
     private final ResultsFile results;
     private final CaseProgress progress;
     private final OutputSink sink;
+    private final long end = System.nanoTime() + atMost.toNanos();
     private int barrenProcesses;
     private int simulatorRestarts;
     private int failedStarts;
@@ -118,8 +127,12 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow) {
         if (progress.isComplete()) {
           return "";
         }
-        // No case is at fault for what could not be written.
-        FreeSpace.ofBuild(request.directory()).require();
+        if (how == Follow.OUT_OF_TIME) {
+          return "all cases together took longer than " + seconds(atMost);
+        }
+        // No case is at fault for what could not be written; what a component may write has a
+        // limit of its own.
+        FreeSpace.ofBuild(request.files()).require();
         barrenProcesses = progress.count() == before ? barrenProcesses + 1 : 0;
         if (end.cannotGoOn()) {
           return cannotGoOn(end, target);
@@ -195,6 +208,9 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow) {
         }
         if (System.nanoTime() - deadline > 0) {
           return ready ? Follow.NO_ANSWER : Follow.NOT_READY;
+        }
+        if (System.nanoTime() - end > 0) {
+          return Follow.OUT_OF_TIME;
         }
       }
     }

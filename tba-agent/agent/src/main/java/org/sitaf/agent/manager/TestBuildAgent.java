@@ -8,12 +8,15 @@ import io.grpc.netty.shaded.io.netty.channel.epoll.EpollChannelOption;
 import java.io.IOException;
 import java.time.Duration;
 import java.util.function.Consumer;
+import org.sitaf.agent.build.BuildRun;
 import org.sitaf.agent.build.BuildSettings;
+import org.sitaf.agent.sandbox.DiskLimits;
 import org.sitaf.agent.sandbox.ProcessGroup;
 import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.agent.simulation.Simulator;
 import org.sitaf.agent.spool.AgentDirectory;
 import org.sitaf.agent.spool.FreeSpace;
+import org.sitaf.agent.spool.Trash;
 import org.sitaf.agent.toolchain.Toolchains;
 import org.sitaf.agent.v1.Register;
 import org.sitaf.agent.v1.Registered;
@@ -31,6 +34,11 @@ public final class TestBuildAgent implements AutoCloseable {
   private static final Duration UNACKNOWLEDGED = Duration.ofSeconds(20);
   private static final Duration STOP = Duration.ofSeconds(5);
 
+  /** So that who exceeds a limit is seen to do so before its file system is full. */
+  private static final int BEYOND_MIB = 64;
+
+  private static final int BEYOND_FILES = 4000;
+
   private final AgentSettings settings;
   private final Toolchains toolchains;
   private final Consumer<String> onRegistered;
@@ -40,6 +48,7 @@ public final class TestBuildAgent implements AutoCloseable {
   private final ManagedChannel channel;
   private final ResultUpload upload;
   private final FreeSpace disk;
+  private final Trash trash;
   private final Attempts attempts;
   private final ServerConnection connection;
 
@@ -71,16 +80,22 @@ public final class TestBuildAgent implements AutoCloseable {
     this.upload = new ResultUpload(directory.spool(), calls);
     BuildSettings builds =
         new BuildSettings(
-            simulator,
-            toolchains,
-            sandbox,
-            settings.coverage(),
-            settings.name() + " " + settings.version());
+                simulator,
+                toolchains,
+                sandbox,
+                settings.coverage(),
+                settings.name() + " " + settings.version())
+            .within(settings.longestBuild());
     this.disk = new FreeSpace(directory.path(), settings.minFreeBytes());
+    this.trash = directory.trash();
     this.attempts =
         new Attempts(
             settings.slots(),
-            directory.emptiedBuilds(),
+            directory.builds(
+                trash,
+                BuildRun.WRITTEN,
+                DiskLimits.COMPONENT.mebibytes() + BEYOND_MIB,
+                DiskLimits.COMPONENT.files() + BEYOND_FILES),
             builds,
             calls,
             directory.fileCache(),
@@ -170,6 +185,7 @@ public final class TestBuildAgent implements AutoCloseable {
     orElseLogged(connection::close);
     orElseLogged(channel::shutdownNow);
     orElseLogged(simulator::close);
+    orElseLogged(trash::close);
     try {
       directory.close();
     } catch (IOException e) {
