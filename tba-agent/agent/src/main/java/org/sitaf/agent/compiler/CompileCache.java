@@ -3,6 +3,7 @@ package org.sitaf.agent.compiler;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.attribute.FileTime;
@@ -23,6 +24,8 @@ import org.sitaf.agent.spool.SharedCache;
 record CompileCache(SharedCache shared, long limitBytes) {
   private static final Pattern KEY = Pattern.compile("[0-9a-f]{64}");
   private static final int MOST_ENTRIES = 500;
+  private static final int DEEPEST = 60;
+  private static final int MOST_FILES = 100_000;
 
   /** Copies what was compiled into an empty folder; false where the key is not known. */
   boolean restore(String key, Path output) throws IOException {
@@ -48,6 +51,9 @@ record CompileCache(SharedCache shared, long limitBytes) {
     try (SharedCache.Draft draft = shared.draft()) {
       copy(output, draft.folder());
       draft.addAs(key);
+    } catch (OddFileException | UncheckedIOException e) {
+      // Whoever made its compiler leave that has it compiled again each time.
+      return;
     }
     shrink();
   }
@@ -94,16 +100,36 @@ record CompileCache(SharedCache shared, long limitBytes) {
     }
   }
 
+  /**
+   * Copies what compilers of other people's code wrote: regular files, and links to such in the
+   * same folder.
+   */
   private static void copy(Path from, Path to) throws IOException {
-    try (Stream<Path> files = Files.walk(from)) {
-      for (Path file : files.toList()) {
-        Path target = to.resolve(from.relativize(file).toString());
-        if (Files.isDirectory(file)) {
+    Path root = from.toRealPath();
+    int count = 0;
+    try (Stream<Path> files = Files.walk(from, DEEPEST)) {
+      for (Path file : (Iterable<Path>) files::iterator) {
+        Path inside = from.relativize(file);
+        Path target = to.resolve(inside.toString());
+        if (++count > MOST_FILES || inside.getNameCount() == DEEPEST) {
+          throw new OddFileException(inside + " is one file too many, or too deep");
+        } else if (Files.isDirectory(file, LinkOption.NOFOLLOW_LINKS)) {
           Files.createDirectories(target);
-        } else {
+        } else if (Files.isRegularFile(file) && file.toRealPath().startsWith(root)) {
           Files.copy(file, target, StandardCopyOption.COPY_ATTRIBUTES);
+        } else {
+          throw new OddFileException(inside + " is neither a folder nor a regular file");
         }
       }
+    }
+  }
+
+  /** What no compiler writes. */
+  private static final class OddFileException extends IOException {
+    private static final long serialVersionUID = 1L;
+
+    OddFileException(String message) {
+      super(message);
     }
   }
 

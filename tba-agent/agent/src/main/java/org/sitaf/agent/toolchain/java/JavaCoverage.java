@@ -1,20 +1,18 @@
 package org.sitaf.agent.toolchain.java;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.TreeSet;
-import java.util.stream.Stream;
 import org.jacoco.core.analysis.Analyzer;
 import org.jacoco.core.analysis.CoverageBuilder;
 import org.jacoco.core.analysis.ICounter;
 import org.jacoco.core.analysis.ILine;
 import org.jacoco.core.analysis.ISourceFileCoverage;
-import org.jacoco.core.tools.ExecFileLoader;
+import org.sitaf.agent.spool.LeftFiles;
 import org.sitaf.core.activity.ActivityProfile.Component;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.harness.TestApplication;
@@ -30,6 +28,9 @@ import org.sitaf.core.verdict.Coverage;
  */
 record JavaCoverage(Path recorder, Path classes, String folder, FileTree sources) {
   private static final String DATA = "jacoco.exec";
+  private static final String CLASS = ".class";
+  private static final int MOST_FILES = 20_000;
+  private static final int MOST_BYTES = 32 << 20;
 
   /** Empty where the component has no sources. */
   static Optional<JavaCoverage> of(TestApplication application, Path recorder, Path classes) {
@@ -78,24 +79,18 @@ record JavaCoverage(Path recorder, Path classes, String folder, FileTree sources
    * @param data holds a folder a process
    */
   Coverage read(Path data) throws IOException {
-    ExecFileLoader loader = new ExecFileLoader();
-    try (Stream<Path> files = Files.walk(data)) {
-      for (Path file : files.filter(path -> path.endsWith(DATA)).sorted().toList()) {
-        try {
-          loader.load(file.toFile());
-        } catch (IOException e) {
-          // A process that was killed may leave half a record behind; what others saw still counts.
-        }
-      }
+    ExecutionRecord record =
+        new ExecutionRecord(name -> recorded().stream().anyMatch(p -> matches(p, name)));
+    for (Path file : LeftFiles.in(data, path -> path.endsWith(DATA), MOST_FILES)) {
+      record.add(LeftFiles.read(file, MOST_BYTES));
     }
     CoverageBuilder builder = new CoverageBuilder();
-    Analyzer analyzer = new Analyzer(loader.getExecutionDataStore(), builder);
-    try (Stream<Path> files = Files.walk(classes)) {
-      for (Path file : files.filter(path -> path.toString().endsWith(".class")).sorted().toList()) {
-        String path = classes.relativize(file).toString();
-        if (recorded().stream().anyMatch(pattern -> matches(pattern, path))) {
-          analyzer.analyzeClass(Files.readAllBytes(file), path);
-        }
+    Analyzer analyzer = new Analyzer(record.store(), builder);
+    for (Path file : LeftFiles.in(classes, path -> path.toString().endsWith(CLASS), MOST_FILES)) {
+      String path = classes.relativize(file).toString();
+      String name = path.substring(0, path.length() - CLASS.length());
+      if (recorded().stream().anyMatch(pattern -> matches(pattern, name))) {
+        analyzer.analyzeClass(LeftFiles.read(file, MOST_BYTES), path);
       }
     }
     TreeMap<String, Coverage.File> found = new TreeMap<>();
@@ -111,8 +106,9 @@ record JavaCoverage(Path recorder, Path classes, String folder, FileTree sources
     return new Coverage(List.copyOf(found.values()));
   }
 
-  private static boolean matches(String pattern, String classFile) {
-    String name = classFile.substring(0, classFile.length() - ".class".length()).replace('/', '.');
+  /** The name of a class is that of its file, without the suffix. */
+  private static boolean matches(String pattern, String path) {
+    String name = path.replace('/', '.');
     return pattern.endsWith("*")
         ? name.startsWith(pattern.substring(0, pattern.length() - 1))
         : name.equals(pattern);
