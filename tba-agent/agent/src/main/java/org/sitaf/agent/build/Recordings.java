@@ -151,7 +151,7 @@ final class Recordings implements AutoCloseable {
     return true;
   }
 
-  /** False when it is not there yet. Whoever writes it writes on, wherever it lies. */
+  /** False when it is not there yet. Who writes it writes on, wherever it lies. */
   private boolean move(String name, Path to) throws IOException {
     Path file = from.resolve(name);
     if (!Files.exists(file, LinkOption.NOFOLLOW_LINKS)) {

@@ -52,7 +52,7 @@ record CompileCache(SharedCache shared, long limitBytes) {
       copy(output, draft.folder());
       draft.addAs(key);
     } catch (OddFileException | UncheckedIOException e) {
-      // Whoever made its compiler leave that has it compiled again each time.
+      // Who made the compiler leave that has it compiled again each time.
       return;
     }
     shrink();

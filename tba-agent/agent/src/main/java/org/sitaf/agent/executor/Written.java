@@ -44,7 +44,7 @@ record Written(Path working, Path temporary, @Nullable Path coverage, @Nullable 
         Folders.delete(path);
       }
     } catch (IOException | DirectoryIteratorException e) {
-      // Its rights may be lacking; whoever needs it makes it again.
+      // Its rights may be lacking; who needs it makes it again.
       replace(folder);
     }
   }

@@ -55,7 +55,7 @@ final class DiskWatch {
   /**
    * Watches until the process ends.
    *
-   * @param onExcess is told which limit it broke
+   * @param onExcess receives which limit it broke
    */
   void over(Process process, Consumer<String> onExcess) {
     Thread thread = new Thread(() -> watch(process, onExcess), "sitaf-disk");

@@ -102,7 +102,7 @@ public final class BuildFolders {
     }
   }
 
-  /** At once, whoever still has a file there open; it goes with the last of them. */
+  /** At once, whether or not a file there is still open; it goes with the last of them. */
   private static void unmountAllBelow(Path folder) throws IOException {
     List<String> points = new ArrayList<>();
     if (!Files.isReadable(MOUNTS)) {
