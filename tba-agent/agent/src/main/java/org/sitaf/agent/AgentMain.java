@@ -126,6 +126,15 @@ public final class AgentMain implements Callable<Integer> {
   private SandboxMode sandbox = SandboxMode.AUTO;
 
   @Option(
+      names = "--annotation-processor-path",
+      paramLabel = "JARS",
+      split = ":",
+      description =
+          "Jars of the annotation processors and plugins that may run when Java components are"
+              + " compiled, joined by colons; default none, whatever the component's jars ask for.")
+  private List<Path> annotationProcessors = List.of();
+
+  @Option(
       names = "--no-coverage",
       description = "Builds do not record which lines of the component they reach.")
   private boolean noCoverage;
@@ -154,7 +163,9 @@ public final class AgentMain implements Callable<Integer> {
     Toolchains toolchains =
         new Toolchains(
             new ToolchainPlaces(
-                runtimes != null ? runtimes : folderOfJar(), directory.resolve("cache")));
+                runtimes != null ? runtimes : folderOfJar(),
+                directory.resolve("cache"),
+                annotationProcessors));
     CountDownLatch stop = new CountDownLatch(1);
     CountDownLatch stopped = new CountDownLatch(1);
     AtomicBoolean told = new AtomicBoolean();

@@ -19,6 +19,7 @@ import org.sitaf.agent.v1.Register;
 import org.sitaf.agent.v1.Registered;
 import org.sitaf.agent.v1.ServerMessage;
 import org.sitaf.agent.v1.Toolchain;
+import org.sitaf.core.activity.ActivityProfile.Language;
 
 /** A test build agent at work, from its start to {@link #close()}. */
 public final class TestBuildAgent implements AutoCloseable {
@@ -91,6 +92,7 @@ public final class TestBuildAgent implements AutoCloseable {
         new ServerConnection(
             channel, key, this::registration, attempts::refs, disk::whyFull, new FromServer());
     connection.start();
+    toolchains.startAhead(Language.JAVA, sandbox);
   }
 
   private static ManagedChannel channelTo(String server, ServerAccess access) throws IOException {
@@ -169,6 +171,7 @@ public final class TestBuildAgent implements AutoCloseable {
     orElseLogged(upload::close);
     orElseLogged(connection::close);
     orElseLogged(channel::shutdownNow);
+    orElseLogged(toolchains::stop);
     orElseLogged(simulator::close);
     try {
       directory.close();

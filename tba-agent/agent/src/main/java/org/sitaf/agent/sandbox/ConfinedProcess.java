@@ -65,6 +65,11 @@ public final class ConfinedProcess implements AutoCloseable {
     }
   }
 
+  /** The input of a process that was held back, for what is more than a line. */
+  public OutputStream input() {
+    return process.getOutputStream();
+  }
+
   public InputStream output() {
     return process.getInputStream();
   }

@@ -2,6 +2,7 @@ package org.sitaf.agent.toolchain;
 
 import java.io.IOException;
 import java.util.Optional;
+import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.core.activity.ActivityProfile.Language;
 
 /** A language that this machine can compile and run. Safe to use from several threads. */
@@ -16,6 +17,12 @@ public interface Toolchain {
    * What was compiled under another identity is never used.
    */
   String identity() throws IOException, InterruptedException;
+
+  /** Starts what the next compilation would wait for otherwise; nothing of a user's is in it. */
+  default void startAhead(Sandbox sandbox) throws IOException, InterruptedException {}
+
+  /** Ends what was started ahead. */
+  default void stop() {}
 
   /**
    * Compiles component, adapter and harness. Is not called when the same was compiled before; then
