@@ -60,6 +60,8 @@ final class LocalBuilds implements AutoCloseable {
    * Generates the test application, compiles and executes it; says on standard error how far it is.
    */
   BuildOutcome run(Activity activity, TestModel model, TestSuite suite) {
+    // Gets ready while the simulation starts.
+    settings.toolchains().startAhead(activity.profile().harness(), settings.sandbox());
     try (ProgressLine progress = new ProgressLine(System.err)) {
       progress.step(model.name() + ": generating the test application");
       TestApplication application =
@@ -96,6 +98,7 @@ final class LocalBuilds implements AutoCloseable {
   @Override
   public void close() {
     try (onExit) {
+      settings.toolchains().stop();
       settings.simulator().close();
       delete();
     }

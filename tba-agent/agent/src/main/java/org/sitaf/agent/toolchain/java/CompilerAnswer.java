@@ -1,9 +1,6 @@
 package org.sitaf.agent.toolchain.java;
 
 import java.io.IOException;
-import java.nio.file.FileAlreadyExistsException;
-import java.nio.file.Files;
-import java.nio.file.NotDirectoryException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -38,18 +35,12 @@ final class CompilerAnswer implements CompilerProcess.Answer {
     this.output = output;
   }
 
-  /** The agent cannot write a class because of what the activity holds. */
+  /** The agent cannot write a class; nothing of it is the compiler's fault. */
   static final class OutputException extends IOException {
     private static final long serialVersionUID = 1L;
-    private final transient CompilationException reason;
 
-    OutputException(CompilationException reason) {
-      super(reason);
-      this.reason = reason;
-    }
-
-    CompilationException reason() {
-      return reason;
+    OutputException(IOException cause) {
+      super("a class cannot be written: " + cause.getMessage(), cause);
     }
   }
 
@@ -71,8 +62,9 @@ final class CompilerAnswer implements CompilerProcess.Answer {
                 "the compiler gave up with " + text(message, 0) + "; simplify the sources",
                 List.of());
         case Wire.DONE -> {
+          int count = message.number(0);
           if (!errors.isEmpty()) {
-            throw failure(message.number(0));
+            throw failure(count);
           }
           return;
         }
@@ -87,12 +79,10 @@ final class CompilerAnswer implements CompilerProcess.Answer {
           "the sources compile to more than " + MOST_CLASSES + " classes", List.of());
     }
     requireClassFile(path);
-    Path file = output.resolve(path);
     try {
-      Files.createDirectories(file.getParent());
-      Files.write(file, content);
-    } catch (FileAlreadyExistsException | NotDirectoryException e) {
-      throw new OutputException(JavaToolchain.collision(path));
+      JavaToolchain.write(output, path, content);
+    } catch (IOException e) {
+      throw new OutputException(e);
     }
   }
 

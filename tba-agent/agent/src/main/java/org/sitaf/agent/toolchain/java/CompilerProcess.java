@@ -102,7 +102,7 @@ final class CompilerProcess implements AutoCloseable {
       input.flush();
       answer.read(messages);
     } catch (CompilerAnswer.OutputException e) {
-      throw e.reason();
+      throw e;
     } catch (IOException e) {
       throw explained(ready, e);
     }

@@ -25,6 +25,7 @@ final class CompilerProcesses {
   private final Path directory;
   private final AtomicLong count = new AtomicLong();
   private @Nullable CompilerProcess ahead;
+  private boolean stopped;
 
   /**
    * No compiler yet.
@@ -38,14 +39,19 @@ final class CompilerProcesses {
 
   /** Starts the compiler of the next compilation, unless there is one. */
   synchronized void startAhead(Sandbox sandbox) throws IOException, InterruptedException {
-    if (ahead == null || !ahead.isReadyIn(sandbox)) {
-      stop();
+    if (!stopped && (ahead == null || !ahead.isReadyIn(sandbox))) {
+      endAhead();
       ahead = start(sandbox);
     }
   }
 
-  /** Ends what was started ahead. */
+  /** Ends what was started ahead, and starts nothing ahead any more. */
   synchronized void stop() {
+    stopped = true;
+    endAhead();
+  }
+
+  private void endAhead() {
     if (ahead != null) {
       ahead.close();
       ahead = null;
@@ -54,10 +60,13 @@ final class CompilerProcesses {
 
   private synchronized CompilerProcess take(Sandbox sandbox)
       throws IOException, InterruptedException {
-    startAhead(sandbox);
     CompilerProcess taken = ahead;
+    if (taken == null || !taken.isReadyIn(sandbox)) {
+      endAhead();
+      taken = start(sandbox);
+    }
     ahead = null;
-    return java.util.Objects.requireNonNull(taken);
+    return taken;
   }
 
   private CompilerProcess start(Sandbox sandbox) throws IOException {

@@ -4,9 +4,9 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
-import java.nio.file.NotDirectoryException;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -233,26 +233,36 @@ public final class JavaToolchain implements Toolchain {
     return SourceDiagnostic.ofFile("activity/activity.yaml", message);
   }
 
-  static CompilationException collision(String path) {
-    return new CompilationException(
-        "the component's files do not fit together",
-        List.of(
-            inProfile(
-                path
-                    + ": a file of the component has the name of a folder that this needs; rename"
-                    + " the file")));
-  }
-
   private static void copyResources(TestApplication application, Path classes)
       throws CompilationException, IOException {
     for (Map.Entry<String, byte[]> entry : JavaSource.resources(application).entrySet()) {
-      try {
-        Path target = classes.resolve(entry.getKey());
-        Files.createDirectories(target.getParent());
-        Files.write(target, entry.getValue());
-      } catch (FileAlreadyExistsException | NotDirectoryException e) {
-        throw collision(entry.getKey());
+      write(classes, entry.getKey(), entry.getValue());
+    }
+  }
+
+  /** Writes a file of the application, whose folder may have the name of another file. */
+  static void write(Path classes, String path, byte[] content)
+      throws CompilationException, IOException {
+    Path file = classes.resolve(path);
+    try {
+      Files.createDirectories(file.getParent());
+      Files.write(file, content);
+    } catch (FileSystemException e) {
+      boolean isFolder = Files.isDirectory(file, LinkOption.NOFOLLOW_LINKS);
+      Path folder = file.getParent();
+      while (!isFolder && !Files.exists(folder, LinkOption.NOFOLLOW_LINKS)) {
+        folder = folder.getParent();
       }
+      if (isFolder || !Files.isDirectory(folder, LinkOption.NOFOLLOW_LINKS)) {
+        throw new CompilationException(
+            "the component's files do not fit together",
+            List.of(
+                inProfile(
+                    path
+                        + ": there is a file and a folder of one name; rename the component's"
+                        + " file")));
+      }
+      throw e;
     }
   }
 }

@@ -2,6 +2,7 @@ package org.sitaf.agent.toolchain.python;
 
 import java.io.IOException;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -27,6 +28,7 @@ import org.sitaf.core.verdict.Coverage;
 record PythonCoverage(
     Path python, List<Path> readable, Path copy, String sources, Path scratch, Sandbox sandbox) {
   private static final String DATA = "python.coverage";
+  private static final long LONGEST_REPORT_BYTES = 64L << 20;
   private static final Duration LIMIT = Duration.ofMinutes(1);
 
   PythonCoverage {
@@ -72,13 +74,22 @@ record PythonCoverage(
     String root = copy.getFileName() + "/";
     Coverage coverage =
         LcovReport.read(
-            Files.readString(work.resolve("report")), copy.getParent().toString(), root);
+            report(work.resolve("report")), copy.getParent().toString(), root);
     return new Coverage(
         coverage.files().stream()
             .map(
                 file ->
                     new Coverage.File(sources + file.path().substring(root.length()), file.lines()))
             .toList());
+  }
+
+  /** The component's packages run code as coverage.py starts, so that this may be anything. */
+  private static String report(Path file) throws IOException {
+    if (!Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS)
+        || Files.size(file) > LONGEST_REPORT_BYTES) {
+      throw new IOException("coverage lcov: it left no report");
+    }
+    return Files.readString(file);
   }
 
   private void run(Path work, List<String> arguments) throws IOException, InterruptedException {
