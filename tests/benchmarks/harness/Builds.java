@@ -98,6 +98,8 @@ record Builds(Simulator simulator, Toolchains toolchains, Sandbox sandbox, Path 
                   public void recorded(int no, Path recording) {}
                 })
             .run();
+    // As an agent does after each build.
+    toolchains.startAhead(activity.profile().harness(), sandbox);
     if (!(outcome instanceof BuildOutcome.Completed completed)) {
       throw new IllegalStateException(activityFolder + ": " + outcome);
     }

@@ -141,6 +141,7 @@ public final class HarnessBenchmark {
         }
       }
     } finally {
+      toolchains.stop();
       try (Stream<Path> files = Files.walk(directory)) {
         for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
           Files.delete(file);

@@ -8,8 +8,8 @@ import java.util.List;
  *
  * @param runtimes holds {@code runtime-java}, {@code runtime-cpp} and {@code runtime-python}
  * @param cache private to the agent, kept from build to build; created when it is needed
- * @param annotationProcessors jars of the annotation processors and plugins that Java's compiler may
- *     run; an administrator names them
+ * @param annotationProcessors jars of the annotation processors and plugins that Java's compiler
+ *     may run; an administrator names them
  */
 public record ToolchainPlaces(Path runtimes, Path cache, List<Path> annotationProcessors) {
   public ToolchainPlaces {

@@ -43,9 +43,7 @@ class CompilersViewTest {
                 EchoActivity.settings(sandbox),
                 recording)
             .run();
-    assertThat(outcome)
-        .describedAs(recording.logText())
-        .isInstanceOf(CompilationFailed.class);
+    assertThat(outcome).describedAs(recording.logText()).isInstanceOf(CompilationFailed.class);
     return recording.logText();
   }
 
@@ -81,10 +79,7 @@ class CompilersViewTest {
   @Test
   void aPluginThatAPragmaWouldNameIsNoneOfTheCompilers() {
     // Neither the profile nor a source can pass an option; a pragma that tries is no option.
-    assertThat(
-            logOf(
-                inCpp(
-                    "#pragma GCC optimize (\"-fplugin=/tmp/evil.so\")\n#error the end")))
+    assertThat(logOf(inCpp("#pragma GCC optimize (\"-fplugin=/tmp/evil.so\")\n#error the end")))
         .contains("the end")
         .doesNotContain("evil.so: cannot open");
   }

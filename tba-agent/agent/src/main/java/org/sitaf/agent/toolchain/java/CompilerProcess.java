@@ -27,8 +27,7 @@ final class CompilerProcess implements AutoCloseable {
   private static final int OVERHEAD_MIB = 512;
 
   private static final ProcessLimits LIMITS =
-      new ProcessLimits(
-          CompilerSetup.MEMORY_MIB + OVERHEAD_MIB, 256, 1024, Duration.ofMinutes(10));
+      new ProcessLimits(CompilerSetup.MEMORY_MIB + OVERHEAD_MIB, 256, 1024, Duration.ofMinutes(10));
   private static final long LONGEST_ANSWER_BYTES = 512L << 20;
   private static final Duration END = Duration.ofSeconds(5);
 
@@ -92,8 +91,7 @@ final class CompilerProcess implements AutoCloseable {
     boolean ready = false;
     try (OutputStream input = new BufferedOutputStream(process.input(), 1 << 16)) {
       Wire.Reader messages =
-          new Wire.Reader(
-              new BufferedInputStream(process.output(), 1 << 16), LONGEST_ANSWER_BYTES);
+          new Wire.Reader(new BufferedInputStream(process.output(), 1 << 16), LONGEST_ANSWER_BYTES);
       if (!messages.next().word().equals(Wire.READY)) {
         throw new IOException("it says something else than that it is ready");
       }
@@ -111,7 +109,8 @@ final class CompilerProcess implements AutoCloseable {
   /** What it means that the exchange broke off. */
   private IOException explained(boolean ready, IOException failure)
       throws CompilationException, InterruptedException {
-    boolean ended = process.awaitEnd(failure instanceof Wire.ProtocolException ? Duration.ZERO : END);
+    boolean ended =
+        process.awaitEnd(failure instanceof Wire.ProtocolException ? Duration.ZERO : END);
     if (!ready) {
       return new IOException(
           "the Java compiler does not start: "

@@ -32,8 +32,7 @@ record JavaCoverage(
     Sandbox sandbox) {
   private static final String DATA = "jacoco.exec";
   private static final String FILE = "file ";
-  private static final Pattern LINE =
-      Pattern.compile("(\\d{1,9}) ([01]) (\\d{1,9}) (\\d{1,9})");
+  private static final Pattern LINE = Pattern.compile("(\\d{1,9}) ([01]) (\\d{1,9}) (\\d{1,9})");
 
   /** Empty where the component has no sources. */
   static Optional<JavaCoverage> of(Compilation compilation, CoverageTool tool) {

@@ -45,10 +45,7 @@ public final class JavaToolchain implements Toolchain {
   private final MavenPackages packages;
 
   private JavaToolchain(
-      CompilerSetup compiler,
-      @Nullable Path archive,
-      @Nullable CoverageTool coverage,
-      Path cache) {
+      CompilerSetup compiler, @Nullable Path archive, @Nullable CoverageTool coverage, Path cache) {
     this.compiler = compiler;
     this.compilers = new CompilerProcesses(compiler, cache.resolve("compilers"));
     this.packages = new MavenPackages(cache);
@@ -160,7 +157,10 @@ public final class JavaToolchain implements Toolchain {
   }
 
   private static void write(
-      Compilation compilation, List<Path> libraries, List<JavaSource> sources, OutputStream compiler)
+      Compilation compilation,
+      List<Path> libraries,
+      List<JavaSource> sources,
+      OutputStream compiler)
       throws IOException {
     FileTree files = compilation.application().activity().files();
     for (String path : files.paths()) {

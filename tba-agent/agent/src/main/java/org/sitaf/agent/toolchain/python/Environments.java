@@ -91,7 +91,10 @@ final class Environments {
     StringBuilder held = new StringBuilder(identity());
     requirements.lines().forEach(line -> held.append('\n').append(line));
     for (Path wheel : requirements.wheels()) {
-      held.append('\n').append(wheel.getFileName()).append(' ').append(digest(Files.readAllBytes(wheel)));
+      held.append('\n')
+          .append(wheel.getFileName())
+          .append(' ')
+          .append(digest(Files.readAllBytes(wheel)));
     }
     String key = digest(held.toString().getBytes(StandardCharsets.UTF_8));
     String name = key.substring(0, 24);
@@ -137,8 +140,7 @@ final class Environments {
       for (Path wheel : requirements.wheels()) {
         collection.add(wheel);
       }
-      wheels =
-          requirements.isEmpty() ? LocalWheel.wheelsIn(known) : collection.collect(known);
+      wheels = requirements.isEmpty() ? LocalWheel.wheelsIn(known) : collection.collect(known);
     } catch (WheelCollection.PackageException e) {
       throw refused(requirements, String.valueOf(e.getMessage()));
     }
@@ -158,8 +160,7 @@ final class Environments {
         List.of(SourceDiagnostic.ofFile(requirements.file(), reason)));
   }
 
-  private void addRuntime(Path fresh, PackageTools tools)
-      throws IOException, InterruptedException {
+  private void addRuntime(Path fresh, PackageTools tools) throws IOException, InterruptedException {
     Path packages = fresh.resolve("lib").resolve("python" + minor()).resolve("site-packages");
     for (Path file : files(runtime)) {
       Path copy = packages.resolve(runtime.relativize(file).toString());
@@ -188,8 +189,7 @@ final class Environments {
             "pip cannot fetch what test applications need: " + tools.complaint(fetched));
       }
       try (SharedCache.Draft draft = cache.draft()) {
-        Files.setPosixFilePermissions(
-            draft.folder(), PosixFilePermissions.fromString("rwxr-xr-x"));
+        Files.setPosixFilePermissions(draft.folder(), PosixFilePermissions.fromString("rwxr-xr-x"));
         for (Path wheel : WheelCollection.wheels(folder)) {
           Files.copy(wheel, draft.folder().resolve(wheel.getFileName().toString()));
         }
@@ -204,8 +204,7 @@ final class Environments {
   }
 
   /** Takes over what the tools have left, so that no later process owns it. */
-  private void own(Path fresh, Requirements requirements)
-      throws CompilationException, IOException {
+  private void own(Path fresh, Requirements requirements) throws CompilationException, IOException {
     UserPrincipal owner = Files.getOwner(cache.directory());
     int count = 0;
     try (Stream<Path> paths = Files.walk(fresh)) {

@@ -93,8 +93,7 @@ record LocalWheel(Path file, String name, String version, List<String> requires)
   void writeStub(Path folder) throws IOException {
     String title = name.replace('-', '_') + "-" + version;
     String info = title + ".dist-info/";
-    try (OutputStream output =
-            Files.newOutputStream(folder.resolve(title + "-py3-none-any.whl"));
+    try (OutputStream output = Files.newOutputStream(folder.resolve(title + "-py3-none-any.whl"));
         ZipOutputStream zip = new ZipOutputStream(output)) {
       entry(
           zip,

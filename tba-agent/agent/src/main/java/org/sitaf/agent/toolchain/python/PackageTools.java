@@ -12,6 +12,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.TreeMap;
 import org.sitaf.agent.sandbox.Confinement;
 import org.sitaf.agent.sandbox.ProcessLimits;
 import org.sitaf.agent.sandbox.Sandbox;
@@ -63,8 +64,7 @@ record PackageTools(
       boolean network)
       throws IOException, InterruptedException {
     List<String> command =
-        new ArrayList<>(
-            List.of(Environments.python(environment).toString(), "-I", "-m", "pip"));
+        new ArrayList<>(List.of(Environments.python(environment).toString(), "-I", "-m", "pip"));
     command.addAll(arguments);
     command.addAll(List.of("--disable-pip-version-check", "--no-input", "--quiet"));
     List<Path> all = new ArrayList<>(readable);
@@ -90,8 +90,7 @@ record PackageTools(
   ToolEnd module(Path environment, String module, Path folder, Path written)
       throws IOException, InterruptedException {
     return run(
-        List.of(
-            Environments.python(environment).toString(), "-I", "-m", module, folder.toString()),
+        List.of(Environments.python(environment).toString(), "-I", "-m", module, folder.toString()),
         folder(),
         List.of(),
         List.of(written),
@@ -99,11 +98,7 @@ record PackageTools(
   }
 
   private ToolEnd run(
-      List<String> command,
-      Path folder,
-      List<Path> readable,
-      List<Path> writable,
-      boolean network)
+      List<String> command, Path folder, List<Path> readable, List<Path> writable, boolean network)
       throws IOException, InterruptedException {
     Confinement confinement =
         Confinement.of(command, folder, folder, ProcessLimits.TOOL)
@@ -113,14 +108,16 @@ record PackageTools(
             .reading(readable)
             .writing(writable);
     if (network) {
-      Map<String, String> environment =
-          new java.util.TreeMap<>(Map.of("PIP_CONFIG_FILE", "/etc/pip.conf"));
-      environment.putAll(settings.environment());
+      Map<String, String> environment = new TreeMap<>(settings.environment());
+      environment.put("PIP_CONFIG_FILE", "/etc/pip.conf");
+      Path configuration = settings.configuration();
+      if (configuration != null) {
+        Path copy = folder.resolve("pip.conf");
+        Files.copy(configuration, copy);
+        environment.put("PIP_CONFIG_FILE", copy.toString());
+      }
       confinement =
-          confinement
-              .withEnvironment(environment)
-              .reading(settings.readable())
-              .withNetwork();
+          confinement.withEnvironment(environment).reading(settings.readable()).withNetwork();
     }
     Duration left = Duration.between(Instant.now(), end);
     return sandbox.run(confinement, left.toMillis() < 1 ? Duration.ofMillis(1) : left);

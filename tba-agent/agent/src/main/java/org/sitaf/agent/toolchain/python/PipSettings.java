@@ -6,6 +6,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 
 /**
  * How this machine reaches its package index: as pip is configured for the agent's user. Only what
@@ -13,8 +15,10 @@ import java.util.TreeMap;
  *
  * @param environment variables of pip and of what it reaches the network with
  * @param readable files and folders that they name
+ * @param configuration pip's own file of that user, which others may not read; null for none
  */
-record PipSettings(Map<String, String> environment, List<Path> readable) {
+record PipSettings(
+    Map<String, String> environment, List<Path> readable, @Nullable Path configuration) {
   private static final List<String> VARIABLES =
       List.of(
           "PIP_INDEX_URL",
@@ -28,7 +32,6 @@ record PipSettings(Map<String, String> environment, List<Path> readable) {
           "PIP_RETRIES",
           "PIP_FIND_LINKS",
           "PIP_NO_INDEX",
-          "PIP_CONFIG_FILE",
           "HTTP_PROXY",
           "HTTPS_PROXY",
           "NO_PROXY",
@@ -56,12 +59,16 @@ record PipSettings(Map<String, String> environment, List<Path> readable) {
         environment.put(name, value);
       }
     }
-    for (String file : List.of(".config/pip/pip.conf", ".pip/pip.conf")) {
-      Path own = home.resolve(file);
-      if (Files.isRegularFile(own)) {
-        environment.putIfAbsent("PIP_CONFIG_FILE", own.toString());
-      }
-    }
+    Path configuration =
+        Stream.of(
+                variables.getOrDefault("PIP_CONFIG_FILE", ""),
+                home.resolve(".config/pip/pip.conf").toString(),
+                home.resolve(".pip/pip.conf").toString())
+            .filter(file -> !file.isEmpty())
+            .map(Path::of)
+            .filter(Files::isRegularFile)
+            .findFirst()
+            .orElse(null);
     List<Path> readable = new ArrayList<>();
     for (String value : environment.values()) {
       for (String word : value.split("\\s+")) {
@@ -71,6 +78,6 @@ record PipSettings(Map<String, String> environment, List<Path> readable) {
         }
       }
     }
-    return new PipSettings(environment, readable);
+    return new PipSettings(environment, readable, configuration);
   }
 }

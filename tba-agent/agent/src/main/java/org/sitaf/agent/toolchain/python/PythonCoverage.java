@@ -73,8 +73,7 @@ record PythonCoverage(
     run(work, List.of("lcov", "--quiet", "--data-file=all", "-o", "report"));
     String root = copy.getFileName() + "/";
     Coverage coverage =
-        LcovReport.read(
-            report(work.resolve("report")), copy.getParent().toString(), root);
+        LcovReport.read(report(work.resolve("report")), copy.getParent().toString(), root);
     return new Coverage(
         coverage.files().stream()
             .map(

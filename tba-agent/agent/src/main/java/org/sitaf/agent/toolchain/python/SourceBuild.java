@@ -34,8 +34,7 @@ record SourceBuild(PackageTools tools, Path environment, Fetch buildTools) {
   Optional<LocalWheel> build(String name, String specifier)
       throws IOException, InterruptedException, PackageException {
     Path fetch = tools.folder();
-    ToolEnd fetched =
-        tools.ask(environment, fetch, true, List.of(), "source", name, specifier);
+    ToolEnd fetched = tools.ask(environment, fetch, true, List.of(), "source", name, specifier);
     if (fetched.code() != 0) {
       if (fetched.errors().contains("the index has no source archive")) {
         return Optional.empty();
@@ -121,10 +120,14 @@ record SourceBuild(PackageTools tools, Path environment, Fetch buildTools) {
       throws IOException, InterruptedException {
     List<String> arguments =
         new ArrayList<>(
-            List.of("install", "--no-index", "--no-deps", "--no-cache-dir", "--no-warn-script-location"));
+            List.of(
+                "install",
+                "--no-index",
+                "--no-deps",
+                "--no-cache-dir",
+                "--no-warn-script-location"));
     wheels.forEach(wheel -> arguments.add(wheel.toString()));
-    return tools.pip(
-        environment, tools.folder(), arguments, wheels, List.of(environment), false);
+    return tools.pip(environment, tools.folder(), arguments, wheels, List.of(environment), false);
   }
 
   private static String value(ToolEnd answer, String word) throws PackageException {

@@ -54,7 +54,8 @@ class CompilerAnswerTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"class -1\n", "class 9999999999\n", "CLASS 1 1\nab", "done\n", "x", "1\n"})
+  @ValueSource(
+      strings = {"class -1\n", "class 9999999999\n", "CLASS 1 1\nab", "done\n", "x", "1\n"})
   void whatIsNoMessageIsRefused(String text) {
     says(text);
 

@@ -33,8 +33,7 @@ class HostileSourcesTest {
   private Toolchain toolchain() {
     ToolchainPlaces places = EchoActivity.places();
     return ((Found)
-            JavaToolchain.find(
-                new ToolchainPlaces(places.runtimes(), places.cache(), processors)))
+            JavaToolchain.find(new ToolchainPlaces(places.runtimes(), places.cache(), processors)))
         .toolchain();
   }
 

@@ -58,7 +58,8 @@ class HostilePackagesTest {
 
   private static void copyBaseWheels(Path from, Path to) throws IOException {
     try (Stream<Path> entries = Files.list(from)) {
-      for (Path entry : entries.filter(e -> e.getFileName().toString().startsWith("wheels-")).toList()) {
+      for (Path entry :
+          entries.filter(e -> e.getFileName().toString().startsWith("wheels-")).toList()) {
         Path copy = Files.createDirectories(to.resolve(entry.getFileName().toString()));
         try (Stream<Path> wheels = Files.list(entry)) {
           for (Path wheel : wheels.toList()) {
@@ -125,11 +126,7 @@ class HostilePackagesTest {
         """
             .replace("%r", "\"%s\"")
             .formatted(
-                index.port(),
-                outside.resolve("mark"),
-                key,
-                directory.resolve("cache"),
-                outside);
+                index.port(), outside.resolve("mark"), key, directory.resolve("cache"), outside);
     String top = "sitaf-hostile-sample-1.0/";
     index.add(
         "sitaf-hostile-sample",

@@ -25,14 +25,15 @@ class RequirementsTest {
         EchoActivity.inPython("demo.Component")
             .file("component/demo.py", "")
             .application()
-.activity().profile(), activity);
+            .activity()
+            .profile(),
+        activity);
   }
 
   @Test
   void packagesWithExtrasVersionsAndMarkersAreTaken() throws Exception {
     assertThat(
-            read(
-                    """
+            read("""
                     # what it needs
                     simple-pid==2.0.1
                     numpy >= 1.26, < 3   # arrays

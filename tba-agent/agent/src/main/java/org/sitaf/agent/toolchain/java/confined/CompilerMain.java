@@ -4,8 +4,8 @@ import java.io.BufferedInputStream;
 import java.io.BufferedOutputStream;
 import java.io.EOFException;
 import java.io.File;
-import java.io.FileOutputStream;
 import java.io.FileDescriptor;
+import java.io.FileOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Path;
@@ -36,11 +36,7 @@ public final class CompilerMain {
     // Sources nest deeper than the stack of a main thread reaches.
     AtomicBoolean served = new AtomicBoolean();
     Thread thread =
-        new Thread(
-            null,
-            () -> served.set(serve(arguments, answers)),
-            "sitaf-javac",
-            STACK_BYTES);
+        new Thread(null, () -> served.set(serve(arguments, answers)), "sitaf-javac", STACK_BYTES);
     thread.start();
     thread.join();
     if (served.get()) {
