@@ -77,7 +77,7 @@ class RequirementsTest {
         "evil==1.0 --config-settings=x=y",
         "evil==${HOME}",
         "evil\\",
-        "evil; import os",
+        "evil; $(id)",
         "evil`id`",
         "evil\u0000",
         "éevil"
