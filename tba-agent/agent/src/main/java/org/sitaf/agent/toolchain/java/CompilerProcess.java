@@ -92,12 +92,13 @@ final class CompilerProcess implements AutoCloseable {
     try (OutputStream input = new BufferedOutputStream(process.input(), 1 << 16)) {
       Wire.Reader messages =
           new Wire.Reader(new BufferedInputStream(process.output(), 1 << 16), LONGEST_ANSWER_BYTES);
+      // Before it is ready, so that it gets no warmer than it has time for.
+      request.write(input);
+      input.flush();
       if (!messages.next().word().equals(Wire.READY)) {
         throw new IOException("it says something else than that it is ready");
       }
       ready = true;
-      request.write(input);
-      input.flush();
       answer.read(messages);
     } catch (CompilerAnswer.OutputException e) {
       throw e;
