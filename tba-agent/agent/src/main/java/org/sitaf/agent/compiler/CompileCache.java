@@ -3,6 +3,7 @@ package org.sitaf.agent.compiler;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.attribute.FileTime;
@@ -23,18 +24,37 @@ import org.sitaf.agent.spool.SharedCache;
 record CompileCache(SharedCache shared, long limitBytes) {
   private static final Pattern KEY = Pattern.compile("[0-9a-f]{64}");
   private static final int MOST_ENTRIES = 500;
+  private static final String CONTENT = "content";
+  private static final String DIGEST = "sha256";
 
-  /** Copies what was compiled into an empty folder; false where the key is not known. */
-  boolean restore(String key, Path output) throws IOException {
+  /** Says whether what was compiled earlier is what would be compiled now. */
+  @FunctionalInterface
+  interface Check {
+    boolean isCurrent(Path compiled) throws IOException;
+  }
+
+  /**
+   * Copies what was compiled into an empty folder; false where the key is not known, or where the
+   * entry is outdated or not what was once kept.
+   */
+  boolean restore(String key, Path output, Check check) throws IOException {
     requireKey(key);
     Path entry = shared.entry(key);
     if (!Files.isDirectory(entry)) {
       return false;
     }
     try {
-      Files.setLastModifiedTime(entry, FileTime.from(Instant.now()));
-      copy(entry, output);
-      return true;
+      boolean current = check.isCurrent(entry.resolve(CONTENT));
+      if (current) {
+        Files.setLastModifiedTime(entry, FileTime.from(Instant.now()));
+        copy(entry.resolve(CONTENT), output);
+        current = TreeDigest.of(output).equals(Files.readString(entry.resolve(DIGEST)));
+      }
+      if (!current) {
+        empty(output);
+        shared.remove(key);
+      }
+      return current;
     } catch (IOException | UncheckedIOException e) {
       // Somebody removed it meanwhile: it is compiled as if it had never been there.
       empty(output);
@@ -42,11 +62,17 @@ record CompileCache(SharedCache shared, long limitBytes) {
     }
   }
 
-  /** Takes a copy of what was compiled, and lets go of what was used longest ago. */
+  /**
+   * Takes a copy of what was compiled, and lets go of what was used longest ago.
+   *
+   * @throws IOException also where the folder holds anything but files and folders
+   */
   void keep(String key, Path output) throws IOException {
     requireKey(key);
     try (SharedCache.Draft draft = shared.draft()) {
-      copy(output, draft.folder());
+      Path content = draft.folder().resolve(CONTENT);
+      copy(output, content);
+      Files.writeString(draft.folder().resolve(DIGEST), TreeDigest.of(content));
       draft.addAs(key);
     }
     shrink();
@@ -94,14 +120,18 @@ record CompileCache(SharedCache shared, long limitBytes) {
     }
   }
 
+  /** Copies files and folders; a link would take in what it leads to. */
   private static void copy(Path from, Path to) throws IOException {
     try (Stream<Path> files = Files.walk(from)) {
       for (Path file : files.toList()) {
         Path target = to.resolve(from.relativize(file).toString());
-        if (Files.isDirectory(file)) {
+        if (Files.isDirectory(file, LinkOption.NOFOLLOW_LINKS)) {
           Files.createDirectories(target);
+        } else if (Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS)) {
+          Files.copy(
+              file, target, StandardCopyOption.COPY_ATTRIBUTES, LinkOption.NOFOLLOW_LINKS);
         } else {
-          Files.copy(file, target, StandardCopyOption.COPY_ATTRIBUTES);
+          throw new IOException(from.relativize(file) + " is neither a file nor a folder");
         }
       }
     }

@@ -1,6 +1,7 @@
 package org.sitaf.agent.toolchain;
 
 import java.io.IOException;
+import java.nio.file.Path;
 import java.util.Optional;
 import org.sitaf.core.activity.ActivityProfile.Language;
 
@@ -16,6 +17,24 @@ public interface Toolchain {
    * What was compiled under another identity is never used.
    */
   String identity() throws IOException, InterruptedException;
+
+  /**
+   * Whether {@link #compile} may read any file of the activity, not only those that the profile
+   * names for the component.
+   */
+  default boolean readsWholeActivity() {
+    return false;
+  }
+
+  /**
+   * Whether what {@link #compile} has left in a folder is what it would bring now, as far as files
+   * of this machine decide that {@link #identity} does not stand for.
+   *
+   * @param compiled the output folder, or a copy of it
+   */
+  default boolean isCurrent(Compilation compilation, Path compiled) throws IOException {
+    return true;
+  }
 
   /**
    * Compiles component, adapter and harness. Is not called when the same was compiled before; then

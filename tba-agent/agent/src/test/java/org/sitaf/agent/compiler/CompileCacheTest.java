@@ -206,7 +206,7 @@ class CompileCacheTest {
   void aKeyCannotLeaveTheCache() {
     CompileCache cache = cache(1);
 
-    assertThatThrownBy(() -> cache.restore("../x", directory))
+    assertThatThrownBy(() -> cache.restore("../x", directory, folder -> true))
         .isInstanceOf(IllegalArgumentException.class);
   }
 
@@ -216,7 +216,7 @@ class CompileCacheTest {
 
   private boolean restores(CompileCache cache, int i) throws IOException {
     Path into = Files.createTempDirectory(directory, "into");
-    boolean restored = cache.restore(key(i), into);
+    boolean restored = cache.restore(key(i), into, folder -> true);
     assertThat(Files.exists(into.resolve("program"))).isEqualTo(restored);
     return restored;
   }
