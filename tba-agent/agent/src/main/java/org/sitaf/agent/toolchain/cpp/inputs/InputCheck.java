@@ -22,6 +22,9 @@ import org.sitaf.core.activity.FileTree;
  * in front of them.
  */
 public final class InputCheck {
+  /** Stands for every name, where a macro may have given one that no path shows. */
+  private static final String ANY = "*";
+
   private final Path root;
   private final IncludeSearch application;
   private final List<String> machineFolders;
@@ -93,6 +96,9 @@ public final class InputCheck {
     for (String printed : assembled) {
       String path = IncludeSearch.inLayout(printed, root);
       asked.addAll(path == null ? namesOnMachine(printed) : application.namesOf(path));
+    }
+    if (all.stream().anyMatch(this::isWrittenStrangely)) {
+      asked.add(ANY);
     }
     SortedSet<String> looked = new TreeSet<>();
     for (String path : machines) {
@@ -201,12 +207,13 @@ public final class InputCheck {
   /** Digest of what all names mean in the application that these files of it, and others, ask for. */
   private String found(SortedSet<String> own, SortedSet<String> asked) {
     StringBuilder text = new StringBuilder();
-    boolean computed = false;
     for (String path : own) {
       AskedNames names = application.asked(path);
-      computed |= names.computed();
       for (Name name : names.names()) {
         append(text, application.find(name, path));
+      }
+      if (names.computed()) {
+        appendComputed(text, path, own, asked);
       }
     }
     application
@@ -216,11 +223,37 @@ public final class InputCheck {
               append(text, name);
               append(text, path);
             });
-    if (computed) {
-      // The name is not known, so that any file may come in front of the one that was found.
-      application.paths().forEach(path -> append(text, path));
-    }
     return Machine.sha256(text.toString().getBytes(StandardCharsets.UTF_8));
+  }
+
+  /** What a file may mean by names that macros give: those of all that was opened. */
+  private void appendComputed(
+      StringBuilder text, String asking, SortedSet<String> own, SortedSet<String> asked) {
+    if (asked.contains(ANY)) {
+      application.paths().forEach(path -> append(text, path));
+      return;
+    }
+    SortedSet<String> names = new TreeSet<>(asked);
+    String folder = asking.substring(0, asking.lastIndexOf('/') + 1);
+    for (String path : own) {
+      names.addAll(application.namesOf(path));
+      if (path.startsWith(folder)) {
+        names.add(path.substring(folder.length()));
+      }
+    }
+    for (String name : names) {
+      String path = application.find(new Name(name, true), asking);
+      if (path != null) {
+        append(text, name);
+        append(text, path);
+      }
+    }
+  }
+
+  /** Whether the name in an include directive may be another than the path shows. */
+  private boolean isWrittenStrangely(String printed) {
+    return IncludeSearch.inLayout(printed, root) != null
+        && (printed.contains("/./") || printed.contains("/../") || printed.contains("//"));
   }
 
   private static void append(StringBuilder text, @Nullable String path) {
