@@ -137,8 +137,9 @@ final class Builds {
     Set<String> units = new TreeSet<>();
     try (Stream<Path> all = Files.walk(scratch)) {
       for (Path file : all.filter(f -> f.toString().matches(".*/unit\\d+\\.d")).toList()) {
-        String noted = Files.readString(file).substring("unit: ".length());
-        units.add(noted.split("\\s", 2)[0].substring(sources.toString().length() + 1));
+        // The line may be broken before the first name.
+        String[] words = Files.readString(file).split("[\\s\\\\]+", 3);
+        units.add(words[1].substring(sources.toString().length() + 1));
       }
     }
     return units;

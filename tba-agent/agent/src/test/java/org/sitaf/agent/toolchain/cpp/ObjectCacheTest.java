@@ -133,7 +133,7 @@ class ObjectCacheTest {
     Set<String> units = new TreeSet<>();
     try (Stream<Path> all = Files.walk(compilation.scratch())) {
       for (Path file : all.filter(f -> f.toString().matches(".*/unit\\d+\\.d")).toList()) {
-        String[] words = Files.readString(file).split("\\s+", 3);
+        String[] words = Files.readString(file).split("[\\s\\\\]+", 3);
         units.add(compilation.sources().relativize(Path.of(words[1])).toString());
       }
     }
