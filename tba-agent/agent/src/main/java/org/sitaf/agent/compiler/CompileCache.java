@@ -90,7 +90,7 @@ record CompileCache(SharedCache shared, long limitBytes) {
     long bytes = 0;
     int count = 0;
     for (Path entry : newestFirst) {
-      bytes += size(entry);
+      bytes += size(entry.resolve(CONTENT));
       // What was just added stays, however large it is.
       if (++count > 1 && (bytes > limitBytes || count > MOST_ENTRIES)) {
         shared.remove(entry.getFileName().toString());

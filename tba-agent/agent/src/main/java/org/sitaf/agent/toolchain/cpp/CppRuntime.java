@@ -240,7 +240,7 @@ final class CppRuntime {
               .orElseThrow(() -> new IOException("the compiler does not say what it has read")));
     }
     opened.removeIf(path -> path.startsWith(fresh + "/") || path.startsWith(sources + "/"));
-    return InputCheck.ofMachine(opened, List.of(), begunMillis + CLOCK_STEP.toMillis())
+    return InputCheck.ofMachine(opened, begunMillis + CLOCK_STEP.toMillis())
         .orElseThrow(
             () ->
                 new IOException(

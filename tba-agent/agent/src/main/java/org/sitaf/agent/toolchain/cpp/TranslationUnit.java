@@ -162,7 +162,7 @@ record TranslationUnit(
   }
 
   /** What went into it; empty where that is not certain, so that it must not be kept. */
-  Optional<Inputs> inputs(Compiled compiled, InputCheck check) throws IOException {
+  Optional<Inputs> inputs(Compiled compiled, InputCheck check) {
     List<String> included = compiled.included();
     List<String> assembled = compiled.assembled();
     return included == null || assembled == null

@@ -69,6 +69,18 @@ public final class InputCheck {
       Collection<String> included,
       Collection<String> assembled,
       boolean assemblyNoted,
+      long begunMillis) {
+    try {
+      return read(included, assembled, assemblyNoted, begunMillis);
+    } catch (IOException e) {
+      return Optional.empty();
+    }
+  }
+
+  private Optional<Inputs> read(
+      Collection<String> included,
+      Collection<String> assembled,
+      boolean assemblyNoted,
       long begunMillis)
       throws IOException {
     SortedSet<String> own = new TreeSet<>();
@@ -114,36 +126,51 @@ public final class InputCheck {
     looked.addAll(machineFoldersOf(own, asked));
     looked.removeIf(this::isKnown);
     machines.removeIf(this::isKnown);
-    return taken(own, machines, looked, asked, begunMillis);
+    return taken(own, machines, looked, asked, begunMillis, machine::sha256);
   }
 
   /**
-   * What a linker opened of this machine.
+   * What a linker opened of this machine; its libraries are large, and linking again costs little,
+   * so that any change of theirs counts.
    *
    * @param looked folders in which it may have looked for these files
    * @return empty where that cannot be said with certainty
    */
   public static Optional<Inputs> ofLinker(
-      Collection<String> opened, Collection<String> looked, long begunMillis) throws IOException {
+      Collection<String> opened, Collection<String> looked, long begunMillis) {
     return opened.stream().allMatch(Machine::isOfSystem)
-        ? ofMachine(opened, looked, begunMillis)
+        ? ofMachine(opened, looked, begunMillis, file -> "")
         : Optional.empty();
   }
 
   /** What a tool opened of this machine, wherever it lies: nothing of a user's was given to it. */
-  public static Optional<Inputs> ofMachine(
-      Collection<String> opened, Collection<String> looked, long begunMillis) throws IOException {
-    return nothing()
-        .taken(
-            new TreeSet<>(),
-            new TreeSet<>(opened),
-            new TreeSet<>(looked),
-            new TreeSet<>(),
-            begunMillis);
+  public static Optional<Inputs> ofMachine(Collection<String> opened, long begunMillis) {
+    return ofMachine(opened, List.of(), begunMillis, new Machine()::sha256);
+  }
+
+  private static Optional<Inputs> ofMachine(
+      Collection<String> opened, Collection<String> looked, long begunMillis, Digests digests) {
+    try {
+      return nothing()
+          .taken(
+              new TreeSet<>(),
+              new TreeSet<>(opened),
+              new TreeSet<>(looked),
+              new TreeSet<>(),
+              begunMillis,
+              digests);
+    } catch (IOException e) {
+      return Optional.empty();
+    }
+  }
+
+  /** What stands for the content of a file of the machine. */
+  private interface Digests {
+    String of(String path) throws IOException;
   }
 
   /** Whether a tool that opened files of this machine alone would open the same now. */
-  public static boolean isCurrentOnMachine(Inputs inputs) throws IOException {
+  public static boolean isCurrentOnMachine(Inputs inputs) {
     return nothing().isCurrent(inputs);
   }
 
@@ -157,7 +184,8 @@ public final class InputCheck {
       SortedSet<String> machines,
       SortedSet<String> looked,
       SortedSet<String> asked,
-      long begunMillis)
+      long begunMillis,
+      Digests content)
       throws IOException {
     TreeMap<String, String> digests = new TreeMap<>();
     own.forEach(path -> digests.put(path, application.sha256(path)));
@@ -167,7 +195,7 @@ public final class InputCheck {
       if (stamp.equals(Stamp.NONE) || stamp.mayBeYoungerThan(begunMillis)) {
         return Optional.empty();
       }
-      files.put(path, new MachineFile(stamp, machine.sha256(path)));
+      files.put(path, new MachineFile(stamp, content.of(path)));
     }
     TreeMap<String, Stamp> folders = new TreeMap<>();
     for (String folder : looked) {
@@ -181,7 +209,7 @@ public final class InputCheck {
   }
 
   /** Whether a tool would open the same now. */
-  public boolean isCurrent(Inputs inputs) throws IOException {
+  public boolean isCurrent(Inputs inputs) {
     for (Map.Entry<String, String> file : inputs.application().entrySet()) {
       if (!application.contains(file.getKey())
           || !application.sha256(file.getKey()).equals(file.getValue())) {
@@ -194,14 +222,25 @@ public final class InputCheck {
       }
     }
     for (Map.Entry<String, MachineFile> file : inputs.files().entrySet()) {
-      Stamp now = machine.stamp(file.getKey());
-      MachineFile then = file.getValue();
-      if (!now.equals(then.stamp())
-          && (now.equals(Stamp.NONE) || !machine.sha256(file.getKey()).equals(then.sha256()))) {
+      if (!isCurrent(file.getKey(), file.getValue())) {
         return false;
       }
     }
     return found(inputs.application().navigableKeySet(), inputs.asked()).equals(inputs.found());
+  }
+
+  private boolean isCurrent(String path, MachineFile then) {
+    Stamp now = machine.stamp(path);
+    if (now.equals(then.stamp())) {
+      return true;
+    }
+    try {
+      return !now.equals(Stamp.NONE)
+          && !then.sha256().isEmpty()
+          && machine.sha256(path).equals(then.sha256());
+    } catch (IOException e) {
+      return false;
+    }
   }
 
   /** Digest of what all names mean in the application that these files of it, and others, ask for. */

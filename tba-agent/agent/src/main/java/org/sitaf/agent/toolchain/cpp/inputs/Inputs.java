@@ -36,7 +36,7 @@ public record Inputs(
     asked = Collections.unmodifiableNavigableSet(new TreeSet<>(asked));
   }
 
-  /** A file of the machine as it was. */
+  /** A file of the machine as it was; the digest is empty where any change of it counts. */
   record MachineFile(Stamp stamp, String sha256) {}
 
   /** These and more files and folders of the machine; what is of the application is left out. */

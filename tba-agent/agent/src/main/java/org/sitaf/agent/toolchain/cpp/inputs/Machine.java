@@ -20,12 +20,13 @@ final class Machine {
   private static final List<String> SYSTEM =
       List.of("/usr/", "/lib/", "/lib32/", "/lib64/", "/libx32/");
 
+  private static final long MOST_BYTES = 64L << 20;
   private static final int REMEMBERED = 20_000;
   private static final Map<String, Content> CONTENTS = new ConcurrentHashMap<>();
 
   private final Map<String, Stamp> stamps = new HashMap<>();
 
-  /** What was read of a file. */
+  /** What was read of a header. */
   private record Content(Stamp stamp, String sha256, AskedNames asked) {}
 
   /** Whether a path, as a tool has printed it, is one of the system's. */
@@ -38,10 +39,20 @@ final class Machine {
     return stamps.computeIfAbsent(path, Stamp::of);
   }
 
+  /**
+   * SHA-256 of a header.
+   *
+   * @throws IOException when it cannot be said what is in it, as when it changes meanwhile
+   */
   String sha256(String path) throws IOException {
     return content(path).sha256();
   }
 
+  /**
+   * The names that a header asks for.
+   *
+   * @throws IOException as {@link #sha256(String)} does
+   */
   AskedNames asked(String path) throws IOException {
     return content(path).asked();
   }
@@ -51,6 +62,9 @@ final class Machine {
     Content known = CONTENTS.get(path);
     if (known != null && known.stamp().equals(stamp)) {
       return known;
+    }
+    if (stamp.size() > MOST_BYTES) {
+      throw new IOException(path + " is too large for a header");
     }
     byte[] bytes = Files.readAllBytes(Path.of(path));
     if (!Stamp.of(path).equals(stamp)) {

@@ -26,6 +26,7 @@ class AskedNamesTest {
             lude_next "d.hpp"
             #endif
             %:import "ä.hpp"
+            /* */ # /* */ include "f.hpp"
             #if defined(__has_include) && __has_include("e.hpp")
             """);
 
@@ -35,6 +36,7 @@ class AskedNamesTest {
             new Name("b/c.hpp", false),
             new Name("d.hpp", true),
             new Name("ä.hpp", true),
+            new Name("f.hpp", true),
             new Name("e.hpp", true));
     assertThat(asked.computed()).isFalse();
     assertThat(asked.unknown()).isFalse();
@@ -44,7 +46,6 @@ class AskedNamesTest {
   @ValueSource(
       strings = {
         "#include NAME",
-        "/* */ # /* */ include \"a.hpp\"",
         "#include/**/\"a.hpp\"",
         "#include \"/usr/include/a.hpp\""
       })

@@ -178,7 +178,7 @@ class InputCheckTest {
   void aHeaderOfTheMachineCountsByItsContent() throws Exception {
     Path header = Files.writeString(directory.resolve("x.hpp"), "1");
     Inputs inputs =
-        InputCheck.ofMachine(List.of(header.toString()), List.of(), LATER).orElseThrow();
+        InputCheck.ofMachine(List.of(header.toString()), LATER).orElseThrow();
 
     Files.setLastModifiedTime(header, FileTime.fromMillis(0));
     assertThat(InputCheck.isCurrentOnMachine(inputs)).isTrue();
@@ -194,7 +194,7 @@ class InputCheckTest {
   void aFileInAFolderThatWasLookedThroughIsSeen() throws Exception {
     Path missing = directory.resolve("missing");
     Inputs inputs =
-        InputCheck.ofMachine(List.of(), List.of(directory.toString(), missing.toString()), LATER)
+        InputCheck.ofLinker(List.of(), List.of(directory.toString(), missing.toString()), LATER)
             .orElseThrow();
     assertThat(InputCheck.isCurrentOnMachine(inputs)).isTrue();
     Files.createDirectory(missing);
@@ -207,8 +207,7 @@ class InputCheckTest {
     Path header = Files.writeString(directory.resolve("x.hpp"), "1");
 
     assertThat(
-            InputCheck.ofMachine(
-                List.of(header.toString()), List.of(), System.currentTimeMillis()))
+            InputCheck.ofMachine(List.of(header.toString()), System.currentTimeMillis()))
         .isEmpty();
   }
 }
