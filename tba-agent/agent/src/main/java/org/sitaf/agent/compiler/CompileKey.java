@@ -45,7 +45,8 @@ final class CompileKey {
 
   /**
    * The files of the activity that a compilation may read: those of the component. A library may
-   * refer to others in a way of its own, as the manifest of a jar does: with one, all of them count.
+   * refer to others in a way of its own, as the manifest of a jar does: with one, all of them
+   * count.
    */
   private static FileTree inputs(TestApplication application, Toolchain toolchain) {
     ActivityProfile profile = application.activity().profile();

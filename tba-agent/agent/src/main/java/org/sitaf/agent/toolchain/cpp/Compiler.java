@@ -30,7 +30,9 @@ record Compiler(Path program, String version) {
   private static final Pattern MISSING_FOLDER =
       Pattern.compile("(?m)^ignoring nonexistent directory \"([^\"]+)\"$");
 
-  /** What compilers of this machine say of themselves, which does not change while they are there. */
+  /**
+   * What compilers of this machine say of themselves, which does not change while they are there.
+   */
   private static final Map<List<String>, String> ANSWERS = new ConcurrentHashMap<>();
 
   /** Diagnostics in one line each, without colours. */
@@ -57,13 +59,14 @@ record Compiler(Path program, String version) {
   }
 
   /**
-   * Names the programs that compile, assemble and link, as they are installed now: a package that is
-   * upgraded may keep its version.
+   * Names the programs that compile, assemble and link, as they are installed now: a package that
+   * is upgraded may keep its version.
    */
   String identity() throws IOException {
     StringBuilder identity = new StringBuilder(program + " " + version);
     List<Path> programs = new ArrayList<>(List.of(program));
-    said().lines()
+    said()
+        .lines()
         .map(line -> line.strip().split(" ", 2)[0].replace("\"", ""))
         .filter(word -> word.startsWith("/") && !word.contains("//"))
         .map(Path::of)

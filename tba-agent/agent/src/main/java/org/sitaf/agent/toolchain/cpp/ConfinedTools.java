@@ -73,17 +73,14 @@ record ConfinedTools(Compilation compilation, List<Path> readable) {
     List<Path> all = new ArrayList<>(readable);
     all.addAll(
         List.of(
-            compilation.sources(),
-            compilation.output(),
-            compilation.scratch().resolve("objects")));
+            compilation.sources(), compilation.output(), compilation.scratch().resolve("objects")));
     ToolEnd end =
         compilation
             .sandbox()
             .run(
                 Confinement.of(whole, working, working, ProcessLimits.TOOL)
                     // For __DATE__ and __TIME__: the same sources give the same program.
-                    .withEnvironment(
-                        Map.of("SOURCE_DATE_EPOCH", Long.toString(CppSources.TIME)))
+                    .withEnvironment(Map.of("SOURCE_DATE_EPOCH", Long.toString(CppSources.TIME)))
                     .reading(all),
                 compilation.atMost());
     return new Run(end, working);

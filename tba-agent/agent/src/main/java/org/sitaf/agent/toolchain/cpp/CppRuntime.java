@@ -48,7 +48,9 @@ final class CppRuntime {
   /** How long what was found to be current is taken to be so. */
   private static final Duration LASTS = Duration.ofSeconds(2);
 
-  /** What an {@link InputCheck} allows for; here a header may have come with the compiler just now. */
+  /**
+   * What an {@link InputCheck} allows for; here a header may have come with the compiler just now.
+   */
   private static final Duration CLOCK_STEP = Duration.ofSeconds(2);
 
   private static final String INPUTS = ".inputs";
@@ -231,8 +233,7 @@ final class CppRuntime {
     return List.of("-MD", "-MT", RULE, "-MF", objects.resolve(number + ".d").toString());
   }
 
-  private Inputs inputs(Path objects, int count, Path fresh, long begunMillis)
-      throws IOException {
+  private Inputs inputs(Path objects, int count, Path fresh, long begunMillis) throws IOException {
     Set<String> opened = new TreeSet<>();
     for (int i = 0; i < count; i++) {
       opened.addAll(

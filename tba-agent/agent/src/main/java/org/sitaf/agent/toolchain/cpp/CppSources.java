@@ -89,13 +89,13 @@ final class CppSources {
   InputCheck inputCheck(List<Path> folders, List<Path> known) {
     List<Path> all = new ArrayList<>(includeFolders());
     all.addAll(folders);
-    return new InputCheck(
-        application.harness(), application.activity().files(), root, all, known);
+    return new InputCheck(application.harness(), application.activity().files(), root, all, known);
   }
 
   /**
-   * Gives each file a time that only its path decides: compilers write it for {@code __TIMESTAMP__},
-   * and take two files of the same content and time for one where these ask to be included once.
+   * Gives each file a time that only its path decides: compilers write it for {@code
+   * __TIMESTAMP__}, and take two files of the same content and time for one where these ask to be
+   * included once.
    */
   void settleTimes() throws IOException {
     for (Map.Entry<String, FileTree> tree :

@@ -90,8 +90,7 @@ record ObjectCache(Path folder) {
     if (!check.isCurrent(inputs)) {
       return Optional.empty();
     }
-    if (!Arrays.equals(
-        Digest.sha256(bytes, end), Arrays.copyOfRange(bytes, end, bytes.length))) {
+    if (!Arrays.equals(Digest.sha256(bytes, end), Arrays.copyOfRange(bytes, end, bytes.length))) {
       throw new IOException("changed");
     }
     Map<String, byte[]> files = new TreeMap<>();
@@ -197,7 +196,8 @@ record ObjectCache(Path folder) {
       Map<Path, FileTime> times = new TreeMap<>();
       for (Path file : all.toList()) {
         BasicFileAttributes attributes = attributes(file);
-        times.put(file, attributes == null ? FileTime.fromMillis(0) : attributes.lastModifiedTime());
+        times.put(
+            file, attributes == null ? FileTime.fromMillis(0) : attributes.lastModifiedTime());
       }
       return times.entrySet().stream()
           .sorted(Map.Entry.<Path, FileTime>comparingByValue().reversed())

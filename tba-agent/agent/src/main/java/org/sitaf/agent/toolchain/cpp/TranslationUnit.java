@@ -130,8 +130,7 @@ record TranslationUnit(
       return new Compiled(run.end(), begunMillis, null, null);
     }
     List<String> included = noted(run, INCLUDED, RULE);
-    List<String> assembled =
-        assemblyNoted ? noted(run, ASSEMBLED, name + OBJECT) : List.of();
+    List<String> assembled = assemblyNoted ? noted(run, ASSEMBLED, name + OBJECT) : List.of();
     List<String> opened = assembled == null ? null : openedByAssembler(assembled, run.folder());
     for (Map.Entry<String, Path> file : files.entrySet()) {
       run.move(name + file.getKey(), file.getValue());

@@ -10,8 +10,8 @@ import java.util.regex.Pattern;
 
 /**
  * The names that the directives of a source ask for, whether they are found or not, in whatever
- * branch they stand. A comment may look like a directive: then there is a name too many, which costs
- * at most a compilation; there is none too few.
+ * branch they stand. A comment may look like a directive: then there is a name too many, which
+ * costs at most a compilation; there is none too few.
  *
  * @param names in the order of the text
  * @param computed whether a directive takes its name from a macro, or is written too strangely to
@@ -48,8 +48,7 @@ record AskedNames(List<Name> names, boolean computed, boolean unknown, boolean a
   }
 
   static AskedNames in(byte[] source) {
-    String text =
-        SPLICE.matcher(new String(source, StandardCharsets.ISO_8859_1)).replaceAll("");
+    String text = SPLICE.matcher(new String(source, StandardCharsets.ISO_8859_1)).replaceAll("");
     Set<Name> names = new LinkedHashSet<>();
     boolean computed = false;
     boolean unknown = false;

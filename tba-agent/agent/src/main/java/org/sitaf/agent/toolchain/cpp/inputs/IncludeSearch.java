@@ -14,8 +14,8 @@ import org.jspecify.annotations.Nullable;
 import org.sitaf.core.activity.FileTree;
 
 /**
- * The files of one test application, in its layout, and which of them a name in an include directive
- * means. Paths of a layout have no links and none of the parts {@code .} and {@code ..}.
+ * The files of one test application, in its layout, and which of them a name in an include
+ * directive means. Paths of a layout have no links and none of the parts {@code .} and {@code ..}.
  */
 final class IncludeSearch {
   private static final String HARNESS = "harness/";

@@ -205,7 +205,8 @@ public final class InputCheck {
       }
       folders.put(folder, stamp);
     }
-    return Optional.of(new Inputs(digests, files, folders, new TreeSet<>(asked), found(own, asked)));
+    return Optional.of(
+        new Inputs(digests, files, folders, new TreeSet<>(asked), found(own, asked)));
   }
 
   /** Whether a tool would open the same now. */
@@ -243,7 +244,9 @@ public final class InputCheck {
     }
   }
 
-  /** Digest of what all names mean in the application that these files of it, and others, ask for. */
+  /**
+   * Digest of what all names mean in the application that these files of it, and others, ask for.
+   */
   private String found(SortedSet<String> own, SortedSet<String> asked) {
     StringBuilder text = new StringBuilder();
     for (String path : own) {

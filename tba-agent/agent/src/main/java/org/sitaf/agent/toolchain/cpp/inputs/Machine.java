@@ -12,8 +12,8 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 
 /**
- * Files of this machine that belong to no user: headers and libraries of its packages. One view sees
- * each of them as it was when it was first looked at.
+ * Files of this machine that belong to no user: headers and libraries of its packages. One view
+ * sees each of them as it was when it was first looked at.
  */
 final class Machine {
   /** What a confined compiler sees of the machine; users write nothing there. */

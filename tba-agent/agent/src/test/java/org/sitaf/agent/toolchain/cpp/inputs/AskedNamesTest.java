@@ -44,11 +44,7 @@ class AskedNamesTest {
 
   @ParameterizedTest
   @ValueSource(
-      strings = {
-        "#include NAME",
-        "#include/**/\"a.hpp\"",
-        "#include \"/usr/include/a.hpp\""
-      })
+      strings = {"#include NAME", "#include/**/\"a.hpp\"", "#include \"/usr/include/a.hpp\""})
   void aNameThatNoTextShowsIsSeenAsSuch(String text) {
     assertThat(in(text).computed()).isTrue();
   }

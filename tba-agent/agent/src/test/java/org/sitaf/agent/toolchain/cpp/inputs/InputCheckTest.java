@@ -109,8 +109,7 @@ class InputCheckTest {
   void aHeaderInFrontOfOneThatAMacroNamesIsSeen() throws Exception {
     put("component/a.cpp", "#define X \"x.hpp\"\n#include X\n");
     put("include/x.hpp", "1");
-    Inputs inputs =
-        read("/build/activity/component/a.cpp", "/build/activity/include/x.hpp");
+    Inputs inputs = read("/build/activity/component/a.cpp", "/build/activity/include/x.hpp");
     put("component/unrelated.hpp", "1");
     assertThat(check().isCurrent(inputs)).isTrue();
     put("component/x.hpp", "1");
@@ -159,8 +158,7 @@ class InputCheckTest {
   void whatIsNeitherOfTheApplicationNorOfTheSystemIsUncertain(String printed) throws Exception {
     put("component/a.cpp", "");
     Optional<Inputs> inputs =
-        check()
-            .of(List.of("/build/activity/component/a.cpp", printed), List.of(), true, LATER);
+        check().of(List.of("/build/activity/component/a.cpp", printed), List.of(), true, LATER);
 
     assertThat(inputs).isEmpty();
   }
@@ -177,8 +175,7 @@ class InputCheckTest {
   @Test
   void aHeaderOfTheMachineCountsByItsContent() throws Exception {
     Path header = Files.writeString(directory.resolve("x.hpp"), "1");
-    Inputs inputs =
-        InputCheck.ofMachine(List.of(header.toString()), LATER).orElseThrow();
+    Inputs inputs = InputCheck.ofMachine(List.of(header.toString()), LATER).orElseThrow();
 
     Files.setLastModifiedTime(header, FileTime.fromMillis(0));
     assertThat(InputCheck.isCurrentOnMachine(inputs)).isTrue();
@@ -206,8 +203,7 @@ class InputCheckTest {
   void whatChangedWhileItWasReadIsUncertain() throws Exception {
     Path header = Files.writeString(directory.resolve("x.hpp"), "1");
 
-    assertThat(
-            InputCheck.ofMachine(List.of(header.toString()), System.currentTimeMillis()))
+    assertThat(InputCheck.ofMachine(List.of(header.toString()), System.currentTimeMillis()))
         .isEmpty();
   }
 }
