@@ -96,7 +96,7 @@ public final class AgentMain implements Callable<Integer> {
       paramLabel = "COMMAND",
       defaultValue = "",
       description =
-          "Starts a simulation bridge of the agent's own, such as 'python -m sitaf_bridge'; its"
+          "Starts a simulation bridge for each build, such as 'python -m sitaf_bridge'; its"
               + " arguments are appended. Words are separated by spaces; quotes group them.")
   private String bridgeCommand = "";
 
@@ -104,7 +104,8 @@ public final class AgentMain implements Callable<Integer> {
       names = "--bridge",
       paramLabel = "ADDRESS",
       description =
-          "Uses a running simulation bridge instead of one of its own: 127.0.0.1:PORT or unix:PATH.")
+          "Uses a running simulation bridge, which all builds share, instead of one for each build:"
+              + " 127.0.0.1:PORT or unix:PATH.")
   private @Nullable String bridge;
 
   @Option(

@@ -77,7 +77,9 @@ public final class TestRun {
         run.runAll(driver);
       }
       return EXIT_DONE;
-    } catch (CannotRunException | SimulationException | CaseDataException e) {
+    } catch (SimulationException e) {
+      return cannotRun((e.isLost() ? "the simulator is gone: " : "") + e.getMessage());
+    } catch (CannotRunException | CaseDataException e) {
       return cannotRun(String.valueOf(e.getMessage()));
     } catch (IOException e) {
       return cannotRun(e.getClass().getSimpleName() + ": " + e.getMessage());
@@ -140,6 +142,9 @@ public final class TestRun {
 
   /** Writes the result of a case, the calls that it made of its stubs among it. */
   void save(CaseResult result) throws IOException {
+    if (simulation != null) {
+      simulation.requireThere();
+    }
     stubbing.writeTo(result);
     results.save(result);
   }
@@ -217,6 +222,9 @@ public final class TestRun {
   private void end(CaseResult result, Throwable thrown) {
     // A component must not disturb the next case by an interrupt that it left behind.
     Thread.interrupted();
+    if (simulation != null) {
+      simulation.requireThere();
+    }
     if (thrown instanceof CaseTooLongException tooLong) {
       result.endedWith(Verdict.ERROR, String.valueOf(tooLong.getMessage()));
     } else if (stopwatch.isRunning()) {

@@ -20,7 +20,7 @@ import org.sitaf.agent.executor.ParallelExecutor;
 import org.sitaf.agent.executor.SimulatorAddress;
 import org.sitaf.agent.executor.TestApplicationExecutor;
 import org.sitaf.agent.sandbox.Sandbox;
-import org.sitaf.agent.simulation.SimulatorClient;
+import org.sitaf.agent.simulation.BuildSimulator;
 import org.sitaf.agent.simulation.WorldException;
 import org.sitaf.agent.spool.FreeSpace;
 import org.sitaf.agent.toolchain.Compilation;
@@ -101,28 +101,8 @@ public final class BuildRun {
       log.remark(settings.sandbox().description());
 
       listener.stage(BuildStage.PREPARING);
-      Prepared prepared = prepare(log);
-
-      listener.stage(BuildStage.COMPILING);
-      Toolchain toolchain = toolchain(application.activity().profile().harness());
-      log.remark("toolchain: " + toolchain.version());
-      TestApplicationCompiler compiler =
-          new TestApplicationCompiler(
-              toolchain, settings.toolchains().compiled(), settings.coverage(), settings.sandbox());
-      Compilation compilation =
-          compiler.begin(application, applicationDirectory(), directory.resolve("compilation"));
-      try (EarlyProcess early = startEarly(toolchain, compilation, prepared, log)) {
-        CompiledApplication compiled = compiler.compile(compilation);
-
-        listener.stage(BuildStage.RUNNING);
-        ResultAssembler assembler =
-            new ResultAssembler(
-                application.model(), application.suite(), application.activity().required());
-        ExecutionRequest request = request(compiled, prepared);
-        Execution execution = execute(request, early, assembler, log);
-
-        TestResult result = report(execution, assembler, prepared.bridge(), started);
-        return new BuildOutcome.Completed(withCoverage(result, compiled, request, log));
+      try (Prepared prepared = prepare(log)) {
+        return compileAndRun(prepared, started, log);
       }
     } catch (CompilationException e) {
       String full = FreeSpace.ofBuild(directory).whyFull();
@@ -140,6 +120,31 @@ public final class BuildRun {
     } catch (RuntimeException e) {
       LOGGER.log(System.Logger.Level.ERROR, "a build failed by a fault of SITAF's own", e);
       return new BuildOutcome.InfrastructureFailed("a fault of SITAF's own: " + e);
+    }
+  }
+
+  private BuildOutcome compileAndRun(Prepared prepared, Instant started, BuildLog log)
+      throws CompilationException, IOException, InterruptedException {
+    listener.stage(BuildStage.COMPILING);
+    Toolchain toolchain = toolchain(application.activity().profile().harness());
+    log.remark("toolchain: " + toolchain.version());
+    TestApplicationCompiler compiler =
+        new TestApplicationCompiler(
+            toolchain, settings.toolchains().compiled(), settings.coverage(), settings.sandbox());
+    Compilation compilation =
+        compiler.begin(application, applicationDirectory(), directory.resolve("compilation"));
+    try (EarlyProcess early = startEarly(toolchain, compilation, prepared, log)) {
+      CompiledApplication compiled = compiler.compile(compilation);
+
+      listener.stage(BuildStage.RUNNING);
+      ResultAssembler assembler =
+          new ResultAssembler(
+              application.model(), application.suite(), application.activity().required());
+      ExecutionRequest request = request(compiled, prepared);
+      Execution execution = execute(request, early, assembler, log);
+
+      TestResult result = report(execution, assembler, prepared.bridge(), started);
+      return new BuildOutcome.Completed(withCoverage(result, compiled, request, log));
     }
   }
 
@@ -161,9 +166,18 @@ public final class BuildRun {
   /**
    * What preparing found.
    *
+   * @param simulator this build's, which ends with it; null where the activity has no world
    * @param bridge version of the simulator; empty where the activity has no world
    */
-  private record Prepared(@Nullable World world, String bridge) {}
+  private record Prepared(@Nullable World world, @Nullable BuildSimulator simulator, String bridge)
+      implements AutoCloseable {
+    @Override
+    public void close() {
+      if (simulator != null) {
+        simulator.close();
+      }
+    }
+  }
 
   /**
    * Writes the application's files, and asks the simulator for the world before anything is built.
@@ -178,24 +192,32 @@ public final class BuildRun {
     }
     String world = application.activity().profile().world();
     if (world == null) {
-      return new Prepared(null, "");
+      return new Prepared(null, null, "");
     }
     int slash = world.lastIndexOf('/');
     FileTree folder = application.activity().files().below(world.substring(0, slash + 1));
     Map<String, byte[]> worldFiles = new TreeMap<>();
     folder.paths().forEach(path -> worldFiles.put(path, folder.content(path).orElseThrow()));
-    try (SimulatorClient client = new SimulatorClient(settings.simulator().target())) {
-      String version = client.version();
-      client.check(world.substring(slash + 1), worldFiles);
+    BuildSimulator simulator = settings.simulator().forBuild();
+    boolean prepared = false;
+    try {
+      String version = simulator.version();
+      simulator.check(world.substring(slash + 1), worldFiles);
       log.remark("world " + world + " on " + version);
-      requireWayInto(settings.simulator().target(), log);
+      log.remark(simulator.description());
+      requireWayInto(simulator.target(), log);
       Path description = applicationDirectory().resolve("activity").resolve(world);
-      return new Prepared(new World(description, settings.simulator()::target), version);
+      prepared = true;
+      return new Prepared(new World(description, simulator::open), simulator, version);
     } catch (WorldException e) {
       String message = String.valueOf(e.getMessage());
       throw new CompilationException(
           "the simulator refuses the world: " + message,
           List.of(SourceDiagnostic.ofFile("activity/" + world, message)));
+    } finally {
+      if (!prepared) {
+        simulator.close();
+      }
     }
   }
 

@@ -9,7 +9,7 @@ import org.sitaf.agent.toolchain.Toolchains;
 /**
  * What builds need of the machine that runs them.
  *
- * @param simulator shared by the builds; the caller closes it
+ * @param simulator where each build gets its own; the caller closes it
  * @param sandbox in which tools and test applications run
  * @param coverage whether builds say which lines of the component they reached, where the
  *     language's tool is there

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.sandbox.Sandbox;
+import org.sitaf.agent.simulation.SimulatorEndpoint;
 import org.sitaf.agent.toolchain.CompiledApplication;
 import org.sitaf.core.activity.ActivityProfile.Limits;
 import org.sitaf.core.suite.TestCase;
@@ -78,9 +79,9 @@ public record ExecutionRequest(
     return directory.resolve("results");
   }
 
-  /** Where the simulator answers now; empty where the activity has no world. */
-  String simulatorTarget() throws IOException, InterruptedException {
-    return world == null ? "" : world.simulator().get();
+  /** What the next process reaches of the simulator; null where the activity has no world. */
+  @Nullable SimulatorEndpoint newEndpoint() throws IOException, InterruptedException {
+    return world == null ? null : world.simulator().open();
   }
 
   Path newCoverageFolder() throws IOException {
@@ -91,18 +92,18 @@ public record ExecutionRequest(
    * The simulation of the activity.
    *
    * @param description the world description, absolute; the world's files are those of its folder
-   * @param simulator asked before each process, as its simulator may have to be started anew
+   * @param simulator asked before each process, each of which gets an endpoint of its own
    */
-  public record World(Path description, SimulatorTarget simulator) {}
+  public record World(Path description, Endpoints simulator) {}
 
-  /** Where a simulator answers. */
+  /** Where processes get their way to a simulator. */
   @FunctionalInterface
-  public interface SimulatorTarget {
+  public interface Endpoints {
     /**
-     * A gRPC target.
+     * Opens an endpoint, of a fresh simulator where the last one is gone.
      *
      * @throws IOException when no simulator answers and none can be started
      */
-    String get() throws IOException, InterruptedException;
+    SimulatorEndpoint open() throws IOException, InterruptedException;
   }
 }

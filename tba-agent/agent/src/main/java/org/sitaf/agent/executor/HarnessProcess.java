@@ -16,6 +16,7 @@ import org.sitaf.agent.executor.ExecutionRequest.World;
 import org.sitaf.agent.sandbox.ConfinedProcess;
 import org.sitaf.agent.sandbox.Confinement;
 import org.sitaf.agent.sandbox.ProcessLimits;
+import org.sitaf.agent.simulation.SimulatorEndpoint;
 import org.sitaf.agent.toolchain.CompiledApplication;
 import org.sitaf.agent.toolchain.ProcessPlace;
 
@@ -62,20 +63,34 @@ final class HarnessProcess implements AutoCloseable {
    *
    * @throws IOException when the process cannot be started, or its simulator is not there
    */
-  static HarnessProcess start(ExecutionRequest request, Path results, int fromCase, OutputSink sink)
+  static HarnessProcess start(
+      ExecutionRequest request,
+      Path results,
+      int fromCase,
+      @Nullable SimulatorEndpoint simulator,
+      OutputSink sink)
       throws IOException, InterruptedException {
-    return start(request, results, fromCase, false, sink);
+    return start(request, results, fromCase, false, simulator, sink);
   }
 
   /** As {@link #start}, and it waits for {@link #letGo}. */
   static HarnessProcess startHeldBack(
-      ExecutionRequest request, Path results, int fromCase, OutputSink sink)
+      ExecutionRequest request,
+      Path results,
+      int fromCase,
+      @Nullable SimulatorEndpoint simulator,
+      OutputSink sink)
       throws IOException, InterruptedException {
-    return start(request, results, fromCase, true, sink);
+    return start(request, results, fromCase, true, simulator, sink);
   }
 
   private static HarnessProcess start(
-      ExecutionRequest request, Path results, int fromCase, boolean heldBack, OutputSink sink)
+      ExecutionRequest request,
+      Path results,
+      int fromCase,
+      boolean heldBack,
+      @Nullable SimulatorEndpoint endpoint,
+      OutputSink sink)
       throws IOException, InterruptedException {
     CompiledApplication application = request.application();
     Path working = Files.createDirectories(request.directory().resolve("run"));
@@ -84,9 +99,7 @@ final class HarnessProcess implements AutoCloseable {
     int memoryMiB = request.limits().memoryMiB();
     ProcessPlace place = new ProcessPlace(temporary, coverage, memoryMiB);
     List<String> command = new ArrayList<>(application.command(place));
-    World world = request.world();
-    SimulatorAddress simulator =
-        world == null ? null : new SimulatorAddress(world.simulator().get());
+    SimulatorAddress simulator = endpoint == null ? null : new SimulatorAddress(endpoint.target());
     command.addAll(arguments(request, results, fromCase, simulator));
     Path recording = simulator == null ? null : request.recording();
     if (recording != null) {

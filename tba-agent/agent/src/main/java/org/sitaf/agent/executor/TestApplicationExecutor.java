@@ -4,8 +4,11 @@ import java.io.IOException;
 import java.time.Duration;
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.agent.simulation.SimulatorEnd;
+import org.sitaf.agent.simulation.SimulatorEndpoint;
 import org.sitaf.agent.spool.FreeSpace;
 import org.sitaf.core.verdict.CaseResult;
 
@@ -24,7 +27,13 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow) {
 
   private static final Duration POLL = Duration.ofMillis(10);
   private static final Duration EXIT_GRACE = Duration.ofSeconds(2);
+
+  /** A simulator that ended may be replaced so often; then it is not the machine's bad luck. */
   private static final int SIMULATOR_RESTARTS = 3;
+
+  /** In a case that ends the simulator so often the component or the world does it. */
+  private static final int ENDS_IN_A_CASE = 2;
+
   private static final int STARTS = 2;
 
   public TestApplicationExecutor {
@@ -64,7 +73,8 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow) {
   private enum Follow {
     ENDED,
     NO_ANSWER,
-    NOT_READY
+    NOT_READY,
+    SIMULATOR_ENDED
   }
 
   /** What is known from one process to the next. */
@@ -74,7 +84,8 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow) {
     private final CaseProgress progress;
     private final OutputSink sink;
     private int barrenProcesses;
-    private int simulatorRestarts;
+    private final SimulatorEnds simulatorEnds =
+        new SimulatorEnds(ENDS_IN_A_CASE, SIMULATOR_RESTARTS);
     private int failedStarts;
     private boolean ready;
     private @Nullable EarlyProcess early;
@@ -98,12 +109,14 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow) {
       ready = false;
       EarlyProcess waiting = early;
       early = null;
-      String target = waiting == null ? request.simulatorTarget() : waiting.simulatorTarget();
-      try (HarnessProcess process =
-          waiting == null
-              ? HarnessProcess.start(request, results.path(), progress.current().no(), sink)
-              : waiting.letGo()) {
-        Follow how = follow(process);
+      try (SimulatorEndpoint simulator =
+              waiting == null ? request.newEndpoint() : waiting.simulator();
+          HarnessProcess process =
+              waiting == null
+                  ? HarnessProcess.start(
+                      request, results.path(), progress.current().no(), simulator, sink)
+                  : waiting.letGo()) {
+        Follow how = follow(process, simulator);
         String where = "";
         if (how == Follow.NO_ANSWER) {
           where = request.application().whereItHangs(process.stacks()).orElse("");
@@ -121,8 +134,13 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow) {
         // No case is at fault for what could not be written.
         FreeSpace.ofBuild(request.directory()).require();
         barrenProcesses = progress.count() == before ? barrenProcesses + 1 : 0;
-        if (end.cannotGoOn()) {
-          return cannotGoOn(end, target);
+        Optional<SimulatorEnd> simulatorEnd =
+            simulator == null || how == Follow.NO_ANSWER ? Optional.empty() : simulator.end();
+        if (simulatorEnd.isPresent()) {
+          return afterSimulator(simulatorEnd.get());
+        }
+        if (end.cannotGoOn() && !lostByItself(end, simulator)) {
+          return end.reason().isEmpty() ? "the test application cannot go on" : end.reason();
         }
         if (!ready) {
           return notReady(how, end);
@@ -159,23 +177,33 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow) {
       progress.currentFailed(message);
     }
 
-    /**
-     * A simulator that died is the agent's matter: the case was not at fault and is tried again
-     * with a fresh one.
-     */
-    private String cannotGoOn(ProcessEnd end, String target)
-        throws IOException, InterruptedException {
-      if (request.world() != null
-          && simulatorRestarts < SIMULATOR_RESTARTS
-          && !request.simulatorTarget().equals(target)) {
-        simulatorRestarts++;
-        sink.remark("the simulator was started anew: " + end.reason());
-        return "";
-      }
-      return end.reason().isEmpty() ? "the test application cannot go on" : end.reason();
+    /** A simulator that answers was not lost, but left: by the component, in the current case. */
+    private boolean lostByItself(ProcessEnd end, @Nullable SimulatorEndpoint simulator) {
+      return ready && end.lostSimulator() && simulator != null && !simulator.isShared();
     }
 
-    private Follow follow(HarnessProcess process) throws IOException, InterruptedException {
+    /**
+     * A simulator that died is the agent's matter: the case was not at fault and is tried again
+     * with a fresh one. A case that ends simulators is at fault.
+     */
+    private String afterSimulator(SimulatorEnd end) {
+      SimulatorEnds.Consequence consequence =
+          simulatorEnds.after(progress.current().no(), ready, end);
+      sink.remark(consequence.message());
+      switch (consequence.next()) {
+        case BLAME_CASE -> progress.currentFailed(consequence.message());
+        case GIVE_UP -> {
+          return consequence.message();
+        }
+        case TRY_AGAIN -> {
+          // The case goes on where it began, with a fresh simulator.
+        }
+      }
+      return "";
+    }
+
+    private Follow follow(HarnessProcess process, @Nullable SimulatorEndpoint simulator)
+        throws IOException, InterruptedException {
       Duration limit = request.limits().caseWall();
       long deadline = System.nanoTime() + startUp.toNanos();
       while (true) {
@@ -192,6 +220,11 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow) {
             process.kill();
           }
           return Follow.ENDED;
+        }
+        if (simulator != null && simulator.hasEnded()) {
+          // A test application that notices ends by itself, and one that needs no more of it ends
+          // well.
+          return process.awaitEnd(EXIT_GRACE) ? Follow.ENDED : Follow.SIMULATOR_ENDED;
         }
         if (System.nanoTime() - deadline > 0) {
           return ready ? Follow.NO_ANSWER : Follow.NOT_READY;

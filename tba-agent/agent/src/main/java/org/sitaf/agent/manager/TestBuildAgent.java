@@ -62,7 +62,7 @@ public final class TestBuildAgent implements AutoCloseable {
     this.directory = AgentDirectory.open(settings.directory());
     // What an agent that was killed left running would disturb the builds to come.
     new ProcessGroup(ProcessGroup.markOf(directory.path())).kill();
-    this.simulator = simulatorOf(settings, directory);
+    this.simulator = simulatorOf(settings, directory, sandbox);
     AgentKey key =
         AgentKey.open(
             directory.path().resolve("key"), settings.name(), settings.access().enrolmentToken());
@@ -105,13 +105,18 @@ public final class TestBuildAgent implements AutoCloseable {
     return builder.build();
   }
 
-  private static Simulator simulatorOf(AgentSettings settings, AgentDirectory directory) {
+  private static Simulator simulatorOf(
+      AgentSettings settings, AgentDirectory directory, Sandbox sandbox) {
     if (settings.bridge() != null) {
       return Simulator.running(settings.bridge());
     }
     return settings.bridgeCommand().isEmpty()
         ? Simulator.none()
-        : Simulator.started(settings.bridgeCommand(), directory.path().resolve("bridge"));
+        : Simulator.started(
+            settings.bridgeCommand(),
+            directory.path().resolve("bridge"),
+            sandbox,
+            Simulator.ALWAYS);
   }
 
   private void beatSoon() {

@@ -115,7 +115,8 @@ class GeneratedApplicationTest {
 
   @Test
   void theEvaluationOfThePaperPassesInAllOfIts55Cases() throws Exception {
-    try (Simulator simulator = Simulator.started(RealBridge.command(), directory)) {
+    try (Simulator simulator =
+        Simulator.started(RealBridge.command(), directory, SandboxMode.AUTO.open(), 1)) {
       BuildOutcome outcome = build(infrared(Map.of()), simulator);
 
       TestResult result = ((Completed) outcome).result();
@@ -123,7 +124,8 @@ class GeneratedApplicationTest {
       assertThat(result.cases())
           .allSatisfy(c -> assertThat(c.verdict()).as(c.toString()).isEqualTo(Verdict.PASS));
       assertThat(result.provenance().bridge()).matches("sitaf-bridge \\S+ \\(MuJoCo \\S+\\)");
-      assertThat(recording.logText()).contains("world world/ir.world.yaml on sitaf-bridge");
+      assertThat(recording.logText())
+          .contains("world world/ir.world.yaml on sitaf-bridge", "this build's alone");
     }
   }
 
@@ -133,7 +135,8 @@ class GeneratedApplicationTest {
     String source = infrared(Map.of()).activity().files().text(component).orElseThrow();
     String wrong = source.replace("double range =", "double range = 0.25 +");
     assertThat(wrong).isNotEqualTo(source);
-    try (Simulator simulator = Simulator.started(RealBridge.command(), directory)) {
+    try (Simulator simulator =
+        Simulator.started(RealBridge.command(), directory, SandboxMode.AUTO.open(), 1)) {
       BuildSettings settings =
           new BuildSettings(simulator, EchoActivity.toolchains(), SandboxMode.AUTO.open(), true, "")
               .recording(
@@ -178,7 +181,8 @@ class GeneratedApplicationTest {
             }
           }
         };
-    try (Simulator simulator = Simulator.started(RealBridge.command(), directory)) {
+    try (Simulator simulator =
+        Simulator.started(RealBridge.command(), directory, SandboxMode.AUTO.open(), 1)) {
       BuildSettings settings =
           new BuildSettings(
               simulator, EchoActivity.toolchains(), SandboxMode.AUTO.open(), true, "");
@@ -198,13 +202,14 @@ class GeneratedApplicationTest {
 
       TestResult result = ((Completed) outcome).result();
       assertThat(result.summary().pass()).as(killing.logText()).isEqualTo(55);
-      assertThat(killing.logText()).contains("the simulator was started anew");
+      assertThat(killing.logText()).contains("the simulator ended", "going on with a fresh one");
     }
   }
 
   @Test
   void aWorldThatTheSimulatorRefusesIsToldBeforeAnythingIsBuilt() throws Exception {
-    try (Simulator simulator = Simulator.started(RealBridge.command(), directory)) {
+    try (Simulator simulator =
+        Simulator.started(RealBridge.command(), directory, SandboxMode.AUTO.open(), 1)) {
       BuildOutcome outcome =
           build(infrared(Map.of("world/ir.xml", "<mujoco><oops/></mujoco>")), simulator);
 
