@@ -167,7 +167,7 @@ def test_sessions_of_one_endpoint_are_unknown_at_another(build: tuple[Bridge, En
     for other in (second, bridge):
         assert _refusal(lambda other=other: other.control.DeleteSession(request)) is grpc.StatusCode.NOT_FOUND
     assert endpoints.close(bridge, "e1")
-    assert _refusal(lambda: session.read()) is grpc.StatusCode.UNAVAILABLE
+    assert _refusal(session.read) is grpc.StatusCode.UNAVAILABLE
     assert not (endpoints.folder / "e1").exists()
     assert set(ranges(second.create(ir_world()).read()).values()) == {5.0}
     for one in (first, second):

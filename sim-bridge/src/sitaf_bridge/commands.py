@@ -86,7 +86,9 @@ def _serve(options: argparse.Namespace) -> int:
     try:
         guard = read_guard(options.tls_cert, options.tls_key, options.token_file)
         address = parse_address(options.listen, guard)
-        settings = Settings(address, options.default_lease, options.max_sessions, options.threads, guard, options.endpoints)
+        settings = Settings(
+            address, options.default_lease, options.max_sessions, options.threads, guard, options.endpoints
+        )
         # Modules live as long as the process: looking through them for garbage doubled the time of a bulk call.
         gc.collect()
         gc.freeze()

@@ -216,8 +216,6 @@ int start(int argc, char** argv, const TestRun::Factory& factory, void (*coverag
     const std::unique_ptr<Driver> driver = factory(run);
     state.runAll(*driver);
     return exitDone;
-  } catch (const simulation::SimulationError& e) {
-    return cannotRun((e.isLost() ? "the simulator is gone: " : "") + std::string(e.what()));
   } catch (const std::exception& e) {
     return cannotRun(e.what());
   } catch (...) {

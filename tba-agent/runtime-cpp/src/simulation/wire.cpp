@@ -73,7 +73,7 @@ void Wire::require(const grpc::Status& status, const std::string& what, bool ofC
 void Wire::requireThere() {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!gone_.empty()) {
-    throw SimulationError(gone_, true);
+    throw SimulationError("the simulator is gone: " + gone_, true);
   }
 }
 

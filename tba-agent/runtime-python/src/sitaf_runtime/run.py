@@ -200,9 +200,7 @@ def execute(arguments: list[str], factory: Callable[[TestRun], SuiteDriver[Any]]
         finally:
             suite.close()
         return EXIT_DONE
-    except SimulationError as e:
-        return cannot_run(("the simulator is gone: " if e.lost else "") + str(e))
-    except (CannotRunError, CaseDataError) as e:
+    except (CannotRunError, SimulationError, CaseDataError) as e:
         return cannot_run(str(e))
     except OSError as e:
         return cannot_run(f"{type(e).__name__}: {e}")

@@ -16,9 +16,8 @@ MAX_TIMESTEP_S = 1.0
 MAX_DELAY_S = 10.0
 MAX_SAMPLES = 10_000
 
-_ITERATIONS = {
-    f"{solver}iterations": (0.0, float(MAX_ITERATIONS)) for solver in ("", "ls_", "noslip_", "ccd_", "sdf_")
-}
+_ITERATIONS = {f"{solver}iterations": (0.0, float(MAX_ITERATIONS)) for solver in ("", "ls_", "noslip_", "ccd_", "sdf_")}
+_KINDS = ("body", "jnt", "geom", "site", "cam", "tendon", "actuator", "sensor")
 _HISTORY = {"nsample": (0.0, float(MAX_SAMPLES)), "delay": (0.0, MAX_DELAY_S)}
 # Lowest and highest of each number of an attribute, both inclusive; an element that is not named has none of these.
 _LIMITS: Mapping[str, Mapping[str, tuple[float, float]]] = {
@@ -28,7 +27,10 @@ _LIMITS: Mapping[str, Mapping[str, tuple[float, float]]] = {
         "nconmax": (-1, 1_000_000),
         "nkey": (-1, 10_000),
         "nuserdata": (-1, 1_000_000),
-        **{f"nuser_{kind}": (-1, 1_000) for kind in ("body", "jnt", "geom", "site", "cam", "tendon", "actuator", "sensor")},
+        **{
+            f"nuser_{kind}": (-1, 1_000)
+            for kind in ("body", "jnt", "geom", "site", "cam", "tendon", "actuator", "sensor")
+        },
     },
     "global": {"offwidth": (1, MAX_SIDE), "offheight": (1, MAX_SIDE)},
     "quality": {
@@ -49,9 +51,51 @@ _ANYWHERE = _HISTORY
 _NOT_FINITE = re.compile(r"[-+]?(nan(\(\w*\))?|inf(inity)?)", re.IGNORECASE)
 # Attributes that hold a name or a text, which may well be "nan".
 _TEXTS = frozenset(
-    "name class childclass prefix model body body1 body2 bodyname joint joint1 joint2 jointinparent geom geom1 geom2 site "
-    "site1 site2 sidesite cranksite slidersite refsite refname objname mesh material texture hfield target tendon tendon1 "
-    "tendon2 actuator camera key data source flex skin file filename gridlayout".split()
+    [
+        "name",
+        "class",
+        "childclass",
+        "prefix",
+        "model",
+        "body",
+        "body1",
+        "body2",
+        "bodyname",
+        "joint",
+        "joint1",
+        "joint2",
+        "jointinparent",
+        "geom",
+        "geom1",
+        "geom2",
+        "site",
+        "site1",
+        "site2",
+        "sidesite",
+        "cranksite",
+        "slidersite",
+        "refsite",
+        "refname",
+        "objname",
+        "mesh",
+        "material",
+        "texture",
+        "hfield",
+        "target",
+        "tendon",
+        "tendon1",
+        "tendon2",
+        "actuator",
+        "camera",
+        "key",
+        "data",
+        "source",
+        "flex",
+        "skin",
+        "file",
+        "filename",
+        "gridlayout",
+    ]
 )
 
 

@@ -164,7 +164,7 @@ class Simulation:
     def require_there(self) -> None:
         """Raise SimulationError where a call found the simulator or the session gone, whatever was made of it."""
         if self._gone is not None:
-            raise self._gone
+            raise SimulationError(f"the simulator is gone: {self._gone}", lost=True)
 
     def save_motion(self, no: int) -> None:
         """Save what moved since the case was prepared; nothing where nothing is recorded or the simulation diverged."""

@@ -77,9 +77,7 @@ public final class TestRun {
         run.runAll(driver);
       }
       return EXIT_DONE;
-    } catch (SimulationException e) {
-      return cannotRun((e.isLost() ? "the simulator is gone: " : "") + e.getMessage());
-    } catch (CannotRunException | CaseDataException e) {
+    } catch (CannotRunException | SimulationException | CaseDataException e) {
       return cannotRun(String.valueOf(e.getMessage()));
     } catch (IOException e) {
       return cannotRun(e.getClass().getSimpleName() + ": " + e.getMessage());

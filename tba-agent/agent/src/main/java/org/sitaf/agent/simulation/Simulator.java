@@ -20,6 +20,9 @@ public sealed interface Simulator extends AutoCloseable
    */
   BuildSimulator forBuild() throws SimulatorException, InterruptedException;
 
+  /** Waits until the simulator of the next build is started, where one is started ahead. */
+  default void awaitReady() throws InterruptedException {}
+
   @Override
   void close();
 

@@ -65,6 +65,21 @@ final class StartedSimulator implements Simulator {
     return new OwnSimulator(this);
   }
 
+  @Override
+  public void awaitReady() throws InterruptedException {
+    Future<BridgeProcess> next;
+    synchronized (this) {
+      next = spare;
+    }
+    if (next != null) {
+      try {
+        next.get();
+      } catch (ExecutionException e) {
+        // The build that needs it reports it.
+      }
+    }
+  }
+
   Sandbox sandbox() {
     return sandbox;
   }

@@ -53,7 +53,12 @@ class GeneratedApplicationTest {
   }
 
   private static TestApplication infrared(Map<String, String> changed) throws IOException {
-    Path example = Path.of(System.getProperty("sitaf.examples", ""), "ir-sensor");
+    return example("ir-sensor", changed);
+  }
+
+  private static TestApplication example(String name, Map<String, String> changed)
+      throws IOException {
+    Path example = Path.of(System.getProperty("sitaf.examples", ""), name);
     assumeTrue(Files.isDirectory(example), "skipped for want of " + example);
     Map<String, byte[]> files = new HashMap<>();
     try (Stream<Path> paths = Files.walk(example)) {

@@ -210,7 +210,7 @@ public final class Simulation implements AutoCloseable {
   public void requireThere() {
     SimulationException found = gone;
     if (found != null) {
-      throw found;
+      throw new SimulationException("the simulator is gone: " + found.getMessage(), true, found);
     }
   }
 
