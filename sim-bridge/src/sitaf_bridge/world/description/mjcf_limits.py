@@ -51,51 +51,11 @@ _ANYWHERE = _HISTORY
 _NOT_FINITE = re.compile(r"[-+]?(nan(\(\w*\))?|inf(inity)?)", re.IGNORECASE)
 # Attributes that hold a name or a text, which may well be "nan".
 _TEXTS = frozenset(
-    [
-        "name",
-        "class",
-        "childclass",
-        "prefix",
-        "model",
-        "body",
-        "body1",
-        "body2",
-        "bodyname",
-        "joint",
-        "joint1",
-        "joint2",
-        "jointinparent",
-        "geom",
-        "geom1",
-        "geom2",
-        "site",
-        "site1",
-        "site2",
-        "sidesite",
-        "cranksite",
-        "slidersite",
-        "refsite",
-        "refname",
-        "objname",
-        "mesh",
-        "material",
-        "texture",
-        "hfield",
-        "target",
-        "tendon",
-        "tendon1",
-        "tendon2",
-        "actuator",
-        "camera",
-        "key",
-        "data",
-        "source",
-        "flex",
-        "skin",
-        "file",
-        "filename",
-        "gridlayout",
-    ]
+    """
+    name class childclass prefix model body body1 body2 bodyname joint joint1 joint2 jointinparent geom geom1 geom2 site
+    site1 site2 sidesite cranksite slidersite refsite refname objname mesh material texture hfield target tendon tendon1
+    tendon2 actuator camera key data source flex skin file filename gridlayout
+    """.split()  # noqa: SIM905
 )
 
 
