@@ -30,7 +30,7 @@ import org.sitaf.agent.spool.Folders;
  */
 final class BridgeProcess {
   /** For the bridge and the processes that compile its worlds. */
-  static final ProcessLimits LIMITS = new ProcessLimits(2048, 256, 16, Duration.ofHours(24));
+  static final ProcessLimits LIMITS = new ProcessLimits(2048, 1024, 16, Duration.ofHours(24));
 
   private static final Duration START = Duration.ofSeconds(60);
   private static final Duration DYING = Duration.ofMillis(500);
@@ -47,7 +47,9 @@ final class BridgeProcess {
   private final BridgeOutput output;
   private final String target;
   private final SimulatorClient client;
-  private volatile boolean useless;
+
+  /** Why it was ended although it ran; empty where it was not. */
+  private volatile String useless = "";
 
   private BridgeProcess(ConfinedProcess process, Path folder, BridgeOutput output, String target) {
     this.process = process;
@@ -127,7 +129,7 @@ final class BridgeProcess {
   }
 
   boolean isAlive() {
-    return !useless && !hasExited();
+    return useless.isEmpty() && !hasExited();
   }
 
   private boolean hasExited() {
@@ -171,8 +173,7 @@ final class BridgeProcess {
   void withdraw(String name) {
     boolean interrupted = Thread.interrupted();
     if (isAlive() && !client.closesEndpoint(name)) {
-      useless = true;
-      process.close();
+      endAs("it went on with a call whose test application had ended");
     }
     try {
       Files.deleteIfExists(folder.resolve("e").resolve(name));
@@ -197,13 +198,20 @@ final class BridgeProcess {
       if (process.awaitEnd(DYING)) {
         return Optional.of(ended());
       }
-      useless = true;
-      process.close();
-      return Optional.of(new SimulatorEnd(String.valueOf(e.getMessage()), false));
+      endAs(String.valueOf(e.getMessage()));
+      return Optional.of(ended());
     }
   }
 
+  private void endAs(String reason) {
+    useless = reason;
+    process.close();
+  }
+
   private SimulatorEnd ended() {
+    if (!useless.isEmpty()) {
+      return new SimulatorEnd(useless, false);
+    }
     Optional<String> limit = process.brokenLimit();
     return limit.isPresent()
         ? new SimulatorEnd(limit.get(), true)

@@ -1,5 +1,8 @@
 package org.sitaf.agent.simulation;
 
+import java.io.IOException;
+import java.nio.file.DirectoryIteratorException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -11,6 +14,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.sandbox.Sandbox;
+import org.sitaf.agent.spool.Folders;
 
 /** Bridges of the agent's own, a fresh one for each build. */
 final class StartedSimulator implements Simulator {
@@ -55,8 +59,22 @@ final class StartedSimulator implements Simulator {
     this.directory = directory;
     this.sandbox = sandbox;
     this.expected = builds;
+    deleteLeftOvers();
     synchronized (this) {
       startAhead();
+    }
+  }
+
+  /** Folders of bridges that ended with an agent that was killed. */
+  private void deleteLeftOvers() {
+    if (Files.isDirectory(directory)) {
+      try (var folders = Files.newDirectoryStream(directory, "b[0-9]*")) {
+        for (Path folder : folders) {
+          Folders.delete(folder);
+        }
+      } catch (IOException | DirectoryIteratorException e) {
+        // They are in nobody's way.
+      }
     }
   }
 

@@ -4,6 +4,11 @@ import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import com.google.protobuf.ByteString;
+import io.grpc.Grpc;
+import io.grpc.InsecureChannelCredentials;
+import io.grpc.ManagedChannel;
+import io.grpc.StatusRuntimeException;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -15,6 +20,11 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.agent.sandbox.SandboxMode;
+import org.sitaf.sim.v1.CreateSessionRequest;
+import org.sitaf.sim.v1.ReadDevicesRequest;
+import org.sitaf.sim.v1.SimulationControlGrpc;
+import org.sitaf.sim.v1.VirtualHardwareGrpc;
+import org.sitaf.sim.v1.WorldSource;
 
 @Timeout(120)
 class SimulatorTest {
@@ -106,6 +116,62 @@ class SimulatorTest {
             .hasMessageContaining("PERMISSION_DENIED");
         assertThatThrownBy(() -> client.openEndpoint("e9", "0"))
             .hasMessageContaining("UNIMPLEMENTED");
+      }
+    }
+  }
+
+  @Test
+  void aCameraSeesInTheSandboxWhatItSeesOutside() throws Exception {
+    byte[] mjcf =
+        ("<mujoco><worldbody><light pos=\"0 0 3\"/><geom type=\"plane\" size=\"1 1 1\"/>"
+                + "<camera name=\"c\" pos=\"0 0 2\"/></worldbody></mujoco>")
+            .getBytes(UTF_8);
+    byte[] world =
+        "mjcf: w.xml\ndevices:\n  c: {kind: camera, camera: c, width: 32, height: 24}\n"
+            .getBytes(UTF_8);
+    Map<String, byte[]> files = Map.of("w.world.yaml", world, "w.xml", mjcf);
+    String outside;
+    try (Simulator simulators =
+            Simulator.started(RealBridge.command(), directory, Sandbox.none(), 0);
+        BuildSimulator simulator = simulators.forBuild()) {
+      outside = picture(simulator, files);
+    }
+    try (Simulator simulators = started(0);
+        BuildSimulator simulator = simulators.forBuild()) {
+      assertThat(picture(simulator, files)).isEqualTo(outside);
+    }
+  }
+
+  /** Digest of what the camera sees, or the code of the refusal where this machine renders none. */
+  private static String picture(BuildSimulator simulator, Map<String, byte[]> files)
+      throws Exception {
+    simulator.check("w.world.yaml", files);
+    WorldSource.Builder source = WorldSource.newBuilder().setDescription("w.world.yaml");
+    files.forEach((path, content) -> source.putFiles(path, ByteString.copyFrom(content)));
+    try (SimulatorEndpoint endpoint = simulator.open()) {
+      ManagedChannel channel =
+          Grpc.newChannelBuilder(endpoint.target(), InsecureChannelCredentials.create())
+              .overrideAuthority("localhost")
+              .build();
+      try {
+        String session =
+            SimulationControlGrpc.newBlockingStub(channel)
+                .createSession(CreateSessionRequest.newBuilder().setWorld(source).build())
+                .getSessionId();
+        ByteString seen =
+            VirtualHardwareGrpc.newBlockingStub(channel)
+                .readDevices(
+                    ReadDevicesRequest.newBuilder().setSessionId(session).addDevices("c").build())
+                .getState()
+                .getReadings(0)
+                .getImage()
+                .getData();
+        assertThat(seen.size()).isEqualTo(32 * 24 * 3);
+        return Integer.toString(seen.hashCode());
+      } catch (StatusRuntimeException e) {
+        return e.getStatus().getCode().toString();
+      } finally {
+        channel.shutdownNow();
       }
     }
   }
