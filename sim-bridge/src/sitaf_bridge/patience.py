@@ -9,6 +9,7 @@ import os
 from pathlib import Path
 
 AUTOGROUP = Path("/proc/self/autogroup")
+FIRST_PROCESS = Path("/proc/1/comm")
 
 
 def give_way() -> None:
@@ -22,8 +23,8 @@ def be_prompt() -> None:
 
 
 def _share(nice: int) -> None:
-    # The session of somebody else is not to be slowed down.
-    if os.getsid(0) != os.getpid():
-        return
     with contextlib.suppress(OSError):
-        AUTOGROUP.write_text(str(nice))
+        # The session of somebody else is not to be slowed down; that of a sandbox begins with its first process.
+        leader = os.getsid(0)
+        if leader == os.getpid() or (leader == 1 and FIRST_PROCESS.read_text().strip() == "bwrap"):
+            AUTOGROUP.write_text(str(nice))
