@@ -6,10 +6,14 @@ own may lower its session's share and raise it again without any right. Elsewher
 
 import contextlib
 import os
+import threading
+import time
 from pathlib import Path
 
 AUTOGROUP = Path("/proc/self/autogroup")
 FIRST_PROCESS = Path("/proc/1/comm")
+TRIES = 50
+PAUSE_S = 0.11
 
 
 def give_way() -> None:
@@ -18,13 +22,23 @@ def give_way() -> None:
 
 
 def be_prompt() -> None:
-    """Have a share as everybody else."""
-    _share(0)
+    """Have a share as everybody else, from a moment later on."""
+    threading.Thread(target=_share, args=(0,), name="be-prompt", daemon=True).start()
 
 
 def _share(nice: int) -> None:
     with contextlib.suppress(OSError):
         # The session of somebody else is not to be slowed down; that of a sandbox begins with its first process.
         leader = os.getsid(0)
-        if leader == os.getpid() or (leader == 1 and FIRST_PROCESS.read_text().strip() == "bwrap"):
+        if leader != os.getpid() and not (leader == 1 and FIRST_PROCESS.read_text().strip() == "bwrap"):
+            return
+    for _ in range(TRIES):
+        try:
             AUTOGROUP.write_text(str(nice))
+        except BlockingIOError:
+            # The kernel takes ten such changes a second, of all sessions together.
+            time.sleep(PAUSE_S)
+        except OSError:
+            return
+        else:
+            return
