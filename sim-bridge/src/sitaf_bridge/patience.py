@@ -18,21 +18,21 @@ PAUSE_S = 0.11
 
 def give_way() -> None:
     """Leave the processor to others."""
-    _share(19)
+    _share(19, 1)
 
 
 def be_prompt() -> None:
     """Have a share as everybody else, from a moment later on."""
-    threading.Thread(target=_share, args=(0,), name="be-prompt", daemon=True).start()
+    threading.Thread(target=_share, args=(0, TRIES), name="be-prompt", daemon=True).start()
 
 
-def _share(nice: int) -> None:
+def _share(nice: int, tries: int) -> None:
     with contextlib.suppress(OSError):
         # The session of somebody else is not to be slowed down; that of a sandbox begins with its first process.
         leader = os.getsid(0)
         if leader != os.getpid() and not (leader == 1 and FIRST_PROCESS.read_text().strip() == "bwrap"):
             return
-    for _ in range(TRIES):
+    for _ in range(tries):
         try:
             AUTOGROUP.write_text(str(nice))
         except BlockingIOError:
