@@ -88,7 +88,8 @@ public final class AgentMain implements Callable<Integer> {
       paramLabel = "MIB",
       defaultValue = "200",
       description =
-          "Takes no new build while less is free on the disk of --directory; default ${DEFAULT-VALUE}.")
+          "Takes no new build while less is free on the disk of --directory; default"
+              + " ${DEFAULT-VALUE}.")
   private long minFreeMib;
 
   @Option(
@@ -121,9 +122,9 @@ public final class AgentMain implements Callable<Integer> {
       paramLabel = "MODE",
       defaultValue = "auto",
       description =
-          "Components and their compilers run in a sandbox (bubblewrap): required, auto (where it is"
-              + " installed) or off; default ${DEFAULT-VALUE}. An agent that has one carries the label"
-              + " 'sandbox'.")
+          "Components and their compilers run in a sandbox (bubblewrap): required, auto (where it"
+              + " is installed) or off; default ${DEFAULT-VALUE}. An agent that has one carries the"
+              + " label 'sandbox'.")
   private SandboxMode sandbox = SandboxMode.AUTO;
 
   @Option(

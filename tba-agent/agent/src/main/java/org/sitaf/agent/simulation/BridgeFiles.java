@@ -17,9 +17,10 @@ final class BridgeFiles {
   private static final String MODULE = "-m";
 
   private static final String PROBE =
-      "import sys, os, sitaf_bridge; print(*{os.path.abspath(p) for p in"
-          + " [sys.prefix, sys.base_prefix, os.path.dirname(os.path.dirname(sitaf_bridge.__file__)),"
-          + " *filter(None, sys.path)] if os.path.exists(p)}, sep='\\n')";
+      "import sys, os, sitaf_bridge; print(*{os.path.abspath(p) for p in [sys.prefix,"
+          + " sys.base_prefix, os.path.dirname(os.path.dirname(sitaf_bridge.__file__)),"
+          + " *filter(None, sys.path)] if os.path.exists(p)}, sep='\\n"
+          + "')";
 
   /** By command; what is installed does not move while an agent runs. */
   private static final Map<List<String>, List<Path>> KNOWN = new ConcurrentHashMap<>();
