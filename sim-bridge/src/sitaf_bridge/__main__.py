@@ -6,11 +6,6 @@ Nothing is imported outside the guard: the processes that compile worlds import 
 if __name__ == "__main__":
     import sys
 
-    from sitaf_bridge.patience import give_way
-
-    if "--endpoints" in sys.argv:
-        give_way()
-
     from sitaf_bridge.commands import main
 
     sys.exit(main())

@@ -1,14 +1,13 @@
 """The running server."""
 
 import contextlib
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
 import grpc
 
-from sitaf_bridge.patience import be_prompt
 from sitaf_bridge.server.address import Address, BadAddress, Guard, TokenCheck
 from sitaf_bridge.server.control import SimulationControl
 from sitaf_bridge.server.endpoints import SERVER_OPTIONS, Administration, Endpoints
@@ -19,24 +18,6 @@ from sitaf_bridge.world.catalog import Catalog
 
 # Seconds that calls at work get to end when the server stops.
 GRACE_S = 2.0
-
-
-class _FirstCall(grpc.ServerInterceptor):
-    """Ends the patience of a bridge that waited for its build."""
-
-    def __init__(self) -> None:
-        self._came = False
-
-    def intercept_service(
-        self,
-        continuation: Callable[[grpc.HandlerCallDetails], grpc.RpcMethodHandler | None],
-        handler_call_details: grpc.HandlerCallDetails,
-    ) -> grpc.RpcMethodHandler | None:
-        """Let every call through."""
-        if not self._came:
-            self._came = True
-            be_prompt()
-        return continuation(handler_call_details)
 
 
 @dataclass(frozen=True)
@@ -58,8 +39,6 @@ def serving(settings: Settings, catalog: Catalog) -> Iterator[str]:
     pool = ThreadPoolExecutor(settings.threads, thread_name_prefix="call")
     guard = settings.guard
     checks: list[grpc.ServerInterceptor] = [] if guard is None else [TokenCheck(guard.token)]
-    if settings.endpoints is not None:
-        checks.append(_FirstCall())
     server = grpc.server(pool, options=SERVER_OPTIONS, interceptors=checks)
     simulation_pb2_grpc.add_SimulationControlServicer_to_server(SimulationControl(catalog, registry), server)
     simulation_pb2_grpc.add_VirtualHardwareServicer_to_server(
