@@ -63,6 +63,24 @@ class ResultAssemblerTest {
   }
 
   @Test
+  void aConditionThatTakesTooMuchIsAnErrorThatSaysSo() {
+    String all = "actual.all(a, actual.all(b, actual.all(c, actual.all(d, a + b + c + d > -1))))";
+    String costly =
+        MODEL
+            .replace("actual * 2.0 == n", all.replace(">", "&gt;"))
+            .replace(
+                "abstract_type=\"NUMERIC\" real_type=\"double\"><name>return",
+                "abstract_type=\"SEQUENCE\" real_type=\"sequence&lt;long&gt;\"><name>return");
+    TestModel other =
+        TestModelXml.read(
+            new ByteArrayInputStream(costly.getBytes(StandardCharsets.UTF_8)), "Half.xml");
+    String ones = java.util.Collections.nCopies(200, "1").toString();
+    CaseResult judged = new ResultAssembler(other, suite).judge(line(2, "2", ones, 1));
+    assertThat(judged.verdict()).isEqualTo(Verdict.ERROR);
+    assertThat(judged.message()).contains("more than 5,000,000 steps", "simplify it");
+  }
+
+  @Test
   void aConditionThatHasNoValueIsAnErrorAndNoFailure() {
     CaseResult judged = assembler.judge(line(2, "2", "one", 1));
     assertThat(judged.verdict()).isEqualTo(Verdict.ERROR);
