@@ -17,7 +17,9 @@ public final class Refusal extends RuntimeException {
     /** More than the server takes. */
     TOO_LARGE,
     /** The server's disk is full. */
-    NO_ROOM
+    NO_ROOM,
+    /** The server has too much to do. */
+    BUSY
   }
 
   private final Reason reason;
@@ -71,6 +73,11 @@ public final class Refusal extends RuntimeException {
             + ": "
             + why
             + ". Make room on it, or ask whoever runs this server; what is stored can be read.");
+  }
+
+  /** The server has too much to do at present; the message says of what. */
+  public static Refusal busy(String message) {
+    return new Refusal(Reason.BUSY, message);
   }
 
   /** More than the limit. */

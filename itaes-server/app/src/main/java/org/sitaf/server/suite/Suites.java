@@ -21,6 +21,7 @@ import org.sitaf.core.suite.TestCaseGenerator;
 import org.sitaf.core.suite.TestSuite;
 import org.sitaf.core.suite.document.TestSuiteXml;
 import org.sitaf.server.activity.Workspaces;
+import org.sitaf.server.computation.Computations;
 import org.sitaf.server.refusal.Refusal;
 import org.springframework.data.domain.Page;
 import org.springframework.data.domain.Pageable;
@@ -36,6 +37,7 @@ public class Suites {
   private final Clock clock;
   private final SuiteCache cache;
   private final SuiteRevisions revisions;
+  private final Computations computations;
 
   Suites(
       SuiteRepository suites,
@@ -43,11 +45,13 @@ public class Suites {
       TransactionTemplate transaction,
       Clock clock,
       SuiteCache cache,
-      SuiteRevisions revisions) {
+      SuiteRevisions revisions,
+      Computations computations) {
     this.suites = suites;
     this.workspaces = workspaces;
     this.cache = cache;
     this.revisions = revisions;
+    this.computations = computations;
     this.transaction = transaction;
     this.clock = clock;
   }
@@ -100,7 +104,9 @@ public class Suites {
 
   String generate(String activityId, String modelName, GenerationOptions options) {
     TestModel model = Workspaces.model(workspaces.activity(activityId), modelName);
-    GeneratedSuite generated = TestCaseGenerator.generate(model, options);
+    GeneratedSuite generated =
+        computations.generation(
+            "The generation of the suite", () -> TestCaseGenerator.generate(model, options));
     String id = UUID.randomUUID().toString();
     StoredSuite stored =
         new StoredSuite(

@@ -6,6 +6,7 @@ import java.util.Optional;
 import org.apache.tomcat.util.http.InvalidParameterException;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.diagnostic.InvalidInputException;
+import org.sitaf.server.computation.OvertimeException;
 import org.sitaf.server.refusal.Refusal;
 import org.sitaf.server.storage.StorageFailure;
 import org.slf4j.Logger;
@@ -59,7 +60,13 @@ class Problems extends ResponseEntityExceptionHandler {
           case OUTDATED -> problem(HttpStatus.PRECONDITION_FAILED, "Changed meanwhile", e);
           case TOO_LARGE -> problem(HttpStatus.CONTENT_TOO_LARGE, "Too large", e);
           case NO_ROOM -> problem(HttpStatus.INSUFFICIENT_STORAGE, "No room", e);
+          case BUSY -> problem(HttpStatus.SERVICE_UNAVAILABLE, "Too much to do", e);
         });
+  }
+
+  @ExceptionHandler
+  ResponseEntity<ProblemDetail> overtime(OvertimeException e) {
+    return answer(problem(HttpStatus.UNPROCESSABLE_CONTENT, "The input takes too long", e));
   }
 
   /** A query or form that cannot be read. */

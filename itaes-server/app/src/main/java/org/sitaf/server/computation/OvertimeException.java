@@ -1,0 +1,15 @@
+package org.sitaf.server.computation;
+
+/** A computation did not end in its time; it was ended. */
+public final class OvertimeException extends RuntimeException {
+  private static final long serialVersionUID = 1L;
+
+  OvertimeException(String what, long seconds) {
+    super(
+        what
+            + " took longer than "
+            + seconds
+            + " s and was ended: give the parameters fewer values, lower the strength, or simplify"
+            + " the conditions");
+  }
+}
