@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.concurrent.CancellationException;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.compiler.TestApplicationCompiler;
 import org.sitaf.agent.executor.EarlyProcess;
@@ -137,6 +138,9 @@ public final class BuildRun {
               .toList());
     } catch (IOException | UncheckedIOException e) {
       return new BuildOutcome.InfrastructureFailed(String.valueOf(e.getMessage()));
+    } catch (CancellationException e) {
+      // A post-condition that was being evaluated ends with an exception of its own.
+      throw new InterruptedException(e.getMessage());
     } catch (RuntimeException e) {
       LOGGER.log(System.Logger.Level.ERROR, "a build failed by a fault of SITAF's own", e);
       return new BuildOutcome.InfrastructureFailed("a fault of SITAF's own: " + e);

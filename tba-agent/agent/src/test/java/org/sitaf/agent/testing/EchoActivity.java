@@ -34,6 +34,7 @@ public final class EchoActivity {
   private String limits = "{case_wall_s: 10, case_sim_s: 60, memory_mb: 128}";
   private String extra = "";
   private int cases = 5;
+  private String postConditions = "";
   private final String harness = resource("ScriptedHarness.java");
 
   /** The component's class with this body of {@code int echo(int value) throws Exception}. */
@@ -94,6 +95,12 @@ public final class EchoActivity {
     return this;
   }
 
+  /** With a condition in CEL on every case; without characters that XML would escape. */
+  public EchoActivity postCondition(String condition) {
+    postConditions += "<post_condition>" + condition + "</post_condition>";
+    return this;
+  }
+
   public EchoActivity file(String path, String content) {
     files.put(path, content);
     return this;
@@ -145,7 +152,15 @@ public final class EchoActivity {
         IntStream.rangeClosed(1, cases)
             .mapToObj(value -> "<value>" + value + "</value>")
             .collect(Collectors.joining());
-    return resource("Echo.xml").replace("@VALUES@", values);
+    return resource("Echo.xml")
+        .replace("@VALUES@", values)
+        .replace(
+            "  <order_of",
+            postConditions.isEmpty()
+                ? "  <order_of"
+                : "  <post_condition_spec_list>"
+                    + postConditions
+                    + "</post_condition_spec_list>\n  <order_of");
   }
 
   private static String resource(String name) {
