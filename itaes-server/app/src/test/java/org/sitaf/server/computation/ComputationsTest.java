@@ -38,7 +38,8 @@ class ComputationsTest {
     Computations computations = computations(1, SHORT, LONG);
     for (int i = 0; i < 3; i++) {
       CountDownLatch ended = new CountDownLatch(1);
-      assertThatThrownBy(() -> as("eve", () -> computations.generation("It", () -> evaluate(ended))))
+      assertThatThrownBy(
+              () -> as("eve", () -> computations.generation("It", () -> evaluate(ended))))
           .isInstanceOf(OvertimeException.class)
           .hasMessageContaining("took longer than");
       await(ended);

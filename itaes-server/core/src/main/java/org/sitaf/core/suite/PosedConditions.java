@@ -78,7 +78,10 @@ final class PosedConditions {
     int[] parameters = part.parameters();
     int[] tuple = new int[parameters.length];
     for (int i = 0; i >= 0; ) {
-      part.allowed().test(tuple);
+      var unused = part.allowed().test(tuple);
+      if (undecided[0]) {
+        return false;
+      }
       for (i = tuple.length - 1; i >= 0; i--) {
         if (++tuple[i] < candidates.get(parameters[i]).size()) {
           break;
@@ -86,7 +89,7 @@ final class PosedConditions {
         tuple[i] = 0;
       }
     }
-    return !undecided[0];
+    return true;
   }
 
   private static boolean hasTable(Constraint constraint, List<List<TestValue>> candidates) {

@@ -31,6 +31,9 @@ public final class TestCaseGenerator {
   /** The most values of one element. */
   private static final int MAX_VALUES = 200_000;
 
+  /** The most characters of all values of a suite. */
+  private static final long MAX_CHARACTERS = 200_000_000;
+
   private TestCaseGenerator() {}
 
   /**
@@ -72,7 +75,8 @@ public final class TestCaseGenerator {
           model.source(), 0, "pre_condition_spec_list", "the conditions allow no case at all");
     }
     diagnostics.throwIfErrors();
-    List<TestCase> cases = number(rows, kept, new Oracle(model, conditions, diagnostics));
+    Oracle oracle = new Oracle(model, conditions, diagnostics);
+    List<TestCase> cases = number(model, rows, kept, oracle);
 
     TestSuite suite =
         new TestSuite(
@@ -160,12 +164,14 @@ public final class TestCaseGenerator {
   }
 
   /** Valid cases first; a kept case keeps its number, and no other case ever gets it. */
-  private static List<TestCase> number(List<List<TestValue>> rows, KeptCases kept, Oracle oracle) {
+  private static List<TestCase> number(
+      TestModel model, List<List<TestValue>> rows, KeptCases kept, Oracle oracle) {
     List<List<TestValue>> ordered = new ArrayList<>(rows);
     ordered.sort(Comparator.comparing(row -> !isValid(row)));
     int next = kept.highestNumber() + 1;
     List<TestCase> cases = new ArrayList<>();
     Map<Value, String> literals = new HashMap<>();
+    long characters = 0;
     for (List<TestValue> row : ordered) {
       Interruption.check();
       List<Value> values = row.stream().map(TestValue::value).toList();
@@ -173,6 +179,23 @@ public final class TestCaseGenerator {
       int no = numbered.isPresent() ? numbered.get().no() : next++;
       boolean valid = isValid(row);
       List<ExpectedValue> expected = oracle.expect(no, valid, values);
+      characters += characters(values, literals, expected);
+      if (characters > MAX_CHARACTERS) {
+        throw new InvalidInputException(
+            List.of(
+                Diagnostic.error(
+                    model.source(),
+                    0,
+                    "input_spec_list",
+                    String.format(
+                        Locale.ROOT,
+                        "the first %,d of %,d cases have %,d characters; at most %,d are allowed:"
+                            + " use shorter values, or fewer of them",
+                        cases.size(),
+                        rows.size(),
+                        characters,
+                        MAX_CHARACTERS))));
+      }
       cases.add(
           new TestCase(
               no,
@@ -183,6 +206,14 @@ public final class TestCaseGenerator {
     }
     oracle.tell();
     return cases;
+  }
+
+  private static long characters(
+      List<Value> values, Map<Value, String> literals, List<ExpectedValue> expected) {
+    return values.stream()
+            .mapToLong(v -> literals.computeIfAbsent(v, Value::literal).length())
+            .sum()
+        + expected.stream().mapToLong(e -> e.literal().length()).sum();
   }
 
   private static boolean isValid(List<TestValue> row) {

@@ -48,13 +48,12 @@ class GenerationLimitsTest {
     assertThat(suite.cases()).extracting(c -> c.values().get(5)).doesNotContain("0", "6", "9");
     assertThatThrownBy(() -> generate(six(10), "10 / f >= 2 && a < b && c < d && e < 9", "2"))
         .isInstanceOf(InvalidInputException.class)
-        .hasMessageContaining("by zero");
+        .hasMessageContaining("has no value for");
   }
 
   @ParameterizedTest
   @ValueSource(
       strings = {
-        "a + b + c + d + e + f == 0",
         "a + b + c + d + e + f == 20",
         "(a * 3 + b * 5 + c * 7 + d * 11 + e * 13 + f * 17) % 10 != 3 && a < 9"
       })
@@ -72,7 +71,6 @@ class GenerationLimitsTest {
   void manyValuesOfOneParameterTakeTimeAndMemoryInProportion() {
     String inputs = random("a", 100_000) + listed("b", 3) + listed("c", 3);
     assertThat(generate(inputs, "", "2").cases()).hasSizeGreaterThanOrEqualTo(300_000);
-    assertThat(generate(inputs, "b != c", "1").cases()).hasSizeGreaterThanOrEqualTo(100_000);
     assertThatThrownBy(() -> generate(inputs, "a != c", "2"))
         .isInstanceOf(InvalidInputException.class)
         .hasMessageContaining("100000, more than the limit of 10000");
@@ -86,7 +84,7 @@ class GenerationLimitsTest {
     assertThatThrownBy(() -> generate(listed("a", 3_000) + listed("b", 3_000), "", "2"))
         .hasMessageContaining("at least 9,000,000 cases")
         .hasMessageContaining("at most 1,000,000");
-    assertThatThrownBy(() -> generate(six(11), "", "all")).hasMessageContaining("1771561");
+    assertThatThrownBy(() -> generate(six(11), "", "all")).hasMessageContaining("at least 1,771,561 cases");
     String many =
         IntStream.range(0, 4_000).mapToObj(i -> listed("p" + i, 2)).collect(Collectors.joining());
     assertThatThrownBy(() -> generate(many, "", "2")).hasMessageContaining("sets of parameters");
@@ -103,6 +101,18 @@ class GenerationLimitsTest {
               assertThat(e.diagnostics().get(0).message())
                   .contains("case 1 ", "it makes a text of");
             });
+  }
+
+  @Test
+  void longTextsAreRefusedBeforeTheyFillTheMemory() {
+    String text =
+        "<test_element abstract_type=\"STRING\" real_type=\"string\"><name>t</name>"
+            + "<type>TDI</type><test_spec type=\"RANDOM_STRING\" min_length=\"1000000\""
+            + " max_length=\"1000000\" alphabet=\"true\"/></test_element>";
+    assertThatThrownBy(() -> generate(text + listed("b", 300), "", "2"))
+        .hasMessageContaining("characters; at most 200,000,000 are allowed");
+    assertThatThrownBy(() -> generate(listed("a", 2), "a in [" + "1, ".repeat(200_000) + "1]", "1"))
+        .hasMessageContaining("characters in all; at most 500,000");
   }
 
   @ParameterizedTest
