@@ -18,6 +18,9 @@ import java.util.concurrent.CancellationException;
  * is interrupted.
  */
 public final class Expression {
+  /** Characters of an expression in a message; each case of a suite may have one. */
+  private static final int MAX_SHOWN = 500;
+
   private final String text;
   private final CelAbstractSyntaxTree ast;
   private final CelRuntime runtime;
@@ -27,7 +30,7 @@ public final class Expression {
 
   Expression(String text, CelAbstractSyntaxTree ast, CelRuntime runtime)
       throws CelEvaluationException {
-    this.text = text;
+    this.text = shown(text);
     this.ast = ast;
     this.runtime = runtime;
     this.program = runtime.createProgram(ast);
@@ -43,9 +46,13 @@ public final class Expression {
     this.names = Set.copyOf(found);
   }
 
-  /** The expression as it was written. */
+  /** The expression as it was written, for messages: cut where it is long. */
   public String text() {
     return text;
+  }
+
+  static String shown(String text) {
+    return text.length() <= MAX_SHOWN ? text : text.substring(0, MAX_SHOWN) + "…";
   }
 
   /** Whether the expression asks for a variable. */
@@ -120,7 +127,8 @@ public final class Expression {
       throw new EvaluationException(String.valueOf(e.getMessage()), true);
     } catch (CelEvaluationException e) {
       String message = String.valueOf(e.getMessage());
-      throw new EvaluationException(message.replaceFirst("^evaluation error[^:]*: ", ""));
+      // A message may hold a value, which may be long.
+      throw new EvaluationException(shown(message.replaceFirst("^evaluation error[^:]*: ", "")));
     }
   }
 }

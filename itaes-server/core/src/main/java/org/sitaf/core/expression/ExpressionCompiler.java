@@ -25,9 +25,6 @@ public final class ExpressionCompiler {
   private static final CelType CALLS =
       MapType.create(SimpleType.STRING, ListType.create(SimpleType.DYN));
 
-  /** Characters of an expression in a message. */
-  private static final int MAX_SHOWN = 500;
-
   private final CelCompiler compiler;
   private final CelRuntime runtime;
 
@@ -74,7 +71,7 @@ public final class ExpressionCompiler {
   }
 
   private static IllegalArgumentException notUsable(String text, String why, Exception cause) {
-    String shown = text.length() <= MAX_SHOWN ? text : text.substring(0, MAX_SHOWN) + "…";
-    return new IllegalArgumentException("'" + shown + "' is not usable: " + why, cause);
+    return new IllegalArgumentException(
+        "'" + Expression.shown(text) + "' is not usable: " + why, cause);
   }
 }

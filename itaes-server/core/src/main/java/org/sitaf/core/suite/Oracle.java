@@ -30,6 +30,9 @@ final class Oracle {
   /** Further cases without a value are counted only. */
   private static final int MAX_WARNINGS = 1_000;
 
+  /** Characters of a value in a message. */
+  private static final int MAX_SHOWN = 200;
+
   private final TestModel model;
   private final Conditions conditions;
   private final Diagnostics diagnostics;
@@ -99,9 +102,13 @@ final class Oracle {
     }
   }
 
+  private static String shown(String literal) {
+    return literal.length() <= MAX_SHOWN ? literal : literal.substring(0, MAX_SHOWN) + "…";
+  }
+
   private String inputs(List<Value> values) {
     return IntStream.range(0, values.size())
-        .mapToObj(i -> model.inputs().get(i).name() + "=" + values.get(i).literal())
+        .mapToObj(i -> model.inputs().get(i).name() + "=" + shown(values.get(i).literal()))
         .collect(Collectors.joining(", "));
   }
 
