@@ -16,7 +16,7 @@ import org.springframework.validation.annotation.Validated;
  *     2. A person gets half of them.
  * @param preview how long the preview of a model may take
  * @param generation how long the generation of a suite, or of its expected values, may take
- * @param wait how long a request waits until its computation may begin
+ * @param patience how long a request waits until its computation may begin
  */
 @Validated
 @ConfigurationProperties("sitaf.computation")
@@ -24,7 +24,7 @@ public record ComputationSettings(
     @Min(0) @Max(256) @DefaultValue("0") int atOnce,
     @DurationMin(millis = 100) @DurationMax(minutes = 10) @DefaultValue("30s") Duration preview,
     @DurationMin(millis = 100) @DurationMax(hours = 2) @DefaultValue("5m") Duration generation,
-    @DurationMin(millis = 0) @DurationMax(minutes = 10) @DefaultValue("30s") Duration wait) {
+    @DurationMin(millis = 0) @DurationMax(minutes = 10) @DefaultValue("30s") Duration patience) {
   int places() {
     return atOnce > 0 ? atOnce : Math.max(2, Runtime.getRuntime().availableProcessors());
   }

@@ -57,7 +57,7 @@ public class Computations implements SmartLifecycle {
   private <T> T run(String what, Duration limit, boolean replaceable, Supplier<T> work) {
     FutureTask<T> task = null;
     try {
-      Places.Place place = places.take(Caller.currentName(), replaceable, settings.wait());
+      Places.Place place = places.take(Caller.currentName(), replaceable, settings.patience());
       task = new Computation<>(work, place);
       if (replaceable) {
         FutureTask<T> ended = task;
