@@ -84,7 +84,8 @@ class GenerationLimitsTest {
     assertThatThrownBy(() -> generate(listed("a", 3_000) + listed("b", 3_000), "", "2"))
         .hasMessageContaining("at least 9,000,000 cases")
         .hasMessageContaining("at most 1,000,000");
-    assertThatThrownBy(() -> generate(six(11), "", "all")).hasMessageContaining("at least 1,771,561 cases");
+    assertThatThrownBy(() -> generate(six(11), "", "all"))
+        .hasMessageContaining("at least 1,771,561 cases");
     String many =
         IntStream.range(0, 4_000).mapToObj(i -> listed("p" + i, 2)).collect(Collectors.joining());
     assertThatThrownBy(() -> generate(many, "", "2")).hasMessageContaining("sets of parameters");
