@@ -104,4 +104,22 @@ class ResultAssemblerTest {
         .contains("name=\"1: n=0\"")
         .contains("<skipped message=\"stopped\">");
   }
+
+  @Test
+  void aSuspectResultReadsBackAndIsAnErrorInJunit() {
+    TestResult result =
+        assembler
+            .assemble(List.of(line(1, "0", "0", 2)), "stopped", PROVENANCE)
+            .suspected(List.of("a line without number and token (3 times)"));
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    TestResultXml.write(result, out);
+    assertThat(TestResultXml.read(new ByteArrayInputStream(out.toByteArray()), "result.xml"))
+        .isEqualTo(result);
+
+    ByteArrayOutputStream report = new ByteArrayOutputStream();
+    JunitXml.write("activity", List.of(result), report);
+    assertThat(report.toString(StandardCharsets.UTF_8))
+        .contains("tests=\"4\" failures=\"0\" errors=\"1\"")
+        .contains("<error message=\"the result is suspect\">a line without number");
+  }
 }
