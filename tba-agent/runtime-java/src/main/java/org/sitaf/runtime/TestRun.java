@@ -74,6 +74,8 @@ public final class TestRun {
       TestRun early = EarlyStart.take(arguments);
       TestRun run = early == null ? open(arguments) : early;
       try (Closeable opened = run::close) {
+        // Before anything of the component is loaded.
+        run.results.authorise(EarlyStart::takeLine);
         run.runAll(driver);
       }
       return EXIT_DONE;
@@ -145,9 +147,7 @@ public final class TestRun {
   }
 
   private static ResultsFile openResults(CommandLine command) throws IOException {
-    return command.from() > 0
-        ? ResultsFile.append(command.results())
-        : ResultsFile.create(command.results());
+    return ResultsFile.open(command.results(), command.from() > 0);
   }
 
   private void close() throws IOException {

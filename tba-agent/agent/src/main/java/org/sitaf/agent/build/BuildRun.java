@@ -318,7 +318,9 @@ public final class BuildRun {
             bridge,
             started.truncatedTo(ChronoUnit.MILLIS).toString(),
             Instant.now().truncatedTo(ChronoUnit.MILLIS).toString());
-    return assembler.assemble(execution.results(), execution.reasonOfRest(), provenance);
+    return assembler
+        .assemble(execution.results(), execution.reasonOfRest(), provenance)
+        .suspected(execution.suspicions());
   }
 
   /** What the component is made of: its sources or library, adapter and external libraries. */

@@ -1,7 +1,6 @@
 package org.sitaf.agent.executor;
 
 import java.io.IOException;
-import java.nio.file.Files;
 
 /**
  * The first process of a test application, started while the application is still being compiled.
@@ -25,11 +24,9 @@ public final class EarlyProcess implements AutoCloseable {
    */
   public static EarlyProcess start(ExecutionRequest request, OutputSink sink)
       throws IOException, InterruptedException {
-    Files.write(request.results(), new byte[0]);
     int first = request.suite().cases().get(0).no();
     String target = request.simulatorTarget();
-    return new EarlyProcess(
-        HarnessProcess.startHeldBack(request, request.results(), first, sink), target);
+    return new EarlyProcess(HarnessProcess.startHeldBack(request, first, sink), target);
   }
 
   String simulatorTarget() {

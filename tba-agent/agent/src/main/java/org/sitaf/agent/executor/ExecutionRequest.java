@@ -20,8 +20,7 @@ import org.sitaf.core.suite.document.TestSuiteXml;
  *
  * @param files folder of the application's files, absolute; suite and world lie in it
  * @param suiteFile the suite as a document, for the test application
- * @param directory the executor's own, for the results file and the working folder of the test
- *     application; created
+ * @param directory the executor's own, for the working folder of the test application; created
  * @param coverage where processes leave what they reached of the component, a folder a process;
  *     created when it is needed
  * @param recording where processes leave what moved in each case; created when it is needed; null
@@ -71,11 +70,6 @@ public record ExecutionRequest(
     }
     return new ExecutionRequest(
         application, sandbox, files, part, file, own, coverage, recording, world, limits);
-  }
-
-  /** Where the test application writes its results. */
-  Path results() {
-    return directory.resolve("results");
   }
 
   /** Where the simulator answers now; empty where the activity has no world. */

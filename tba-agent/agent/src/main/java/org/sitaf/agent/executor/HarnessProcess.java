@@ -31,13 +31,16 @@ final class HarnessProcess implements AutoCloseable {
   /** Processor time for a case beyond its wall-clock time, as threads may share the work. */
   private static final int CPU_FACTOR = 4;
 
+  private final long started = System.nanoTime();
   private final ConfinedProcess process;
+  private final ResultsChannel results;
   private final LastWords lastWords = new LastWords();
   private final Answer heard = new Answer();
   private final List<Thread> pumps;
 
-  private HarnessProcess(ConfinedProcess process, OutputSink sink) {
+  private HarnessProcess(ConfinedProcess process, ResultsChannel results, OutputSink sink) {
     this.process = process;
+    this.results = results;
     this.pumps =
         List.of(
             pump(
@@ -62,20 +65,27 @@ final class HarnessProcess implements AutoCloseable {
    *
    * @throws IOException when the process cannot be started, or its simulator is not there
    */
-  static HarnessProcess start(ExecutionRequest request, Path results, int fromCase, OutputSink sink)
+  static HarnessProcess start(ExecutionRequest request, int fromCase, OutputSink sink)
       throws IOException, InterruptedException {
-    return start(request, results, fromCase, false, sink);
+    HarnessProcess started = startHeldBack(request, fromCase, sink);
+    started.letGo();
+    return started;
   }
 
   /** As {@link #start}, and it waits for {@link #letGo}. */
-  static HarnessProcess startHeldBack(
-      ExecutionRequest request, Path results, int fromCase, OutputSink sink)
+  static HarnessProcess startHeldBack(ExecutionRequest request, int fromCase, OutputSink sink)
       throws IOException, InterruptedException {
-    return start(request, results, fromCase, true, sink);
+    ResultsChannel results = ResultsChannel.open(request.directory());
+    try {
+      Confinement confinement = confinement(request, fromCase).withChannel(results.pipe());
+      return new HarnessProcess(request.sandbox().start(confinement), results, sink);
+    } catch (IOException | InterruptedException | RuntimeException e) {
+      results.close();
+      throw e;
+    }
   }
 
-  private static HarnessProcess start(
-      ExecutionRequest request, Path results, int fromCase, boolean heldBack, OutputSink sink)
+  private static Confinement confinement(ExecutionRequest request, int fromCase)
       throws IOException, InterruptedException {
     CompiledApplication application = request.application();
     Path working = Files.createDirectories(request.directory().resolve("run"));
@@ -87,7 +97,7 @@ final class HarnessProcess implements AutoCloseable {
     World world = request.world();
     SimulatorAddress simulator =
         world == null ? null : new SimulatorAddress(world.simulator().get());
-    command.addAll(arguments(request, results, fromCase, simulator));
+    command.addAll(arguments(request, fromCase, simulator));
     Path recording = simulator == null ? null : request.recording();
     if (recording != null) {
       command.addAll(List.of("--recording", Files.createDirectories(recording).toString()));
@@ -100,7 +110,7 @@ final class HarnessProcess implements AutoCloseable {
             .withEnvironment(application.environment(place))
             .reading(application.readable())
             .reading(List.of(request.files(), request.suiteFile()))
-            .writing(List.of(results));
+            .heldBackUntilLetGo();
     if (coverage != null) {
       confinement = confinement.writing(List.of(coverage));
     }
@@ -110,10 +120,7 @@ final class HarnessProcess implements AutoCloseable {
     if (simulator != null) {
       confinement = simulator.grantedTo(confinement);
     }
-    if (heldBack) {
-      confinement = confinement.heldBackUntilLetGo();
-    }
-    return new HarnessProcess(request.sandbox().start(confinement), sink);
+    return confinement;
   }
 
   /** All cases may use their wall-clock time to the end. */
@@ -127,12 +134,12 @@ final class HarnessProcess implements AutoCloseable {
 
   /** What each test application is told, whatever its language. */
   private static List<String> arguments(
-      ExecutionRequest request, Path results, int fromCase, @Nullable SimulatorAddress simulator) {
+      ExecutionRequest request, int fromCase, @Nullable SimulatorAddress simulator) {
     List<String> arguments = new ArrayList<>();
     arguments.add("--suite");
     arguments.add(request.suiteFile().toString());
     arguments.add("--results");
-    arguments.add(results.toString());
+    arguments.add("fd:" + Confinement.CHANNEL);
     World world = request.world();
     if (world != null && simulator != null) {
       arguments.add("--bridge");
@@ -153,9 +160,19 @@ final class HarnessProcess implements AutoCloseable {
     return BigDecimal.valueOf(duration.toNanos(), 9).stripTrailingZeros().toPlainString();
   }
 
-  /** Lets a process go on that was held back. */
+  /** Lets a process go on that was held back, with the token of its results. */
   void letGo() {
-    process.letGo();
+    process.letGo(results.token());
+  }
+
+  /** For how long it has run. */
+  double ranMicros() {
+    return (System.nanoTime() - started) / 1000.0;
+  }
+
+  /** What it writes about its cases. */
+  ResultsChannel results() {
+    return results;
   }
 
   /** Waits for the end; true when it came within that time. */
@@ -190,6 +207,7 @@ final class HarnessProcess implements AutoCloseable {
   @Override
   public void close() {
     process.close();
+    results.close();
   }
 
   private static Thread pump(InputStream stream, CaseMarks sink) {

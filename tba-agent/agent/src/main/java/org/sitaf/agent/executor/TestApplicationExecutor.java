@@ -2,7 +2,6 @@ package org.sitaf.agent.executor;
 
 import java.io.IOException;
 import java.time.Duration;
-import java.util.List;
 import java.util.Objects;
 import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
@@ -23,6 +22,10 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow) {
       new TestApplicationExecutor(Duration.ofSeconds(30), 20);
 
   private static final Duration POLL = Duration.ofMillis(10);
+
+  /** While results come: the pipe of a fast test application is full soon. */
+  private static final Duration BUSY_POLL = Duration.ofMillis(1);
+
   private static final Duration EXIT_GRACE = Duration.ofSeconds(2);
   private static final int SIMULATOR_RESTARTS = 3;
   private static final int STARTS = 2;
@@ -50,44 +53,40 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow) {
       UnaryOperator<CaseResult> onResult)
       throws IOException, InterruptedException {
     CaseProgress progress = new CaseProgress(request.suite(), onResult, sink);
-    try (ResultsFile results = new ResultsFile(request.results())) {
-      Run run = new Run(request, early, results, progress, sink);
-      String reason = "";
-      while (!progress.isComplete() && reason.isEmpty()) {
-        reason = run.oneProcess();
-      }
-      return new Execution(progress.results(), progress.isComplete() ? "" : reason);
+    Run run = new Run(request, early, progress, sink);
+    String reason = "";
+    while (!progress.isComplete() && reason.isEmpty()) {
+      reason = run.oneProcess();
     }
+    return new Execution(
+        progress.results(), progress.isComplete() ? "" : reason, progress.suspicions());
   }
 
   /** How following a process came to its end. */
   private enum Follow {
     ENDED,
     NO_ANSWER,
-    NOT_READY
+    NOT_READY,
+    TOO_MUCH
   }
 
   /** What is known from one process to the next. */
   private final class Run {
     private final ExecutionRequest request;
-    private final ResultsFile results;
     private final CaseProgress progress;
     private final OutputSink sink;
     private int barrenProcesses;
     private int simulatorRestarts;
     private int failedStarts;
-    private boolean ready;
     private @Nullable EarlyProcess early;
 
     Run(
         ExecutionRequest request,
         @Nullable EarlyProcess early,
-        ResultsFile results,
         CaseProgress progress,
         OutputSink sink) {
       this.request = request;
       this.early = early;
-      this.results = results;
       this.progress = progress;
       this.sink = sink;
     }
@@ -95,13 +94,13 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow) {
     /** Runs one process to its end; returns why no further one may be started, or nothing. */
     String oneProcess() throws IOException, InterruptedException {
       int before = progress.count();
-      ready = false;
+      progress.beginProcess();
       EarlyProcess waiting = early;
       early = null;
       String target = waiting == null ? request.simulatorTarget() : waiting.simulatorTarget();
       try (HarnessProcess process =
           waiting == null
-              ? HarnessProcess.start(request, results.path(), progress.current().no(), sink)
+              ? HarnessProcess.start(request, progress.current().no(), sink)
               : waiting.letGo()) {
         Follow how = follow(process);
         String where = "";
@@ -113,10 +112,16 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow) {
         }
         ProcessEnd end = process.end();
         int current = progress.isComplete() ? 0 : progress.current().no();
-        drain();
-        results.dropIncompleteLine();
+        drain(process);
+        if (end.code() == 0 && process.results().torn() > 0) {
+          progress.suspect("the last line is torn, though its process ended with exit code 0");
+        }
         if (progress.isComplete()) {
           return "";
+        }
+        if (progress.isFull()) {
+          sink.remark(progress.whyFull());
+          return progress.whyFull();
         }
         // No case is at fault for what could not be written.
         FreeSpace.ofBuild(request.directory()).require();
@@ -124,7 +129,7 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow) {
         if (end.cannotGoOn()) {
           return cannotGoOn(end, target);
         }
-        if (!ready) {
+        if (!progress.isReady()) {
           return notReady(how, end);
         }
         if (how == Follow.ENDED || current == progress.current().no()) {
@@ -178,9 +183,15 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow) {
     private Follow follow(HarnessProcess process) throws IOException, InterruptedException {
       Duration limit = request.limits().caseWall();
       long deadline = System.nanoTime() + startUp.toNanos();
+      Duration pause = POLL;
       while (true) {
-        boolean ended = process.awaitEnd(POLL);
-        if (drain()) {
+        boolean ended = process.awaitEnd(pause);
+        boolean more = drain(process);
+        pause = more ? BUSY_POLL : POLL;
+        if (progress.isFull()) {
+          return Follow.TOO_MUCH;
+        }
+        if (more) {
           deadline = System.nanoTime() + limit.toNanos();
         }
         if (ended) {
@@ -194,21 +205,15 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow) {
           return Follow.ENDED;
         }
         if (System.nanoTime() - deadline > 0) {
-          return ready ? Follow.NO_ANSWER : Follow.NOT_READY;
+          return progress.isReady() ? Follow.NO_ANSWER : Follow.NOT_READY;
         }
       }
     }
 
-    /**
-     * Takes what is new in the results file; true when the test application showed that it works
-     * on.
-     */
-    private boolean drain() throws IOException {
-      List<String> lines = results.newLines();
-      // An empty line says that the test application is ready to begin its first case.
-      ready |= !lines.isEmpty();
-      lines.stream().filter(line -> !line.isBlank()).forEach(progress::acceptLine);
-      return !lines.isEmpty();
+    /** Takes what is new of the results; true when the test application showed that it works on. */
+    private boolean drain(HarnessProcess process) throws IOException {
+      progress.processHasRun(process.ranMicros());
+      return process.results().read(progress);
     }
   }
 

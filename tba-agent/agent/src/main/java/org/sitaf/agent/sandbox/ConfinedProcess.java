@@ -3,7 +3,10 @@ package org.sitaf.agent.sandbox;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -33,7 +36,7 @@ public final class ConfinedProcess implements AutoCloseable {
    */
   static ConfinedProcess start(List<String> command, Confinement confinement, int generations)
       throws IOException {
-    ProcessBuilder builder = new ProcessBuilder(command);
+    ProcessBuilder builder = new ProcessBuilder(withChannel(command, confinement));
     builder.directory(confinement.working().toFile());
     // Nothing of the agent's environment is the component's business; what it holds may be secret.
     Map<String, String> environment = builder.environment();
@@ -56,10 +59,23 @@ public final class ConfinedProcess implements AutoCloseable {
     return confined;
   }
 
-  /** Tells a process that was held back to go on: one line, and the end of its input. */
-  public void letGo() {
+  /** Opens the channel outside of all confinement, where the pipe is a file that can be opened. */
+  private static List<String> withChannel(List<String> command, Confinement confinement) {
+    Path channel = confinement.channel();
+    if (channel == null) {
+      return command;
+    }
+    List<String> opening = new ArrayList<>();
+    String redirection = Confinement.CHANNEL + ">\"$0\"";
+    opening.addAll(List.of("/bin/sh", "-c", "exec \"$@\" " + redirection, channel.toString()));
+    opening.addAll(command);
+    return opening;
+  }
+
+  /** Tells a process that was held back to go on: this line, and the end of its input. */
+  public void letGo(String line) {
     try (OutputStream input = process.getOutputStream()) {
-      input.write('\n');
+      input.write((line + "\n").getBytes(StandardCharsets.UTF_8));
     } catch (IOException e) {
       // It has ended already; how, its end tells.
     }
