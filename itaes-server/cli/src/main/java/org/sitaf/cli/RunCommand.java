@@ -233,7 +233,7 @@ final class RunCommand implements Callable<Integer> {
     if (result.summary().dont() > 0 || result.summary().total() == 0) {
       return Sitaf.UNUSABLE;
     }
-    return result.summary().pass() == result.summary().total() ? 0 : TEST_FAILED;
+    return result.allPassed() ? 0 : TEST_FAILED;
   }
 
   private void write(Activity activity, List<TestResult> results) throws IOException {

@@ -345,6 +345,12 @@ public final class RimAgent implements AutoCloseable {
 
   /** A result of the application in which each case passes, but for the numbers that fail. */
   public static byte[] result(TestApplication application, List<Integer> failing) {
+    return result(application, failing, List.of());
+  }
+
+  /** As {@link #result}, with reasons not to trust it. */
+  public static byte[] result(
+      TestApplication application, List<Integer> failing, List<String> suspicions) {
     List<CaseResult> results =
         application.suite().cases().stream()
             .map(
@@ -370,7 +376,8 @@ public final class RimAgent implements AutoCloseable {
             "aa", 1, "bb", "cc", "rim test", "", "2026-01-01T00:00:00Z", "2026-01-01T00:00:01Z");
     TestResultXml.write(
         new ResultAssembler(application.model(), application.suite())
-            .assemble(results, "not executed", provenance),
+            .assemble(results, "not executed", provenance)
+            .suspected(suspicions),
         document);
     return document.toByteArray();
   }
