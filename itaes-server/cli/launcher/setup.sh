@@ -141,6 +141,8 @@ run_server() {
 
 run_agent() {
   mapfile -t flags < <(java_flags agent)
+  # It holds the agent's key and the sources of users.
+  (umask 077 && mkdir -p "$state/agent")
   exec java "${flags[@]}" -jar "$state/dist/agent/agent.jar" --directory "$state/agent" \
     --bridge-command "'$state/venv/bin/python' -m sitaf_bridge" "$@"
 }
