@@ -40,6 +40,7 @@ import org.sitaf.agent.v1.ReportCasesRequest;
 import org.sitaf.agent.v1.ReportStateRequest;
 import org.sitaf.agent.v1.ServerMessage;
 import org.sitaf.agent.v1.SubmitResultRequest;
+import org.sitaf.agent.v1.SubmitResultResponse;
 import org.sitaf.agent.v1.Toolchain;
 import org.sitaf.agent.v1.UploadRecordingRequest;
 import org.sitaf.core.activity.FileTree;
@@ -334,6 +335,41 @@ public final class RimAgent implements AutoCloseable {
                 .setSha256(sha256)
                 .build())
         .getAccepted();
+  }
+
+  /** Hands a result in by parts; whether it was accepted. */
+  public boolean submitInParts(AttemptRef attempt, byte[] document, int part) throws Exception {
+    CompletableFuture<Boolean> accepted = new CompletableFuture<>();
+    StreamObserver<SubmitResultRequest> parts =
+        AgentServiceGrpc.newStub(ClientInterceptors.intercept(channel, new ShownKey()))
+            .submitResultInParts(
+                new StreamObserver<>() {
+                  @Override
+                  public void onNext(SubmitResultResponse answer) {
+                    accepted.complete(answer.getAccepted());
+                  }
+
+                  @Override
+                  public void onError(Throwable failure) {
+                    accepted.completeExceptionally(failure);
+                  }
+
+                  @Override
+                  public void onCompleted() {
+                    // The answer has been looked at.
+                  }
+                });
+    for (int at = 0; at < document.length; at += part) {
+      parts.onNext(
+          SubmitResultRequest.newBuilder()
+              .setAttempt(attempt)
+              .setSha256(StoredFiles.sha256(document))
+              .setResultDescriptor(
+                  ByteString.copyFrom(document, at, Math.min(part, document.length - at)))
+              .build());
+    }
+    parts.onCompleted();
+    return accepted.get(PATIENCE_S, TimeUnit.SECONDS);
   }
 
   public boolean submit(AttemptRef attempt, BuildFailure failure) {
