@@ -21,6 +21,7 @@ import org.sitaf.core.suite.TestCaseGenerator;
 import org.sitaf.core.suite.TestSuite;
 import org.sitaf.core.suite.document.TestSuiteXml;
 import org.sitaf.server.activity.Workspaces;
+import org.sitaf.server.quota.Quotas;
 import org.sitaf.server.refusal.Refusal;
 import org.springframework.data.domain.Page;
 import org.springframework.data.domain.Pageable;
@@ -32,6 +33,7 @@ import org.springframework.transaction.support.TransactionTemplate;
 public class Suites {
   private final SuiteRepository suites;
   private final Workspaces workspaces;
+  private final Quotas quotas;
   private final TransactionTemplate transaction;
   private final Clock clock;
   private final SuiteCache cache;
@@ -40,12 +42,14 @@ public class Suites {
   Suites(
       SuiteRepository suites,
       Workspaces workspaces,
+      Quotas quotas,
       TransactionTemplate transaction,
       Clock clock,
       SuiteCache cache,
       SuiteRevisions revisions) {
     this.suites = suites;
     this.workspaces = workspaces;
+    this.quotas = quotas;
     this.cache = cache;
     this.revisions = revisions;
     this.transaction = transaction;
@@ -102,15 +106,22 @@ public class Suites {
     TestModel model = Workspaces.model(workspaces.activity(activityId), modelName);
     GeneratedSuite generated = TestCaseGenerator.generate(model, options);
     String id = UUID.randomUUID().toString();
+    byte[] document = document(generated.suite());
+    quotas.requireSuite(document.length);
     StoredSuite stored =
         new StoredSuite(
             id,
             activityId,
             generated.suite(),
             generated.notes(),
-            document(generated.suite()),
+            document,
             clock.instant().truncatedTo(ChronoUnit.MICROS));
-    cache.put(id, suites.saveAndFlush(stored).version(), generated.suite());
+    transaction.executeWithoutResult(
+        status -> {
+          suites.saveAndFlush(stored);
+          quotas.ownSuite(id, document.length);
+        });
+    cache.put(id, version(id), generated.suite());
     return id;
   }
 
