@@ -7,6 +7,7 @@ import io.grpc.ClientCall;
 import io.grpc.ManagedChannel;
 import io.grpc.ManagedChannelBuilder;
 import io.grpc.Metadata;
+import io.grpc.MethodDescriptor;
 import io.grpc.Status;
 import io.grpc.StatusRuntimeException;
 import io.grpc.stub.MetadataUtils;
@@ -29,6 +30,12 @@ import org.springframework.test.context.TestPropertySource;
 class HostileEnrolmentsTest extends ServerTest {
   private static final Metadata.Key<String> FORWARDED =
       Metadata.Key.of("x-forwarded-for", Metadata.ASCII_STRING_MARSHALLER);
+
+  /** As a stream its head is sent at once, and the server waits for the message. */
+  private static final MethodDescriptor<EnrolRequest, EnrolResponse> BEGUN =
+      AgentServiceGrpc.getEnrolMethod().toBuilder()
+          .setType(MethodDescriptor.MethodType.CLIENT_STREAMING)
+          .build();
 
   @Test
   void messagesOfManyMebibytesAreRefusedBeforeTheyAreRead() throws Exception {
@@ -56,7 +63,7 @@ class HostileEnrolmentsTest extends ServerTest {
         CompletableFuture<Status> end = new CompletableFuture<>();
         ends.add(end);
         ClientCall<EnrolRequest, EnrolResponse> call =
-            channel.newCall(AgentServiceGrpc.getEnrolMethod(), CallOptions.DEFAULT);
+            channel.newCall(BEGUN, CallOptions.DEFAULT);
         call.start(
             new ClientCall.Listener<>() {
               @Override

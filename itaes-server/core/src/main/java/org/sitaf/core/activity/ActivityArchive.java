@@ -147,9 +147,7 @@ public final class ActivityArchive {
       if (size > most) {
         throw InvalidInputException.of(
             name,
-            "unpacks to more than "
-                + (most >> 20)
-                + " MiB; leave out what the test does not need");
+            "unpacks to more than " + (most >> 20) + " MiB; leave out what the test does not need");
       }
       if (size > UNSUSPECTED && size > MAX_RATIO * packed.count) {
         throw InvalidInputException.of(

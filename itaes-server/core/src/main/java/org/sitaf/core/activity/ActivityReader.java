@@ -34,7 +34,6 @@ final class ActivityReader {
   /** Of a kind: models, interfaces offered, interfaces called. */
   private static final int MAX_DOCUMENTS = 500;
 
-
   private final FileTree files;
   private final Diagnostics diagnostics = new Diagnostics();
 

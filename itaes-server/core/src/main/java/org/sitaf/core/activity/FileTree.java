@@ -95,7 +95,11 @@ public final class FileTree {
     for (String part : parts) {
       if (part.getBytes(StandardCharsets.UTF_8).length > MAX_NAME_BYTES) {
         throw new IllegalArgumentException(
-            "'" + shown(part) + "' is longer than a file's name can be, " + MAX_NAME_BYTES + " bytes");
+            "'"
+                + shown(part)
+                + "' is longer than a file's name can be, "
+                + MAX_NAME_BYTES
+                + " bytes");
       }
     }
   }
