@@ -7,8 +7,8 @@ import java.util.concurrent.ConcurrentHashMap;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Delays that grow with each failure of somebody: twice as long each time, up to the longest. Nobody
- * is refused for good.
+ * Delays that grow with each failure of somebody: twice as long each time, up to the longest.
+ * Nobody is refused for good.
  */
 public final class Backoff {
   private static final int MOST_KEPT = 10_000;

@@ -115,8 +115,7 @@ class Workspace {
         Stream.concat(activity.provided().stream(), activity.required().stream()).toList()) {
       description
           .methods()
-          .forEach(
-              m -> requireLength("provided, required", signature(m), MAX_TEXT, problems));
+          .forEach(m -> requireLength("provided, required", signature(m), MAX_TEXT, problems));
     }
     if (!problems.isEmpty()) {
       throw new InvalidInputException(problems);
@@ -145,9 +144,7 @@ class Workspace {
       description
           .methods()
           .forEach(
-              m ->
-                  methods.add(
-                      new WorkspaceMethod(description.name(), required, signature(m))));
+              m -> methods.add(new WorkspaceMethod(description.name(), required, signature(m))));
     }
   }
 

@@ -81,7 +81,11 @@ public class Audit {
   }
 
   private void record(Refusals.Summary summary) {
-    record("-", summary.action(), "%d more within a minute".formatted(summary.count()), "refused",
+    record(
+        "-",
+        summary.action(),
+        "%d more within a minute".formatted(summary.count()),
+        "refused",
         summary.address());
   }
 

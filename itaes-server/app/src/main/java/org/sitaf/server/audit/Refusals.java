@@ -40,8 +40,7 @@ final class Refusals {
    * @param summaries gets what was counted in the minute before
    * @return whether this one is kept
    */
-  synchronized boolean isKept(
-      String action, String address, Instant now, List<Summary> summaries) {
+  synchronized boolean isKept(String action, String address, Instant now, List<Summary> summaries) {
     Source known = new Source(action, address);
     Source source =
         counts.containsKey(known) || counts.size() < MOST_ADDRESSES
@@ -52,7 +51,8 @@ final class Refusals {
       add(source, before, summaries);
       before = null;
     }
-    Count count = before == null ? new Count(now, 1) : new Count(before.since(), before.count() + 1);
+    Count count =
+        before == null ? new Count(now, 1) : new Count(before.since(), before.count() + 1);
     counts.put(source, count);
     return count.count() <= kept(action);
   }

@@ -18,8 +18,8 @@ public final class Addresses {
   private Addresses() {}
 
   /**
-   * What limits count: an address of IPv4, or the network of 64 bits of one of IPv6, for anyone who has
-   * one of these has all of them.
+   * What limits count: an address of IPv4, or the network of 64 bits of one of IPv6, for anyone who
+   * has one of these has all of them.
    */
   public static String group(String address) {
     Optional<InetAddress> known = parse(address);

@@ -28,8 +28,7 @@ class ForwardedRequests extends OncePerRequestFilter {
       HttpServletRequest request, HttpServletResponse response, FilterChain chain)
       throws ServletException, IOException {
     TrustedProxies.Client client =
-        proxies.client(
-            request.getRemoteAddr(), name -> Collections.list(request.getHeaders(name)));
+        proxies.client(request.getRemoteAddr(), name -> Collections.list(request.getHeaders(name)));
     chain.doFilter(new Forwarded(request, client), response);
   }
 

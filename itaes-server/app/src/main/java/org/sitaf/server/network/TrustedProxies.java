@@ -61,8 +61,7 @@ public class TrustedProxies {
     if (schemes.isEmpty()) {
       schemes = parameters(headers.apply(FORWARDED), "proto");
     }
-    return new Client(
-        address, schemes.isEmpty() ? null : isTls(schemes.get(schemes.size() - 1)));
+    return new Client(address, schemes.isEmpty() ? null : isTls(schemes.get(schemes.size() - 1)));
   }
 
   private boolean isTrusted(String address) {

@@ -32,8 +32,7 @@ public class Quotas {
 
   private static final String ACTIVITIES =
       "SELECT COUNT(*) FROM workspace_owner WHERE person_id = :person";
-  private static final String SUITES =
-      "SELECT COUNT(*) FROM suite_owner WHERE person_id = :person";
+  private static final String SUITES = "SELECT COUNT(*) FROM suite_owner WHERE person_id = :person";
   private static final String OPEN_BUILDS =
       "SELECT COUNT(*) FROM build b JOIN build_owner o ON o.build_id = b.id"
           + " WHERE o.person_id = :person AND b.parent_id IS NULL"

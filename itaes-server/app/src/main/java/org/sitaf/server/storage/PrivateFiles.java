@@ -23,8 +23,7 @@ class PrivateFiles {
   @EventListener
   @Order(Ordered.HIGHEST_PRECEDENCE)
   void on(ApplicationReadyEvent ready) throws IOException {
-    if (Files.exists(database)
-        && Files.getFileStore(database).supportsFileAttributeView("posix")) {
+    if (Files.exists(database) && Files.getFileStore(database).supportsFileAttributeView("posix")) {
       Files.setPosixFilePermissions(database, PosixFilePermissions.fromString("rw-------"));
     }
   }

@@ -21,10 +21,11 @@ import org.springframework.context.ConfigurableApplicationContext;
 import org.springframework.core.env.Environment;
 
 /**
- * What the server stores is nobody else's to read: its folders are open to its own user only, before
- * anything is written there. Named in {@code META-INF/spring.factories}.
+ * What the server stores is nobody else's to read: its folders are open to its own user only,
+ * before anything is written there. Named in {@code META-INF/spring.factories}.
  */
-final class PrivateFolders implements ApplicationContextInitializer<ConfigurableApplicationContext> {
+final class PrivateFolders
+    implements ApplicationContextInitializer<ConfigurableApplicationContext> {
   private static final Logger log = LoggerFactory.getLogger(PrivateFolders.class);
   private static final Set<PosixFilePermission> OWNERS_FOLDER =
       PosixFilePermissions.fromString("rwx------");
@@ -129,8 +130,7 @@ final class PrivateFolders implements ApplicationContextInitializer<Configurable
     }
 
     @Override
-    public FileVisitResult visitFile(Path file, BasicFileAttributes attributes)
-        throws IOException {
+    public FileVisitResult visitFile(Path file, BasicFileAttributes attributes) throws IOException {
       if (!attributes.isSymbolicLink() && !isPrivate(file)) {
         Set<PosixFilePermission> kept = EnumSet.copyOf(OWNERS);
         kept.retainAll(Files.getPosixFilePermissions(file));

@@ -9,7 +9,8 @@ import org.springframework.stereotype.Component;
 class Connections implements WebServerFactoryCustomizer<TomcatServletWebServerFactory> {
   @Override
   public void customize(TomcatServletWebServerFactory factory) {
-    // Nothing takes forms; Tomcat would read them, however slowly they come, in search of parameters.
+    // Nothing takes forms; Tomcat would read them, however slowly they come, in search of
+    // parameters.
     factory.addConnectorCustomizers(connector -> connector.setParseBodyMethods(""));
   }
 }

@@ -15,7 +15,9 @@ import org.springframework.stereotype.Component;
  */
 @Component
 public class Requests {
-  /** Documents are read into memory as a whole, and into several times as much when they are read. */
+  /**
+   * Documents are read into memory as a whole, and into several times as much when they are read.
+   */
   private static final long MAX_DOCUMENT = 64 << 20;
 
   private final long maxUpload;

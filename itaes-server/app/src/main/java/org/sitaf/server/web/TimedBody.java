@@ -60,7 +60,8 @@ final class TimedBody extends ServletInputStream {
       throw isTimeout(e)
           ? tooSlow()
           : Refusal.malformed(
-              "The body ends before it is complete, after %d bytes; send it again.".formatted(count));
+              "The body ends before it is complete, after %d bytes; send it again."
+                  .formatted(count));
     }
     if (read < 0) {
       end();
@@ -81,7 +82,8 @@ final class TimedBody extends ServletInputStream {
     }
     if (place == null && in.available() == 0) {
       if (!places.take(who)) {
-        throw Refusal.busy("The server waits for as many bodies of requests as it can; try again in some seconds.");
+        throw Refusal.busy(
+            "The server waits for as many bodies of requests as it can; try again in some seconds.");
       }
       place = who;
     }

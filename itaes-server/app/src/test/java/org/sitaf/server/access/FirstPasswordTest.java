@@ -48,8 +48,7 @@ class FirstPasswordTest {
           .send(
               "PUT",
               "/api/v1/session/password",
-              "{\"current\":\"%s\",\"next\":\"correct horse battery staple\"}"
-                  .formatted(password))
+              "{\"current\":\"%s\",\"next\":\"correct horse battery staple\"}".formatted(password))
           .expect(204);
       assertThat(file).doesNotExist();
       new Browser(port).signIn("administrator", "correct horse battery staple").expect(200);

@@ -62,8 +62,7 @@ class HostileEnrolmentsTest extends ServerTest {
       for (int i = 0; i < 40; i++) {
         CompletableFuture<Status> end = new CompletableFuture<>();
         ends.add(end);
-        ClientCall<EnrolRequest, EnrolResponse> call =
-            channel.newCall(BEGUN, CallOptions.DEFAULT);
+        ClientCall<EnrolRequest, EnrolResponse> call = channel.newCall(BEGUN, CallOptions.DEFAULT);
         call.start(
             new ClientCall.Listener<>() {
               @Override
@@ -75,17 +74,13 @@ class HostileEnrolmentsTest extends ServerTest {
         call.request(1);
       }
       EnrolRequest right =
-          EnrolRequest.newBuilder()
-              .setToken(ENROLMENT)
-              .setName("a-" + UUID.randomUUID())
-              .build();
+          EnrolRequest.newBuilder().setToken(ENROLMENT).setName("a-" + UUID.randomUUID()).build();
       assertThat(enrol(other, right).isOk()).isTrue();
       List<Status.Code> codes = new ArrayList<>();
       for (CompletableFuture<Status> end : ends) {
         codes.add(end.get(60, TimeUnit.SECONDS).getCode());
       }
-      assertThat(codes)
-          .containsOnly(Status.Code.RESOURCE_EXHAUSTED, Status.Code.DEADLINE_EXCEEDED);
+      assertThat(codes).containsOnly(Status.Code.RESOURCE_EXHAUSTED, Status.Code.DEADLINE_EXCEEDED);
       assertThat(codes).filteredOn(Status.Code.DEADLINE_EXCEEDED::equals).hasSizeLessThan(10);
     } finally {
       end(channel);
@@ -109,7 +104,10 @@ class HostileEnrolmentsTest extends ServerTest {
       end(channel);
     }
     long kept =
-        api.get("/api/v1/audit?action=enrol&size=500").expect(200).json().get("items")
+        api.get("/api/v1/audit?action=enrol&size=500")
+            .expect(200)
+            .json()
+            .get("items")
             .valueStream()
             .filter(event -> event.get("address").asString().equals(address))
             .count();

@@ -167,7 +167,10 @@ class LimitsTest extends ServerTest {
       signIn("203.0.113.30", "nobody-" + i, "a wrong password");
     }
     long kept =
-        api.get("/api/v1/audit?action=signIn&actor=-&size=500").expect(200).json().get("items")
+        api.get("/api/v1/audit?action=signIn&actor=-&size=500")
+            .expect(200)
+            .json()
+            .get("items")
             .valueStream()
             .filter(event -> event.get("address").asString().equals("203.0.113.30"))
             .count();
@@ -190,9 +193,17 @@ class LimitsTest extends ServerTest {
     assertThat(usage.get("activities").asInt()).isEqualTo(2);
 
     String path = "/api/v1/users/" + made.get("user").get("id").asString();
-    api.put(path + "/quota", "application/json", "{\"mib\":-1}".getBytes(StandardCharsets.UTF_8), null)
+    api.put(
+            path + "/quota",
+            "application/json",
+            "{\"mib\":-1}".getBytes(StandardCharsets.UTF_8),
+            null)
         .expect(400);
-    api.put(path + "/quota", "application/json", "{\"mib\":50}".getBytes(StandardCharsets.UTF_8), null)
+    api.put(
+            path + "/quota",
+            "application/json",
+            "{\"mib\":50}".getBytes(StandardCharsets.UTF_8),
+            null)
         .expect(200);
     String id = own.upload(activityWith(2));
     assertThat(own.post("/api/v1/activities", "application/zip", first).expect(409).text())
@@ -255,8 +266,7 @@ class LimitsTest extends ServerTest {
                 .header("Content-Type", "application/json")
                 .header("Cookie", "XSRF-TOKEN=x; " + session)
                 .header("X-XSRF-TOKEN", "x")
-                .POST(
-                    BodyPublishers.ofString("{\"name\":\"x\",\"role\":\"TESTER\",\"days\":1}")))
+                .POST(BodyPublishers.ofString("{\"name\":\"x\",\"role\":\"TESTER\",\"days\":1}")))
         .expect(201)
         .json()
         .get("secret")
@@ -279,8 +289,7 @@ class LimitsTest extends ServerTest {
   }
 
   /** Sends the head of a request and the beginning of its body. */
-  private Socket begin(String request, String headers, int length, String body)
-      throws IOException {
+  private Socket begin(String request, String headers, int length, String body) throws IOException {
     Socket socket = new Socket(InetAddress.getLoopbackAddress(), httpPort());
     OutputStream out = socket.getOutputStream();
     out.write(

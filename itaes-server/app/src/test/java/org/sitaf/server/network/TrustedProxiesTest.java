@@ -30,9 +30,7 @@ class TrustedProxiesTest {
     assertThat(client("10.1.2.3", Map.of(FOR, List.of("203.0.113.1"), PROTO, List.of("https"))))
         .isEqualTo(new Client("203.0.113.1", true));
     assertThat(
-            client(
-                "192.0.2.7",
-                Map.of(STANDARD, List.of("for=\"[2001:db8::5]:4711\";proto=http"))))
+            client("192.0.2.7", Map.of(STANDARD, List.of("for=\"[2001:db8::5]:4711\";proto=http"))))
         .isEqualTo(new Client("2001:db8:0:0:0:0:0:5", false));
     assertThat(client("2001:db8:1::9", Map.of(FOR, List.of("203.0.113.1:5000"))))
         .isEqualTo(new Client("203.0.113.1", null));

@@ -68,7 +68,11 @@ class HostileUploadsTest extends ServerTest {
         Map<String, byte[]> all = Activities.files();
         all.put("activity.yaml", changed.getBytes(StandardCharsets.UTF_8));
         Api.Answer answer =
-            api.put("/api/v1/activities/" + id + "/content", "application/zip", Activities.zip(all), null);
+            api.put(
+                "/api/v1/activities/" + id + "/content",
+                "application/zip",
+                Activities.zip(all),
+                null);
         assertThat(answer.status()).as(field + " " + length + answer.text()).isIn(200, 400, 422);
       }
     }
@@ -76,8 +80,7 @@ class HostileUploadsTest extends ServerTest {
 
   private static Path generated() throws IOException, InterruptedException {
     Path folder = temporary();
-    Process python =
-        new ProcessBuilder("python3", DATA, folder.toString()).inheritIO().start();
+    Process python = new ProcessBuilder("python3", DATA, folder.toString()).inheritIO().start();
     assertThat(python.waitFor(2, TimeUnit.MINUTES)).isTrue();
     assertThat(python.exitValue()).isZero();
     return folder;

@@ -155,12 +155,13 @@ final class ServerCalls {
         request.getResultDescriptor(),
         part -> request.toBuilder().setResultDescriptor(part).build(),
         stub(TRANSFER_DEADLINE_S)::submitResult,
-        AgentServiceGrpc.newStub(channel)
-                .withDeadlineAfter(TRANSFER_DEADLINE_S, TimeUnit.SECONDS)
+        AgentServiceGrpc.newStub(channel).withDeadlineAfter(TRANSFER_DEADLINE_S, TimeUnit.SECONDS)
             ::submitResultInParts);
   }
 
-  /** As one message where that is small, and where the server is of a release that knows no parts. */
+  /**
+   * As one message where that is small, and where the server is of a release that knows no parts.
+   */
   private static <Q, A> A send(
       ByteString whole,
       Function<ByteString, Q> message,

@@ -58,7 +58,10 @@ class HashedSessions {
       return hash;
     }
 
-    /** The secret of a session that was made just now; without one its own hash, which opens nothing. */
+    /**
+     * The secret of a session that was made just now; without one its own hash, which opens
+     * nothing.
+     */
     private synchronized String taken(String hash) {
       String secret = byHash.remove(hash);
       return secret == null ? hash : secret;

@@ -11,8 +11,9 @@ import org.springframework.stereotype.Component;
 
 /**
  * How often somebody may try to sign in: with delays that grow for a name from one address, for all
- * names from an address, and for a name from anywhere. The latter two do not hold for those who have
- * signed in from there before: strangers cannot lock them out, nor can they whose proxy they share.
+ * names from an address, and for a name from anywhere. The latter two do not hold for those who
+ * have signed in from there before: strangers cannot lock them out, nor can they whose proxy they
+ * share.
  */
 @Component
 class SignInLimit {

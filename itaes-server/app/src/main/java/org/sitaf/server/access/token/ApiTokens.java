@@ -41,7 +41,8 @@ public class ApiTokens {
   private final DiskSpace disk;
   private final Clock clock;
 
-  ApiTokens(JdbcClient jdbc, AccessSettings settings, LimitSettings limits, DiskSpace disk, Clock clock) {
+  ApiTokens(
+      JdbcClient jdbc, AccessSettings settings, LimitSettings limits, DiskSpace disk, Clock clock) {
     this.jdbc = jdbc;
     this.settings = settings;
     this.limits = limits;

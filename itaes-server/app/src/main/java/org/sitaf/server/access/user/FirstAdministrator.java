@@ -25,8 +25,8 @@ import org.springframework.stereotype.Component;
 
 /**
  * Sees to it that somebody can get in: where no administrator has a password, one is made and
- * written to a file that only the server's user can read. It goes away when the password is changed.
- * A launcher gets in without.
+ * written to a file that only the server's user can read. It goes away when the password is
+ * changed. A launcher gets in without.
  */
 @Component
 class FirstAdministrator {
@@ -78,7 +78,10 @@ class FirstAdministrator {
     }
   }
 
-  /** By renaming, so that nobody reads half of it; not to the log, nor to the console: those are kept. */
+  /**
+   * By renaming, so that nobody reads half of it; not to the log, nor to the console: those are
+   * kept.
+   */
   private void write(Users.WithPassword made) {
     try {
       Files.createDirectories(file.getParent());
@@ -87,8 +90,7 @@ class FirstAdministrator {
       Files.createFile(fresh, OWNER_ONLY);
       Files.writeString(
           fresh, made.password() + "\n", StandardCharsets.UTF_8, StandardOpenOption.WRITE);
-      Files.move(
-          fresh, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+      Files.move(fresh, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }

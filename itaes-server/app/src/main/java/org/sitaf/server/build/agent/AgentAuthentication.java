@@ -105,7 +105,9 @@ class AgentAuthentication implements ServerInterceptor {
   private String addressOf(ServerCall<?, ?> call, Metadata headers) {
     SocketAddress remote = call.getAttributes().get(Grpc.TRANSPORT_ATTR_REMOTE_ADDR);
     return remote instanceof InetSocketAddress inet
-        ? proxies.client(inet.getAddress().getHostAddress(), name -> values(headers, name)).address()
+        ? proxies
+            .client(inet.getAddress().getHostAddress(), name -> values(headers, name))
+            .address()
         : String.valueOf(remote);
   }
 

@@ -35,10 +35,7 @@ final class InParts<Q, A> implements StreamObserver<Q> {
    * @param use answers the whole, with the first message
    */
   InParts(
-      Shape<Q> shape,
-      BiFunction<Q, byte[], A> use,
-      PartsMemory memory,
-      StreamObserver<A> answers) {
+      Shape<Q> shape, BiFunction<Q, byte[], A> use, PartsMemory memory, StreamObserver<A> answers) {
     this.shape = shape;
     this.use = use;
     this.memory = memory;

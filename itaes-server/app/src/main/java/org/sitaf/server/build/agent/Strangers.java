@@ -16,8 +16,8 @@ import org.springframework.beans.factory.DisposableBean;
 import org.springframework.stereotype.Component;
 
 /**
- * Calls of those who have shown no key. Each may bring a message into memory: there are a few at the
- * same time, and none for long.
+ * Calls of those who have shown no key. Each may bring a message into memory: there are a few at
+ * the same time, and none for long.
  */
 @Component
 class Strangers implements DisposableBean {
@@ -31,7 +31,9 @@ class Strangers implements DisposableBean {
 
   /** Has a call go on, or ends it at once when there are too many. */
   <Q, A> ServerCall.Listener<Q> admit(
-      String address, ServerCall<Q, A> call, Function<ServerCall<Q, A>, ServerCall.Listener<Q>> next) {
+      String address,
+      ServerCall<Q, A> call,
+      Function<ServerCall<Q, A>, ServerCall.Listener<Q>> next) {
     if (!enter(address)) {
       call.close(
           Status.RESOURCE_EXHAUSTED.withDescription(
