@@ -9,7 +9,7 @@ from setuptools.command.build_py import build_py
 
 HERE = Path(__file__).resolve().parent
 PROTO_ROOT = HERE.parent / "proto" / "src" / "main" / "proto"
-PROTO = "sitaf/sim/v1/simulation.proto"
+PROTOS = [f"sitaf/sim/v1/{name}.proto" for name in ("simulation", "administration")]
 WIRE = HERE / "src" / "sitaf_bridge" / "wire"
 
 
@@ -30,8 +30,9 @@ def generate_stubs() -> None:
 
     from grpc_tools import protoc  # noqa: PLC0415  # only the build environment has it
 
-    if not (PROTO_ROOT / PROTO).is_file():
-        raise SystemExit(f"{PROTO_ROOT / PROTO} is missing: build sitaf-bridge inside a checkout of the project")
+    for proto in PROTOS:
+        if not (PROTO_ROOT / proto).is_file():
+            raise SystemExit(f"{PROTO_ROOT / proto} is missing: build sitaf-bridge inside a checkout of the project")
     arguments = [
         "protoc",
         f"-I{PROTO_ROOT}",
@@ -39,10 +40,10 @@ def generate_stubs() -> None:
         f"--python_out={WIRE}",
         f"--pyi_out={WIRE}",
         f"--grpc_python_out={WIRE}",
-        PROTO,
+        *PROTOS,
     ]
     if protoc.main(arguments) != 0:
-        raise SystemExit(f"protoc failed on {PROTO}")
+        raise SystemExit(f"protoc failed on {', '.join(PROTOS)}")
     # protoc mirrors the proto package as folders and imports from there. The stubs live inside this package
     # instead, so that another part of the project can bring its own copy into the same environment.
     generated = WIRE / "sitaf" / "sim" / "v1"

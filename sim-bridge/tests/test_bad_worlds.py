@@ -154,7 +154,7 @@ def test_copies_through_includes_are_counted(bridge: Bridge, refused: Refused) -
 
 
 def test_a_model_that_crashes_mujoco_is_refused(bridge: Bridge, refused: Refused) -> None:
-    texture = '<asset><texture name="t" type="2d" builtin="flat" width="60000" height="60000"/></asset>'
+    texture = '<asset><texture name="t" type="2d" builtin="flat" width="16384" height="16384"/></asset>'
     code, message = refused(lambda: bridge.describe(world(texture)))
     assert code in (INVALID, EXHAUSTED)
     assert message.startswith("w.xml: ")
@@ -287,7 +287,7 @@ def test_a_range_finder_that_would_hide_something_is_refused(bridge: Bridge, ref
 
 
 def test_a_timestep_that_is_no_whole_number_of_nanoseconds_is_refused(bridge: Bridge, refused: Refused) -> None:
-    code, message = refused(lambda: bridge.describe(world(f'<option timestep="0.0000000015"/>{BALL}')))
+    code, message = refused(lambda: bridge.describe(world(f'<option timestep="0.0000010005"/>{BALL}')))
     assert code is INVALID
     assert "whole number of nanoseconds" in message
 

@@ -4,6 +4,8 @@ import csv
 import io
 import json
 import os
+import re
+import shutil
 from pathlib import Path
 
 MODEL = "examples/ir-sensor/GetInfraredData.xml"
@@ -62,6 +64,8 @@ def test_doctor_finds_this_machine_complete(sitaf):
     doctor = sitaf("doctor")
     assert doctor.returncode == 0, doctor.stdout
     assert "Nothing is missing" in doctor.stdout
+    if shutil.which("bwrap"):
+        assert re.search(r"memory +(control groups v[12]|watched from outside) ", doctor.stdout)
 
 
 def test_doctor_says_what_installs_what_is_missing(sitaf, tmp_path):

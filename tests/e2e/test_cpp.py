@@ -125,3 +125,10 @@ def test_cpp_that_throws_is_an_error_with_its_words(sitaf, cpp_activity):
     run = sitaf("run", cpp_activity)
     assert run.returncode == 1, run.stdout + run.stderr
     assert "std::runtime_error: gone" in run.stdout
+
+
+@cpp
+def test_edits_give_what_a_compilation_without_caches_gives(sitaf):
+    ran = sitaf("bench", "cache", "--edits", "40")
+    assert ran.returncode == 0, ran.stdout + ran.stderr
+    assert ran.stdout.splitlines()[-1] == "cache: held"

@@ -74,6 +74,27 @@ def test_a_component_that_throws_is_an_error_and_no_failure(sitaf, activity):
     assert "IllegalStateException" in run.stdout
 
 
+def test_a_component_that_writes_results_of_its_own_has_not_passed(sitaf, activity, tmp_path):
+    source = next(activity.glob("component/**/InfraredSensor.java"))
+    text = source.read_text()
+    body = re.search(r"double GetInfraredData\([^)]*\) \{", text)
+    forging = (
+        ' try (var results = new java.io.FileOutputStream("/dev/fd/3")) {'
+        ' results.write("<test_result no=\'1\' verdict=\'PASS\'/>\\n".getBytes());'
+        " } catch (java.io.IOException e) { throw new java.io.UncheckedIOException(e); }"
+    )
+    source.write_text(text[: body.end()] + forging + text[body.end() :])
+    report = tmp_path / "report.xml"
+    run = sitaf("run", activity, "--junit", report, "--result", tmp_path / "results")
+    assert run.returncode == 1, run.stdout + run.stderr
+    assert "GetInfraredData: SUSPECT, the verdicts cannot be trusted:" in run.stdout
+    assert "a line without number and token" in run.stdout
+    assert "55 cases, 55 PASS" in run.stdout
+    assert ElementTree.parse(report).getroot().find("testsuite").attrib["errors"] == "1"
+    result = ElementTree.parse(tmp_path / "results" / "GetInfraredData.xml").getroot()
+    assert len(result.findall("suspicion")) == 1
+
+
 def test_a_component_that_ends_the_process_loses_no_other_case(sitaf, activity):
     source = next(activity.glob("component/**/InfraredSensor.java"))
     text = source.read_text()

@@ -95,6 +95,27 @@ describe('a build', () => {
     expect(screen.queryByText('Cases failed')).toBeNull();
   });
 
+  test('whose results cannot be trusted has not passed, and says why', async () => {
+    const cases = resultCases(['PASS', 'PASS']);
+    server.cases.set('b1', cases);
+    const suspicions = ['a line without number and token (3 times)'];
+    server.builds.push({ ...doneBuild('b1', cases), suspicions });
+    openPortal(server, '/builds/b1');
+    expect(await screen.findByText('Suspect')).toBeVisible();
+    expect(
+      await screen.findByRole('alert', { name: 'Suspect: the verdicts cannot be trusted' }),
+    ).toHaveTextContent('a line without number and token (3 times)');
+    expect(screen.queryByText('All passed')).toBeNull();
+  });
+
+  test('whose results cannot be trusted is marked in the list, and its activity as failing', async () => {
+    const cases = resultCases(['PASS']);
+    server.builds.push({ ...doneBuild('b1', cases), suspicions: ['a torn line'] });
+    openPortal(server);
+    expect(await screen.findAllByText('Suspect')).not.toHaveLength(0);
+    expect(screen.queryByText('All passed')).toBeNull();
+  });
+
   test('is cancelled on demand', async () => {
     server.builds.push(build('b1', { state: 'RUNNING' }));
     const { user } = openPortal(server, '/builds/b1');

@@ -70,6 +70,64 @@ else
 fi
 better "bubblewrap" "the sandbox of components" "$(command -v bwrap >/dev/null && version_of bwrap --version)" bubblewrap
 
+# held NAME HOW NOTE: how the sandbox holds a component; a note says what this host cannot give, and what gives it.
+held() {
+  printf '  %-12s %-28s %s\n' "$1" "$2" "${3:-ok}"
+}
+
+# own_group CONTROLLER: the folder of this process's control group of version 1, or of version 2 for the empty name.
+own_group() {
+  local mount own
+  if [ -z "$1" ]; then
+    mount=$(awk '$3 == "cgroup2" { print $2; exit }' /proc/mounts 2>/dev/null)
+    own=$(sed -n 's/^0:://p' /proc/self/cgroup 2>/dev/null)
+  else
+    mount=$(awk -v c=",$1," '$3 == "cgroup" && index("," $4 ",", c) { print $2; exit }' /proc/mounts 2>/dev/null)
+    own=$(sed -nE "s/^[0-9]+:([^:]*,)?$1(,[^:]*)?:(.*)$/\\3/p" /proc/self/cgroup 2>/dev/null)
+  fi
+  [ -n "$mount" ] && [ -w "$mount$own/cgroup.procs" ] && printf '%s' "$mount$own"
+}
+
+if command -v bwrap >/dev/null; then
+  echo
+  echo "The sandbox of components, as $(id -un) starts it:"
+  namespaces=()
+  [ "$(id -u)" -eq 0 ] || namespaces=(--unshare-user)
+  if why=$(bwrap "${namespaces[@]}" --unshare-pid --unshare-net --ro-bind / / --proc /proc true 2>&1); then
+    held "namespaces" "bubblewrap" ""
+  else
+    held "namespaces" "none" "$why; start the agent as root, or allow user namespaces (sysctl kernel.unprivileged_userns_clone)"
+  fi
+  filtered=
+  case $(uname -m) in
+    x86_64 | aarch64) grep -q '^Seccomp:' /proc/self/status 2>/dev/null && filtered=yes ;;
+  esac
+  if [ -n "$filtered" ]; then
+    held "system calls" "filtered" ""
+  else
+    held "system calls" "not filtered" "only on x86_64 and aarch64, by a kernel with seccomp"
+  fi
+  unified=$(own_group "")
+  delegate="start the agent by its systemd unit (docs/systemd), by 'systemd-run --user --scope -p Delegate=yes' or, with control groups v1, as root"
+  if [ -n "$(own_group memory)" ]; then
+    held "memory" "control groups v1" ""
+  elif [ -n "$unified" ] && [ "$(id -u)" -ne 0 ] && grep -qw memory "$unified/cgroup.controllers"; then
+    held "memory" "control groups v2" ""
+  elif [ -n "$filtered" ]; then
+    held "memory" "watched from outside" "exact with control groups: $delegate"
+  else
+    held "memory" "NOT BOUNDED" "--sandbox=required refuses this host; $delegate"
+  fi
+  if [ -n "$(own_group cpu)" ] || { [ -n "$unified" ] && [ "$(id -u)" -ne 0 ] && grep -qw cpu "$unified/cgroup.controllers"; }; then
+    held "processors" "shared by control groups" ""
+  elif [ "$(cat /proc/sys/kernel/sched_autogroup_enabled 2>/dev/null)" = 1 ] &&
+    grep -qE '^([0-9]+:([^:]*,)?cpu(,[^:]*)?|0:):/$' /proc/self/cgroup; then
+    held "processors" "shared by session" ""
+  else
+    held "processors" "NOT SHARED OUT" "a component can slow others down; $delegate"
+  fi
+fi
+
 home=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../../.." && pwd)
 echo
 echo "Set up here:"

@@ -104,6 +104,11 @@ install_java() {
   # What each Java test application loads before its first case; it may end as it likes, what it loaded counts.
   java -XX:ArchiveClassesAtExit="$state/dist/agent/runtime-java.jsa" -XX:TieredStopAtLevel=1 -XX:+UseSerialGC \
     -cp "$(printf '%s\n' "$state"/dist/agent/runtime-java/*.jar | LC_ALL=C sort | paste -sd:)" org.sitaf.runtime.Rehearsal
+  # What Java's compiler loads before its first request; without one it ends.
+  java -XX:ArchiveClassesAtExit="$state/dist/agent/compiler-java.jsa" -XX:TieredStopAtLevel=1 -XX:+UseSerialGC \
+    -cp "$state/dist/agent/compiler-java/compiler-java.jar" org.sitaf.agent.toolchain.java.confined.CompilerMain \
+    "$(printf '%s\n' "$state"/dist/agent/runtime-java/*.jar | LC_ALL=C sort | paste -sd:)" "" --release 17 -g -nowarn -implicit:none -proc:none \
+    </dev/null >/dev/null
   java -XX:ArchiveClassesAtExit="$state/dist/agent/agent.jsa" -XX:TieredStopAtLevel=1 -jar "$state/dist/agent/agent.jar" --help
 }
 
@@ -141,6 +146,8 @@ run_server() {
 
 run_agent() {
   mapfile -t flags < <(java_flags agent)
+  # It holds the agent's key and the sources of users.
+  (umask 077 && mkdir -p "$state/agent")
   exec java "${flags[@]}" -jar "$state/dist/agent/agent.jar" --directory "$state/agent" \
     --bridge-command "'$state/venv/bin/python' -m sitaf_bridge" "$@"
 }

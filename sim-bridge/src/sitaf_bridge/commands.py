@@ -3,6 +3,7 @@
 import argparse
 import gc
 import sys
+import threading
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -54,6 +55,13 @@ def _parser() -> argparse.ArgumentParser:
     )
     serve.add_argument("--max-sessions", type=_positive_int, default=256, help="default %(default)s")
     serve.add_argument("--threads", type=_positive_int, default=16, help="calls at work at once; default %(default)s")
+    serve.add_argument(
+        "--endpoints",
+        type=Path,
+        metavar="FOLDER",
+        help="for one build: test applications get endpoints as sockets in FOLDER, with one session and world each; "
+        "a client of --listen opens them",
+    )
     serve.add_argument("--parent-pid", type=_positive_int, metavar="PID", help="end when this process ends")
     serve.add_argument("--stop-with-stdin", action="store_true", help="end when stdin is closed")
     serve.add_argument(
@@ -78,12 +86,16 @@ def _serve(options: argparse.Namespace) -> int:
     try:
         guard = read_guard(options.tls_cert, options.tls_key, options.token_file)
         address = parse_address(options.listen, guard)
-        settings = Settings(address, options.default_lease, options.max_sessions, options.threads, guard)
+        settings = Settings(
+            address, options.default_lease, options.max_sessions, options.threads, guard, options.endpoints
+        )
         # Modules live as long as the process: looking through them for garbage doubled the time of a bulk call.
         gc.collect()
         gc.freeze()
         gc.set_threshold(100_000, 20, 20)
         catalog = Catalog()
+        # The first world would otherwise wait for what compiles it.
+        warming = threading.Thread(target=catalog.warm_up, name="warm-up", daemon=True)
         with serving(settings, catalog) as target:
             print(f"listening {target}", flush=True)
             print(_version(), flush=True)
@@ -91,6 +103,8 @@ def _serve(options: argparse.Namespace) -> int:
                 ending.with_parent(options.parent_pid)
             if options.stop_with_stdin:
                 ending.with_stdin()
+            if options.endpoints is not None:
+                warming.start()
             _list_worlds(options.worlds, catalog)
             ending.wait()
     except BadAddress as error:

@@ -20,6 +20,14 @@ class NoSuchSession(BridgeError):
     """No session of that id: it was deleted, or its lease ended."""
 
 
+class NoSuchEndpoint(BridgeError):
+    """No endpoint of that name is open."""
+
+
+class Forbidden(BridgeError):
+    """The endpoint does not offer what is asked for."""
+
+
 class Diverged(BridgeError):
     """The simulation left the numbers; the session is frozen."""
 

@@ -1,4 +1,5 @@
 #include <doctest/doctest.h>
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cmath>
@@ -6,6 +7,7 @@
 #include <fstream>
 #include <limits>
 #include <sstream>
+#include <stdexcept>
 
 #include "sitaf/runtime/component.hpp"
 #include "sitaf/suite/case_result.hpp"
@@ -180,6 +182,37 @@ TEST_CASE("a document that is no suite is refused") {
   sitaf::suite::SuiteReader reader(path);
   CHECK_THROWS_WITH_AS(reader.next(), doctest::Contains("0 values for 1 parameters"), CaseDataError);
   std::remove(path.c_str());
+}
+
+TEST_CASE("through a descriptor each line begins with its number and the token") {
+  int input[2];
+  int results[2];
+  REQUIRE(::pipe(input) == 0);
+  REQUIRE(::pipe(results) == 0);
+  REQUIRE(::write(input[1], "secret\nrest", 11) == 11);
+  ::close(input[1]);
+  const int standardInput = ::dup(STDIN_FILENO);
+  ::dup2(input[0], STDIN_FILENO);
+  const TestCase testCase = oneCase({}, {}, {});
+  {
+    sitaf::suite::ResultsFile file("fd:" + std::to_string(results[1]), true);
+    CaseResult result(testCase);
+    file.ready();
+    file.save(result);
+    CHECK(::fcntl(results[1], F_GETFD) < 0);
+  }
+  char text[200];
+  const ssize_t length = ::read(results[0], text, sizeof text);
+  CHECK(std::string(text, static_cast<std::size_t>(length)) ==
+        "1 secret \n2 secret <test_result no=\"7\" verdict=\"PASS\"></test_result>\n");
+  char rest[8];
+  CHECK(::read(STDIN_FILENO, rest, sizeof rest) == 4);
+  CHECK_THROWS_WITH_AS(sitaf::suite::ResultsFile("fd:" + std::to_string(results[0]), true), doctest::Contains("no line with its token"),
+                       std::runtime_error);
+  ::dup2(standardInput, STDIN_FILENO);
+  for (const int open : {input[0], results[0], standardInput}) {
+    ::close(open);
+  }
 }
 
 TEST_CASE("a torn line is ended before results go on") {

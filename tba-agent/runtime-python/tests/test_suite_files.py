@@ -1,10 +1,12 @@
 """Suites in, results out."""
 
+import os
 import xml.etree.ElementTree as ElementTree
+from pathlib import Path
 
 import pytest
 
-from sitaf_runtime.errors import CaseDataError
+from sitaf_runtime.errors import CannotRunError, CaseDataError
 from sitaf_runtime.suite.kinds import FLOAT64, INT32, STRING
 from sitaf_runtime.suite.reader import SuiteReader
 from sitaf_runtime.suite.result import CaseResult, ResultsFile, Verdict
@@ -136,3 +138,40 @@ def test_results_go_on_behind_a_torn_line(tmp_path):
     again.save(CaseResult(TestCase(1, True, {}, {})))
     again.close()
     assert file.read_text().splitlines() == ["", "<test_result no", '<test_result no="1" verdict="PASS"></test_result>']
+
+
+@pytest.fixture
+def standard_input():
+    """Standard input that holds a text; gives what writes it."""
+    before = os.dup(0)
+
+    def holds(text):
+        reading, writing = os.pipe()
+        os.write(writing, text)
+        os.close(writing)
+        os.dup2(reading, 0)
+        os.close(reading)
+
+    yield holds
+    os.dup2(before, 0)
+    os.close(before)
+
+
+def test_through_a_descriptor_each_line_begins_with_its_number_and_the_token(standard_input):
+    standard_input(b"secret\nrest")
+    reading, writing = os.pipe()
+    results = ResultsFile(Path(f"fd:{writing}"), append=True)
+    with pytest.raises(OSError, match="Bad file descriptor"):
+        os.fstat(writing)
+    results.ready()
+    results.save(CaseResult(TestCase(7, True, {}, {})))
+    results.close()
+    assert os.read(reading, 1000) == b'1 secret \n2 secret <test_result no="7" verdict="PASS"></test_result>\n'
+    assert os.read(0, 10) == b"rest"
+    os.close(reading)
+
+
+def test_a_descriptor_without_a_token_is_refused(standard_input):
+    standard_input(b"")
+    with pytest.raises(CannotRunError, match="no line with a token"):
+        ResultsFile(Path("fd:1"), append=False)

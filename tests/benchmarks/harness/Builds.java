@@ -64,6 +64,8 @@ record Builds(Simulator simulator, Toolchains toolchains, Sandbox sandbox, Path 
       String change,
       RecordingOrder.@Nullable Cases recorded)
       throws Exception {
+    // As between two changes that a person makes: the agent has the simulator of its next build.
+    simulator.awaitReady();
     long began = System.nanoTime();
     Activity activity = Activity.read(files(activityFolder, change));
     TestModel model = activity.models().get(0);
@@ -98,6 +100,8 @@ record Builds(Simulator simulator, Toolchains toolchains, Sandbox sandbox, Path 
                   public void recorded(int no, Path recording) {}
                 })
             .run();
+    // As an agent does after each build.
+    toolchains.startAhead(activity.profile().harness(), sandbox);
     if (!(outcome instanceof BuildOutcome.Completed completed)) {
       throw new IllegalStateException(activityFolder + ": " + outcome);
     }

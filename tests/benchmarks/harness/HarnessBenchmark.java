@@ -12,6 +12,7 @@ import java.util.stream.Stream;
 import org.sitaf.agent.build.RecordingOrder;
 import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.agent.sandbox.SandboxMode;
+import org.sitaf.agent.simulation.BuildSimulator;
 import org.sitaf.agent.simulation.Simulator;
 import org.sitaf.agent.toolchain.ToolchainPlaces;
 import org.sitaf.agent.toolchain.Toolchains;
@@ -110,7 +111,8 @@ public final class HarnessBenchmark {
         new Toolchains(new ToolchainPlaces(state.resolve("dist/agent"), state.resolve("bench")));
     List<String> bridge = List.of(state.resolve("venv/bin/python").toString(), "-m", "sitaf_bridge");
     Sandbox sandbox = SandboxMode.AUTO.open();
-    try (Simulator simulator = Simulator.started(bridge, directory.resolve("simulator"))) {
+    try (Simulator simulator =
+        Simulator.started(bridge, directory.resolve("simulator"), sandbox, Simulator.ALWAYS)) {
       Builds builds = new Builds(simulator, toolchains, sandbox, directory);
       System.out.printf(
           Locale.ROOT,
@@ -118,9 +120,11 @@ public final class HarnessBenchmark {
           sandbox.description(),
           Runtime.getRuntime().availableProcessors(),
           ManagementFactory.getOperatingSystemMXBean().getSystemLoadAverage());
-      bareMicros =
-          BareSimulation.microsPerCase(
-              simulator.target(), home.resolve("examples/ir-sensor/world/ir.world.yaml"));
+      try (BuildSimulator alone = simulator.forBuild()) {
+        bareMicros =
+            BareSimulation.microsPerCase(
+                alone.target(), home.resolve("examples/ir-sensor/world/ir.world.yaml"));
+      }
       lineMicros = Alternatives.lineMicros(directory);
       clockMicros = Alternatives.clockMicros();
       told("the simulation alone, in bulk, a case", bareMicros, "us");
@@ -141,6 +145,7 @@ public final class HarnessBenchmark {
         }
       }
     } finally {
+      toolchains.stop();
       try (Stream<Path> files = Files.walk(directory)) {
         for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
           Files.delete(file);

@@ -195,7 +195,8 @@ export class FakeServer {
     },
     'GET builds * result': ({ path }) => {
       const cases = this.cases.get(path[1] ?? '');
-      return cases ? { status: 200, json: result(cases) } : notFound();
+      const suspicions = this.builds.find(({ id }) => id === path[1])?.suspicions ?? [];
+      return cases ? { status: 200, json: { ...result(cases), suspicions } } : notFound();
     },
     'GET builds * result cases': ({ path, query }) => {
       const verdict = query.get('verdict');

@@ -90,6 +90,7 @@ export function build(id: string, changes: Partial<Build> = {}): Build {
     requirements: [],
     casesDone: 0,
     recordedCases: 'ALL',
+    suspicions: [],
     ...changes,
   };
 }
@@ -163,6 +164,7 @@ export function result(cases: readonly ResultCase[]): Result {
       started: THEN,
       finished: THEN,
     },
+    suspicions: [],
   };
 }
 

@@ -4,30 +4,32 @@ import contextlib
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from pathlib import Path
 
 import grpc
 
 from sitaf_bridge.server.address import Address, BadAddress, Guard, TokenCheck
 from sitaf_bridge.server.control import SimulationControl
+from sitaf_bridge.server.endpoints import SERVER_OPTIONS, Administration, Endpoints
 from sitaf_bridge.server.hardware import VirtualHardware
 from sitaf_bridge.session.registry import Registry
-from sitaf_bridge.wire import simulation_pb2_grpc as pb_grpc
+from sitaf_bridge.wire import administration_pb2_grpc, simulation_pb2_grpc
 from sitaf_bridge.world.catalog import Catalog
 
-MAX_MESSAGE_BYTES = 64 * 1024 * 1024
 # Seconds that calls at work get to end when the server stops.
 GRACE_S = 2.0
 
 
 @dataclass(frozen=True)
 class Settings:
-    """How to serve. `default_lease_s` is of sessions that ask for none."""
+    """How to serve. `default_lease_s` is of sessions that ask for none; `endpoints` is the folder of their sockets."""
 
     address: Address
     default_lease_s: float
     max_sessions: int
     threads: int
     guard: Guard | None = None
+    endpoints: Path | None = None
 
 
 @contextlib.contextmanager
@@ -35,16 +37,17 @@ def serving(settings: Settings, catalog: Catalog) -> Iterator[str]:
     """Serve until the end of the block; gives the target that clients connect to. Raises BadAddress."""
     registry = Registry(default_lease_s=settings.default_lease_s, max_sessions=settings.max_sessions)
     pool = ThreadPoolExecutor(settings.threads, thread_name_prefix="call")
-    options = [
-        ("grpc.max_receive_message_length", MAX_MESSAGE_BYTES),
-        # Two bridges on one port would share its calls at random.
-        ("grpc.so_reuseport", 0),
-    ]
     guard = settings.guard
     checks: list[grpc.ServerInterceptor] = [] if guard is None else [TokenCheck(guard.token)]
-    server = grpc.server(pool, options=options, interceptors=checks)
-    pb_grpc.add_SimulationControlServicer_to_server(SimulationControl(catalog, registry), server)
-    pb_grpc.add_VirtualHardwareServicer_to_server(VirtualHardware(registry, max(1, settings.threads // 2)), server)
+    server = grpc.server(pool, options=SERVER_OPTIONS, interceptors=checks)
+    simulation_pb2_grpc.add_SimulationControlServicer_to_server(SimulationControl(catalog, registry), server)
+    simulation_pb2_grpc.add_VirtualHardwareServicer_to_server(
+        VirtualHardware(registry, max(1, settings.threads // 2)), server
+    )
+    endpoints = None
+    if settings.endpoints is not None:
+        endpoints = Endpoints(settings.endpoints, catalog, settings.default_lease_s, settings.threads)
+        administration_pb2_grpc.add_SimulatorAdministrationServicer_to_server(Administration(endpoints), server)
     try:
         try:
             target = settings.address.target
@@ -61,3 +64,5 @@ def serving(settings: Settings, catalog: Catalog) -> Iterator[str]:
         server.stop(GRACE_S).wait()
         pool.shutdown(wait=False, cancel_futures=True)
         registry.close()
+        if endpoints is not None:
+            endpoints.close()

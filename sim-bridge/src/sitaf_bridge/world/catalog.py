@@ -10,6 +10,13 @@ from sitaf_bridge.world.driving.simulation import Simulation
 from sitaf_bridge.world.world import World, load_world
 
 MAX_WORLDS = 32
+SMALLEST = WorldSource(
+    "w.world.yaml",
+    {
+        "w.world.yaml": b"mjcf: w.xml",
+        "w.xml": b'<mujoco><worldbody><body mocap="true"><geom size="1"/></body></worldbody></mujoco>',
+    },
+)
 
 
 class Catalog:
@@ -38,6 +45,10 @@ class Catalog:
                     self._worlds.pop(key, None)
                 future.set_exception(error)
         return future.result()
+
+    def warm_up(self) -> None:
+        """Do once what the first world does for all: start what compiles worlds, load what simulates them."""
+        _loaded(SMALLEST)
 
 
 def _loaded(source: WorldSource) -> World:

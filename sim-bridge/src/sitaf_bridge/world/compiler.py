@@ -11,6 +11,7 @@ import resource
 import signal
 import tempfile
 import threading
+import time
 from collections.abc import Mapping
 from multiprocessing.connection import Connection
 from pathlib import PurePosixPath
@@ -20,13 +21,37 @@ import numpy as np
 
 from sitaf_bridge.errors import BadWorld, LimitReached, Problem
 from sitaf_bridge.world.additions import Additions, add
+from sitaf_bridge.world.description.mjcf_limits import MAX_ITERATIONS
 
 CPU_SECONDS = 30
 WALL_SECONDS = 60.0
-MEMORY_BYTES = 6 * 1024**3
-MAX_MODEL_BYTES = 512 * 1024**2
+# Below what a build's bridge may use as a whole, so that a world which needs too much is answered as such.
+MEMORY_BYTES = 1536 * 1024**2
+MAX_MODEL_BYTES = 256 * 1024**2
 MAX_ARENA_BYTES = 1024**3
+MAX_STATE_BYTES = 64 * 1024**2
 MAX_DEGREES_OF_FREEDOM = 10_000
+# Processor time of the one step that is tried.
+MAX_STEP_SECONDS = 2.0
+TOO_MUCH_MEMORY = (
+    f"the model needs more memory than the limit of {MEMORY_BYTES >> 20} MiB "
+    "(for its elements, assets, or the `memory` of <size>); make it smaller"
+)
+# What the rest is computed from.
+FINITE = {
+    "body": ("pos", "quat", "ipos", "mass", "inertia"),
+    "jnt": ("pos", "axis", "range", "stiffness"),
+    "dof": ("damping", "armature", "frictionloss"),
+    "geom": ("pos", "quat", "size", "friction"),
+    "site": ("pos", "quat", "size"),
+    "cam": ("pos", "quat", "fovy"),
+    "light": ("pos", "dir"),
+    "mesh": ("vert",),
+    "hfield": ("data", "size"),
+    "actuator": ("gainprm", "biasprm", "ctrlrange", "forcerange"),
+    "key": ("qpos", "qvel", "ctrl"),
+}
+FINITE_OPTIONS = ("timestep", "gravity", "wind", "magnetic", "density", "viscosity", "impratio", "tolerance")
 # How many worlds may be compiled at once.
 COMPILING = threading.BoundedSemaphore(2)
 
@@ -98,9 +123,13 @@ def _child(answer: Connection, main: str, files: Mapping[str, bytes], additions:
     try:
         answer.send(_compile(main, files, additions))
     except MemoryError:
-        answer.send(("limit", b"the model needs too much memory; make it smaller"))
+        answer.send(("limit", TOO_MUCH_MEMORY.encode()))
     except (ValueError, RuntimeError, KeyError, mujoco.FatalError) as error:
-        answer.send(("refused", str(error).strip().encode()))
+        message = str(error).strip()
+        if "allocate" in message or "out of memory" in message.lower():
+            answer.send(("limit", TOO_MUCH_MEMORY.encode()))
+        else:
+            answer.send(("refused", message.encode()))
 
 
 def _compile(main: str, files: Mapping[str, bytes], additions: Additions) -> tuple[str, bytes]:
@@ -117,10 +146,34 @@ def _compile(main: str, files: Mapping[str, bytes], additions: Additions) -> tup
         ("bytes of model", model.nbuffer, MAX_MODEL_BYTES),
         ("bytes of arena (the `memory` of <size>)", model.narena, MAX_ARENA_BYTES),
         ("degrees of freedom", model.nv, MAX_DEGREES_OF_FREEDOM),
+        ("iterations of a solver", _iterations(model), MAX_ITERATIONS),
     ):
         if size > limit:
             return "limit", f"the model has {size} {what}; the limit is {limit}".encode()
-    mujoco.mj_step(model, mujoco.MjData(model))
+    endless = _not_finite(model)
+    if endless:
+        return "refused", f"not all numbers of the compiled model are finite: {', '.join(endless)}".encode()
+    data = mujoco.MjData(model)
+    if data.nbuffer > MAX_STATE_BYTES:
+        return "limit", f"the state of the model has {data.nbuffer} bytes; the limit is {MAX_STATE_BYTES}".encode()
+    began = time.process_time()
+    mujoco.mj_step(model, data)
+    took = time.process_time() - began
+    if took > MAX_STEP_SECONDS:
+        return "limit", f"one step takes {took:.1f} s of processor time; the limit is {MAX_STEP_SECONDS:g} s".encode()
     content = np.empty(mujoco.mj_sizeModel(model), np.uint8)
     mujoco.mj_saveModel(model, None, content)
     return "compiled", content.tobytes()
+
+
+def _iterations(model: mujoco.MjModel) -> int:
+    """The most that a solver may do, also in what was attached."""
+    option = model.opt
+    return max(getattr(option, f"{solver}iterations") for solver in ("", "ls_", "noslip_", "ccd_", "sdf_"))
+
+
+def _not_finite(model: mujoco.MjModel) -> list[str]:
+    """The fields of the model that hold a number which is none or infinite, as body_pos."""
+    fields = [f"{part}_{name}" for part, names in FINITE.items() for name in names]
+    found = [field for field in ("qpos0", *fields) if not np.isfinite(getattr(model, field)).all()]
+    return found + [f"option {name}" for name in FINITE_OPTIONS if not np.isfinite(getattr(model.opt, name)).all()]

@@ -11,6 +11,7 @@ from sitaf_bridge.world.additions import Additions, SpawnedEntity
 from sitaf_bridge.world.compiler import compile_mjcf
 from sitaf_bridge.world.description.declaration import Bind, Description, Parameter, read_description
 from sitaf_bridge.world.description.mjcf_guard import check_mjcf
+from sitaf_bridge.world.description.mjcf_limits import MAX_TIMESTEP_S, MIN_TIMESTEP_S
 from sitaf_bridge.world.description.robot import load_robot
 from sitaf_bridge.world.description.source import WorldSource
 from sitaf_bridge.world.description.yaml_block import Problems
@@ -94,6 +95,9 @@ def _additions(description: Description, entities: tuple[SpawnedEntity, ...]) ->
 
 def _timestep_ns(model: mujoco.MjModel, shown: str) -> int:
     timestep = float(model.opt.timestep)
+    if not MIN_TIMESTEP_S <= timestep <= MAX_TIMESTEP_S:
+        message = f"the timestep {timestep!r} s must be {MIN_TIMESTEP_S:g} to {MAX_TIMESTEP_S:g} s"
+        raise BadWorld([Problem(shown, None, message)])
     nanoseconds = round(timestep * 1e9)
     if nanoseconds < 1 or nanoseconds / 1e9 != timestep:
         message = f"the timestep {timestep!r} s must be a whole number of nanoseconds, such as 0.002"

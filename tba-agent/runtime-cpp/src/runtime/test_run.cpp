@@ -74,10 +74,18 @@ class TestRun::State {
   State& operator=(const State&) = delete;
 
   void save(suite::CaseResult& result) {
+    requireSimulator();
     if (addition) {
       addition(result);
     }
     results.save(result);
+  }
+
+  /// Nothing that was measured since the simulator was found gone counts.
+  void requireSimulator() {
+    if (simulation) {
+      simulation->requireThere();
+    }
   }
 
   void runAll(Driver& driver) {
@@ -123,6 +131,7 @@ class TestRun::State {
 
   /// Gives a case that did not come to its end its verdict; throws on where no further case can run.
   void end(suite::CaseResult& result, const std::exception_ptr& thrown) {
+    requireSimulator();
     const std::string text = describe(thrown);
     try {
       std::rethrow_exception(thrown);

@@ -118,6 +118,8 @@ class Simulation::Session : public Simulator {
 
   Hardware& hardware() { return hardware_; }
 
+  void requireThere() { wire_.requireThere(); }
+
   void prepare(const Names& parameters, const std::vector<double>& values, std::chrono::nanoseconds settle) {
     time_.restart(settle);
     prepareAlone({parameters, values, settle});
@@ -351,6 +353,8 @@ Simulation::Simulation(const std::string& target, const std::string& worldDescri
 Simulation::~Simulation() = default;
 
 Hardware& Simulation::hardware() { return session_->hardware(); }
+
+void Simulation::requireThere() { session_->requireThere(); }
 
 void Simulation::prepare(const Names& parameters, const std::vector<double>& values, std::chrono::nanoseconds settle) {
   session_->prepare(parameters, values, settle);

@@ -62,7 +62,19 @@ void Wire::require(const grpc::Status& status, const std::string& what, bool ofC
     throw std::invalid_argument(status.error_message());
   }
   const std::string reason = status.error_message().empty() ? "" : ": " + status.error_message();
-  throw SimulationError("simulator: " + what + ": " + nameOf(code) + reason, isLost(code));
+  const std::string message = "simulator: " + what + ": " + nameOf(code) + reason;
+  if (code == grpc::UNAVAILABLE || code == grpc::NOT_FOUND) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    gone_ = message;
+  }
+  throw SimulationError(message, isLost(code));
+}
+
+void Wire::requireThere() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!gone_.empty()) {
+    throw SimulationError("the simulator is gone: " + gone_, true);
+  }
 }
 
 Lease::Lease(Wire& wire, std::string session, std::chrono::milliseconds length)

@@ -35,12 +35,15 @@ class Wire {
         what, true, [&](grpc::ClientContext* context, Response* response) { return (hardware_.get()->*rpc)(context, request, response); });
   }
 
+  /// SimulationError where a call found the simulator or the session gone, whatever was made of it.
+  void requireThere();
+
  private:
   static void limit(grpc::ClientContext& context);
-  static void require(const grpc::Status& status, const std::string& what, bool ofComponent);
+  void require(const grpc::Status& status, const std::string& what, bool ofComponent);
 
   template <class Response, class Call>
-  static Response call(const std::string& what, bool ofComponent, Call make) {
+  Response call(const std::string& what, bool ofComponent, Call make) {
     grpc::ClientContext context;
     limit(context);
     Response response;
@@ -48,6 +51,8 @@ class Wire {
     return response;
   }
 
+  std::mutex mutex_;
+  std::string gone_;
   std::unique_ptr<sim::v1::SimulationControl::Stub> control_;
   std::unique_ptr<sim::v1::VirtualHardware::Stub> hardware_;
 };

@@ -5,6 +5,9 @@
 
 #include <cerrno>
 #include <system_error>
+#include <utility>
+
+#include "suite/results_channel.hpp"
 
 namespace sitaf::suite {
 namespace {
@@ -16,8 +19,14 @@ constexpr int linesToSync = 4096;
 
 }  // namespace
 
-ResultsFile::ResultsFile(const std::string& path, bool append)
-    : path_(path), file_(::open(path.c_str(), O_CREAT | O_RDWR | O_CLOEXEC | (append ? 0 : O_TRUNC), 0644)) {
+ResultsFile::ResultsFile(const std::string& path, bool append) : path_(path), file_(-1) {
+  if (ResultsChannel::isNamed(path)) {
+    ResultsChannel channel = ResultsChannel::take(path);
+    file_ = channel.descriptor;
+    token_ = std::move(channel.token);
+    return;
+  }
+  file_ = ::open(path.c_str(), O_CREAT | O_RDWR | O_CLOEXEC | (append ? 0 : O_TRUNC), 0644);
   if (file_ < 0) {
     fail(path_);
   }
@@ -32,7 +41,9 @@ ResultsFile::ResultsFile(const std::string& path, bool append)
 }
 
 ResultsFile::~ResultsFile() {
-  ::fdatasync(file_);
+  if (token_.empty()) {
+    ::fdatasync(file_);
+  }
   ::close(file_);
 }
 
@@ -40,13 +51,14 @@ void ResultsFile::ready() { write("\n"); }
 
 void ResultsFile::save(CaseResult& result) {
   write(result.line());
-  if (++unsynced_ >= linesToSync) {
+  if (token_.empty() && ++unsynced_ >= linesToSync) {
     unsynced_ = 0;
     ::fdatasync(file_);
   }
 }
 
-void ResultsFile::write(const std::string& text) {
+void ResultsFile::write(const std::string& line) {
+  const std::string text = token_.empty() ? line : std::to_string(++number_) + " " + token_ + " " + line;
   const char* from = text.data();
   std::size_t left = text.size();
   while (left > 0) {

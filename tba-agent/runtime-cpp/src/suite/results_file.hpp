@@ -7,10 +7,12 @@
 namespace sitaf::suite {
 
 /// Where the results go, one line a case. Each line is handed to the kernel in one write the moment its case ends, so that the end of the
-/// process, however sudden, loses none of them. A failure to write is a std::system_error.
+/// process, however sudden, loses none of them. Through a descriptor of the agent's each line begins with its number and a token. A failure
+/// to write is a std::system_error.
 class ResultsFile {
  public:
-  /// Begins a new file, or goes on behind what is in it; a last line that a killed process left unfinished is then ended first.
+  /// Begins a new file, or goes on behind what is in it; a last line that a killed process left unfinished is then ended first. Takes the
+  /// descriptor where the path names one: `fd:3`.
   ResultsFile(const std::string& path, bool append);
   ~ResultsFile();
   ResultsFile(const ResultsFile&) = delete;
@@ -23,10 +25,13 @@ class ResultsFile {
   void save(CaseResult& result);
 
  private:
-  void write(const std::string& text);
+  void write(const std::string& line);
 
   std::string path_;
   int file_;
+  /// Empty where lines are not numbered.
+  std::string token_;
+  long number_ = 0;
   int unsynced_ = 0;
 };
 

@@ -4,15 +4,19 @@ The module holds the class ConcreteTestDriver. A component that cannot be import
 """
 
 import importlib
+import os
 import re
 import sys
 import traceback
 
 from sitaf_runtime.errors import CannotRunError
 from sitaf_runtime.run import cannot_run, end, start
+from sitaf_runtime.suite import channel
 from sitaf_runtime.thrown import describe, is_the_users
 
 _NAMED = 10
+# Where the agent says that modules are; in PYTHONPATH they could take the place of the runtime's own.
+_PATH = "SITAF_PYTHONPATH"
 
 
 def _not_there(raised: BaseException) -> str | None:
@@ -32,12 +36,22 @@ def _not_there(raised: BaseException) -> str | None:
     )
 
 
+def _look_there() -> None:
+    """Find modules of the test application from now on, here and in processes that are started."""
+    path = os.environ.pop(_PATH, "")
+    if path:
+        os.environ["PYTHONPATH"] = path
+        sys.path[:0] = path.split(os.pathsep)
+
+
 def main() -> None:
     """Import the test application and run it."""
     if len(sys.argv) < 2:
         end(cannot_run("usage: python -m sitaf_runtime MODULE ARGUMENTS"))
     name = sys.argv[1]
     try:
+        channel.hold(sys.argv[2:])
+        _look_there()
         driver = importlib.import_module(name).ConcreteTestDriver
     except CannotRunError as e:
         end(cannot_run(str(e)))

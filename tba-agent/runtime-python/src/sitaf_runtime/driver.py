@@ -100,6 +100,7 @@ class SuiteDriver(ABC, Generic[C]):
         too_long = self._run.took_too_long
         if too_long:
             result.ended_with(Verdict.ERROR, too_long)
+        self._run.require_simulator()
         self._run.results.save(result)
         self._saved = True
 

@@ -79,6 +79,11 @@ class TestRun:
         """What to say when the case took more simulation time than it may; else None."""
         return None if self._simulation is None else self._simulation.took_too_long
 
+    def require_simulator(self) -> None:
+        """Raise SimulationError where the simulator was found gone: nothing that was measured since then counts."""
+        if self._simulation is not None:
+            self._simulation.require_there()
+
     def hardware(self) -> list[object]:
         """What the component may be given; empty where there is no simulation."""
         return [] if self._simulation is None else [self._simulation.hardware]
@@ -161,6 +166,7 @@ class TestRun:
     def _end(self, result: CaseResult, case: TestCase, raised: BaseException) -> None:
         """Give a case that did not come to its end its verdict. Raises when no further case can run."""
         called = self.stopwatch.was_started
+        self.require_simulator()
         if isinstance(raised, SimulationError) and raised.lost:
             raise raised
         if self.took_too_long:

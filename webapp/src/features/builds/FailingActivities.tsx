@@ -3,7 +3,7 @@ import type { Build } from '@/shared/api';
 import { Age, Loading, ProblemAlert, RouteLink, UserText } from '@/shared/ui';
 import { BuildStanding } from './BuildStanding';
 import { useBuilds } from './queries';
-import { isFinished } from './state';
+import { isFinished, isSuspect } from './state';
 
 /** How far back the latest build of an activity is looked for. */
 const LOOK_BACK = 200;
@@ -48,6 +48,9 @@ function latestOfEach(builds: readonly Build[]): Build[] {
   return [...latest.values()];
 }
 
-function isFailing({ state, summary }: Build): boolean {
-  return state === 'FAILED' || (summary ? summary.fail + summary.error > 0 : false);
+function isFailing(build: Build): boolean {
+  const { state, summary } = build;
+  return (
+    isSuspect(build) || state === 'FAILED' || (summary ? summary.fail + summary.error > 0 : false)
+  );
 }

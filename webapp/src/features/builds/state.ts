@@ -24,9 +24,15 @@ const TONES: Partial<Record<BuildState, Standing['tone']>> = {
   FAILED: 'bad',
 };
 
+/** Whether the verdicts cannot be trusted; such a build never counts as passed. */
+export function isSuspect({ suspicions }: Build): boolean {
+  return suspicions.length > 0;
+}
+
 /** A build that is done says what came of it; one that could not run is not a failed test. */
 export function standingOf(build: Build): Standing {
   if (build.state === 'DONE' && build.summary) {
+    if (isSuspect(build)) return { label: 'Suspect', tone: 'bad' };
     const { total, pass, fail, error } = build.summary;
     if (pass === total) return { label: 'All passed', tone: 'good' };
     if (fail + error > 0) return { label: 'Cases failed', tone: 'bad' };

@@ -1,4 +1,4 @@
-import { Checkbox, Group, Stack, Table, Text } from '@mantine/core';
+import { Badge, Checkbox, Group, Stack, Table, Text } from '@mantine/core';
 import { useMemo, useState } from 'react';
 import type { EChartsCoreOption } from 'echarts/core';
 import type { ResultOfBuild } from '@/shared/api';
@@ -86,6 +86,11 @@ export function ResultHistory({ activityId, model }: ResultHistoryProps) {
                 <RouteLink to="/builds/$buildId" params={{ buildId: item.buildId }} size="sm">
                   {formatInstant(item.received)}
                 </RouteLink>
+                {item.suspect && (
+                  <Badge ml="xs" size="sm" color="red">
+                    Suspect
+                  </Badge>
+                )}
               </Table.Td>
               {!model && (
                 <Table.Td>

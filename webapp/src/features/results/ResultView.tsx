@@ -7,6 +7,7 @@ import { CaseFilters } from './CaseFilters';
 import { useCase, useFirstCases, useResult, type CaseFilter } from './queries';
 import { ResultSummary } from './ResultSummary';
 import { ResultTable } from './ResultTable';
+import { Suspicions } from './Suspicions';
 
 interface ResultViewProps {
   buildId: string;
@@ -35,10 +36,11 @@ export function ResultView({
   if (!result.data) {
     return <ProblemAlert title="The result could not be read" error={result.error} />;
   }
-  const { summary, parameters } = result.data;
+  const { summary, parameters, suspicions } = result.data;
   return (
     <Stack gap="lg">
       <Section title="Result" actions={<Downloads buildId={buildId} />}>
+        <Suspicions reasons={suspicions} />
         <ResultSummary summary={summary} />
       </Section>
       <Section title="Cases">

@@ -9,6 +9,7 @@ from pathlib import PurePosixPath
 from xml.parsers import expat
 
 from sitaf_bridge.errors import BadWorld, Problem
+from sitaf_bridge.world.description.mjcf_limits import beyond_limits
 from sitaf_bridge.world.description.source import unsafe_path
 
 MAX_ELEMENTS = 100_000
@@ -124,6 +125,8 @@ class _FileScan:
             reason = unsafe_path(value) if value not in ("", ".") else None
             if reason is not None or attributes.get(key, "").startswith("/"):
                 self._problem(f"<{tag} {key}={attributes[key]!r}>: the path {reason or 'is absolute'}")
+        for message in beyond_limits(tag, attributes):
+            self._problem(message)
         if "content_type" in attributes:
             self._problem(f"<{tag} content_type>: is not supported; the file's suffix says what it is")
 

@@ -33,6 +33,9 @@ class Simulation {
   /// What a component under test gets.
   Hardware& hardware();
 
+  /// SimulationError where a call found the simulator or the session gone, whatever the component made of it.
+  void requireThere();
+
   /// What a case sets: parameters of the world, in one order for all cases; those not named take their default.
   using Names = std::vector<std::string>;
 

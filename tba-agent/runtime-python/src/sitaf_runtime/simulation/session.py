@@ -37,6 +37,7 @@ _REFUSED = (
     grpc.StatusCode.RESOURCE_EXHAUSTED,
     grpc.StatusCode.FAILED_PRECONDITION,
 )
+_GONE = (grpc.StatusCode.UNAVAILABLE, grpc.StatusCode.NOT_FOUND)
 T = TypeVar("T")
 
 
@@ -56,6 +57,7 @@ class Simulation:
         coming: Callable[[int], Sequence[TestCase]] = lambda _: (),
         limit_s: float | None = None,
     ) -> None:
+        self._gone: SimulationError | None = None
         description, files = read_world(world_description)
         self._channel = grpc.insecure_channel(
             target,
@@ -159,6 +161,11 @@ class Simulation:
         request = pb.RecordMotionRequest(session_id=self._session, interval_ns=_FRAME_NS)
         self._ask("recording", self._control.RecordMotion, request)
 
+    def require_there(self) -> None:
+        """Raise SimulationError where a call found the simulator or the session gone, whatever was made of it."""
+        if self._gone is not None:
+            raise SimulationError(f"the simulator is gone: {self._gone}", lost=True)
+
     def save_motion(self, no: int) -> None:
         """Save what moved since the case was prepared; nothing where nothing is recorded or the simulation diverged."""
         if self._recording is None or self._recording.is_full:
@@ -169,7 +176,7 @@ class Simulation:
         except grpc.RpcError as e:
             if _status(e)[0] == grpc.StatusCode.DATA_LOSS:
                 return
-            raise _failure(f"taking the recording of case {no}", e) from None
+            raise self._failure(f"taking the recording of case {no}", e) from None
         self._recording.save(no, taken.gltf)
 
     def close(self) -> None:
@@ -195,7 +202,7 @@ class Simulation:
             code, details = _status(e)
             if code in (grpc.StatusCode.INVALID_ARGUMENT, grpc.StatusCode.OUT_OF_RANGE):
                 raise ValueError(details) from None
-            raise _failure(f"commanding {command.device}", e) from None
+            raise self._failure(f"commanding {command.device}", e) from None
         self._hardware.world = self._layout.freeze(state)
 
     def look(self, camera: str) -> pb.Reading:
@@ -239,7 +246,7 @@ class Simulation:
         except grpc.RpcError as e:
             if _status(e)[0] in _REFUSED:
                 return None
-            raise _failure("preparing cases", e) from None
+            raise self._failure("preparing cases", e) from None
 
     def _renew(self) -> None:
         """Renew the lease three times in each length, so that a long call of the component does not end it."""
@@ -249,12 +256,17 @@ class Simulation:
             except (grpc.RpcError, ValueError):
                 continue  # The next call of the test driver meets the same trouble, and tells it where it matters.
 
-    @staticmethod
-    def _ask(what: str, call: Callable[..., Any], request: object) -> Any:
+    def _failure(self, what: str, e: grpc.RpcError) -> SimulationError:
+        failure = _failure(what, e)
+        if _status(e)[0] in _GONE:
+            self._gone = failure
+        return failure
+
+    def _ask(self, what: str, call: Callable[..., Any], request: object) -> Any:
         try:
             return call(request, timeout=_LONGEST_CALL_S)
         except grpc.RpcError as e:
-            raise _failure(what, e) from None
+            raise self._failure(what, e) from None
 
 
 def _status(e: grpc.RpcError) -> tuple[grpc.StatusCode, str]:

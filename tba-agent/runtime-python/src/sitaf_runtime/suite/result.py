@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from sitaf_runtime.errors import CaseDataError
-from sitaf_runtime.suite import literals
+from sitaf_runtime.suite import channel, literals
 from sitaf_runtime.suite.calls import StubCall
 from sitaf_runtime.suite.comparison import difference
 from sitaf_runtime.suite.kinds import Kind
@@ -161,10 +161,22 @@ class CaseResult:
 
 
 class ResultsFile:
-    """The results of a run: one line, one write for each case, so that a killed process loses none."""
+    """The results of a run: one line, one write for each case, so that a killed process loses none.
+
+    Through a descriptor of the agent's each line begins with its number and a token.
+    """
 
     def __init__(self, file: Path, *, append: bool) -> None:
-        """Open a file; what is there is emptied, or gone on with behind its last line, which is ended first."""
+        """Open a file; what is there is emptied, or gone on with behind its last line, which is ended first.
+
+        `fd:3` names a descriptor that is open. Raises CannotRunError when it is not.
+        """
+        self._number = 0
+        self._token = b""
+        if channel.is_named(file):
+            self._descriptor, token = channel.take(file)
+            self._token = token.encode()
+            return
         flags = os.O_CREAT | os.O_RDWR | os.O_CLOEXEC | (0 if append else os.O_TRUNC)
         self._descriptor = os.open(file, flags, 0o644)
         self._unsynced = 0
@@ -174,22 +186,30 @@ class ResultsFile:
 
     def ready(self) -> None:
         """Write an empty line: all is set up, and the first case begins. From then on a case's time limit holds."""
-        os.write(self._descriptor, b"\n")
+        self._write(b"\n")
 
     def save(self, result: CaseResult) -> None:
         """Write the line of a case."""
-        line = result.line()
-        while line:
-            line = line[os.write(self._descriptor, line) :]
+        self._write(result.line())
+        if self._token:
+            return
         self._unsynced += 1
         if self._unsynced >= _LINES_TO_SYNC:
             self._unsynced = 0
             os.fsync(self._descriptor)
 
     def close(self) -> None:
-        """Hand the rest to the disk and close."""
-        os.fsync(self._descriptor)
+        """Hand the rest of a file to the disk and close."""
+        if not self._token:
+            os.fsync(self._descriptor)
         os.close(self._descriptor)
+
+    def _write(self, line: bytes) -> None:
+        if self._token:
+            self._number += 1
+            line = b"%d %b %b" % (self._number, self._token, line)
+        while line:
+            line = line[os.write(self._descriptor, line) :]
 
 
 # What XML cannot hold, what it would not give back, and what splits lines by Unicode's rules.

@@ -2,6 +2,7 @@ package sitaf.harness.echo;
 
 import java.io.FileOutputStream;
 import java.io.OutputStream;
+import java.lang.reflect.Method;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -22,9 +23,14 @@ public class ScriptedHarness {
     }
     int from = Integer.parseInt(options.get("--from"));
     String suite = Files.readString(Path.of(options.get("--suite")));
-    try (OutputStream results = new FileOutputStream(options.get("--results"), true)) {
+    Method takeLine = Class.forName("org.sitaf.runtime.EarlyStart").getDeclaredMethod("takeLine");
+    takeLine.setAccessible(true);
+    String token = takeLine.invoke(null) + " ";
+    int number = 0;
+    String descriptor = options.get("--results").replace("fd:", "/dev/fd/");
+    try (OutputStream results = new FileOutputStream(descriptor)) {
       demo.Component component = new demo.Component();
-      results.write('\n');
+      results.write((++number + " " + token + "\n").getBytes(StandardCharsets.UTF_8));
       Matcher each = CASE.matcher(suite);
       while (each.find()) {
         int no = Integer.parseInt(each.group(1));
@@ -45,7 +51,8 @@ public class ScriptedHarness {
             line = "verdict=\"ERROR\"><value>" + value + "</value><expected>" + value + "</expected><message>" + e.getMessage()
                 + "</message></test_result>\n";
           }
-          results.write(("<test_result no=\"" + no + "\" " + line).getBytes(StandardCharsets.UTF_8));
+          line = ++number + " " + token + "<test_result no=\"" + no + "\" " + line;
+          results.write(line.getBytes(StandardCharsets.UTF_8));
         }
       }
     }

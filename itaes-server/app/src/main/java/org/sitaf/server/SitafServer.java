@@ -1,6 +1,7 @@
 package org.sitaf.server;
 
 import java.time.Clock;
+import org.sitaf.server.settings.LimitSettings;
 import org.sitaf.server.settings.SitafSettings;
 import org.springframework.boot.SpringApplication;
 import org.springframework.boot.autoconfigure.SpringBootApplication;
@@ -9,7 +10,7 @@ import org.springframework.context.annotation.Bean;
 
 /** Starts the server. */
 @SpringBootApplication
-@EnableConfigurationProperties(SitafSettings.class)
+@EnableConfigurationProperties({SitafSettings.class, LimitSettings.class})
 public class SitafServer {
 
   /** Options are Spring properties, such as {@code --server.port=0}. */

@@ -37,13 +37,24 @@ final class LocalBuilds implements AutoCloseable {
   private final AtomicReference<@Nullable BuildRun> current = new AtomicReference<>();
   private final OnExit onExit = new OnExit(this::cancel);
 
+  /**
+   * Begins.
+   *
+   * @param withWorld how many builds are to come that need a simulation, the first of which is
+   *     started now
+   */
   LocalBuilds(
-      Installation installation, Sandbox sandbox, boolean coverage, @Nullable Path recordings)
+      Installation installation,
+      Sandbox sandbox,
+      boolean coverage,
+      @Nullable Path recordings,
+      int withWorld)
       throws IOException {
     directory = Files.createTempDirectory("sitaf-run-");
     settings =
         new BuildSettings(
-            Simulator.started(installation.bridgeCommand(), directory.resolve("simulator")),
+            Simulator.started(
+                installation.bridgeCommand(), directory.resolve("simulator"), sandbox, withWorld),
             new Toolchains(new ToolchainPlaces(installation.runtimes(), installation.cache())),
             sandbox,
             coverage,
@@ -60,6 +71,8 @@ final class LocalBuilds implements AutoCloseable {
    * Generates the test application, compiles and executes it; says on standard error how far it is.
    */
   BuildOutcome run(Activity activity, TestModel model, TestSuite suite) {
+    // Gets ready while the simulation starts.
+    settings.toolchains().startAhead(activity.profile().harness(), settings.sandbox());
     try (ProgressLine progress = new ProgressLine(System.err)) {
       progress.step(model.name() + ": generating the test application");
       TestApplication application =
@@ -96,6 +109,7 @@ final class LocalBuilds implements AutoCloseable {
   @Override
   public void close() {
     try (onExit) {
+      settings.toolchains().stop();
       settings.simulator().close();
       delete();
     }

@@ -56,8 +56,12 @@ public final class ResultTable {
     }
   }
 
-  /** Prints the numbers of a result. */
+  /** Prints the numbers of a result, and why they are not to be trusted. */
   public static void printSummary(TestResult result, PrintWriter out) {
+    if (result.isSuspect()) {
+      out.println(result.name() + ": SUSPECT, the verdicts cannot be trusted:");
+      result.suspicions().forEach(reason -> out.println("  " + Printable.line(reason)));
+    }
     Summary summary = result.summary();
     out.printf(
         Locale.ROOT,

@@ -161,11 +161,14 @@ final class RunCommand implements Callable<Integer> {
   private int runHere(Activity activity, List<TestResult> results, PrintWriter out, PrintWriter err)
       throws IOException {
     int exitCode = 0;
+    List<TestModel> models = models(activity);
+    int withWorld = activity.profile().world() == null ? 0 : models.size();
     try (LocalBuilds builds =
-        new LocalBuilds(Installation.current(), sandbox.open(), !noCoverage, recording)) {
+        new LocalBuilds(
+            Installation.current(), sandbox.open(), !noCoverage, recording, withWorld)) {
       err.println("sandbox: " + builds.sandbox());
       err.flush();
-      for (TestModel model : models(activity)) {
+      for (TestModel model : models) {
         GeneratedSuite generated =
             TestCaseGenerator.generate(model, GenerationOptions.DEFAULT.withSeed(seed));
         Sitaf.print(generated.notes(), err);
@@ -233,7 +236,7 @@ final class RunCommand implements Callable<Integer> {
     if (result.summary().dont() > 0 || result.summary().total() == 0) {
       return Sitaf.UNUSABLE;
     }
-    return result.summary().pass() == result.summary().total() ? 0 : TEST_FAILED;
+    return result.allPassed() ? 0 : TEST_FAILED;
   }
 
   private void write(Activity activity, List<TestResult> results) throws IOException {

@@ -5,6 +5,7 @@ import java.net.InetAddress;
 import java.net.URISyntaxException;
 import java.net.UnknownHostException;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -88,15 +89,25 @@ public final class AgentMain implements Callable<Integer> {
       paramLabel = "MIB",
       defaultValue = "200",
       description =
-          "Takes no new build while less is free on the disk of --directory; default ${DEFAULT-VALUE}.")
+          "Takes no new build while less is free on the disk of --directory; default"
+              + " ${DEFAULT-VALUE}.")
   private long minFreeMib;
+
+  @Option(
+      names = "--longest-build-min",
+      paramLabel = "MINUTES",
+      defaultValue = "720",
+      description =
+          "The cases of a build take no longer than this together, whatever limits its activity"
+              + " sets; default ${DEFAULT-VALUE}.")
+  private long longestBuildMin;
 
   @Option(
       names = "--bridge-command",
       paramLabel = "COMMAND",
       defaultValue = "",
       description =
-          "Starts a simulation bridge of the agent's own, such as 'python -m sitaf_bridge'; its"
+          "Starts a simulation bridge for each build, such as 'python -m sitaf_bridge'; its"
               + " arguments are appended. Words are separated by spaces; quotes group them.")
   private String bridgeCommand = "";
 
@@ -104,7 +115,8 @@ public final class AgentMain implements Callable<Integer> {
       names = "--bridge",
       paramLabel = "ADDRESS",
       description =
-          "Uses a running simulation bridge instead of one of its own: 127.0.0.1:PORT or unix:PATH.")
+          "Uses a running simulation bridge, which all builds share, instead of one for each build:"
+              + " 127.0.0.1:PORT or unix:PATH.")
   private @Nullable String bridge;
 
   @Option(
@@ -120,10 +132,19 @@ public final class AgentMain implements Callable<Integer> {
       paramLabel = "MODE",
       defaultValue = "auto",
       description =
-          "Components and their compilers run in a sandbox (bubblewrap): required, auto (where it is"
-              + " installed) or off; default ${DEFAULT-VALUE}. An agent that has one carries the label"
-              + " 'sandbox'.")
+          "Components and their compilers run in a sandbox (bubblewrap): required, auto (where it"
+              + " is installed) or off; default ${DEFAULT-VALUE}. An agent that has one carries the"
+              + " label 'sandbox'.")
   private SandboxMode sandbox = SandboxMode.AUTO;
+
+  @Option(
+      names = "--annotation-processor-path",
+      paramLabel = "JARS",
+      split = ":",
+      description =
+          "Jars of the annotation processors and plugins that may run when Java components are"
+              + " compiled, joined by colons; default none, whatever the component's jars ask for.")
+  private List<Path> annotationProcessors = List.of();
 
   @Option(
       names = "--no-coverage",
@@ -154,7 +175,9 @@ public final class AgentMain implements Callable<Integer> {
     Toolchains toolchains =
         new Toolchains(
             new ToolchainPlaces(
-                runtimes != null ? runtimes : folderOfJar(), directory.resolve("cache")));
+                runtimes != null ? runtimes : folderOfJar(),
+                directory.resolve("cache"),
+                annotationProcessors));
     CountDownLatch stop = new CountDownLatch(1);
     CountDownLatch stopped = new CountDownLatch(1);
     AtomicBoolean told = new AtomicBoolean();
@@ -221,7 +244,8 @@ public final class AgentMain implements Callable<Integer> {
         sandbox,
         !noCoverage,
         Set.copyOf(labels),
-        minFreeMib << 20);
+        minFreeMib << 20,
+        Duration.ofMinutes(longestBuildMin));
   }
 
   /**

@@ -11,6 +11,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * How a test application is started.
  *
+ * @param results a file, or {@code fd:N} for a descriptor that is open already
  * @param bridge gRPC target of the simulator; null where the component needs no simulation
  * @param world the world description; null exactly where there is no simulator
  * @param from the number of the first case to run; 0 for all
@@ -19,7 +20,7 @@ import org.jspecify.annotations.Nullable;
  */
 record CommandLine(
     Path suite,
-    Path results,
+    String results,
     @Nullable String bridge,
     @Nullable Path world,
     long seed,
@@ -63,7 +64,7 @@ record CommandLine(
     String world = given.get("--world");
     return new CommandLine(
         path(given, "--suite"),
-        path(given, "--results"),
+        text(given, "--results"),
         given.get("--bridge"),
         world == null ? null : path(given, "--world"),
         number(given, "--seed", DEFAULT_SEED),
@@ -72,11 +73,16 @@ record CommandLine(
         given.containsKey("--case-sim") ? seconds(given.get("--case-sim")) : null);
   }
 
-  private static Path path(Map<String, String> given, String option) {
+  private static String text(Map<String, String> given, String option) {
     String value = given.get(option);
     if (value == null) {
       throw wrong(option + " is missing");
     }
+    return value;
+  }
+
+  private static Path path(Map<String, String> given, String option) {
+    String value = text(given, option);
     try {
       return Path.of(value);
     } catch (InvalidPathException e) {

@@ -10,13 +10,15 @@ import org.jspecify.annotations.Nullable;
  * Starts a test application while it is still being compiled, with {@code EarlyStart ENTRY-POINT
  * ARGUMENTS} in place of {@code ENTRY-POINT ARGUMENTS}: reads the suite and opens the simulation,
  * which needs none of the application's classes, and waits. A line on standard input says that they
- * are there; an end of the input without one, that nobody wants them any more.
+ * are there, and is what {@link org.sitaf.runtime.suite.ResultsFile} waits for; an end of the input
+ * without one, that nobody wants them any more.
  */
 public final class EarlyStart {
   /** What was opened, for whichever run begins with the same arguments. */
   private static @Nullable TestRun opened;
 
   private static String[] openedWith = {};
+  private static @Nullable String line;
 
   private EarlyStart() {}
 
@@ -34,7 +36,8 @@ public final class EarlyStart {
     } catch (IOException | RuntimeException e) {
       // The run itself meets the same trouble when it begins, and tells it.
     }
-    if (System.in.read() < 0) {
+    line = StandardInput.line();
+    if (line == null) {
       System.exit(TestRun.EXIT_CANNOT_RUN);
     }
     Method main = Class.forName(entryPoint).getMethod("main", String[].class);
@@ -45,6 +48,13 @@ public final class EarlyStart {
     } catch (InvocationTargetException e) {
       throw e.getCause();
     }
+  }
+
+  /** The line that let the process go on, once; what the input holds where it did not wait. */
+  static synchronized @Nullable String takeLine() {
+    String taken = line;
+    line = null;
+    return taken == null ? StandardInput.line() : taken;
   }
 
   /** What was opened with these arguments, once; null where nothing was. */

@@ -74,6 +74,8 @@ public final class TestRun {
       TestRun early = EarlyStart.take(arguments);
       TestRun run = early == null ? open(arguments) : early;
       try (Closeable opened = run::close) {
+        // Before anything of the component is loaded.
+        run.results.authorise(EarlyStart::takeLine);
         run.runAll(driver);
       }
       return EXIT_DONE;
@@ -140,14 +142,15 @@ public final class TestRun {
 
   /** Writes the result of a case, the calls that it made of its stubs among it. */
   void save(CaseResult result) throws IOException {
+    if (simulation != null) {
+      simulation.requireThere();
+    }
     stubbing.writeTo(result);
     results.save(result);
   }
 
   private static ResultsFile openResults(CommandLine command) throws IOException {
-    return command.from() > 0
-        ? ResultsFile.append(command.results())
-        : ResultsFile.create(command.results());
+    return ResultsFile.open(command.results(), command.from() > 0);
   }
 
   private void close() throws IOException {
@@ -217,6 +220,9 @@ public final class TestRun {
   private void end(CaseResult result, Throwable thrown) {
     // A component must not disturb the next case by an interrupt that it left behind.
     Thread.interrupted();
+    if (simulation != null) {
+      simulation.requireThere();
+    }
     if (thrown instanceof CaseTooLongException tooLong) {
       result.endedWith(Verdict.ERROR, String.valueOf(tooLong.getMessage()));
     } else if (stopwatch.isRunning()) {

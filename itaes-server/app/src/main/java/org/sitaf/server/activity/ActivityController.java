@@ -18,6 +18,7 @@ import org.sitaf.server.refusal.Refusal;
 import org.sitaf.server.web.Listing;
 import org.sitaf.server.web.Requests;
 import org.sitaf.server.web.Sorting;
+import org.sitaf.server.web.Uploads;
 import org.springframework.http.ContentDisposition;
 import org.springframework.http.HttpHeaders;
 import org.springframework.http.HttpStatus;
@@ -46,10 +47,12 @@ class ActivityController {
 
   private final Workspaces workspaces;
   private final Requests requests;
+  private final Uploads uploads;
 
-  ActivityController(Workspaces workspaces, Requests requests) {
+  ActivityController(Workspaces workspaces, Requests requests, Uploads uploads) {
     this.workspaces = workspaces;
     this.requests = requests;
+    this.uploads = uploads;
   }
 
   @GetMapping
@@ -78,10 +81,7 @@ class ActivityController {
   @ResponseStatus(HttpStatus.CREATED)
   ResponseEntity<ActivityView> create(@Parameter(hidden = true) HttpServletRequest request)
       throws IOException {
-    String id;
-    try (InputStream body = requests.body(request)) {
-      id = workspaces.create(body);
-    }
+    String id = uploads.unpack(request, workspaces::create);
     return ResponseEntity.created(URI.create("/api/v1/activities/" + id)).body(get(id));
   }
 
@@ -125,10 +125,14 @@ class ActivityController {
       @RequestHeader(name = HttpHeaders.IF_MATCH, required = false) @Nullable String ifMatch,
       @Parameter(hidden = true) HttpServletRequest request)
       throws IOException {
-    try (InputStream body = requests.body(request)) {
-      workspaces.replace(id, body, Requests.version(ifMatch));
-    }
-    return get(id);
+    workspaces.require(id);
+    @Nullable Long version = Requests.version(ifMatch);
+    return uploads.unpack(
+        request,
+        files -> {
+          workspaces.replace(id, files, version);
+          return get(id);
+        });
   }
 
   @GetMapping(path = "/{id}/files/{*path}", produces = MediaType.APPLICATION_OCTET_STREAM_VALUE)

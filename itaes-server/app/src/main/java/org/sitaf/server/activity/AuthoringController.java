@@ -7,11 +7,10 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import jakarta.servlet.http.HttpServletRequest;
 import java.io.IOException;
-import java.io.InputStream;
 import org.jspecify.annotations.Nullable;
-import org.sitaf.core.activity.ActivityArchive;
 import org.sitaf.server.refusal.Refusal;
 import org.sitaf.server.web.Requests;
+import org.sitaf.server.web.Uploads;
 import org.springframework.http.HttpHeaders;
 import org.springframework.web.bind.annotation.GetMapping;
 import org.springframework.web.bind.annotation.PatchMapping;
@@ -30,11 +29,11 @@ class AuthoringController {
   private static final String ZIP = "application/zip";
 
   private final Workspaces workspaces;
-  private final Requests requests;
+  private final Uploads uploads;
 
-  AuthoringController(Workspaces workspaces, Requests requests) {
+  AuthoringController(Workspaces workspaces, Uploads uploads) {
     this.workspaces = workspaces;
-    this.requests = requests;
+    this.uploads = uploads;
   }
 
   @GetMapping("/activities/{id}/description")
@@ -72,8 +71,6 @@ class AuthoringController {
               content =
                   @Content(mediaType = ZIP, schema = @Schema(type = "string", format = "binary"))))
   CheckView check(@Parameter(hidden = true) HttpServletRequest request) throws IOException {
-    try (InputStream body = requests.body(request)) {
-      return CheckView.of(ActivityArchive.read(body, "the uploaded archive"));
-    }
+    return uploads.unpack(request, CheckView::of);
   }
 }

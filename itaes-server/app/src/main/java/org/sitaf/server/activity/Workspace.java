@@ -13,9 +13,13 @@ import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.activity.Activity;
 import org.sitaf.core.description.InterfaceDescription;
+import org.sitaf.core.description.Method;
+import org.sitaf.core.diagnostic.Diagnostic;
+import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.server.file.StoredFile;
 import org.sitaf.server.refusal.Refusal;
@@ -25,6 +29,11 @@ import org.sitaf.server.refusal.Refusal;
  */
 @Entity
 class Workspace {
+  private static final int MAX_NAME = 200;
+  private static final int MAX_CLASS = 1000;
+  private static final int MAX_TEXT = 4000;
+  private static final int SHOWN = 60;
+
   @Id private String id;
   private String name;
   private String description;
@@ -73,6 +82,7 @@ class Workspace {
 
   /** Puts another state of the activity into the place of the present one. */
   final void replace(Activity activity, List<StoredFile> newFiles, Instant now) {
+    requireStorable(activity);
     name = activity.profile().name();
     description = activity.profile().description();
     language = activity.profile().component().language().spelling();
@@ -94,15 +104,47 @@ class Workspace {
     addMethods(activity.required(), true);
   }
 
+  /** What the readers let pass, however long it is, and the columns do not hold. */
+  private static void requireStorable(Activity activity) {
+    List<Diagnostic> problems = new ArrayList<>();
+    requireLength("name", activity.profile().name(), MAX_NAME, problems);
+    requireLength("description", activity.profile().description(), MAX_TEXT, problems);
+    requireLength(
+        "component.class", activity.profile().component().className(), MAX_CLASS, problems);
+    for (InterfaceDescription description :
+        Stream.concat(activity.provided().stream(), activity.required().stream()).toList()) {
+      description
+          .methods()
+          .forEach(m -> requireLength("provided, required", signature(m), MAX_TEXT, problems));
+    }
+    if (!problems.isEmpty()) {
+      throw new InvalidInputException(problems);
+    }
+  }
+
+  private static void requireLength(
+      String element, String text, int most, List<Diagnostic> problems) {
+    if (text.length() > most) {
+      problems.add(
+          Diagnostic.error(
+              "activity.yaml",
+              0,
+              element,
+              "'%s...' has %d characters; at most %d are stored"
+                  .formatted(text.substring(0, SHOWN), text.length(), most)));
+    }
+  }
+
+  private static String signature(Method method) {
+    return method.name() + "(" + method.signature() + ")";
+  }
+
   private void addMethods(List<InterfaceDescription> descriptions, boolean required) {
     for (InterfaceDescription description : descriptions) {
       description
           .methods()
           .forEach(
-              m ->
-                  methods.add(
-                      new WorkspaceMethod(
-                          description.name(), required, m.name() + "(" + m.signature() + ")")));
+              m -> methods.add(new WorkspaceMethod(description.name(), required, signature(m))));
     }
   }
 

@@ -1,6 +1,5 @@
 package org.sitaf.server.activity;
 
-import java.io.InputStream;
 import java.time.Clock;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
@@ -12,11 +11,11 @@ import java.util.UUID;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.activity.Activity;
-import org.sitaf.core.activity.ActivityArchive;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.server.file.StoredFile;
 import org.sitaf.server.file.StoredFiles;
+import org.sitaf.server.quota.Quotas;
 import org.sitaf.server.refusal.Refusal;
 import org.springframework.context.ApplicationEventPublisher;
 import org.springframework.data.domain.Page;
@@ -31,6 +30,7 @@ import org.springframework.transaction.support.TransactionTemplate;
 public class Workspaces {
   private final WorkspaceRepository workspaces;
   private final StoredFiles contents;
+  private final Quotas quotas;
   private final TransactionTemplate transaction;
   private final ApplicationEventPublisher events;
   private final Clock clock;
@@ -38,11 +38,13 @@ public class Workspaces {
   Workspaces(
       WorkspaceRepository workspaces,
       StoredFiles contents,
+      Quotas quotas,
       TransactionTemplate transaction,
       ApplicationEventPublisher events,
       Clock clock) {
     this.workspaces = workspaces;
     this.contents = contents;
+    this.quotas = quotas;
     this.transaction = transaction;
     this.events = events;
     this.clock = clock;
@@ -90,22 +92,33 @@ public class Workspaces {
   }
 
   /**
-   * Reads, verifies and stores an uploaded archive; nothing is stored when anything is wrong with
-   * it.
+   * Verifies and stores the files of an activity; nothing is stored when anything is wrong with
+   * them.
    */
-  String create(InputStream zip) {
-    Activity activity = Activity.read(ActivityArchive.read(zip, "the uploaded archive"));
-    List<StoredFile> files = contents.store(activity.files());
+  String create(FileTree tree) {
+    Activity activity = Activity.read(tree);
     String id = UUID.randomUUID().toString();
-    transaction.executeWithoutResult(
-        status -> workspaces.saveAndFlush(new Workspace(id, activity, files, now())));
-    return id;
+    return quotas.storing(
+        tree,
+        null,
+        () -> {
+          List<StoredFile> files = contents.store(activity.files());
+          transaction.executeWithoutResult(
+              status -> {
+                workspaces.saveAndFlush(new Workspace(id, activity, files, now()));
+                quotas.ownActivity(id);
+              });
+          return id;
+        });
   }
 
-  /** Puts an uploaded archive into the place of the activity's files. */
-  void replace(String id, InputStream zip, @Nullable Long expectedVersion) {
+  /**
+   * Makes sure that there is an activity.
+   *
+   * @throws Refusal when there is none of that id
+   */
+  void require(String id) {
     files(id);
-    replace(id, ActivityArchive.read(zip, "the uploaded archive"), expectedVersion);
   }
 
   /** The document of a model. */
@@ -151,15 +164,23 @@ public class Workspaces {
         });
   }
 
-  private void replace(String id, FileTree tree, @Nullable Long expectedVersion) {
+  /** Puts other files into the place of the activity's. */
+  void replace(String id, FileTree tree, @Nullable Long expectedVersion) {
     Activity activity = Activity.read(tree);
-    List<StoredFile> files = contents.store(tree);
-    transaction.executeWithoutResult(
-        status -> {
-          Workspace workspace = find(id);
-          workspace.requireVersion(expectedVersion);
-          workspace.replace(activity, files, now());
-          workspaces.saveAndFlush(workspace);
+    quotas.storing(
+        tree,
+        id,
+        () -> {
+          List<StoredFile> files = contents.store(tree);
+          transaction.executeWithoutResult(
+              status -> {
+                Workspace workspace = find(id);
+                workspace.requireVersion(expectedVersion);
+                workspace.replace(activity, files, now());
+                workspaces.saveAndFlush(workspace);
+                quotas.ownActivity(id);
+              });
+          return id;
         });
   }
 

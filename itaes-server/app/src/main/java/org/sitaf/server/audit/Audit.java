@@ -5,13 +5,16 @@ import java.time.Duration;
 import java.time.Instant;
 import java.time.OffsetDateTime;
 import java.time.ZoneOffset;
+import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.server.network.Addresses;
 import org.sitaf.server.storage.DiskSpace;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.springframework.data.domain.PageRequest;
 import org.springframework.jdbc.core.simple.JdbcClient;
+import org.springframework.scheduling.annotation.Scheduled;
 import org.springframework.stereotype.Service;
 
 /** The audit log: who changed what, and who tried. */
@@ -31,6 +34,7 @@ public class Audit {
   private final JdbcClient jdbc;
   private final DiskSpace disk;
   private final Clock clock;
+  private final Refusals refusals = new Refusals();
 
   Audit(JdbcClient jdbc, DiskSpace disk, Clock clock) {
     this.jdbc = jdbc;
@@ -55,6 +59,46 @@ public class Audit {
       String subject,
       String outcome,
       String address) {}
+
+  /**
+   * Adds an attempt of somebody who is not known, or is not let in. Of many in a minute from one
+   * address a few are kept, and the number of the others: strangers do not fill the database.
+   */
+  public void recordRefusal(
+      String actor, String action, String subject, String outcome, String address) {
+    List<Refusals.Summary> summaries = new ArrayList<>();
+    boolean kept = refusals.isKept(action, Addresses.group(address), clock.instant(), summaries);
+    summaries.forEach(this::record);
+    if (kept) {
+      record(actor, action, subject, outcome, address);
+    }
+  }
+
+  /** What was counted and not kept, once its minute is over. */
+  @Scheduled(fixedDelayString = "PT1M")
+  void summarize() {
+    refusals.over(clock.instant()).forEach(this::record);
+  }
+
+  private void record(Refusals.Summary summary) {
+    record(
+        "-",
+        summary.action(),
+        "%d more within a minute".formatted(summary.count()),
+        "refused",
+        summary.address());
+  }
+
+  /** Whether somebody of this name has signed in from an address since then. */
+  public boolean hasSignedIn(String name, String address, Instant since) {
+    return jdbc.sql(
+                "SELECT COUNT(*) FROM audit_event WHERE actor = ? AND at_time > ?"
+                    + " AND action IN ('signIn', 'openLink') AND outcome = 'done' AND address = ?")
+            .params(name, utc(since), cut(address, 60))
+            .query(Long.class)
+            .single()
+        > 0;
+  }
 
   /** Adds an event; while there is no room for it, only to the server's own log. */
   public void record(String actor, String action, String subject, String outcome, String address) {

@@ -41,13 +41,19 @@ class Changes implements WebMvcConfigurer, HandlerInterceptor {
     Operation operation = method.getMethodAnnotation(Operation.class);
     Principal actor = request.getUserPrincipal();
     int status = response.getStatus();
-    audit.record(
-        actor == null ? "-" : actor.getName(),
-        operation == null ? method.getMethod().getName() : operation.operationId(),
-        request.getAttribute(Audit.SUBJECT) instanceof String subject
-            ? subject
-            : request.getRequestURI(),
-        status < REFUSED ? "done" : "refused: " + status,
-        request.getRemoteAddr());
+    String action = operation == null ? method.getMethod().getName() : operation.operationId();
+    String subject =
+        request.getAttribute(Audit.SUBJECT) instanceof String said ? said : request.getRequestURI();
+    if (status < REFUSED) {
+      audit.record(
+          actor == null ? "-" : actor.getName(), action, subject, "done", request.getRemoteAddr());
+    } else {
+      audit.recordRefusal(
+          actor == null ? "-" : actor.getName(),
+          action,
+          subject,
+          "refused: " + status,
+          request.getRemoteAddr());
+    }
   }
 }

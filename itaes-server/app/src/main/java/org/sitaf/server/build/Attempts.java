@@ -154,7 +154,7 @@ public class Attempts {
     Instant now = now();
     results.accept(key.buildId(), result, document, sha256, now);
     attempt.endWithResult(sha256, now);
-    build.complete(result.summary(), now);
+    build.complete(result, now);
     if (build.parentId().isEmpty()) {
       // Cases of a part are still looked at as those of the whole.
       live.forget(build.id());

@@ -20,6 +20,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.verdict.Summary;
+import org.sitaf.core.verdict.TestResult;
 import org.sitaf.server.build.request.BuildOptions;
 import org.sitaf.server.build.request.RecordedCases;
 import org.sitaf.server.build.request.Requirements;
@@ -34,6 +35,8 @@ import org.sitaf.server.suite.SuiteOrigin;
  */
 @Entity
 public class Build {
+  private static final int MAX_SUSPICIONS = 8000;
+
   @Id private String id;
 
   @Column(name = "workspace_id")
@@ -75,6 +78,7 @@ public class Build {
 
   private @Nullable String failureMessage;
   @Embedded private @Nullable CaseCounts counts;
+  private @Nullable String suspicions;
   private @Nullable String scheduleId;
   private @Nullable Instant fireTime;
 
@@ -199,9 +203,15 @@ public class Build {
   }
 
   /** The result is accepted. */
-  void complete(Summary summary, Instant now) {
+  void complete(TestResult result, Instant now) {
     require(state.isActive(), "completed");
+    Summary summary = result.summary();
     counts = CaseCounts.of(summary);
+    if (result.isSuspect()) {
+      String reasons = String.join("\n", result.suspicions());
+      suspicions =
+          reasons.length() <= MAX_SUSPICIONS ? reasons : reasons.substring(0, MAX_SUSPICIONS);
+    }
     cases.set(summary.total() - summary.dont());
     finished = now;
     move(BuildState.DONE, now, "result accepted");
@@ -370,6 +380,11 @@ public class Build {
 
   public Optional<CaseCounts> counts() {
     return Optional.ofNullable(counts);
+  }
+
+  /** Why its verdicts are not to be trusted; empty where they are. */
+  public List<String> suspicions() {
+    return suspicions == null ? List.of() : suspicions.lines().toList();
   }
 
   public Optional<BuildFailure> failure() {

@@ -19,6 +19,7 @@ import org.sitaf.server.build.request.Requirements;
 import org.sitaf.server.build.request.Reservation;
 import org.sitaf.server.file.StoredFile;
 import org.sitaf.server.file.StoredFiles;
+import org.sitaf.server.quota.Quotas;
 import org.sitaf.server.refusal.Refusal;
 import org.sitaf.server.settings.SitafSettings;
 import org.sitaf.server.suite.SuiteOrigin;
@@ -39,6 +40,7 @@ public class Builds {
   private final AttemptRepository attempts;
   private final Suites suites;
   private final StoredFiles contents;
+  private final Quotas quotas;
   private final TransactionTemplate transaction;
   private final ApplicationEventPublisher events;
   private final SitafSettings settings;
@@ -49,6 +51,7 @@ public class Builds {
       AttemptRepository attempts,
       Suites suites,
       StoredFiles contents,
+      Quotas quotas,
       TransactionTemplate transaction,
       ApplicationEventPublisher events,
       SitafSettings settings,
@@ -57,6 +60,7 @@ public class Builds {
     this.attempts = attempts;
     this.suites = suites;
     this.contents = contents;
+    this.quotas = quotas;
     this.transaction = transaction;
     this.events = events;
     this.settings = settings;
@@ -70,7 +74,9 @@ public class Builds {
    * @throws InvalidInputException when no test application can be made of the suite
    */
   public String request(String suiteId, BuildOptions options) {
-    return queue(suites.origin(suiteId), suites.application(suiteId), options, null);
+    TestApplication application = suites.application(suiteId);
+    quotas.requireBuild(application.files());
+    return queue(suites.origin(suiteId), application, options, null);
   }
 
   /**
@@ -241,6 +247,7 @@ public class Builds {
             all.forEach(
                 build -> {
                   builds.saveAndFlush(build);
+                  quotas.ownBuild(build.id());
                   changed(build);
                 }));
     return all.get(0).id();

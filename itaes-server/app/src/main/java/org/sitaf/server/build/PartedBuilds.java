@@ -150,7 +150,7 @@ class PartedBuilds implements SmartLifecycle {
     byte[] bytes = document.toByteArray();
     parent.followParts(joined.cases().size(), now);
     results.accept(parent.id(), joined, bytes, StoredFiles.sha256(bytes), now);
-    parent.complete(joined.summary(), now);
+    parent.complete(joined, now);
     live.forget(parent.id());
   }
 

@@ -64,7 +64,8 @@ final class Parts {
         joined.summary(),
         joined.parameters(),
         joined.cases(),
-        coverage(parts));
+        coverage(parts),
+        parts.stream().flatMap(part -> part.suspicions().stream()).distinct().toList());
   }
 
   /**

@@ -3,7 +3,6 @@ package org.sitaf.server.preview;
 import java.io.ByteArrayInputStream;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.Semaphore;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.activity.Activity;
 import org.sitaf.core.combine.Effort;
@@ -16,21 +15,22 @@ import org.sitaf.core.suite.GeneratedSuite;
 import org.sitaf.core.suite.GenerationOptions;
 import org.sitaf.core.suite.TestCaseGenerator;
 import org.sitaf.server.activity.Workspaces;
+import org.sitaf.server.computation.Computations;
 import org.sitaf.server.preview.PreviewView.CaseCounts;
 import org.sitaf.server.preview.PreviewView.InputValues;
+import org.sitaf.server.refusal.OvertimeException;
 import org.sitaf.server.web.DiagnosticView;
 import org.springframework.stereotype.Service;
 
 /** Previews of test models. */
 @Service
 class Previews {
-  /** Combining is all computation: more at once than this only slows each other down. */
-  private final Semaphore combining = new Semaphore(2);
-
   private final Workspaces workspaces;
+  private final Computations computations;
 
-  Previews(Workspaces workspaces) {
+  Previews(Workspaces workspaces, Computations computations) {
     this.workspaces = workspaces;
+    this.computations = computations;
   }
 
   /**
@@ -40,6 +40,15 @@ class Previews {
    */
   PreviewView preview(String activityId, byte[] draft, boolean cases, long seed) {
     Activity activity = workspaces.activity(activityId);
+    try {
+      return computations.preview("The preview", () -> preview(activity, draft, cases, seed));
+    } catch (OvertimeException e) {
+      Diagnostic overtime = Diagnostic.error("model", 0, "", String.valueOf(e.getMessage()));
+      return new PreviewView(views(List.of(overtime)), List.of(), null);
+    }
+  }
+
+  private static PreviewView preview(Activity activity, byte[] draft, boolean cases, long seed) {
     TestModel model;
     try {
       model = activity.resolve(TestModelXml.read(new ByteArrayInputStream(draft), "model"));
@@ -57,8 +66,7 @@ class Previews {
     return new PreviewView(views(found), inputs, counts);
   }
 
-  private @Nullable CaseCounts count(TestModel model, long seed, List<Diagnostic> found) {
-    combining.acquireUninterruptibly();
+  private static @Nullable CaseCounts count(TestModel model, long seed, List<Diagnostic> found) {
     try {
       GeneratedSuite generated =
           TestCaseGenerator.generate(
@@ -68,8 +76,6 @@ class Previews {
     } catch (InvalidInputException e) {
       found.addAll(e.diagnostics());
       return null;
-    } finally {
-      combining.release();
     }
   }
 

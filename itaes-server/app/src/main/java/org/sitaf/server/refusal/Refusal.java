@@ -17,14 +17,27 @@ public final class Refusal extends RuntimeException {
     /** More than the server takes. */
     TOO_LARGE,
     /** The server's disk is full. */
-    NO_ROOM
+    NO_ROOM,
+    /** What the caller may store is used up. */
+    QUOTA,
+    /** The request took too long to arrive. */
+    TOO_SLOW,
+    /** The server has enough to do at present. */
+    BUSY
   }
+
+  private static final int SOON_S = 2;
 
   private final Reason reason;
 
   private Refusal(Reason reason, String message) {
     super(message);
     this.reason = reason;
+  }
+
+  /** After how many seconds a caller who was refused for {@link Reason#BUSY} tries again. */
+  public static int retryAfterSeconds() {
+    return SOON_S;
   }
 
   /** Which kind of refusal. */
@@ -76,5 +89,20 @@ public final class Refusal extends RuntimeException {
   /** More than the limit. */
   public static Refusal tooLarge(String message) {
     return new Refusal(Reason.TOO_LARGE, message);
+  }
+
+  /** The caller's quota does not allow it; the message holds the numbers. */
+  public static Refusal quota(String message) {
+    return new Refusal(Reason.QUOTA, message);
+  }
+
+  /** The body of a request did not arrive in time. */
+  public static Refusal tooSlow(String message) {
+    return new Refusal(Reason.TOO_SLOW, message);
+  }
+
+  /** The server does as much of it as it can; the message says of what, and when to try again. */
+  public static Refusal busy(String message) {
+    return new Refusal(Reason.BUSY, message);
   }
 }

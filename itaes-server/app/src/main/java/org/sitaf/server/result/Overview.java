@@ -1,15 +1,29 @@
 package org.sitaf.server.result;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.sitaf.core.suite.CaseParameter;
 import org.sitaf.core.verdict.Provenance;
 import org.sitaf.core.verdict.Summary;
 import org.sitaf.core.verdict.TestResult;
 
-/** A result without its cases. */
+/**
+ * A result without its cases.
+ *
+ * @param suspicions null in those that were stored before there were any
+ */
 record Overview(
-    String name, Provenance provenance, Summary summary, List<CaseParameter> parameters) {
+    String name,
+    Provenance provenance,
+    Summary summary,
+    List<CaseParameter> parameters,
+    @Nullable List<String> suspicions) {
   static Overview of(TestResult result) {
-    return new Overview(result.name(), result.provenance(), result.summary(), result.parameters());
+    return new Overview(
+        result.name(),
+        result.provenance(),
+        result.summary(),
+        result.parameters(),
+        result.suspicions());
   }
 }

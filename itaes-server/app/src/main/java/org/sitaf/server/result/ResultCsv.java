@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
+import org.sitaf.core.document.CsvCells;
 import org.sitaf.core.suite.CaseParameter;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.NamedValue;
@@ -20,7 +21,7 @@ final class ResultCsv {
     result.parameters().stream().map(CaseParameter::name).forEach(header::add);
     header.addAll(
         List.of("expected", "actual", "verdict", "time_us", "hardware_us", "stub_us", "message"));
-    line(csv, header);
+    csv.append(CsvCells.line(header));
     for (CaseResult kase : result.cases()) {
       List<String> fields = new ArrayList<>(List.of(Integer.toString(kase.no())));
       fields.addAll(kase.values());
@@ -32,7 +33,7 @@ final class ResultCsv {
       fields.add(time == null ? "" : number(time.hardware()));
       fields.add(time == null ? "" : number(time.stub()));
       fields.add(kase.message());
-      line(csv, fields);
+      csv.append(CsvCells.line(fields));
     }
     return csv.toString().getBytes(StandardCharsets.UTF_8);
   }
@@ -46,20 +47,5 @@ final class ResultCsv {
 
   private static String number(double microseconds) {
     return String.format(Locale.ROOT, "%.3f", microseconds);
-  }
-
-  private static void line(StringBuilder csv, List<String> fields) {
-    csv.append(fields.stream().map(ResultCsv::quote).collect(Collectors.joining(",")))
-        .append("\r\n");
-  }
-
-  /**
-   * Spreadsheets take a text that begins like a formula for one; a number that is negative is none.
-   */
-  private static String quote(String field) {
-    String safe = field.matches("(?s)[=@\t\r].*|[+-](?![0-9.]|Inf|inf).*") ? "'" + field : field;
-    return safe.matches("(?s).*[\",\r\n].*") || safe.startsWith(" ") || safe.endsWith(" ")
-        ? '"' + safe.replace("\"", "\"\"") + '"'
-        : safe;
   }
 }

@@ -50,6 +50,7 @@ final class ResultReport {
         .append(text(title))
         .append("</h1>");
     provenance(result.provenance());
+    suspicions(result);
     summary(result.summary());
     cases(result);
     return html.append("</body></html>\n").toString();
@@ -69,6 +70,14 @@ final class ResultReport {
         .append(", component ")
         .append(text(provenance.component()))
         .append("</p>");
+  }
+
+  private void suspicions(TestResult result) {
+    if (result.isSuspect()) {
+      html.append("<p class=\"ERROR\"><strong>Suspect: the verdicts cannot be trusted.</strong> ")
+          .append(text(String.join("; ", result.suspicions())))
+          .append("</p>");
+    }
   }
 
   private void summary(Summary summary) {

@@ -135,7 +135,7 @@ class ResultRows {
             .single();
     List<HistoryView.Row> items =
         jdbc.sql(
-                "SELECT b.id, b.model, b.agent, r.received, r.overview"
+                "SELECT b.id, b.model, b.agent, r.received, r.overview, b.suspicions"
                     + from
                     + " ORDER BY r.received DESC, b.id LIMIT :size OFFSET :offset")
             .param("activity", activityId)
@@ -149,7 +149,8 @@ class ResultRows {
                         row.getString(2),
                         row.getObject(4, java.time.OffsetDateTime.class).toInstant(),
                         row.getString(3),
-                        json.readValue(row.getString(5), Overview.class).summary()))
+                        json.readValue(row.getString(5), Overview.class).summary(),
+                        row.getString(6) != null))
             .list();
     return new PageImpl<>(items, page, total);
   }

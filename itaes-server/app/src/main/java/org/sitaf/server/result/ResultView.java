@@ -11,7 +11,12 @@ import org.sitaf.core.verdict.Summary;
 /** A result, without its cases, as people and programs see it. */
 @Schema(name = "Result")
 record ResultView(
-    String name, SummaryView summary, List<ParameterView> parameters, ProvenanceView provenance) {
+    String name,
+    SummaryView summary,
+    List<ParameterView> parameters,
+    ProvenanceView provenance,
+    @Schema(description = "why the verdicts are not to be trusted; empty where they are")
+        List<String> suspicions) {
 
   @Schema(name = "ResultParameter")
   record ParameterView(String name, InputKind type, String realType) {
@@ -84,6 +89,7 @@ record ResultView(
         overview.name(),
         SummaryView.of(overview.summary()),
         overview.parameters().stream().map(ParameterView::of).toList(),
-        ProvenanceView.of(overview.provenance()));
+        ProvenanceView.of(overview.provenance()),
+        overview.suspicions() == null ? List.of() : overview.suspicions());
   }
 }

@@ -12,6 +12,7 @@ import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.server.build.Builds;
 import org.sitaf.server.build.request.BuildOptions;
 import org.sitaf.server.build.request.Reservation;
+import org.sitaf.server.refusal.OvertimeException;
 import org.sitaf.server.refusal.Refusal;
 import org.sitaf.server.schedule.Schedule.Subject;
 import org.sitaf.server.schedule.timing.Misfire;
@@ -140,7 +141,7 @@ class Schedules {
           builds.requestReserved(suiteId, schedule.options(), new Reservation(schedule.id(), time));
     } catch (InvalidInputException e) {
       message = "The model gives no suite: " + e.diagnostics().get(0);
-    } catch (Refusal e) {
+    } catch (Refusal | OvertimeException e) {
       message = String.valueOf(e.getMessage());
     }
     fires.note(schedule.id(), time, now(), buildId, message);

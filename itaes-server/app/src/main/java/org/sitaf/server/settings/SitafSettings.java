@@ -22,6 +22,8 @@ import org.springframework.validation.annotation.Validated;
  * @param logDirectory logs of builds; null for {@code logs} in the data directory; several servers
  *     with one database share it
  * @param publicHosts host names, besides those of the loopback, under which people reach the server
+ * @param trustedProxies addresses, and ranges such as {@code 10.0.0.0/8}, whose word is taken for
+ *     whom they speak for: {@code X-Forwarded-For}, {@code X-Forwarded-Proto}, {@code Forwarded}
  * @param lease an agent from which nothing is heard for so long is taken for lost
  * @param maxAttempts how often a build is tried while only the infrastructure fails
  * @param retryDelay how long a build waits after its first failure of the infrastructure; twice as
@@ -40,6 +42,7 @@ public record SitafSettings(
     @NotNull Path dataDirectory,
     @Nullable Path logDirectory,
     @DefaultValue List<String> publicHosts,
+    @DefaultValue List<String> trustedProxies,
     @DurationMin(seconds = 1) @DurationMax(minutes = 60) @DefaultValue("15s") Duration lease,
     @Min(1) @Max(100) @DefaultValue("3") int maxAttempts,
     @DurationMin(millis = 0) @DurationMax(minutes = 10) @DefaultValue("1s") Duration retryDelay,
@@ -50,6 +53,7 @@ public record SitafSettings(
     @DefaultValue("false") boolean stopWithStdin) {
   public SitafSettings {
     publicHosts = List.copyOf(publicHosts);
+    trustedProxies = List.copyOf(trustedProxies);
   }
 
   /** Where the logs of builds lie. */

@@ -14,6 +14,7 @@ import java.io.UncheckedIOException;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.suite.TestSuite;
 import org.sitaf.core.suite.document.SuiteCsv;
+import org.sitaf.server.computation.Computations;
 import org.sitaf.server.suite.SuiteEdits.ExpectedChanges;
 import org.sitaf.server.suite.SuiteEdits.ExpectedFill;
 import org.sitaf.server.web.Requests;
@@ -41,8 +42,11 @@ class SuiteEditController {
   private final Suites suites;
   private final Requests requests;
   private final JsonMapper json;
+  private final Computations computations;
 
-  SuiteEditController(Suites suites, Requests requests, JsonMapper json) {
+  SuiteEditController(
+      Suites suites, Requests requests, JsonMapper json, Computations computations) {
+    this.computations = computations;
     this.suites = suites;
     this.requests = requests;
     this.json = json;
@@ -70,7 +74,11 @@ class SuiteEditController {
       @PathVariable String id,
       @RequestHeader(name = HttpHeaders.IF_MATCH, required = false) @Nullable String ifMatch,
       @RequestBody ExpectedFill fill) {
-    return edit(id, ifMatch, (suite, model) -> SuiteEdits.fill(suite, model, fill));
+    return edit(
+        id,
+        ifMatch,
+        (suite, model) ->
+            computations.generation("The formula", () -> SuiteEdits.fill(suite, model, fill)));
   }
 
   @PostMapping("/undo")

@@ -102,6 +102,10 @@ final class SuiteEdits {
         }
         diagnostics.error(
             "expression", 0, "case " + testCase.no(), "has no value: " + e.getMessage());
+        if (e instanceof EvaluationException evaluation && evaluation.tooCostly()) {
+          // It would take as much in each of the other cases.
+          break;
+        }
       }
     }
     diagnostics.throwIfErrors();

@@ -21,6 +21,8 @@ import org.sitaf.core.suite.TestCaseGenerator;
 import org.sitaf.core.suite.TestSuite;
 import org.sitaf.core.suite.document.TestSuiteXml;
 import org.sitaf.server.activity.Workspaces;
+import org.sitaf.server.computation.Computations;
+import org.sitaf.server.quota.Quotas;
 import org.sitaf.server.refusal.Refusal;
 import org.springframework.data.domain.Page;
 import org.springframework.data.domain.Pageable;
@@ -32,22 +34,28 @@ import org.springframework.transaction.support.TransactionTemplate;
 public class Suites {
   private final SuiteRepository suites;
   private final Workspaces workspaces;
+  private final Quotas quotas;
   private final TransactionTemplate transaction;
   private final Clock clock;
   private final SuiteCache cache;
   private final SuiteRevisions revisions;
+  private final Computations computations;
 
   Suites(
       SuiteRepository suites,
       Workspaces workspaces,
+      Quotas quotas,
       TransactionTemplate transaction,
       Clock clock,
       SuiteCache cache,
-      SuiteRevisions revisions) {
+      SuiteRevisions revisions,
+      Computations computations) {
     this.suites = suites;
     this.workspaces = workspaces;
+    this.quotas = quotas;
     this.cache = cache;
     this.revisions = revisions;
+    this.computations = computations;
     this.transaction = transaction;
     this.clock = clock;
   }
@@ -100,17 +108,26 @@ public class Suites {
 
   String generate(String activityId, String modelName, GenerationOptions options) {
     TestModel model = Workspaces.model(workspaces.activity(activityId), modelName);
-    GeneratedSuite generated = TestCaseGenerator.generate(model, options);
+    GeneratedSuite generated =
+        computations.generation(
+            "The generation of the suite", () -> TestCaseGenerator.generate(model, options));
     String id = UUID.randomUUID().toString();
+    byte[] document = document(generated.suite());
+    quotas.requireSuite(document.length);
     StoredSuite stored =
         new StoredSuite(
             id,
             activityId,
             generated.suite(),
             generated.notes(),
-            document(generated.suite()),
+            document,
             clock.instant().truncatedTo(ChronoUnit.MICROS));
-    cache.put(id, suites.saveAndFlush(stored).version(), generated.suite());
+    transaction.executeWithoutResult(
+        status -> {
+          suites.saveAndFlush(stored);
+          quotas.ownSuite(id, document.length);
+        });
+    cache.put(id, version(id), generated.suite());
     return id;
   }
 

@@ -6,10 +6,12 @@ import java.util.Optional;
 import org.apache.tomcat.util.http.InvalidParameterException;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.diagnostic.InvalidInputException;
+import org.sitaf.server.refusal.OvertimeException;
 import org.sitaf.server.refusal.Refusal;
 import org.sitaf.server.storage.StorageFailure;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
+import org.springframework.dao.DataIntegrityViolationException;
 import org.springframework.dao.OptimisticLockingFailureException;
 import org.springframework.http.HttpHeaders;
 import org.springframework.http.HttpStatus;
@@ -59,13 +61,33 @@ class Problems extends ResponseEntityExceptionHandler {
           case OUTDATED -> problem(HttpStatus.PRECONDITION_FAILED, "Changed meanwhile", e);
           case TOO_LARGE -> problem(HttpStatus.CONTENT_TOO_LARGE, "Too large", e);
           case NO_ROOM -> problem(HttpStatus.INSUFFICIENT_STORAGE, "No room", e);
+          case QUOTA -> problem(HttpStatus.CONTENT_TOO_LARGE, "Quota used up", e);
+          case TOO_SLOW -> problem(HttpStatus.REQUEST_TIMEOUT, "Too slow", e);
+          case BUSY -> problem(HttpStatus.SERVICE_UNAVAILABLE, "Busy", e);
         });
+  }
+
+  @ExceptionHandler
+  ResponseEntity<ProblemDetail> overtime(OvertimeException e) {
+    return answer(problem(HttpStatus.UNPROCESSABLE_CONTENT, "The input takes too long", e));
   }
 
   /** A query or form that cannot be read. */
   @ExceptionHandler
   ResponseEntity<ProblemDetail> unreadable(InvalidParameterException e) {
     return answer(problem(HttpStatus.BAD_REQUEST, "The request is wrong", e));
+  }
+
+  /** What the readers let pass and no column holds. */
+  @ExceptionHandler
+  ResponseEntity<ProblemDetail> unstorable(DataIntegrityViolationException e, WebRequest request) {
+    log.warn("{}: {}", request.getDescription(false), e.getMessage());
+    ProblemDetail problem =
+        ProblemDetail.forStatusAndDetail(
+            HttpStatus.BAD_REQUEST,
+            "Something in the request cannot be stored: a name or a text is too long, or it refers to what is gone.");
+    problem.setTitle("The request is wrong");
+    return answer(problem);
   }
 
   @ExceptionHandler
@@ -123,7 +145,8 @@ class Problems extends ResponseEntityExceptionHandler {
     for (Throwable cause = e; cause != null; cause = cause.getCause()) {
       if (cause instanceof Refusal refusal) {
         ResponseEntity<ProblemDetail> answer = refused(refusal);
-        return createResponseEntity(answer.getBody(), headers, answer.getStatusCode(), request);
+        return createResponseEntity(
+            answer.getBody(), answer.getHeaders(), answer.getStatusCode(), request);
       }
     }
     return super.handleHttpMessageNotReadable(e, headers, status, request);
@@ -154,7 +177,10 @@ class Problems extends ResponseEntityExceptionHandler {
     if (problem.getStatus() == HttpStatus.INSUFFICIENT_STORAGE.value()) {
       answer.header(HttpHeaders.RETRY_AFTER, "60");
     } else if (problem.getStatus() == HttpStatus.SERVICE_UNAVAILABLE.value()) {
-      answer.header(HttpHeaders.RETRY_AFTER, "5");
+      answer.header(HttpHeaders.RETRY_AFTER, Integer.toString(Refusal.retryAfterSeconds()));
+    } else if (problem.getStatus() == HttpStatus.REQUEST_TIMEOUT.value()) {
+      // What is left of the body is not waited for.
+      answer.header(HttpHeaders.CONNECTION, "close");
     }
     return answer.body(problem);
   }

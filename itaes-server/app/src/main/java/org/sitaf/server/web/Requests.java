@@ -15,16 +15,23 @@ import org.springframework.stereotype.Component;
  */
 @Component
 public class Requests {
-  private final long maxBytes;
+  /**
+   * Documents are read into memory as a whole, and into several times as much when they are read.
+   */
+  private static final long MAX_DOCUMENT = 64 << 20;
+
+  private final long maxUpload;
 
   Requests(SitafSettings settings) {
-    maxBytes = settings.maxUpload().toBytes();
+    maxUpload = settings.maxUpload().toBytes();
   }
 
   /** The body; reading beyond the limit ends in a {@link Refusal}. */
   public InputStream body(HttpServletRequest request) throws IOException {
+    boolean archive = String.valueOf(request.getContentType()).startsWith("application/zip");
+    long maxBytes = archive ? maxUpload : Math.min(maxUpload, MAX_DOCUMENT);
     if (request.getContentLengthLong() > maxBytes) {
-      throw tooLarge();
+      throw tooLarge(maxBytes);
     }
     return new FilterInputStream(request.getInputStream()) {
       private long left = maxBytes;
@@ -47,7 +54,7 @@ public class Requests {
       private int count(int read) {
         left -= read;
         if (left < 0) {
-          throw tooLarge();
+          throw tooLarge(maxBytes);
         }
         return read;
       }
@@ -70,7 +77,7 @@ public class Requests {
     }
   }
 
-  private Refusal tooLarge() {
+  private static Refusal tooLarge(long maxBytes) {
     return Refusal.tooLarge("The body is larger than " + (maxBytes >> 20) + " MiB.");
   }
 }

@@ -129,6 +129,16 @@ class Webhooks {
     payload.put("state", build.state().name());
     build.finished().ifPresent(at -> payload.put("finished", at.toString()));
     build.counts().ifPresent(counts -> payload.put("counts", counts));
+    if (!build.suspicions().isEmpty()) {
+      payload.put("suspicions", build.suspicions());
+    }
+    build
+        .counts()
+        .ifPresent(
+            counts ->
+                payload.put(
+                    "passed",
+                    build.suspicions().isEmpty() && counts.pass().equals(counts.total())));
     build.failure().ifPresent(failure -> payload.put("failure", failure.message()));
     return payload;
   }

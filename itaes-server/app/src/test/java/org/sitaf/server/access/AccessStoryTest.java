@@ -2,8 +2,11 @@ package org.sitaf.server.access;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.nio.charset.StandardCharsets;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
+import java.util.Base64;
+import java.util.List;
 import java.util.UUID;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -54,6 +57,28 @@ class AccessStoryTest extends ServerTest {
         .filteredOn(cookie -> cookie.startsWith("SITAF_SESSION="))
         .hasSize(1)
         .allSatisfy(cookie -> assertThat(cookie).contains("HttpOnly").contains("SameSite=Lax"));
+  }
+
+  @Test
+  void theDatabaseHoldsNothingThatTakesASessionOver() {
+    browser.signIn(name, password).expect(200);
+    String cookie = browser.cookie("SITAF_SESSION").orElseThrow();
+    String secret = new String(Base64.getDecoder().decode(cookie), StandardCharsets.UTF_8);
+    List<String> stored =
+        jdbc.sql("SELECT session_id FROM spring_session WHERE principal_name = ?")
+            .param(name)
+            .query(String.class)
+            .list();
+    assertThat(stored).singleElement().isNotEqualTo(secret).isEqualTo(Secret.hash(secret));
+    String stolen =
+        Base64.getEncoder().encodeToString(stored.get(0).getBytes(StandardCharsets.UTF_8));
+    Api nobody = new Api(httpPort(), null);
+    nobody
+        .send(nobody.request("/api/v1/session").header("Cookie", "SITAF_SESSION=" + stolen).GET())
+        .expect(401);
+    nobody
+        .send(nobody.request("/api/v1/session").header("Cookie", "SITAF_SESSION=" + cookie).GET())
+        .expect(200);
   }
 
   @Test
@@ -269,7 +294,8 @@ class AccessStoryTest extends ServerTest {
     Api nobody = new Api(httpPort(), null);
     nobody.get("/").expect(200);
     nobody.get("/actuator/health").expect(200);
-    assertThat(nobody.get("/actuator/prometheus").expect(200).text()).contains("jvm_memory_used");
+    nobody.get("/actuator/prometheus").expect(401);
+    assertThat(api.get("/actuator/prometheus").expect(200).text()).contains("jvm_memory_used");
     nobody.get("/actuator/env").expect(401);
     nobody.get("/v3/api-docs").expect(401);
   }

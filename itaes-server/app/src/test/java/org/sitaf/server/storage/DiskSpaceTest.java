@@ -30,6 +30,7 @@ class DiskSpaceTest {
             DATA,
             logs,
             List.of(),
+            List.of(),
             Duration.ofSeconds(15),
             3,
             Duration.ofSeconds(1),

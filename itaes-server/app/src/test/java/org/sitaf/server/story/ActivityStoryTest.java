@@ -79,7 +79,7 @@ class ActivityStoryTest extends ServerTest {
     refused(Activities.rawZip(List.of("/etc/x"), yaml), "/etc/x");
     refused(Activities.rawZip(List.of("a", "a/b"), yaml), "a");
     refused(Activities.rawZip(List.of("readme.txt"), yaml), "activity.yaml");
-    refused(Activities.rawZip(List.of("zeros"), new byte[300 << 20]), "MiB");
+    refused(Activities.rawZip(List.of("zeros"), new byte[300 << 20]), "100 times its size");
     String model = new String(files.get("GetInfraredData.xml"), StandardCharsets.UTF_8);
     files.put(
         "GetInfraredData.xml",

@@ -120,6 +120,26 @@ class AuthoringStoryTest extends ServerTest {
   }
 
   @Test
+  void aDraftThatAsksForTooMuchIsReportedAtOnce() {
+    String model = api.get(activity + "/models/" + Activities.MODEL).text();
+    String path = activity + "/model-previews?cases=true";
+    String digits = "[0,1,2,3,4,5,6,7,8,9].all(i, ".repeat(14) + "true" + ")".repeat(14);
+    String nested =
+        model.replace(
+            "<input_spec_list>",
+            "<pre_condition_spec_list><pre_condition>"
+                + digits
+                + "</pre_condition></pre_condition_spec_list><input_spec_list>");
+    JsonNode told = api.post(path, XML, bytes(nested)).expect(200).json();
+    assertThat(told.has("counts")).isFalse();
+    assertThat(told.get("diagnostics").get(0).get("message").asString())
+        .contains("steps", "5,000,000");
+    JsonNode next = api.post(path, XML, bytes(model)).expect(200).json();
+    assertThat(next.get("counts").get("total").asInt()).isEqualTo(55);
+    api.put(activity + "/models/" + Activities.MODEL, XML, bytes(nested), null).expect(422);
+  }
+
+  @Test
   void expectedValuesAreSetFilledImportedAndUndone() {
     String suite = "/api/v1/suites/" + api.suite(activityId);
     String version = version(suite);

@@ -71,6 +71,37 @@ abstract class BuildStory extends RecordingStory {
   }
 
   @Test
+  void aResultThatCannotBeTrustedSaysSoWhereverItIsLookedAt() {
+    String id = api.build(suiteId);
+    String reason = "a line without number and token (3 times)";
+    try (RimAgent agent = RimAgent.register(grpcPort(), "honest", "java")) {
+      Assignment assignment = agent.nextAssignment();
+      byte[] document =
+          RimAgent.result(agent.download(assignment), List.of(), List.of(reason, "a torn line"));
+      assertThat(agent.submit(assignment.getAttempt(), document)).isTrue();
+    }
+    JsonNode build = api.awaitState(id, "DONE");
+    assertThat(build.get("suspicions").values())
+        .extracting(JsonNode::asString)
+        .containsExactly(reason, "a torn line");
+    String result = "/api/v1/builds/" + id + "/result";
+    assertThat(api.get(result).expect(200).json().get("suspicions").get(0).asString())
+        .isEqualTo(reason);
+    assertThat(api.get(result + "/junit").expect(200).text())
+        .contains("errors=\"1\"", "the result is suspect");
+    assertThat(api.get(result + "/report").expect(200).text()).contains("Suspect", reason);
+    assertThat(
+            api.get("/api/v1/activities/" + build.get("activityId").asString() + "/results")
+                .expect(200)
+                .json()
+                .get("items")
+                .get(0)
+                .get("suspect")
+                .asBoolean())
+        .isTrue();
+  }
+
+  @Test
   void anAgentGetsOnlyWhatItsToolchainsCanBuild() throws Exception {
     String id = api.build(suiteId);
     try (RimAgent agent = RimAgent.register(grpcPort(), "snake", "python")) {

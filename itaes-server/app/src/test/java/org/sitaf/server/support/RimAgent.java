@@ -40,6 +40,7 @@ import org.sitaf.agent.v1.ReportCasesRequest;
 import org.sitaf.agent.v1.ReportStateRequest;
 import org.sitaf.agent.v1.ServerMessage;
 import org.sitaf.agent.v1.SubmitResultRequest;
+import org.sitaf.agent.v1.SubmitResultResponse;
 import org.sitaf.agent.v1.Toolchain;
 import org.sitaf.agent.v1.UploadRecordingRequest;
 import org.sitaf.core.activity.FileTree;
@@ -336,6 +337,41 @@ public final class RimAgent implements AutoCloseable {
         .getAccepted();
   }
 
+  /** Hands a result in by parts; whether it was accepted. */
+  public boolean submitInParts(AttemptRef attempt, byte[] document, int part) throws Exception {
+    CompletableFuture<Boolean> accepted = new CompletableFuture<>();
+    StreamObserver<SubmitResultRequest> parts =
+        AgentServiceGrpc.newStub(ClientInterceptors.intercept(channel, new ShownKey()))
+            .submitResultInParts(
+                new StreamObserver<>() {
+                  @Override
+                  public void onNext(SubmitResultResponse answer) {
+                    accepted.complete(answer.getAccepted());
+                  }
+
+                  @Override
+                  public void onError(Throwable failure) {
+                    accepted.completeExceptionally(failure);
+                  }
+
+                  @Override
+                  public void onCompleted() {
+                    // The answer has been looked at.
+                  }
+                });
+    for (int at = 0; at < document.length; at += part) {
+      parts.onNext(
+          SubmitResultRequest.newBuilder()
+              .setAttempt(attempt)
+              .setSha256(StoredFiles.sha256(document))
+              .setResultDescriptor(
+                  ByteString.copyFrom(document, at, Math.min(part, document.length - at)))
+              .build());
+    }
+    parts.onCompleted();
+    return accepted.get(PATIENCE_S, TimeUnit.SECONDS);
+  }
+
   public boolean submit(AttemptRef attempt, BuildFailure failure) {
     return calls
         .submitResult(
@@ -345,6 +381,12 @@ public final class RimAgent implements AutoCloseable {
 
   /** A result of the application in which each case passes, but for the numbers that fail. */
   public static byte[] result(TestApplication application, List<Integer> failing) {
+    return result(application, failing, List.of());
+  }
+
+  /** As {@link #result}, with reasons not to trust it. */
+  public static byte[] result(
+      TestApplication application, List<Integer> failing, List<String> suspicions) {
     List<CaseResult> results =
         application.suite().cases().stream()
             .map(
@@ -370,7 +412,8 @@ public final class RimAgent implements AutoCloseable {
             "aa", 1, "bb", "cc", "rim test", "", "2026-01-01T00:00:00Z", "2026-01-01T00:00:01Z");
     TestResultXml.write(
         new ResultAssembler(application.model(), application.suite())
-            .assemble(results, "not executed", provenance),
+            .assemble(results, "not executed", provenance)
+            .suspected(suspicions),
         document);
     return document.toByteArray();
   }

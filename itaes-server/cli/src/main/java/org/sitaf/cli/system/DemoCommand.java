@@ -111,6 +111,6 @@ public final class DemoCommand implements Callable<Integer> {
   }
 
   private static boolean allPassed(TestResult result) {
-    return result.summary().total() > 0 && result.summary().pass() == result.summary().total();
+    return result.allPassed();
   }
 }

@@ -1,9 +1,14 @@
 package org.sitaf.cli.system;
 
 import java.io.IOException;
+import java.net.BindException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.ServerSocket;
 import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
 import java.security.SecureRandom;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -53,7 +58,9 @@ final class LocalSystem implements AutoCloseable {
   static LocalSystem start(
       Installation installation, Path directory, int httpPort, int grpcPort, ProgressLine progress)
       throws IOException, InterruptedException {
-    Files.createDirectories(directory);
+    createPrivate(directory);
+    requireFree(httpPort, "--port");
+    requireFree(grpcPort, "--grpc-port");
     progress.step("Starting the server");
     List<String> serverCommand = new ArrayList<>(installation.serverCommand());
     serverCommand.add("--sitaf.data-directory=" + directory.resolve("server"));
@@ -102,6 +109,33 @@ final class LocalSystem implements AutoCloseable {
     } catch (IOException | InterruptedException e) {
       server.close();
       throw e;
+    }
+  }
+
+  /** Logs, results and keys are in it: other users of the machine do not read them. */
+  private static void createPrivate(Path directory) throws IOException {
+    Files.createDirectories(directory);
+    if (Files.getFileStore(directory).supportsFileAttributeView("posix")) {
+      Files.setPosixFilePermissions(directory, PosixFilePermissions.fromString("rwx------"));
+    }
+  }
+
+  /** Better said in a sentence, and at once, than by the log of a server that does not start. */
+  static void requireFree(int port, String option) throws IOException {
+    if (port == 0) {
+      return;
+    }
+    try (ServerSocket probe = new ServerSocket()) {
+      probe.setReuseAddress(true);
+      probe.bind(new InetSocketAddress(InetAddress.getByName("127.0.0.1"), port));
+    } catch (BindException e) {
+      throw new IOException(
+          "port "
+              + port
+              + " is in use, perhaps by another './sitaf up': stop that one, or choose another port by "
+              + option
+              + " (0: a free one)",
+          e);
     }
   }
 

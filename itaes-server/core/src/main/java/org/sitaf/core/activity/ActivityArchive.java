@@ -1,13 +1,16 @@
 package org.sitaf.core.activity;
 
-import java.io.ByteArrayOutputStream;
+import java.io.EOFException;
+import java.io.FilterInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.time.LocalDateTime;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.zip.CRC32;
 import java.util.zip.ZipEntry;
@@ -26,6 +29,17 @@ public final class ActivityArchive {
   /** Largest size of all files together, unpacked, in bytes. */
   public static final long MAX_SIZE = 256L << 20;
 
+  /** Largest number of entries, folders among them. */
+  private static final int MAX_ENTRIES = 2 * MAX_FILES;
+
+  /** Beyond {@link #UNSUSPECTED} bytes, how many times its own size an archive may unpack to. */
+  public static final int MAX_RATIO = 100;
+
+  /** So much may come of an archive however small it is: a few empty tables, say. */
+  private static final long UNSUSPECTED = 1L << 20;
+
+  private static final int PIECE = 1 << 16;
+
   private static final LocalDateTime TIME = LocalDateTime.of(1980, 1, 1, 0, 0);
 
   private ActivityArchive() {}
@@ -37,30 +51,40 @@ public final class ActivityArchive {
    *     large
    */
   public static FileTree read(InputStream zip, String name) {
+    return read(zip, name, MAX_SIZE);
+  }
+
+  /**
+   * The same, of at most so many bytes unpacked.
+   *
+   * @throws InvalidInputException when it is not a zip, a path leaves the archive, or it is too
+   *     large
+   */
+  public static FileTree read(InputStream zip, String name, long maxSize) {
     Map<String, byte[]> files = new LinkedHashMap<>();
-    long size = 0;
-    try (ZipInputStream in = new ZipInputStream(zip, StandardCharsets.UTF_8)) {
+    Unpacked unpacked = new Unpacked(zip, name, Math.min(maxSize, MAX_SIZE));
+    try (ZipInputStream in = new ZipInputStream(unpacked.packed, StandardCharsets.UTF_8)) {
+      int entries = 0;
       for (ZipEntry entry = in.getNextEntry(); entry != null; entry = in.getNextEntry()) {
+        if (++entries > MAX_ENTRIES || files.size() >= MAX_FILES) {
+          throw InvalidInputException.of(
+              name,
+              "holds more than %d files, or %d files and folders; leave out what the test does not need"
+                  .formatted(MAX_FILES, MAX_ENTRIES));
+        }
+        byte[] content = unpacked.content(in);
         if (entry.isDirectory()) {
           continue;
         }
-        String path = entry.getName();
-        if (files.size() >= MAX_FILES) {
-          throw InvalidInputException.of(
-              name,
-              "holds more than " + MAX_FILES + " files; leave out what the test does not need");
-        }
-        byte[] content = content(in, MAX_SIZE - size, name);
-        size += content.length;
-        if (files.put(FileTree.requireSafe(path), content) != null) {
-          throw InvalidInputException.of(name, "holds '" + path + "' twice");
+        if (files.put(FileTree.requireSafe(entry.getName()), content) != null) {
+          throw InvalidInputException.of(name, "holds '" + entry.getName() + "' twice");
         }
       }
       if (files.isEmpty()) {
         throw InvalidInputException.of(name, "is not a zip archive, or holds no file");
       }
       return withoutCommonFolder(FileTree.of(files));
-    } catch (ZipException e) {
+    } catch (ZipException | EOFException e) {
       throw InvalidInputException.of(name, "is not a readable zip archive: " + e.getMessage());
     } catch (IllegalArgumentException e) {
       throw InvalidInputException.of(name, "is refused: " + e.getMessage());
@@ -87,20 +111,74 @@ public final class ActivityArchive {
     zip.finish();
   }
 
-  private static byte[] content(InputStream in, long limit, String name) throws IOException {
-    ByteArrayOutputStream content = new ByteArrayOutputStream();
-    byte[] buffer = new byte[1 << 16];
-    for (int n = in.read(buffer); n >= 0; n = in.read(buffer)) {
-      if (content.size() + (long) n > limit) {
+  /** What has come out of an archive, held against what went in and against the limits. */
+  private static final class Unpacked {
+    private final CountedInput packed;
+    private final String name;
+    private final long most;
+    private long size;
+
+    Unpacked(InputStream zip, String name, long most) {
+      this.packed = new CountedInput(zip);
+      this.name = name;
+      this.most = most;
+    }
+
+    byte[] content(InputStream entry) throws IOException {
+      List<byte[]> pieces = new ArrayList<>();
+      long before = size;
+      byte[] piece = entry.readNBytes(PIECE);
+      while (piece.length > 0) {
+        size += piece.length;
+        require();
+        pieces.add(piece);
+        piece = entry.readNBytes(PIECE);
+      }
+      byte[] content = new byte[Math.toIntExact(size - before)];
+      int filled = 0;
+      for (byte[] part : pieces) {
+        System.arraycopy(part, 0, content, filled, part.length);
+        filled += part.length;
+      }
+      return content;
+    }
+
+    private void require() {
+      if (size > most) {
         throw InvalidInputException.of(
             name,
-            "unpacks to more than "
-                + (MAX_SIZE >> 20)
-                + " MiB; leave out what the test does not need");
+            "unpacks to more than " + (most >> 20) + " MiB; leave out what the test does not need");
       }
-      content.write(buffer, 0, n);
+      if (size > UNSUSPECTED && size > MAX_RATIO * packed.count) {
+        throw InvalidInputException.of(
+            name,
+            "unpacks to more than %d times its size: %d KiB have given %d KiB; leave out files that are almost empty"
+                .formatted(MAX_RATIO, packed.count >> 10, size >> 10));
+      }
     }
-    return content.toByteArray();
+  }
+
+  /** Counts what is read through it. */
+  private static final class CountedInput extends FilterInputStream {
+    private long count;
+
+    CountedInput(InputStream in) {
+      super(in);
+    }
+
+    @Override
+    public int read() throws IOException {
+      int read = super.read();
+      count += read < 0 ? 0 : 1;
+      return read;
+    }
+
+    @Override
+    public int read(byte[] buffer, int offset, int length) throws IOException {
+      int read = super.read(buffer, offset, length);
+      count += Math.max(read, 0);
+      return read;
+    }
   }
 
   private static FileTree withoutCommonFolder(FileTree tree) {

@@ -16,6 +16,7 @@ import org.sitaf.core.description.importer.InterfaceFiles;
 import org.sitaf.core.description.source.ComponentDescription.Port;
 import org.sitaf.core.description.source.Described;
 import org.sitaf.core.description.source.SourceFiles;
+import org.sitaf.core.diagnostic.Diagnostic;
 import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.model.TestModel;
@@ -29,6 +30,9 @@ import org.sitaf.core.suite.TestCaseGenerator;
 final class ActivityReader {
   /** The one file that every activity has. */
   static final String PROFILE = "activity.yaml";
+
+  /** Of a kind: models, interfaces offered, interfaces called. */
+  private static final int MAX_DOCUMENTS = 500;
 
   private final FileTree files;
   private final Diagnostics diagnostics = new Diagnostics();
@@ -54,6 +58,9 @@ final class ActivityReader {
                     InvalidInputException.of(
                         PROFILE, "is missing; an activity has this file at its top"));
     ActivityProfile profile = ProfileReader.read(text, PROFILE, diagnostics);
+    requireFew("models", profile.models());
+    requireFew("provided", profile.provided());
+    requireFew("required", profile.required());
     List<InterfaceDescription> provided =
         interfaces(profile.provided(), "provided", profile.name());
     List<InterfaceDescription> required =
@@ -78,6 +85,20 @@ final class ActivityReader {
     diagnostics.throwIfErrors();
     return new Activity(
         profile, files, provided, required, outputPorts, world, models, diagnostics.all());
+  }
+
+  /** Each costs a moment; thousands of them would cost minutes of everybody's server. */
+  private static void requireFew(String entry, List<String> documents) {
+    if (documents.size() > MAX_DOCUMENTS) {
+      throw new InvalidInputException(
+          List.of(
+              Diagnostic.error(
+                  PROFILE,
+                  0,
+                  entry,
+                  "names %d documents; at most %d are read, divide the activity into several"
+                      .formatted(documents.size(), MAX_DOCUMENTS))));
+    }
   }
 
   private List<InterfaceDescription> interfaces(List<String> paths, String entry, String name) {

@@ -18,8 +18,16 @@ import java.util.regex.Pattern;
  * or '..' parts, so that a tree can be written below any folder without leaving it.
  */
 public final class FileTree {
-  private static final Pattern CONTROL = Pattern.compile("\\p{Cntrl}");
+  /** Controls of terminals, and those that make a name look like another one. */
+  private static final Pattern CONTROL =
+      Pattern.compile("[\\p{Cc}\\p{Cs}\\u2028\\u2029\\u200E\\u200F\\u202A-\\u202E\\u2066-\\u2069]");
+
   private static final int MAX_PATH_LENGTH = 400;
+  private static final int MAX_DEPTH = 50;
+  private static final int SHOWN = 100;
+
+  /** In bytes of UTF-8, as the file systems have it. */
+  private static final int MAX_NAME_BYTES = 255;
 
   private final NavigableMap<String, byte[]> files;
 
@@ -58,11 +66,42 @@ public final class FileTree {
             || CONTROL.matcher(path).find()
             || Arrays.stream(path.split("/", -1))
                 .anyMatch(part -> part.isEmpty() || part.equals(".") || part.equals(".."));
+    if (!bad) {
+      requireWritable(path);
+    }
     if (bad) {
       throw new IllegalArgumentException(
-          "'" + path + "' is not a relative path with '/' separators, without '.' and '..' parts");
+          "'"
+              + shown(path)
+              + "' is not a relative path of at most "
+              + MAX_PATH_LENGTH
+              + " characters with '/' separators, without '.' and '..' parts and controls");
     }
     return path;
+  }
+
+  /** As much of a path as a message needs, without what would change how the message looks. */
+  private static String shown(String path) {
+    String plain = CONTROL.matcher(path).replaceAll("?");
+    return plain.length() <= SHOWN ? plain : plain.substring(0, SHOWN) + "...";
+  }
+
+  private static void requireWritable(String path) {
+    String[] parts = path.split("/", -1);
+    if (parts.length > MAX_DEPTH) {
+      throw new IllegalArgumentException(
+          "'" + shown(path) + "' lies more than " + MAX_DEPTH + " folders deep");
+    }
+    for (String part : parts) {
+      if (part.getBytes(StandardCharsets.UTF_8).length > MAX_NAME_BYTES) {
+        throw new IllegalArgumentException(
+            "'"
+                + shown(part)
+                + "' is longer than a file's name can be, "
+                + MAX_NAME_BYTES
+                + " bytes");
+      }
+    }
   }
 
   /** All paths, in order. */

@@ -1,5 +1,6 @@
 package org.sitaf.core.combine;
 
+import java.math.BigInteger;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
@@ -53,6 +54,11 @@ final class Combination {
     Coverage coverage = ColumnSets.coverage(symbols, sets);
     Judgement judgement = ImpossibleTuples.exclude(symbols, sets, feasibility, coverage);
     TupleReport report = judgement.report();
+    long most = TestDataCombinator.maxRows(symbols);
+    if (judgement.bound() > most) {
+      throw new TooManyCombinationsException(
+          "cases that are needed at least", BigInteger.valueOf(judgement.bound()), most);
+    }
     Dice dice = new Dice(seed);
     Budget budget = new Budget(operations());
     Greedy greedy = new Greedy(symbols, coverage, feasibility, dice, budget);

@@ -14,6 +14,9 @@ import java.util.function.Predicate;
  */
 @SuppressWarnings("ArrayRecordComponent") // copied in and out
 public record Constraint(int[] parameters, Predicate<int[]> allowed) {
+  /** Up to this many tuples are tabulated; beyond, a constraint is asked as needed. */
+  public static final long MAX_TABLE = 200_000;
+
   public Constraint {
     Objects.requireNonNull(allowed);
     parameters = parameters.clone();

@@ -24,12 +24,20 @@ public final class TestDataCombinator {
   /** The most tuples that may be required. */
   public static final long MAX_TUPLES = 120_000_000;
 
+  /** The most sets of columns whose tuples may be required. */
+  static final long MAX_SETS = 5_000_000;
+
+  /** The most rows that an array may need at least. */
+  static final long MAX_ROWS = 1_000_000;
+
   /**
    * Combines.
    *
    * @param seed of the pseudo-random choices
    * @throws TooManyCombinationsException when there are more than {@link #MAX_PRODUCT} rows of a
    *     full product, or more than {@link #MAX_TUPLES} tuples
+   * @throws WideConstraintException when a constraint cannot be judged by trying its tuples
+   * @throws java.util.concurrent.CancellationException when the thread is interrupted
    */
   public CoveringArray combine(
       CombinationProblem problem, Effort effort, long seed, Progress progress) {
@@ -55,6 +63,12 @@ public final class TestDataCombinator {
     return new CoveringArray(array.rows(), array.tuples(), array.optimal(), refused);
   }
 
+  /** The most rows that an array may need at least; they take a third of the memory at most. */
+  static long maxRows(Symbols symbols) {
+    long bytes = 200 + 24L * symbols.columns() + (symbols.hasSets() ? 8L * symbols.words() : 0);
+    return Math.min(MAX_ROWS, Runtime.getRuntime().maxMemory() / 3 / bytes);
+  }
+
   private static boolean isAllowed(Row row, Feasibility feasibility) {
     return feasibility.rules().allow(row) && feasibility.complete(row) != null;
   }
@@ -71,8 +85,14 @@ public final class TestDataCombinator {
       return;
     }
     BigInteger tuples = sets.tuples();
-    if (tuples.compareTo(BigInteger.valueOf(MAX_TUPLES)) > 0) {
-      throw new TooManyCombinationsException("tuples of values to cover", tuples, MAX_TUPLES);
+    // A counter for each of them takes half of the memory at most.
+    long limit = Math.min(MAX_TUPLES, Runtime.getRuntime().maxMemory() / 9);
+    if (tuples.compareTo(BigInteger.valueOf(limit)) > 0) {
+      throw new TooManyCombinationsException("tuples of values to cover", tuples, limit);
+    }
+    BigInteger listed = sets.count();
+    if (listed.compareTo(BigInteger.valueOf(MAX_SETS)) > 0) {
+      throw new TooManyCombinationsException("sets of parameters to combine", listed, MAX_SETS);
     }
   }
 

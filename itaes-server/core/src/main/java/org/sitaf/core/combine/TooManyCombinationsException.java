@@ -8,7 +8,12 @@ public final class TooManyCombinationsException extends RuntimeException {
 
   private final BigInteger count;
 
-  TooManyCombinationsException(String what, BigInteger count, long limit) {
+  /**
+   * Refuses.
+   *
+   * @param what is too many
+   */
+  public TooManyCombinationsException(String what, BigInteger count, long limit) {
     super(
         what
             + ": "

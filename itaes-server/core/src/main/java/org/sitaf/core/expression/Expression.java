@@ -1,35 +1,58 @@
 package org.sitaf.core.expression;
 
 import dev.cel.common.CelAbstractSyntaxTree;
+import dev.cel.common.ast.CelExpr;
+import dev.cel.common.navigation.CelNavigableAst;
+import dev.cel.common.navigation.CelNavigableExpr;
 import dev.cel.runtime.CelEvaluationException;
 import dev.cel.runtime.CelRuntime;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.concurrent.CancellationException;
 
-/** A compiled CEL expression; immutable. */
+/**
+ * A compiled CEL expression; immutable. An evaluation has a limit of steps and ends when its thread
+ * is interrupted.
+ */
 public final class Expression {
+  /** Characters of an expression in a message; each case of a suite may have one. */
+  private static final int MAX_SHOWN = 500;
+
   private final String text;
+  private final CelAbstractSyntaxTree ast;
+  private final CelRuntime runtime;
   private final CelRuntime.Program program;
+  private final NodeRoles roles;
   private final Set<String> names;
 
-  Expression(String text, CelAbstractSyntaxTree ast, CelRuntime.Program program) {
-    this.text = text;
-    this.program = program;
+  Expression(String text, CelAbstractSyntaxTree ast, CelRuntime runtime)
+      throws CelEvaluationException {
+    this.text = shown(text);
+    this.ast = ast;
+    this.runtime = runtime;
+    this.program = runtime.createProgram(ast);
+    this.roles = new NodeRoles(ast.getExpr());
     Set<String> found = new TreeSet<>();
-    ast.getReferenceMap()
-        .forEach(
-            (id, reference) -> {
-              if (reference.overloadIds().isEmpty() && reference.value().isEmpty()) {
-                found.add(reference.name());
-              }
-            });
+    CelNavigableAst.fromAst(ast)
+        .getRoot()
+        .allNodes()
+        .map(CelNavigableExpr::id)
+        .flatMap(id -> ast.getReference(id).stream())
+        .filter(r -> r.overloadIds().isEmpty() && r.value().isEmpty())
+        .forEach(r -> found.add(r.name()));
     this.names = Set.copyOf(found);
   }
 
-  /** The expression as it was written. */
+  /** The expression as it was written, for messages: cut where it is long. */
   public String text() {
     return text;
+  }
+
+  static String shown(String text) {
+    return text.length() <= MAX_SHOWN ? text : text.substring(0, MAX_SHOWN) + "…";
   }
 
   /** Whether the expression asks for a variable. */
@@ -38,9 +61,44 @@ public final class Expression {
   }
 
   /**
+   * The parts that {@code &&} joins at the top, each under the whole's text; only itself where
+   * there is none. The whole is false where one of them is.
+   */
+  public List<Expression> conjuncts() {
+    List<CelExpr> parts = new ArrayList<>();
+    conjuncts(ast.getExpr(), parts);
+    if (parts.size() == 1) {
+      return List.of(this);
+    }
+    List<Expression> expressions = new ArrayList<>();
+    for (CelExpr part : parts) {
+      try {
+        expressions.add(
+            new Expression(
+                text,
+                CelAbstractSyntaxTree.newCheckedAst(
+                    part, ast.getSource(), ast.getReferenceMap(), ast.getTypeMap()),
+                runtime));
+      } catch (CelEvaluationException e) {
+        throw new IllegalStateException("a part of what compiles does not: " + text, e);
+      }
+    }
+    return expressions;
+  }
+
+  private static void conjuncts(CelExpr node, List<CelExpr> parts) {
+    if (node.getKind() == CelExpr.ExprKind.Kind.CALL && node.call().function().equals("_&&_")) {
+      node.call().args().forEach(a -> conjuncts(a, parts));
+    } else {
+      parts.add(node);
+    }
+  }
+
+  /**
    * Evaluates to a boolean.
    *
    * @throws EvaluationException when it cannot be evaluated, or to something else
+   * @throws CancellationException when the thread is interrupted
    */
   public boolean isTrue(Map<String, Object> variables) throws EvaluationException {
     if (evaluate(variables) instanceof Boolean truth) {
@@ -52,14 +110,25 @@ public final class Expression {
   /**
    * Evaluates to a value: Long, Double, Boolean, String, List or Map.
    *
-   * @throws EvaluationException when it cannot be evaluated, such as a division by zero
+   * @throws EvaluationException when it cannot be evaluated, such as a division by zero, or takes
+   *     too many steps
+   * @throws CancellationException when the thread is interrupted
    */
   public Object evaluate(Map<String, Object> variables) throws EvaluationException {
+    if (Thread.currentThread().isInterrupted()) {
+      throw new CancellationException("the evaluation was interrupted");
+    }
     try {
-      return program.eval(variables);
+      return program.trace(variables, new StepMeter(roles));
+    } catch (StepMeter.Stopped e) {
+      if (e.interrupted()) {
+        throw new CancellationException(e.getMessage());
+      }
+      throw new EvaluationException(String.valueOf(e.getMessage()), true);
     } catch (CelEvaluationException e) {
       String message = String.valueOf(e.getMessage());
-      throw new EvaluationException(message.replaceFirst("^evaluation error[^:]*: ", ""));
+      // A message may hold a value, which may be long.
+      throw new EvaluationException(shown(message.replaceFirst("^evaluation error[^:]*: ", "")));
     }
   }
 }

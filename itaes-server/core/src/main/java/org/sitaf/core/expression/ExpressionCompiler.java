@@ -2,7 +2,6 @@ package org.sitaf.core.expression;
 
 import dev.cel.common.CelAbstractSyntaxTree;
 import dev.cel.common.CelIssue;
-import dev.cel.common.CelOptions;
 import dev.cel.common.CelValidationException;
 import dev.cel.common.types.CelType;
 import dev.cel.common.types.ListType;
@@ -18,13 +17,10 @@ import java.util.Collection;
 import java.util.stream.Collectors;
 
 /**
- * Compiles CEL over given variables. Whole and floating-point numbers compare across types, so that
- * {@code Distance <= 10} means what it says.
+ * Compiles CEL over given variables, within {@link ExpressionLimits}. Whole and floating-point
+ * numbers compare across types, so that {@code Distance <= 10} means what it says.
  */
 public final class ExpressionCompiler {
-  private static final CelOptions OPTIONS =
-      CelOptions.current().enableHeterogeneousNumericComparisons(true).build();
-
   /** Lists by name: with less said, CEL takes what has a size for a string. */
   private static final CelType CALLS =
       MapType.create(SimpleType.STRING, ListType.create(SimpleType.DYN));
@@ -39,33 +35,43 @@ public final class ExpressionCompiler {
   public ExpressionCompiler(Collection<String> variables) {
     CelCompilerBuilder builder =
         CelCompilerFactory.standardCelCompilerBuilder()
-            .setOptions(OPTIONS)
+            .setOptions(ExpressionLimits.OPTIONS)
             .setStandardMacros(dev.cel.parser.CelStandardMacro.STANDARD_MACROS);
     variables.forEach(
         name -> builder.addVar(name, name.equals(Variables.CALLS) ? CALLS : SimpleType.DYN));
     compiler = builder.build();
-    runtime = CelRuntimeFactory.standardCelRuntimeBuilder().setOptions(OPTIONS).build();
+    runtime =
+        CelRuntimeFactory.standardCelRuntimeBuilder().setOptions(ExpressionLimits.OPTIONS).build();
   }
 
   /**
    * Compiles an expression.
    *
-   * @throws IllegalArgumentException when it is not CEL or names an unknown variable; the message
-   *     says which
+   * @throws IllegalArgumentException when it is not CEL, names an unknown variable, or would take
+   *     too much; the message says which
    */
   public Expression compile(String text) {
     try {
-      CelAbstractSyntaxTree ast = compiler.compile(text).getAst();
-      return new Expression(text, ast, runtime.createProgram(ast));
+      CelAbstractSyntaxTree parsed = compiler.parse(text).getAst();
+      // Before the types are worked out: those alone can take for ever.
+      StepEstimate.check(parsed.getExpr());
+      return new Expression(text, compiler.check(parsed).getAst(), runtime);
+    } catch (IllegalArgumentException e) {
+      throw notUsable(text, String.valueOf(e.getMessage()), e);
     } catch (CelValidationException e) {
       String issues =
           e.getErrors().stream()
               .map(CelIssue::getMessage)
               .distinct()
               .collect(Collectors.joining("; "));
-      throw new IllegalArgumentException("'" + text + "' is not usable: " + issues, e);
+      throw notUsable(text, issues, e);
     } catch (CelEvaluationException e) {
-      throw new IllegalArgumentException("'" + text + "' is not usable: " + e.getMessage(), e);
+      throw notUsable(text, String.valueOf(e.getMessage()), e);
     }
+  }
+
+  private static IllegalArgumentException notUsable(String text, String why, Exception cause) {
+    return new IllegalArgumentException(
+        "'" + Expression.shown(text) + "' is not usable: " + why, cause);
   }
 }

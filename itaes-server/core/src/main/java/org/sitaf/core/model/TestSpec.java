@@ -86,11 +86,21 @@ public sealed interface TestSpec {
       boolean space,
       String negativeCharacters)
       implements TestSpec {
+    private static final int MAX_NEGATIVE = 1_000;
+
     public RandomStrings {
       Objects.requireNonNull(negativeCharacters);
       if (minLength < 0 || minLength > maxLength) {
         throw new IllegalArgumentException(
             "lengths must be 0 <= min_length <= max_length, not " + minLength + ".." + maxLength);
+      }
+      if (negativeCharacters.length() > MAX_NEGATIVE) {
+        throw new IllegalArgumentException(
+            "negative_char_list has "
+                + negativeCharacters.length()
+                + " characters; at most "
+                + MAX_NEGATIVE
+                + " are allowed");
       }
     }
 

@@ -1,8 +1,13 @@
 package org.sitaf.core.suite;
 
+import java.math.BigInteger;
 import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.IdentityHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Locale;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
@@ -18,10 +23,8 @@ import org.sitaf.core.combine.TestDataCombinator;
 import org.sitaf.core.diagnostic.Diagnostic;
 import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.diagnostic.InvalidInputException;
-import org.sitaf.core.expression.EvaluationException;
 import org.sitaf.core.expression.Expression;
 import org.sitaf.core.expression.Variables;
-import org.sitaf.core.model.InputElement;
 import org.sitaf.core.model.MixedStrength;
 import org.sitaf.core.model.Strength;
 import org.sitaf.core.model.TestModel;
@@ -34,6 +37,9 @@ import org.sitaf.core.value.TestValue;
  * back as values.
  */
 final class CaseCombination {
+  /** The most cases of a suite. */
+  private static final int MAX_CASES = 1_000_000;
+
   private final TestModel model;
   private final List<TestData> data;
   private final Conditions conditions;
@@ -44,6 +50,13 @@ final class CaseCombination {
   private final List<KeptCases.Kept> keptCases;
   private final List<List<TestValue>> kept;
   private final ImpossibleCombinations impossible;
+  private final PosedConditions posed;
+
+  /** For each parameter that was held, the kept cases by its value. */
+  private final Map<Integer, Map<Value, List<KeptCases.Kept>>> keptByValue = new HashMap<>();
+
+  /** Where each value of some candidates stands; made only for cases to keep. */
+  private final Map<List<TestValue>, Map<Value, Integer>> indices = new IdentityHashMap<>();
 
   CaseCombination(
       TestModel model,
@@ -62,6 +75,7 @@ final class CaseCombination {
     this.diagnostics = diagnostics;
     this.progress = progress;
     this.impossible = new ImpossibleCombinations(model);
+    this.posed = new PosedConditions(model, conditions.pre());
     this.keptCases = keptCases.all().stream().filter(this::isAllowed).toList();
     this.kept =
         this.keptCases.stream().filter(KeptCases.Kept::isComplete).map(this::keptRow).toList();
@@ -94,6 +108,7 @@ final class CaseCombination {
       }
     }
     diagnostics.throwIfErrors();
+    refuseExplosion(valid);
     Set<List<TestValue>> rows = new LinkedHashSet<>(kept);
     rows.addAll(combine(valid, -1, true));
     for (int p = 0; p < data.size(); p++) {
@@ -102,11 +117,61 @@ final class CaseCombination {
           List<List<TestValue>> candidates = new ArrayList<>(valid);
           candidates.set(p, List.of(value));
           rows.addAll(combine(candidates, p, false));
+          if (rows.size() > MAX_CASES) {
+            throw tooMany("more than " + MAX_CASES);
+          }
         }
       }
     }
     impossible.tell(diagnostics);
     return List.copyOf(rows);
+  }
+
+  /** Refuses what needs too many cases, where no condition lets it need fewer. */
+  private void refuseExplosion(List<List<TestValue>> valid) {
+    if (!conditions.pre().isEmpty()) {
+      return;
+    }
+    int[] levels = valid.stream().mapToInt(List::size).toArray();
+    BigInteger cases = atLeast(levels, strength.t(), -1);
+    for (int p = 0; p < levels.length; p++) {
+      long invalid = data.get(p).values().size() - levels[p];
+      cases = cases.add(BigInteger.valueOf(invalid).multiply(atLeast(levels, strength.t() - 1, p)));
+    }
+    if (cases.compareTo(BigInteger.valueOf(MAX_CASES)) > 0) {
+      throw tooMany(String.format(Locale.ROOT, "at least %,d", cases));
+    }
+  }
+
+  /** The product of the largest levels but that of one parameter. */
+  private static BigInteger atLeast(int[] levels, int strength, int but) {
+    return IntStream.range(0, levels.length)
+        .filter(p -> p != but)
+        .map(p -> -levels[p])
+        .sorted()
+        .limit(Math.max(0, strength))
+        .mapToObj(n -> BigInteger.valueOf(-n))
+        .reduce(BigInteger.ONE, BigInteger::multiply);
+  }
+
+  private InvalidInputException tooMany(String count) {
+    return new InvalidInputException(
+        List.of(
+            Diagnostic.error(
+                model.source(),
+                0,
+                "order_of_combinations",
+                String.format(
+                    Locale.ROOT,
+                    "gives %s cases, of which at most %,d can be generated; lower the strength,"
+                        + " or give the parameters fewer values",
+                    count,
+                    MAX_CASES))));
+  }
+
+  /** The condition that a constraint comes from, as it was written. */
+  String text(Constraint constraint) {
+    return posed.text(constraint);
   }
 
   /**
@@ -147,13 +212,12 @@ final class CaseCombination {
       List<List<TestValue>> candidates, int held, @Nullable Boolean valid) {
     int[] levels = candidates.stream().mapToInt(List::size).toArray();
     List<Interaction> interactions = interactions(held);
-    List<int[]> seeds = seeds(candidates);
+    List<int[]> seeds = seeds(candidates, held);
     if ((seeds.isEmpty() && IntStream.of(levels).allMatch(l -> l == 1)) || interactions.isEmpty()) {
       // Nothing varies, or no tuple is asked for: one case, whichever the conditions allow.
       seeds.add(IntStream.of(levels).map(l -> CombinationProblem.FREE).toArray());
     }
-    List<Constraint> constraints =
-        conditions.pre().stream().map(c -> constraint(c, candidates, valid)).toList();
+    List<Constraint> constraints = posed.constraints(candidates, valid);
     CoveringArray array =
         new TestDataCombinator()
             .combine(
@@ -180,9 +244,9 @@ final class CaseCombination {
    * The cases to keep that fit these candidates, as rows of indices; free where a case has no
    * value.
    */
-  private List<int[]> seeds(List<List<TestValue>> candidates) {
+  private List<int[]> seeds(List<List<TestValue>> candidates, int held) {
     List<int[]> seeds = new ArrayList<>();
-    for (KeptCases.Kept keptCase : keptCases) {
+    for (KeptCases.Kept keptCase : keptCases(candidates, held)) {
       int[] seed = new int[candidates.size()];
       boolean fits = true;
       for (int p = 0; p < seed.length; p++) {
@@ -199,59 +263,35 @@ final class CaseCombination {
     return seeds;
   }
 
-  private static int indexOf(List<TestValue> candidates, Value value) {
+  /** Those that can fit: where a parameter is held, those that have its value. */
+  private List<KeptCases.Kept> keptCases(List<List<TestValue>> candidates, int held) {
+    if (held < 0 || keptCases.isEmpty()) {
+      return keptCases;
+    }
+    Map<Value, List<KeptCases.Kept>> byValue =
+        keptByValue.computeIfAbsent(
+            held,
+            p ->
+                keptCases.stream()
+                    .filter(k -> k.values().get(p) != null)
+                    .collect(
+                        Collectors.groupingBy(k -> Objects.requireNonNull(k.values().get(p)))));
+    return byValue.getOrDefault(candidates.get(held).get(0).value(), List.of());
+  }
+
+  private int indexOf(List<TestValue> candidates, Value value) {
+    if (candidates.size() == 1) {
+      return candidates.get(0).value().equals(value) ? 0 : -1;
+    }
+    return indices.computeIfAbsent(candidates, CaseCombination::index).getOrDefault(value, -1);
+  }
+
+  private static Map<Value, Integer> index(List<TestValue> candidates) {
+    Map<Value, Integer> index = new HashMap<>();
     for (int i = 0; i < candidates.size(); i++) {
-      if (candidates.get(i).value().equals(value)) {
-        return i;
-      }
+      index.putIfAbsent(candidates.get(i).value(), i);
     }
-    return -1;
-  }
-
-  private Constraint constraint(
-      Expression condition, List<List<TestValue>> candidates, @Nullable Boolean valid) {
-    boolean dependsOnAll = valid == null && condition.mentions(Variables.VALID);
-    int[] parameters =
-        IntStream.range(0, candidates.size())
-            .filter(p -> dependsOnAll || mentions(condition, model.inputs().get(p).name()))
-            .toArray();
-    return new Constraint(
-        parameters,
-        tuple -> {
-          Variables variables = new Variables();
-          boolean allValid = true;
-          for (int i = 0; i < parameters.length; i++) {
-            TestValue value = candidates.get(parameters[i]).get(tuple[i]);
-            InputElement input = model.inputs().get(parameters[i]);
-            variables.put(input.name(), value.value(), input.type());
-            allValid &= value.valid();
-          }
-          variables.put(Variables.VALID, valid == null ? allValid : valid);
-          return holds(condition, variables);
-        });
-  }
-
-  private boolean holds(Expression condition, Variables variables) {
-    try {
-      return condition.isTrue(variables.map());
-    } catch (EvaluationException e) {
-      throw new InvalidInputException(
-          List.of(
-              Diagnostic.error(
-                  model.source(),
-                  0,
-                  "pre_condition_spec_list",
-                  "'"
-                      + condition.text()
-                      + "' has no value for "
-                      + variables.map()
-                      + ": "
-                      + e.getMessage())));
-    }
-  }
-
-  private static boolean mentions(Expression condition, String input) {
-    return Variables.roots(List.of(input)).stream().anyMatch(condition::mentions);
+    return index;
   }
 
   private void tellRefused(int[] seed, List<List<TestValue>> candidates) {
@@ -285,7 +325,7 @@ final class CaseCombination {
     }
     variables.put(Variables.VALID, row.stream().allMatch(TestValue::valid));
     Optional<Expression> broken =
-        conditions.pre().stream().filter(c -> !holds(c, variables)).findFirst();
+        conditions.pre().stream().filter(c -> !posed.holds(c, variables)).findFirst();
     broken.ifPresent(
         c ->
             diagnostics.warning(

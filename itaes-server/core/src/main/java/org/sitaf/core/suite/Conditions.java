@@ -2,12 +2,14 @@ package org.sitaf.core.suite;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.expression.Expression;
 import org.sitaf.core.expression.ExpressionCompiler;
@@ -30,6 +32,9 @@ record Conditions(List<Expression> pre, Map<String, Expression> expected, List<E
 
   private static final Pattern QUOTED_ERROR = Pattern.compile("(['\"])" + ERROR + "\\1");
 
+  /** Characters of all expressions of a model: a few seconds of compiling. */
+  private static final int MAX_CHARACTERS = 500_000;
+
   Conditions {
     pre = List.copyOf(pre);
     expected = Map.copyOf(expected);
@@ -38,6 +43,27 @@ record Conditions(List<Expression> pre, Map<String, Expression> expected, List<E
 
   /** Compiles everything; what is not usable is told and left out. */
   static Conditions compile(TestModel model, Diagnostics diagnostics) {
+    long characters =
+        Stream.of(
+                model.preConditions().stream().map(Condition::expression),
+                model.postConditions().stream().map(Condition::expression),
+                model.outputs().stream().map(o -> o.expected() == null ? "" : o.expected()))
+            .flatMap(texts -> texts)
+            .mapToLong(String::length)
+            .sum();
+    if (characters > MAX_CHARACTERS) {
+      diagnostics.error(
+          model.source(),
+          0,
+          "test_model",
+          String.format(
+              Locale.ROOT,
+              "its conditions and expected values have %,d characters in all; at most %,d are"
+                  + " allowed: simplify them",
+              characters,
+              MAX_CHARACTERS));
+      return new Conditions(List.of(), Map.of(), List.of());
+    }
     Set<String> before =
         new TreeSet<>(Variables.roots(model.inputs().stream().map(InputElement::name).toList()));
     before.add(Variables.VALID);

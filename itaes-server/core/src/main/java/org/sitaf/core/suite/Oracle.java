@@ -27,9 +27,16 @@ final class Oracle {
   /** What a call is expected to return that returns nothing. */
   private static final String NOTHING = "null";
 
+  /** Further cases without a value are counted only. */
+  private static final int MAX_WARNINGS = 1_000;
+
+  /** Characters of a value in a message. */
+  private static final int MAX_SHOWN = 200;
+
   private final TestModel model;
   private final Conditions conditions;
   private final Diagnostics diagnostics;
+  private int unevaluated;
 
   Oracle(TestModel model, Conditions conditions, Diagnostics diagnostics) {
     this.model = model;
@@ -54,6 +61,17 @@ final class Oracle {
     return expected;
   }
 
+  /** Says what was counted and not listed. */
+  void tell() {
+    if (unevaluated > MAX_WARNINGS) {
+      diagnostics.warning(
+          model.source(),
+          0,
+          "output_spec_list",
+          "has no value in " + (unevaluated - MAX_WARNINGS) + " cases more");
+    }
+  }
+
   private String literal(
       Expression expression,
       Variables variables,
@@ -63,6 +81,18 @@ final class Oracle {
     try {
       return literal(expression.evaluate(variables.map()), output.type());
     } catch (EvaluationException | IllegalArgumentException e) {
+      if (e instanceof EvaluationException evaluation && evaluation.tooCostly()) {
+        // It would take as much in each of the other cases.
+        diagnostics.error(
+            model.source(),
+            output.line(),
+            "test_element " + output.name() + "/expected",
+            "in case " + no + " (" + inputs(values) + "): " + e.getMessage());
+        diagnostics.throwIfErrors();
+      }
+      if (++unevaluated > MAX_WARNINGS) {
+        return UNEVALUATED + " " + e.getMessage();
+      }
       diagnostics.warning(
           model.source(),
           output.line(),
@@ -72,9 +102,13 @@ final class Oracle {
     }
   }
 
+  private static String shown(String literal) {
+    return literal.length() <= MAX_SHOWN ? literal : literal.substring(0, MAX_SHOWN) + "…";
+  }
+
   private String inputs(List<Value> values) {
     return IntStream.range(0, values.size())
-        .mapToObj(i -> model.inputs().get(i).name() + "=" + values.get(i).literal())
+        .mapToObj(i -> model.inputs().get(i).name() + "=" + shown(values.get(i).literal()))
         .collect(Collectors.joining(", "));
   }
 

@@ -2,10 +2,15 @@ package org.sitaf.core.suite;
 
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
+import org.sitaf.core.combine.Interruption;
 import org.sitaf.core.combine.Progress;
 import org.sitaf.core.combine.TooManyCombinationsException;
+import org.sitaf.core.combine.WideConstraintException;
 import org.sitaf.core.diagnostic.Diagnostic;
 import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.diagnostic.InvalidInputException;
@@ -23,6 +28,12 @@ import org.sitaf.core.value.TestValue;
  * them.
  */
 public final class TestCaseGenerator {
+  /** The most values of one element. */
+  private static final int MAX_VALUES = 200_000;
+
+  /** The most characters of all values of a suite. */
+  private static final long MAX_CHARACTERS = 200_000_000;
+
   private TestCaseGenerator() {}
 
   /**
@@ -40,6 +51,7 @@ public final class TestCaseGenerator {
    *
    * @throws InvalidInputException when a condition is not usable, no case is allowed, or there
    *     would be too many
+   * @throws java.util.concurrent.CancellationException when the thread is interrupted
    */
   public static GeneratedSuite generate(
       TestModel model, GenerationOptions options, Progress progress) {
@@ -63,7 +75,8 @@ public final class TestCaseGenerator {
           model.source(), 0, "pre_condition_spec_list", "the conditions allow no case at all");
     }
     diagnostics.throwIfErrors();
-    List<TestCase> cases = number(rows, kept, new Oracle(model, conditions, diagnostics));
+    Oracle oracle = new Oracle(model, conditions, diagnostics);
+    List<TestCase> cases = number(model, rows, kept, oracle);
 
     TestSuite suite =
         new TestSuite(
@@ -74,7 +87,7 @@ public final class TestCaseGenerator {
                 strength,
                 invalidValues,
                 options.seed(),
-                options.effort().name().toLowerCase(java.util.Locale.ROOT),
+                options.effort().name().toLowerCase(Locale.ROOT),
                 GeneratorVersion.current()),
             model.inputs().stream()
                 .map(i -> new CaseParameter(i.name(), i.kind(), i.realType()))
@@ -95,6 +108,7 @@ public final class TestCaseGenerator {
   private static List<TestData> values(TestModel model, long seed, Diagnostics diagnostics) {
     List<TestData> all = new ArrayList<>();
     for (InputElement input : model.inputs()) {
+      Interruption.check();
       TestData data = TestDataGenerator.generate(input, seed);
       String where = "test_element " + input.name();
       for (String leftOut : data.leftOut()) {
@@ -112,6 +126,17 @@ public final class TestCaseGenerator {
             "gives no value; the literals of an enumeration come from the interface of an activity, or"
                 + " from a user_value_list");
       }
+      if (data.values().size() > MAX_VALUES) {
+        diagnostics.error(
+            model.source(),
+            input.line(),
+            where,
+            String.format(
+                Locale.ROOT,
+                "gives %,d values; at most %,d can be combined: let it give fewer",
+                data.values().size(),
+                MAX_VALUES));
+      }
       all.add(data);
     }
     diagnostics.throwIfErrors();
@@ -122,6 +147,14 @@ public final class TestCaseGenerator {
       TestModel model, CaseCombination combination, InvalidValues invalidValues) {
     try {
       return invalidValues == InvalidValues.ISOLATE ? combination.isolated() : combination.mixed();
+    } catch (WideConstraintException e) {
+      throw new InvalidInputException(
+          List.of(
+              Diagnostic.error(
+                  model.source(),
+                  0,
+                  "pre_condition_spec_list",
+                  "'" + combination.text(e.constraint()) + "' " + e.getMessage())));
     } catch (TooManyCombinationsException e) {
       throw new InvalidInputException(
           List.of(
@@ -131,26 +164,56 @@ public final class TestCaseGenerator {
   }
 
   /** Valid cases first; a kept case keeps its number, and no other case ever gets it. */
-  private static List<TestCase> number(List<List<TestValue>> rows, KeptCases kept, Oracle oracle) {
+  private static List<TestCase> number(
+      TestModel model, List<List<TestValue>> rows, KeptCases kept, Oracle oracle) {
     List<List<TestValue>> ordered = new ArrayList<>(rows);
     ordered.sort(Comparator.comparing(row -> !isValid(row)));
     int next = kept.highestNumber() + 1;
     List<TestCase> cases = new ArrayList<>();
+    Map<Value, String> literals = new HashMap<>();
+    long characters = 0;
     for (List<TestValue> row : ordered) {
+      Interruption.check();
       List<Value> values = row.stream().map(TestValue::value).toList();
       Optional<KeptCases.Kept> numbered = kept.numbered(values);
       int no = numbered.isPresent() ? numbered.get().no() : next++;
       boolean valid = isValid(row);
       List<ExpectedValue> expected = oracle.expect(no, valid, values);
+      characters += characters(values, literals, expected);
+      if (characters > MAX_CHARACTERS) {
+        throw new InvalidInputException(
+            List.of(
+                Diagnostic.error(
+                    model.source(),
+                    0,
+                    "input_spec_list",
+                    String.format(
+                        Locale.ROOT,
+                        "the first %,d of %,d cases have %,d characters; at most %,d are allowed:"
+                            + " use shorter values, or fewer of them",
+                        cases.size(),
+                        rows.size(),
+                        characters,
+                        MAX_CHARACTERS))));
+      }
       cases.add(
           new TestCase(
               no,
               valid,
-              values.stream().map(Value::literal).toList(),
+              values.stream().map(v -> literals.computeIfAbsent(v, Value::literal)).toList(),
               // What a person filled in by hand stays where the model itself expects nothing.
               expected.isEmpty() && numbered.isPresent() ? numbered.get().expected() : expected));
     }
+    oracle.tell();
     return cases;
+  }
+
+  private static long characters(
+      List<Value> values, Map<Value, String> literals, List<ExpectedValue> expected) {
+    return values.stream()
+            .mapToLong(v -> literals.computeIfAbsent(v, Value::literal).length())
+            .sum()
+        + expected.stream().mapToLong(e -> e.literal().length()).sum();
   }
 
   private static boolean isValid(List<TestValue> row) {

@@ -7,6 +7,7 @@ import java.util.Comparator;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import org.sitaf.core.combine.Interruption;
 import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.ScalarType;
 import org.sitaf.core.model.EquivalenceClass;
@@ -34,6 +35,9 @@ final class NumberValues {
 
   /** Draws for a value that is not there yet, before a range counts as used up. */
   private static final int DRAWS = 1000;
+
+  /** Draws for all values of a range. */
+  private static final long MAX_DRAWS = 4_000_000;
 
   private final DataType type;
   private final SeededRandom random;
@@ -172,7 +176,9 @@ final class NumberValues {
   private List<BigDecimal> further(BigDecimal first, BigDecimal min, BigDecimal max, int count) {
     Set<BigDecimal> all = new LinkedHashSet<>();
     all.add(first.stripTrailingZeros());
-    for (int draws = 0; all.size() < count && draws < DRAWS * count; draws++) {
+    long most = Math.min((long) DRAWS * count, MAX_DRAWS);
+    for (int draws = 0; all.size() < count && draws < most; draws++) {
+      Interruption.check();
       all.add(uniform(min, max).stripTrailingZeros());
     }
     return List.copyOf(all);
@@ -180,7 +186,9 @@ final class NumberValues {
 
   private Set<BigDecimal> draw(TestSpec.RandomNumbers draw) {
     Set<BigDecimal> all = new LinkedHashSet<>();
-    for (int draws = 0; all.size() < draw.count() && draws < DRAWS + draw.count() * 10; draws++) {
+    long most = Math.min(DRAWS + draw.count() * 10L, MAX_DRAWS);
+    for (int draws = 0; all.size() < draw.count() && draws < most; draws++) {
+      Interruption.check();
       BigDecimal number = one(draw).stripTrailingZeros();
       if (isValid(number, draw)) {
         all.add(number);

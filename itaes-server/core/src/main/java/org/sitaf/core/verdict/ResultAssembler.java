@@ -19,14 +19,15 @@ import org.sitaf.core.suite.TestCase;
 import org.sitaf.core.suite.TestSuite;
 
 /**
- * Makes the result of a build from what the test application wrote: judges post-conditions,
- * accounts for every case, counts.
+ * Makes the result of a build from what the test application wrote: compares what was measured with
+ * what is expected, judges post-conditions, accounts for every case, counts.
  */
 public final class ResultAssembler {
   private final TestModel model;
   private final TestSuite suite;
   private final List<Expression> postConditions;
   private final CallRecord calls;
+  private final Expectations expectations;
   private final Map<Integer, TestCase> cases = new HashMap<>();
 
   /** For the cases of a suite of this model, whose component requires no interface. */
@@ -42,18 +43,22 @@ public final class ResultAssembler {
   public ResultAssembler(TestModel model, TestSuite suite, List<InterfaceDescription> required) {
     this.calls = new CallRecord(required);
     this.model = Objects.requireNonNull(model);
+    this.expectations = new Expectations(model);
     this.suite = Objects.requireNonNull(suite);
     this.postConditions = PostConditions.of(model);
     suite.cases().forEach(c -> cases.put(c.no(), c));
   }
 
-  /** The result of a case with its post-conditions judged; the worse verdict stands. */
+  /**
+   * The result of a case, judged by what was measured: by what is expected, then by the
+   * post-conditions. The worse verdict stands.
+   */
   public CaseResult judge(CaseResult result) {
     TestCase testCase = cases.get(result.no());
     if (testCase == null || result.verdict().compareTo(Verdict.FAIL) > 0) {
       return result;
     }
-    CaseResult judged = result;
+    CaseResult judged = expectations.confirm(testCase, result);
     for (Expression condition : postConditions) {
       if (condition.mentions(Variables.CALLS) && result.calls().leftOut() > 0) {
         judged =

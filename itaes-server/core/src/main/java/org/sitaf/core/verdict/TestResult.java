@@ -9,6 +9,7 @@ import org.sitaf.core.suite.CaseParameter;
  * The result of a build (paper, Fig. 11).
  *
  * @param coverage null where it was not measured
+ * @param suspicions why what the test application reported is not to be trusted; empty where it is
  */
 public record TestResult(
     String name,
@@ -16,17 +17,45 @@ public record TestResult(
     Summary summary,
     List<CaseParameter> parameters,
     List<CaseResult> cases,
-    @Nullable Coverage coverage) {
+    @Nullable Coverage coverage,
+    List<String> suspicions) {
   public TestResult {
     Objects.requireNonNull(name);
     Objects.requireNonNull(provenance);
     Objects.requireNonNull(summary);
     parameters = List.copyOf(parameters);
     cases = List.copyOf(cases);
+    suspicions = List.copyOf(suspicions);
+  }
+
+  /** A result that nothing speaks against. */
+  public TestResult(
+      String name,
+      Provenance provenance,
+      Summary summary,
+      List<CaseParameter> parameters,
+      List<CaseResult> cases,
+      @Nullable Coverage coverage) {
+    this(name, provenance, summary, parameters, cases, coverage, List.of());
   }
 
   /** The same with what was reached of the component. */
   public TestResult with(Coverage measured) {
-    return new TestResult(name, provenance, summary, parameters, cases, measured);
+    return new TestResult(name, provenance, summary, parameters, cases, measured, suspicions);
+  }
+
+  /** The same with reasons not to trust it. */
+  public TestResult suspected(List<String> reasons) {
+    return new TestResult(name, provenance, summary, parameters, cases, coverage, reasons);
+  }
+
+  /** Whether there are cases, all passed, and nothing speaks against it. */
+  public boolean allPassed() {
+    return summary.total() > 0 && summary.pass() == summary.total() && !isSuspect();
+  }
+
+  /** Whether the verdicts are not to be trusted; a suspect result never counts as passed. */
+  public boolean isSuspect() {
+    return !suspicions.isEmpty();
   }
 }

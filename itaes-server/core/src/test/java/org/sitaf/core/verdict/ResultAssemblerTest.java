@@ -63,6 +63,24 @@ class ResultAssemblerTest {
   }
 
   @Test
+  void aConditionThatTakesTooMuchIsAnErrorThatSaysSo() {
+    String all = "actual.all(a, actual.all(b, actual.all(c, actual.all(d, a + b + c + d > -1))))";
+    String costly =
+        MODEL
+            .replace("actual * 2.0 == n", all.replace(">", "&gt;"))
+            .replace(
+                "abstract_type=\"NUMERIC\" real_type=\"double\"><name>return",
+                "abstract_type=\"SEQUENCE\" real_type=\"sequence&lt;long&gt;\"><name>return");
+    TestModel other =
+        TestModelXml.read(
+            new ByteArrayInputStream(costly.getBytes(StandardCharsets.UTF_8)), "Half.xml");
+    String ones = java.util.Collections.nCopies(200, "1").toString();
+    CaseResult judged = new ResultAssembler(other, suite).judge(line(2, "2", ones, 1));
+    assertThat(judged.verdict()).isEqualTo(Verdict.ERROR);
+    assertThat(judged.message()).contains("more than 5,000,000 steps", "simplify it");
+  }
+
+  @Test
   void aConditionThatHasNoValueIsAnErrorAndNoFailure() {
     CaseResult judged = assembler.judge(line(2, "2", "one", 1));
     assertThat(judged.verdict()).isEqualTo(Verdict.ERROR);
@@ -103,5 +121,23 @@ class ResultAssemblerTest {
         .contains("tests=\"3\" failures=\"0\" errors=\"0\" skipped=\"2\"")
         .contains("name=\"1: n=0\"")
         .contains("<skipped message=\"stopped\">");
+  }
+
+  @Test
+  void aSuspectResultReadsBackAndIsAnErrorInJunit() {
+    TestResult result =
+        assembler
+            .assemble(List.of(line(1, "0", "0", 2)), "stopped", PROVENANCE)
+            .suspected(List.of("a line without number and token (3 times)"));
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    TestResultXml.write(result, out);
+    assertThat(TestResultXml.read(new ByteArrayInputStream(out.toByteArray()), "result.xml"))
+        .isEqualTo(result);
+
+    ByteArrayOutputStream report = new ByteArrayOutputStream();
+    JunitXml.write("activity", List.of(result), report);
+    assertThat(report.toString(StandardCharsets.UTF_8))
+        .contains("tests=\"4\" failures=\"0\" errors=\"1\"")
+        .contains("<error message=\"the result is suspect\">a line without number");
   }
 }

@@ -15,12 +15,29 @@ public sealed interface BuildOutcome {
     }
   }
 
-  /** The user's files do not compile or do not fit; trying again gives the same. */
+  /**
+   * The user's files do not compile or do not fit; trying again gives the same. A compiler may find
+   * more to say than anyone reads: what is beyond that is left out.
+   */
   record CompilationFailed(String message, List<SourceDiagnostic> diagnostics)
       implements BuildOutcome {
+    private static final int MOST = 1000;
+    private static final int LONGEST = 8000;
+
     public CompilationFailed {
-      Objects.requireNonNull(message);
-      diagnostics = List.copyOf(diagnostics);
+      message = shortened(message);
+      diagnostics =
+          diagnostics.stream()
+              .limit(MOST)
+              .map(
+                  d ->
+                      new SourceDiagnostic(
+                          d.file(), d.line(), d.column(), shortened(d.message()), d.generated()))
+              .toList();
+    }
+
+    private static String shortened(String text) {
+      return text.length() <= LONGEST ? text : text.substring(0, LONGEST) + "...";
     }
   }
 

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.concurrent.CancellationException;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.compiler.TestApplicationCompiler;
 import org.sitaf.agent.executor.EarlyProcess;
@@ -20,7 +21,7 @@ import org.sitaf.agent.executor.ParallelExecutor;
 import org.sitaf.agent.executor.SimulatorAddress;
 import org.sitaf.agent.executor.TestApplicationExecutor;
 import org.sitaf.agent.sandbox.Sandbox;
-import org.sitaf.agent.simulation.SimulatorClient;
+import org.sitaf.agent.simulation.BuildSimulator;
 import org.sitaf.agent.simulation.WorldException;
 import org.sitaf.agent.spool.FreeSpace;
 import org.sitaf.agent.toolchain.Compilation;
@@ -42,7 +43,7 @@ import org.sitaf.core.verdict.TestResult;
 
 /**
  * One build of a test application, without any server: its outcome is the same in an agent and in a
- * person's shell. Runs once, on the thread that calls {@link #run()}.
+ * person's shell. Runs once, in a thread of its own for which {@link #run()} waits.
  */
 public final class BuildRun {
   private static final System.Logger LOGGER = System.getLogger("org.sitaf.agent");
@@ -69,6 +70,9 @@ public final class BuildRun {
   /** The log's file in a build's folder. */
   public static final String LOG = "build.log";
 
+  /** The folder in a build's folder that test applications write to; may be there already. */
+  public static final String WRITTEN = "execution";
+
   /** Ends the build soon, in whatever stage it is; from any thread, also before it begins. */
   public void cancel(String reason) {
     cancellation.request(reason);
@@ -78,6 +82,17 @@ public final class BuildRun {
    * Goes through the stages and says how it ended; no failure of a stage leaves as an exception.
    */
   public BuildOutcome run() {
+    return new BuildThread(cancellation, this::work).run(limit().all());
+  }
+
+  private TimeLimit limit() {
+    return TimeLimit.of(
+        application.suite().cases().size(),
+        application.activity().profile().limits(),
+        settings.atMost());
+  }
+
+  private BuildOutcome work() {
     try {
       Files.createDirectories(directory);
       try (BuildLog log = new BuildLog(directory.resolve(LOG), listener)) {
@@ -101,28 +116,8 @@ public final class BuildRun {
       log.remark(settings.sandbox().description());
 
       listener.stage(BuildStage.PREPARING);
-      Prepared prepared = prepare(log);
-
-      listener.stage(BuildStage.COMPILING);
-      Toolchain toolchain = toolchain(application.activity().profile().harness());
-      log.remark("toolchain: " + toolchain.version());
-      TestApplicationCompiler compiler =
-          new TestApplicationCompiler(
-              toolchain, settings.toolchains().compiled(), settings.coverage(), settings.sandbox());
-      Compilation compilation =
-          compiler.begin(application, applicationDirectory(), directory.resolve("compilation"));
-      try (EarlyProcess early = startEarly(toolchain, compilation, prepared, log)) {
-        CompiledApplication compiled = compiler.compile(compilation);
-
-        listener.stage(BuildStage.RUNNING);
-        ResultAssembler assembler =
-            new ResultAssembler(
-                application.model(), application.suite(), application.activity().required());
-        ExecutionRequest request = request(compiled, prepared);
-        Execution execution = execute(request, early, assembler, log);
-
-        TestResult result = report(execution, assembler, prepared.bridge(), started);
-        return new BuildOutcome.Completed(withCoverage(result, compiled, request, log));
+      try (Prepared prepared = prepare(log)) {
+        return compileAndRun(prepared, started, log);
       }
     } catch (CompilationException e) {
       String full = FreeSpace.ofBuild(directory).whyFull();
@@ -137,9 +132,37 @@ public final class BuildRun {
               .toList());
     } catch (IOException | UncheckedIOException e) {
       return new BuildOutcome.InfrastructureFailed(String.valueOf(e.getMessage()));
+    } catch (CancellationException e) {
+      // A post-condition that was being evaluated ends with an exception of its own.
+      throw new InterruptedException(e.getMessage());
     } catch (RuntimeException e) {
       LOGGER.log(System.Logger.Level.ERROR, "a build failed by a fault of SITAF's own", e);
       return new BuildOutcome.InfrastructureFailed("a fault of SITAF's own: " + e);
+    }
+  }
+
+  private BuildOutcome compileAndRun(Prepared prepared, Instant started, BuildLog log)
+      throws CompilationException, IOException, InterruptedException {
+    listener.stage(BuildStage.COMPILING);
+    Toolchain toolchain = toolchain(application.activity().profile().harness());
+    log.remark("toolchain: " + toolchain.version());
+    TestApplicationCompiler compiler =
+        new TestApplicationCompiler(
+            toolchain, settings.toolchains().compiled(), settings.coverage(), settings.sandbox());
+    Compilation compilation =
+        compiler.begin(application, applicationDirectory(), directory.resolve("compilation"));
+    try (EarlyProcess early = startEarly(toolchain, compilation, prepared, log)) {
+      CompiledApplication compiled = compiler.compile(compilation);
+
+      listener.stage(BuildStage.RUNNING);
+      ResultAssembler assembler =
+          new ResultAssembler(
+              application.model(), application.suite(), application.activity().required());
+      ExecutionRequest request = request(compiled, prepared);
+      Execution execution = execute(request, early, assembler, log);
+
+      TestResult result = report(execution, assembler, prepared.bridge(), started);
+      return new BuildOutcome.Completed(withCoverage(result, compiled, request, log));
     }
   }
 
@@ -161,9 +184,18 @@ public final class BuildRun {
   /**
    * What preparing found.
    *
+   * @param simulator this build's, which ends with it; null where the activity has no world
    * @param bridge version of the simulator; empty where the activity has no world
    */
-  private record Prepared(@Nullable World world, String bridge) {}
+  private record Prepared(@Nullable World world, @Nullable BuildSimulator simulator, String bridge)
+      implements AutoCloseable {
+    @Override
+    public void close() {
+      if (simulator != null) {
+        simulator.close();
+      }
+    }
+  }
 
   /**
    * Writes the application's files, and asks the simulator for the world before anything is built.
@@ -178,24 +210,32 @@ public final class BuildRun {
     }
     String world = application.activity().profile().world();
     if (world == null) {
-      return new Prepared(null, "");
+      return new Prepared(null, null, "");
     }
     int slash = world.lastIndexOf('/');
     FileTree folder = application.activity().files().below(world.substring(0, slash + 1));
     Map<String, byte[]> worldFiles = new TreeMap<>();
     folder.paths().forEach(path -> worldFiles.put(path, folder.content(path).orElseThrow()));
-    try (SimulatorClient client = new SimulatorClient(settings.simulator().target())) {
-      String version = client.version();
-      client.check(world.substring(slash + 1), worldFiles);
+    BuildSimulator simulator = settings.simulator().forBuild();
+    boolean prepared = false;
+    try {
+      String version = simulator.version();
+      simulator.check(world.substring(slash + 1), worldFiles);
       log.remark("world " + world + " on " + version);
-      requireWayInto(settings.simulator().target(), log);
+      log.remark(simulator.description());
+      requireWayInto(simulator.target(), log);
       Path description = applicationDirectory().resolve("activity").resolve(world);
-      return new Prepared(new World(description, settings.simulator()::target), version);
+      prepared = true;
+      return new Prepared(new World(description, simulator::open), simulator, version);
     } catch (WorldException e) {
       String message = String.valueOf(e.getMessage());
       throw new CompilationException(
           "the simulator refuses the world: " + message,
           List.of(SourceDiagnostic.ofFile("activity/" + world, message)));
+    } finally {
+      if (!prepared) {
+        simulator.close();
+      }
     }
   }
 
@@ -228,12 +268,13 @@ public final class BuildRun {
   }
 
   private ParallelExecutor executor() {
-    return new ParallelExecutor(TestApplicationExecutor.DEFAULT, sessions());
+    return new ParallelExecutor(
+        TestApplicationExecutor.DEFAULT.within(limit().cases()), sessions());
   }
 
   private ExecutionRequest request(CompiledApplication compiled, Prepared prepared)
       throws IOException {
-    Path execution = Files.createDirectories(directory.resolve("execution"));
+    Path execution = Files.createDirectories(directory.resolve(WRITTEN));
     return new ExecutionRequest(
         compiled,
         settings.sandbox(),
@@ -294,8 +335,9 @@ public final class BuildRun {
     }
     try {
       return compiled.coverage(request.coverage()).map(result::with).orElse(result);
-    } catch (IOException | IllegalArgumentException e) {
-      log.remark("the coverage of the component is not known: " + e.getMessage());
+    } catch (IOException | RuntimeException | StackOverflowError | OutOfMemoryError e) {
+      // A component may write there as well, and what it wrote must not cost the verdicts.
+      log.conclude("the coverage of the component is not known: " + e);
       return result;
     }
   }
@@ -318,7 +360,9 @@ public final class BuildRun {
             bridge,
             started.truncatedTo(ChronoUnit.MILLIS).toString(),
             Instant.now().truncatedTo(ChronoUnit.MILLIS).toString());
-    return assembler.assemble(execution.results(), execution.reasonOfRest(), provenance);
+    return assembler
+        .assemble(execution.results(), execution.reasonOfRest(), provenance)
+        .suspected(execution.suspicions());
   }
 
   /** What the component is made of: its sources or library, adapter and external libraries. */
@@ -346,12 +390,12 @@ public final class BuildRun {
 
   private static void remarkOn(BuildOutcome outcome, BuildLog log) {
     if (outcome instanceof BuildOutcome.CompilationFailed failed) {
-      failed.diagnostics().forEach(diagnostic -> log.remark(diagnostic.toString()));
-      log.remark(failed.message());
+      failed.diagnostics().forEach(diagnostic -> log.conclude(diagnostic.toString()));
+      log.conclude(failed.message());
     } else if (outcome instanceof BuildOutcome.InfrastructureFailed failed) {
-      log.remark(failed.message());
+      log.conclude(failed.message());
     } else if (outcome instanceof BuildOutcome.Cancelled cancelled) {
-      log.remark("cancelled: " + cancelled.reason());
+      log.conclude("cancelled: " + cancelled.reason());
     }
   }
 }

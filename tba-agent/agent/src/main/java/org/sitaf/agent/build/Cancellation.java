@@ -1,5 +1,6 @@
 package org.sitaf.agent.build;
 
+import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -9,6 +10,7 @@ import org.jspecify.annotations.Nullable;
 final class Cancellation {
   private @Nullable String reason;
   private @Nullable Thread worker;
+  private boolean over;
 
   /** The work of a build. */
   @FunctionalInterface
@@ -22,6 +24,32 @@ final class Cancellation {
       if (worker != null) {
         worker.interrupt();
       }
+      notifyAll();
+    }
+  }
+
+  synchronized boolean isRequested() {
+    return reason != null;
+  }
+
+  synchronized boolean isOver() {
+    return over;
+  }
+
+  synchronized Optional<String> reason() {
+    return Optional.ofNullable(reason);
+  }
+
+  /** The work is over; who waits for it may go on. */
+  synchronized void workEnded() {
+    over = true;
+    notifyAll();
+  }
+
+  /** Waits for a request or for the end of the work. */
+  synchronized void await(long atMostMs) throws InterruptedException {
+    if (reason == null && !over) {
+      wait(atMostMs);
     }
   }
 

@@ -6,11 +6,15 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.executor.OutputSink;
 import org.sitaf.core.verdict.CaseResult;
@@ -20,6 +24,9 @@ import org.sitaf.core.verdict.Verdict;
  * Takes what a test application recorded out of a folder that the component could write to, case by
  * case while they run, from a thread of its own. What is not wanted is deleted, so that the
  * application has room for more. A file counts when it is whole: binary glTF says how long it is.
+ *
+ * <p>It is looked at only after it was moved to a folder that the component does not reach, so that
+ * nothing else can come in its place while it is opened.
  */
 final class Recordings implements AutoCloseable {
   /** Of one file. */
@@ -30,6 +37,7 @@ final class Recordings implements AutoCloseable {
   private static final long PAUSE_MS = 200;
 
   private final Path from;
+  private final Path taken;
   private final RecordingOrder order;
   private final BuildListener listener;
   private final OutputSink log;
@@ -41,6 +49,9 @@ final class Recordings implements AutoCloseable {
   private boolean closed;
 
   // What follows belongs to whoever sweeps: the thread, and who closes after its end.
+  /** Cases whose recording was moved, and was not whole yet. */
+  private final Set<Integer> halves = new HashSet<>();
+
   private int kept;
   private long bytes;
   private int leftOut;
@@ -55,6 +66,7 @@ final class Recordings implements AutoCloseable {
    */
   Recordings(Path from, RecordingOrder order, BuildListener listener, OutputSink log) {
     this.from = from;
+    this.taken = from.resolveSibling(from.getFileName() + ".taken");
     this.order = order;
     this.listener = listener;
     this.log = log;
@@ -107,15 +119,21 @@ final class Recordings implements AutoCloseable {
 
   /** False when there is no whole recording of the case yet. */
   private boolean take(Ended one) throws IOException {
-    Path file = from.resolve(one.no() + ".glb");
-    if (!Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS)) {
+    Path file = taken.resolve(one.no() + ".glb");
+    if (move(one.no() + ".glb", file)) {
+      halves.add(one.no());
+    } else if (!halves.contains(one.no())) {
       return false;
+    }
+    if (!Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS)) {
+      throw new IOException(file.getFileName() + " is no regular file");
     }
     Optional<byte[]> gltf = wholeGlb(file);
     if (gltf.isEmpty()) {
       return false;
     }
     Files.delete(file);
+    halves.remove(one.no());
     if (!order.cases().include(one.verdict())) {
       return true;
     }
@@ -131,6 +149,21 @@ final class Recordings implements AutoCloseable {
     Files.write(target, content);
     listener.recorded(one.no(), target);
     return true;
+  }
+
+  /** False when it is not there yet. Who writes it writes on, wherever it lies. */
+  private boolean move(String name, Path to) throws IOException {
+    Path file = from.resolve(name);
+    if (!Files.exists(file, LinkOption.NOFOLLOW_LINKS)) {
+      return false;
+    }
+    Files.createDirectories(taken);
+    try {
+      Files.move(file, to, StandardCopyOption.ATOMIC_MOVE);
+      return true;
+    } catch (NoSuchFileException e) {
+      return false;
+    }
   }
 
   private static Optional<byte[]> wholeGlb(Path file) throws IOException {

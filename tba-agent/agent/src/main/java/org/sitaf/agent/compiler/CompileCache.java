@@ -3,6 +3,7 @@ package org.sitaf.agent.compiler;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.attribute.FileTime;
@@ -23,18 +24,39 @@ import org.sitaf.agent.spool.SharedCache;
 record CompileCache(SharedCache shared, long limitBytes) {
   private static final Pattern KEY = Pattern.compile("[0-9a-f]{64}");
   private static final int MOST_ENTRIES = 500;
+  private static final int DEEPEST = 60;
+  private static final int MOST_FILES = 100_000;
+  private static final String CONTENT = "content";
+  private static final String DIGEST = "sha256";
 
-  /** Copies what was compiled into an empty folder; false where the key is not known. */
-  boolean restore(String key, Path output) throws IOException {
+  /** Says whether what was compiled earlier is what would be compiled now. */
+  @FunctionalInterface
+  interface Check {
+    boolean isCurrent(Path compiled) throws IOException;
+  }
+
+  /**
+   * Copies what was compiled into an empty folder; false where the key is not known, or where the
+   * entry is outdated or not what was once kept.
+   */
+  boolean restore(String key, Path output, Check check) throws IOException {
     requireKey(key);
     Path entry = shared.entry(key);
     if (!Files.isDirectory(entry)) {
       return false;
     }
     try {
-      Files.setLastModifiedTime(entry, FileTime.from(Instant.now()));
-      copy(entry, output);
-      return true;
+      boolean current = check.isCurrent(entry.resolve(CONTENT));
+      if (current) {
+        Files.setLastModifiedTime(entry, FileTime.from(Instant.now()));
+        copy(entry.resolve(CONTENT), output);
+        current = TreeDigest.of(output).equals(Files.readString(entry.resolve(DIGEST)));
+      }
+      if (!current) {
+        empty(output);
+        shared.remove(key);
+      }
+      return current;
     } catch (IOException | UncheckedIOException e) {
       // Somebody removed it meanwhile: it is compiled as if it had never been there.
       empty(output);
@@ -42,12 +64,21 @@ record CompileCache(SharedCache shared, long limitBytes) {
     }
   }
 
-  /** Takes a copy of what was compiled, and lets go of what was used longest ago. */
+  /**
+   * Takes a copy of what was compiled, and lets go of what was used longest ago.
+   *
+   * @throws IOException also where the folder holds anything but files and folders
+   */
   void keep(String key, Path output) throws IOException {
     requireKey(key);
     try (SharedCache.Draft draft = shared.draft()) {
-      copy(output, draft.folder());
+      Path content = draft.folder().resolve(CONTENT);
+      copy(output, content);
+      Files.writeString(draft.folder().resolve(DIGEST), TreeDigest.of(content));
       draft.addAs(key);
+    } catch (OddFileException | UncheckedIOException e) {
+      // Who made the compiler leave that has it compiled again each time.
+      return;
     }
     shrink();
   }
@@ -64,7 +95,7 @@ record CompileCache(SharedCache shared, long limitBytes) {
     long bytes = 0;
     int count = 0;
     for (Path entry : newestFirst) {
-      bytes += size(entry);
+      bytes += size(entry.resolve(CONTENT));
       // What was just added stays, however large it is.
       if (++count > 1 && (bytes > limitBytes || count > MOST_ENTRIES)) {
         shared.remove(entry.getFileName().toString());
@@ -94,16 +125,36 @@ record CompileCache(SharedCache shared, long limitBytes) {
     }
   }
 
+  /**
+   * Copies what compilers of other people's code wrote: regular files, and links to such in the
+   * same folder.
+   */
   private static void copy(Path from, Path to) throws IOException {
-    try (Stream<Path> files = Files.walk(from)) {
-      for (Path file : files.toList()) {
-        Path target = to.resolve(from.relativize(file).toString());
-        if (Files.isDirectory(file)) {
+    Path root = from.toRealPath();
+    int count = 0;
+    try (Stream<Path> files = Files.walk(from, DEEPEST)) {
+      for (Path file : (Iterable<Path>) files::iterator) {
+        Path inside = from.relativize(file);
+        Path target = to.resolve(inside.toString());
+        if (++count > MOST_FILES || inside.getNameCount() == DEEPEST) {
+          throw new OddFileException(inside + " is one file too many, or too deep");
+        } else if (Files.isDirectory(file, LinkOption.NOFOLLOW_LINKS)) {
           Files.createDirectories(target);
-        } else {
+        } else if (Files.isRegularFile(file) && file.toRealPath().startsWith(root)) {
           Files.copy(file, target, StandardCopyOption.COPY_ATTRIBUTES);
+        } else {
+          throw new OddFileException(inside + " is neither a folder nor a regular file");
         }
       }
+    }
+  }
+
+  /** What no compiler writes. */
+  private static final class OddFileException extends IOException {
+    private static final long serialVersionUID = 1L;
+
+    OddFileException(String message) {
+      super(message);
     }
   }
 

@@ -4,13 +4,24 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
+import java.util.ArrayList;
 import java.util.HexFormat;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.toolchain.Toolchain;
+import org.sitaf.core.activity.ActivityProfile;
+import org.sitaf.core.activity.ActivityProfile.Component;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.harness.TestApplication;
 
 /** Names what a compilation brings by all that goes into it. */
 final class CompileKey {
+  /** Of the cache's entries: those of another one are never found. */
+  private static final byte FORMAT = 2;
+
   private final MessageDigest digest;
 
   private CompileKey(MessageDigest digest) {
@@ -20,25 +31,67 @@ final class CompileKey {
   static String of(TestApplication application, Toolchain toolchain, boolean coverage)
       throws IOException, InterruptedException {
     CompileKey key = new CompileKey(sha256());
+    key.add("format", new byte[] {FORMAT});
     key.add("toolchain", toolchain.identity().getBytes(StandardCharsets.UTF_8));
     key.add("coverage", new byte[] {(byte) (coverage ? 1 : 0)});
     key.add("entry point", application.entryPoint().getBytes(StandardCharsets.UTF_8));
-    key.add("harness/", application.harness(), "");
-    key.add("activity/", application.activity().files(), worldFolder(application));
+    for (String word : words(application.activity().profile())) {
+      key.add("profile", word.getBytes(StandardCharsets.UTF_8));
+    }
+    key.add("harness/", application.harness());
+    key.add("activity/", inputs(application, toolchain));
     return HexFormat.of().formatHex(key.digest.digest());
   }
 
-  /** A world of its own folder is no source; its meshes may be large. Empty for none. */
-  private static String worldFolder(TestApplication application) {
-    String world = application.activity().profile().world();
-    return world == null ? "" : world.substring(0, world.lastIndexOf('/') + 1);
+  /**
+   * The files of the activity that a compilation may read: those of the component. A library may
+   * refer to others in a way of its own, as the manifest of a jar does: with one, all of them
+   * count.
+   */
+  private static FileTree inputs(TestApplication application, Toolchain toolchain) {
+    ActivityProfile profile = application.activity().profile();
+    Component component = profile.component();
+    FileTree files = application.activity().files();
+    if (toolchain.readsWholeActivity()
+        || component.library() != null
+        || !profile.libraries().isEmpty()) {
+      return files;
+    }
+    FileTree inputs = FileTree.of(Map.of());
+    for (String folder :
+        Stream.of(component.sources(), component.adapter(), component.headers())
+            .filter(Objects::nonNull)
+            .toList()) {
+      inputs = inputs.with(folder, files.below(folder));
+    }
+    return inputs;
   }
 
-  private void add(String folder, FileTree files, String without) {
+  /** What the profile says to a compiler; the rest of it is in the harness, or for other rooms. */
+  private static List<String> words(ActivityProfile profile) {
+    Component component = profile.component();
+    List<String> words = new ArrayList<>();
+    for (Object word :
+        new @Nullable Object[] {
+          component.language(),
+          component.sources(),
+          component.library(),
+          component.headers(),
+          component.header(),
+          component.packageName(),
+          component.className(),
+          component.adapter(),
+          profile.harness()
+        }) {
+      words.add(word == null ? "-" : "+" + word);
+    }
+    words.addAll(profile.libraries());
+    return words;
+  }
+
+  private void add(String folder, FileTree files) {
     for (String path : files.paths()) {
-      if (without.isEmpty() || !path.startsWith(without)) {
-        add(folder + path, files.content(path).orElseThrow());
-      }
+      add(folder + path, files.content(path).orElseThrow());
     }
   }
 

@@ -55,13 +55,16 @@ public record TestApplicationCompiler(
     TestApplication application = compilation.application();
     CompileCache compiled = new CompileCache(new SharedCache(cache), CACHE_BYTES);
     String key = CompileKey.of(application, toolchain, coverage);
-    if (!compiled.restore(key, compilation.output())) {
+    CompileCache.Check check = folder -> toolchain.isCurrent(compilation, folder);
+    if (!compiled.restore(key, compilation.output(), check)) {
       try {
         toolchain.compile(compilation);
       } catch (CompilationException e) {
         throw KeptDriver.explained(e, application);
       }
-      compiled.keep(key, compilation.output());
+      if (check.isCurrent(compilation.output())) {
+        compiled.keep(key, compilation.output());
+      }
     }
     return toolchain.open(compilation);
   }

@@ -1,7 +1,8 @@
 package org.sitaf.agent.executor;
 
 import java.io.IOException;
-import java.nio.file.Files;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.agent.simulation.SimulatorEndpoint;
 
 /**
  * The first process of a test application, started while the application is still being compiled.
@@ -9,12 +10,12 @@ import java.nio.file.Files;
  */
 public final class EarlyProcess implements AutoCloseable {
   private final HarnessProcess process;
-  private final String simulatorTarget;
+  private final @Nullable SimulatorEndpoint simulator;
   private boolean gone;
 
-  private EarlyProcess(HarnessProcess process, String simulatorTarget) {
+  private EarlyProcess(HarnessProcess process, @Nullable SimulatorEndpoint simulator) {
     this.process = process;
-    this.simulatorTarget = simulatorTarget;
+    this.simulator = simulator;
   }
 
   /**
@@ -25,15 +26,22 @@ public final class EarlyProcess implements AutoCloseable {
    */
   public static EarlyProcess start(ExecutionRequest request, OutputSink sink)
       throws IOException, InterruptedException {
-    Files.write(request.results(), new byte[0]);
     int first = request.suite().cases().get(0).no();
-    String target = request.simulatorTarget();
-    return new EarlyProcess(
-        HarnessProcess.startHeldBack(request, request.results(), first, sink), target);
+    SimulatorEndpoint simulator = request.newEndpoint();
+    try {
+      return new EarlyProcess(
+          HarnessProcess.startHeldBack(request, first, simulator, sink), simulator);
+    } catch (IOException | InterruptedException | RuntimeException e) {
+      if (simulator != null) {
+        simulator.close();
+      }
+      throw e;
+    }
   }
 
-  String simulatorTarget() {
-    return simulatorTarget;
+  /** What it reaches of the simulator; the caller of letGo closes it. */
+  @Nullable SimulatorEndpoint simulator() {
+    return simulator;
   }
 
   /** The process, which now goes on; whoever takes it closes it. */
@@ -48,6 +56,9 @@ public final class EarlyProcess implements AutoCloseable {
   public void close() {
     if (!gone) {
       process.close();
+      if (simulator != null) {
+        simulator.close();
+      }
     }
   }
 }

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.sandbox.Sandbox;
+import org.sitaf.agent.simulation.SimulatorEndpoint;
 import org.sitaf.agent.toolchain.CompiledApplication;
 import org.sitaf.core.activity.ActivityProfile.Limits;
 import org.sitaf.core.suite.TestCase;
@@ -20,8 +21,7 @@ import org.sitaf.core.suite.document.TestSuiteXml;
  *
  * @param files folder of the application's files, absolute; suite and world lie in it
  * @param suiteFile the suite as a document, for the test application
- * @param directory the executor's own, for the results file and the working folder of the test
- *     application; created
+ * @param directory the executor's own, for the working folder of the test application; created
  * @param coverage where processes leave what they reached of the component, a folder a process;
  *     created when it is needed
  * @param recording where processes leave what moved in each case; created when it is needed; null
@@ -73,14 +73,9 @@ public record ExecutionRequest(
         application, sandbox, files, part, file, own, coverage, recording, world, limits);
   }
 
-  /** Where the test application writes its results. */
-  Path results() {
-    return directory.resolve("results");
-  }
-
-  /** Where the simulator answers now; empty where the activity has no world. */
-  String simulatorTarget() throws IOException, InterruptedException {
-    return world == null ? "" : world.simulator().get();
+  /** What the next process reaches of the simulator; null where the activity has no world. */
+  @Nullable SimulatorEndpoint newEndpoint() throws IOException, InterruptedException {
+    return world == null ? null : world.simulator().open();
   }
 
   Path newCoverageFolder() throws IOException {
@@ -91,18 +86,18 @@ public record ExecutionRequest(
    * The simulation of the activity.
    *
    * @param description the world description, absolute; the world's files are those of its folder
-   * @param simulator asked before each process, as its simulator may have to be started anew
+   * @param simulator asked before each process, each of which gets an endpoint of its own
    */
-  public record World(Path description, SimulatorTarget simulator) {}
+  public record World(Path description, Endpoints simulator) {}
 
-  /** Where a simulator answers. */
+  /** Where processes get their way to a simulator. */
   @FunctionalInterface
-  public interface SimulatorTarget {
+  public interface Endpoints {
     /**
-     * A gRPC target.
+     * Opens an endpoint, of a fresh simulator where the last one is gone.
      *
      * @throws IOException when no simulator answers and none can be started
      */
-    String get() throws IOException, InterruptedException;
+    SimulatorEndpoint open() throws IOException, InterruptedException;
   }
 }

@@ -16,6 +16,7 @@ import org.sitaf.agent.executor.ExecutionRequest.World;
 import org.sitaf.agent.sandbox.ConfinedProcess;
 import org.sitaf.agent.sandbox.Confinement;
 import org.sitaf.agent.sandbox.ProcessLimits;
+import org.sitaf.agent.simulation.SimulatorEndpoint;
 import org.sitaf.agent.toolchain.CompiledApplication;
 import org.sitaf.agent.toolchain.ProcessPlace;
 
@@ -31,13 +32,19 @@ final class HarnessProcess implements AutoCloseable {
   /** Processor time for a case beyond its wall-clock time, as threads may share the work. */
   private static final int CPU_FACTOR = 4;
 
+  private final long started = System.nanoTime();
   private final ConfinedProcess process;
+  private final ResultsChannel results;
+  private final Written written;
   private final LastWords lastWords = new LastWords();
   private final Answer heard = new Answer();
   private final List<Thread> pumps;
 
-  private HarnessProcess(ConfinedProcess process, OutputSink sink) {
+  private HarnessProcess(
+      ConfinedProcess process, ResultsChannel results, Written written, OutputSink sink) {
     this.process = process;
+    this.results = results;
+    this.written = written;
     this.pumps =
         List.of(
             pump(
@@ -62,20 +69,20 @@ final class HarnessProcess implements AutoCloseable {
    *
    * @throws IOException when the process cannot be started, or its simulator is not there
    */
-  static HarnessProcess start(ExecutionRequest request, Path results, int fromCase, OutputSink sink)
+  static HarnessProcess start(
+      ExecutionRequest request,
+      int fromCase,
+      @Nullable SimulatorEndpoint simulator,
+      OutputSink sink)
       throws IOException, InterruptedException {
-    return start(request, results, fromCase, false, sink);
+    HarnessProcess started = startHeldBack(request, fromCase, simulator, sink);
+    started.letGo();
+    return started;
   }
 
   /** As {@link #start}, and it waits for {@link #letGo}. */
   static HarnessProcess startHeldBack(
-      ExecutionRequest request, Path results, int fromCase, OutputSink sink)
-      throws IOException, InterruptedException {
-    return start(request, results, fromCase, true, sink);
-  }
-
-  private static HarnessProcess start(
-      ExecutionRequest request, Path results, int fromCase, boolean heldBack, OutputSink sink)
+      ExecutionRequest request, int fromCase, @Nullable SimulatorEndpoint endpoint, OutputSink sink)
       throws IOException, InterruptedException {
     CompiledApplication application = request.application();
     Path working = Files.createDirectories(request.directory().resolve("run"));
@@ -84,10 +91,8 @@ final class HarnessProcess implements AutoCloseable {
     int memoryMiB = request.limits().memoryMiB();
     ProcessPlace place = new ProcessPlace(temporary, coverage, memoryMiB);
     List<String> command = new ArrayList<>(application.command(place));
-    World world = request.world();
-    SimulatorAddress simulator =
-        world == null ? null : new SimulatorAddress(world.simulator().get());
-    command.addAll(arguments(request, results, fromCase, simulator));
+    SimulatorAddress simulator = endpoint == null ? null : new SimulatorAddress(endpoint.target());
+    command.addAll(arguments(request, fromCase, simulator));
     Path recording = simulator == null ? null : request.recording();
     if (recording != null) {
       command.addAll(List.of("--recording", Files.createDirectories(recording).toString()));
@@ -100,7 +105,7 @@ final class HarnessProcess implements AutoCloseable {
             .withEnvironment(application.environment(place))
             .reading(application.readable())
             .reading(List.of(request.files(), request.suiteFile()))
-            .writing(List.of(results));
+            .heldBackUntilLetGo();
     if (coverage != null) {
       confinement = confinement.writing(List.of(coverage));
     }
@@ -110,10 +115,17 @@ final class HarnessProcess implements AutoCloseable {
     if (simulator != null) {
       confinement = simulator.grantedTo(confinement);
     }
-    if (heldBack) {
-      confinement = confinement.heldBackUntilLetGo();
+    ResultsChannel results = ResultsChannel.open(request.directory());
+    try {
+      return new HarnessProcess(
+          request.sandbox().start(confinement.withChannel(results.pipe())),
+          results,
+          new Written(working, temporary, coverage, recording),
+          sink);
+    } catch (IOException | RuntimeException e) {
+      results.close();
+      throw e;
     }
-    return new HarnessProcess(request.sandbox().start(confinement), sink);
   }
 
   /** All cases may use their wall-clock time to the end. */
@@ -127,12 +139,12 @@ final class HarnessProcess implements AutoCloseable {
 
   /** What each test application is told, whatever its language. */
   private static List<String> arguments(
-      ExecutionRequest request, Path results, int fromCase, @Nullable SimulatorAddress simulator) {
+      ExecutionRequest request, int fromCase, @Nullable SimulatorAddress simulator) {
     List<String> arguments = new ArrayList<>();
     arguments.add("--suite");
     arguments.add(request.suiteFile().toString());
     arguments.add("--results");
-    arguments.add(results.toString());
+    arguments.add("fd:" + Confinement.CHANNEL);
     World world = request.world();
     if (world != null && simulator != null) {
       arguments.add("--bridge");
@@ -153,9 +165,19 @@ final class HarnessProcess implements AutoCloseable {
     return BigDecimal.valueOf(duration.toNanos(), 9).stripTrailingZeros().toPlainString();
   }
 
-  /** Lets a process go on that was held back. */
+  /** Lets a process go on that was held back, with the token of its results. */
   void letGo() {
-    process.letGo();
+    process.letGo(results.token());
+  }
+
+  /** For how long it has run. */
+  double ranMicros() {
+    return (System.nanoTime() - started) / 1000.0;
+  }
+
+  /** What it writes about its cases. */
+  ResultsChannel results() {
+    return results;
   }
 
   /** Waits for the end; true when it came within that time. */
@@ -184,12 +206,14 @@ final class HarnessProcess implements AutoCloseable {
     for (Thread pump : pumps) {
       pump.join(OUTPUT_GRACE.toMillis());
     }
+    written.makeRoom(process.brokenLimit().isPresent());
     return new ProcessEnd(process.exitCode(), process.brokenLimit().orElse(""), lastWords.get());
   }
 
   @Override
   public void close() {
     process.close();
+    results.close();
   }
 
   private static Thread pump(InputStream stream, CaseMarks sink) {

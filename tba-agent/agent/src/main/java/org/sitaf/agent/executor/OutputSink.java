@@ -12,6 +12,6 @@ public interface OutputSink {
    */
   void output(String text, int caseNo);
 
-  /** A remark of the agent, one line without its end; never cut. */
+  /** A remark of the agent, one line without its end; not cut before there are very many. */
   void remark(String line);
 }

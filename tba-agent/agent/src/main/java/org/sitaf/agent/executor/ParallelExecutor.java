@@ -2,8 +2,10 @@ package org.sitaf.agent.executor;
 
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Objects;
+import java.util.Set;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -89,11 +91,13 @@ public record ParallelExecutor(TestApplicationExecutor each, int sessions) {
   private static Execution joined(List<Future<Execution>> running)
       throws IOException, InterruptedException {
     List<CaseResult> results = new ArrayList<>();
+    Set<String> suspicions = new LinkedHashSet<>();
     String reason = "";
     for (Future<Execution> part : running) {
       try {
         Execution execution = part.get();
         results.addAll(execution.results());
+        suspicions.addAll(execution.suspicions());
         if (reason.isEmpty()) {
           reason = execution.reasonOfRest();
         }
@@ -104,7 +108,7 @@ public record ParallelExecutor(TestApplicationExecutor each, int sessions) {
         throw new IllegalStateException("a part of the suite failed", e.getCause());
       }
     }
-    return new Execution(results, reason);
+    return new Execution(results, reason, List.copyOf(suspicions));
   }
 
   private static void awaitEnd(ExecutorService threads) {

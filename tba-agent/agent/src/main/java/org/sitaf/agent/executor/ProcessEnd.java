@@ -20,6 +20,9 @@ record ProcessEnd(int code, String brokenLimit, String lastWords) {
 
   private static final String REASON = "sitaf: ";
 
+  /** How a harness begins the reason when its simulator does not answer any more. */
+  private static final String LOST_SIMULATOR = "the simulator is gone: ";
+
   private static final Map<Integer, String> SIGNALS =
       Map.ofEntries(
           Map.entry(1, "SIGHUP"),
@@ -42,6 +45,11 @@ record ProcessEnd(int code, String brokenLimit, String lastWords) {
    */
   boolean cannotGoOn() {
     return code == CANNOT_GO_ON && lastWords.startsWith(REASON);
+  }
+
+  /** Whether it cannot go on because the simulator or its session is gone. */
+  boolean lostSimulator() {
+    return cannotGoOn() && reason().startsWith(LOST_SIMULATOR);
   }
 
   /** The reason that the test application gave. */

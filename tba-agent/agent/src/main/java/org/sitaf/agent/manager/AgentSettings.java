@@ -1,6 +1,7 @@
 package org.sitaf.agent.manager;
 
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import java.util.Objects;
 import java.util.Set;
@@ -23,6 +24,7 @@ import org.sitaf.agent.sandbox.SandboxMode;
  * @param coverage whether builds say which lines of the component they reached
  * @param labels what its owner calls it by, such as {@code real-hardware}
  * @param minFreeBytes below which no new build is taken; what is there already is never dropped
+ * @param longestBuild what the cases of a build may take together
  */
 public record AgentSettings(
     String server,
@@ -36,11 +38,13 @@ public record AgentSettings(
     SandboxMode sandbox,
     boolean coverage,
     Set<String> labels,
-    long minFreeBytes) {
+    long minFreeBytes,
+    Duration longestBuild) {
   private static final Pattern NAME = Pattern.compile("[A-Za-z0-9._-]{1,100}");
   private static final Pattern LABEL = Pattern.compile("[A-Za-z0-9._-]{1,50}");
   private static final int MAX_LABELS = 20;
   private static final int MAX_SLOTS = 256;
+  private static final Duration LONGEST = Duration.ofDays(30);
 
   public AgentSettings {
     Objects.requireNonNull(access);
@@ -60,6 +64,9 @@ public record AgentSettings(
     require(
         labels.size() <= MAX_LABELS && labels.stream().allMatch(l -> LABEL.matcher(l).matches()),
         "--label: at most 20, each 1 to 50 letters, digits, '.', '_', '-'");
+    require(
+        longestBuild.toMinutes() >= 1 && longestBuild.compareTo(LONGEST) <= 0,
+        "--longest-build-min: expected 1 to " + LONGEST.toMinutes());
     require(minFreeBytes >= 0, "--min-free-mib must not be negative");
   }
 

@@ -183,7 +183,14 @@ final class AttemptRun {
           return new BuildOutcome.Cancelled(stopReason);
         }
       }
-      return run.run();
+      try {
+        return run.run();
+      } finally {
+        // The next build of the language finds its compiler ready.
+        settings
+            .toolchains()
+            .startAhead(application.activity().profile().harness(), settings.sandbox());
+      }
     } catch (InvalidInputException e) {
       return new BuildOutcome.CompilationFailed(
           "the test application is not valid",

@@ -12,8 +12,8 @@ import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.build.BuildOutcome;
 import org.sitaf.agent.build.BuildRun;
 import org.sitaf.agent.build.BuildSettings;
+import org.sitaf.agent.spool.BuildFolders;
 import org.sitaf.agent.spool.FileCache;
-import org.sitaf.agent.spool.Folders;
 import org.sitaf.agent.spool.FreeSpace;
 import org.sitaf.agent.v1.Assignment;
 import org.sitaf.agent.v1.AttemptRef;
@@ -28,7 +28,7 @@ final class Attempts {
   private static final System.Logger LOGGER = System.getLogger("org.sitaf.agent");
 
   private final int slots;
-  private final Path builds;
+  private final BuildFolders builds;
   private final BuildSettings settings;
   private final ServerCalls calls;
   private final FileCache cache;
@@ -47,7 +47,7 @@ final class Attempts {
    */
   Attempts(
       int slots,
-      Path builds,
+      BuildFolders builds,
       BuildSettings settings,
       ServerCalls calls,
       FileCache cache,
@@ -104,7 +104,7 @@ final class Attempts {
       return false;
     }
     AttemptRun run =
-        new AttemptRun(attempt, assignment, builds.resolve(attempt.key()), settings, calls, cache);
+        new AttemptRun(attempt, assignment, builds.of(attempt.key()), settings, calls, cache);
     running.put(attempt.key(), run);
     threads.removeIf(thread -> !thread.isAlive());
     Thread thread = new Thread(() -> work(run), "sitaf-build");
@@ -144,9 +144,10 @@ final class Attempts {
 
   private void work(AttemptRun run) {
     Attempt attempt = run.attempt();
-    Path directory = builds.resolve(attempt.key());
+    Path directory = builds.of(attempt.key());
     LOGGER.log(System.Logger.Level.INFO, attempt + ": begins");
     try {
+      builds.begin(attempt.key());
       Optional<BuildOutcome> outcome = run.run();
       if (!disk.whyFull().isEmpty()) {
         onFull.run();
@@ -159,7 +160,9 @@ final class Attempts {
                   directory.resolve(BuildRun.LOG),
                   ended instanceof BuildOutcome.Completed ? run.recordings() : null),
           () -> LOGGER.log(System.Logger.Level.INFO, attempt + ": was given up"));
-    } catch (RuntimeException | Error e) {
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    } catch (IOException | RuntimeException | Error e) {
       LOGGER.log(System.Logger.Level.ERROR, attempt + ": the agent failed", e);
       owe(attempt, SubmitMessages.infrastructure(attempt, "the agent failed: " + e), null, null);
     } finally {
@@ -167,7 +170,7 @@ final class Attempts {
         running.remove(attempt.key());
       }
       try {
-        Folders.delete(directory);
+        builds.end(attempt.key());
       } catch (IOException e) {
         LOGGER.log(System.Logger.Level.WARNING, directory + " cannot be deleted: " + e);
       }

@@ -23,6 +23,7 @@ import org.sitaf.core.verdict.CaseResult;
 final class ProgressReport implements BuildListener, AutoCloseable {
   private static final System.Logger LOGGER = System.getLogger("org.sitaf.agent");
   private static final int CASES_PER_MESSAGE = 500;
+  private static final long MAX_BATCH_BYTES = 1 << 20;
   private static final Duration PAUSE = Duration.ofMillis(100);
   private static final Duration FLUSH = Duration.ofSeconds(2);
 
@@ -163,6 +164,21 @@ final class ProgressReport implements BuildListener, AutoCloseable {
     }
   }
 
+  /** As many from the first on as a message holds; one holds a case, however large. */
+  private static List<CaseOutcome> fitting(List<CaseResult> ended) {
+    List<CaseOutcome> fitting = new ArrayList<>();
+    long size = 0;
+    for (CaseResult result : ended) {
+      CaseOutcome outcome = CaseOutcomes.of(result);
+      size += outcome.getSerializedSize();
+      if (size > MAX_BATCH_BYTES && !fitting.isEmpty()) {
+        break;
+      }
+      fitting.add(outcome);
+    }
+    return fitting;
+  }
+
   private void tell() throws IOException {
     AttemptState newState;
     List<CaseResult> ended = List.of();
@@ -174,7 +190,7 @@ final class ProgressReport implements BuildListener, AutoCloseable {
       logGrew = false;
     }
     if (batch.isEmpty()) {
-      batch = ended.stream().map(CaseOutcomes::of).toList();
+      batch = fitting(ended);
     }
     if (newState != null) {
       calls.reportState(attempt, newState);

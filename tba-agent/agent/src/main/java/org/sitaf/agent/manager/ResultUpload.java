@@ -105,7 +105,14 @@ final class ResultUpload implements AutoCloseable {
         if (Thread.interrupted()) {
           throw new InterruptedException();
         }
-        complete &= upload(entry);
+        try {
+          complete &= upload(entry);
+        } catch (IOException e) {
+          // The others do not wait for what cannot be read of this one.
+          LOGGER.log(
+              System.Logger.Level.WARNING, entry.name() + " in the spool cannot be read: " + e);
+          complete = false;
+        }
       }
     } catch (IOException e) {
       LOGGER.log(System.Logger.Level.WARNING, "the spool cannot be read: " + e);

@@ -6,12 +6,14 @@ import com.google.protobuf.UnsafeByteOperations;
 import io.grpc.Channel;
 import io.grpc.Status;
 import io.grpc.StatusRuntimeException;
+import io.grpc.stub.StreamObserver;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.time.Instant;
 import java.util.Iterator;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Function;
 import org.sitaf.agent.v1.AgentServiceGrpc;
 import org.sitaf.agent.v1.AppendLogRequest;
 import org.sitaf.agent.v1.AttemptState;
@@ -124,15 +126,20 @@ final class ServerCalls {
    */
   void uploadRecording(Attempt attempt, int caseNo, byte[] gltf) {
     String sha256 = SubmitMessages.sha256(gltf);
+    UploadRecordingRequest request =
+        UploadRecordingRequest.newBuilder()
+            .setAttempt(attempt.ref())
+            .setCaseNo(caseNo)
+            .setSha256(sha256)
+            .build();
     String stored =
-        stub(TRANSFER_DEADLINE_S)
-            .uploadRecording(
-                UploadRecordingRequest.newBuilder()
-                    .setAttempt(attempt.ref())
-                    .setCaseNo(caseNo)
-                    .setGltf(UnsafeByteOperations.unsafeWrap(gltf))
-                    .setSha256(sha256)
-                    .build())
+        send(
+                UnsafeByteOperations.unsafeWrap(gltf),
+                part -> request.toBuilder().setGltf(part).build(),
+                stub(TRANSFER_DEADLINE_S)::uploadRecording,
+                AgentServiceGrpc.newStub(channel)
+                        .withDeadlineAfter(TRANSFER_DEADLINE_S, TimeUnit.SECONDS)
+                    ::uploadRecordingInParts)
             .getSha256();
     if (!stored.equals(sha256)) {
       throw Status.DATA_LOSS.withDescription("the server confirms another").asRuntimeException();
@@ -141,7 +148,35 @@ final class ServerCalls {
 
   /** What the server has of the attempt now, and whether it counts. */
   SubmitResultResponse submit(SubmitResultRequest request) {
-    return stub(TRANSFER_DEADLINE_S).submitResult(request);
+    if (!request.hasResultDescriptor()) {
+      return stub(TRANSFER_DEADLINE_S).submitResult(request);
+    }
+    return send(
+        request.getResultDescriptor(),
+        part -> request.toBuilder().setResultDescriptor(part).build(),
+        stub(TRANSFER_DEADLINE_S)::submitResult,
+        AgentServiceGrpc.newStub(channel).withDeadlineAfter(TRANSFER_DEADLINE_S, TimeUnit.SECONDS)
+            ::submitResultInParts);
+  }
+
+  /**
+   * As one message where that is small, and where the server is of a release that knows no parts.
+   */
+  private static <Q, A> A send(
+      ByteString whole,
+      Function<ByteString, Q> message,
+      Function<Q, A> atOnce,
+      Function<StreamObserver<A>, StreamObserver<Q>> inParts) {
+    if (whole.size() > PartsCall.PART) {
+      try {
+        return PartsCall.send(whole, message, inParts);
+      } catch (StatusRuntimeException e) {
+        if (e.getStatus().getCode() != Status.Code.UNIMPLEMENTED) {
+          throw e;
+        }
+      }
+    }
+    return atOnce.apply(message.apply(whole));
   }
 
   /** Writes a file of the attempt's test application, at most so many bytes of it. */

@@ -14,6 +14,9 @@ import org.sitaf.core.verdict.document.TestResultXml;
 
 /** What is submitted to the server for an outcome. */
 final class SubmitMessages {
+  private static final int MAX_DIAGNOSTICS = 200;
+  private static final int MAX_TEXT = 4000;
+
   private SubmitMessages() {}
 
   static SubmitResultRequest of(Attempt attempt, BuildOutcome outcome) {
@@ -46,17 +49,25 @@ final class SubmitMessages {
   private static SubmitResultRequest failure(
       Attempt attempt, Category category, String message, List<SourceDiagnostic> diagnostics) {
     BuildFailure.Builder failure =
-        BuildFailure.newBuilder().setCategory(category).setMessage(message);
+        BuildFailure.newBuilder().setCategory(category).setMessage(cut(message));
     for (SourceDiagnostic diagnostic : diagnostics) {
+      if (failure.getDiagnosticsCount() >= MAX_DIAGNOSTICS) {
+        break;
+      }
       failure.addDiagnostics(
           Diagnostic.newBuilder()
               .setFile(diagnostic.file())
               .setLine(diagnostic.line())
               .setColumn(diagnostic.column())
-              .setMessage(diagnostic.message())
+              .setMessage(cut(diagnostic.message()))
               .setGenerated(diagnostic.generated()));
     }
     return SubmitResultRequest.newBuilder().setAttempt(attempt.ref()).setFailure(failure).build();
+  }
+
+  /** A compiler may say more than a message holds, and than anybody reads. */
+  private static String cut(String text) {
+    return text.length() <= MAX_TEXT ? text : text.substring(0, MAX_TEXT) + "…";
   }
 
   static String sha256(byte[] bytes) {

@@ -8,17 +8,21 @@ import io.grpc.netty.shaded.io.netty.channel.epoll.EpollChannelOption;
 import java.io.IOException;
 import java.time.Duration;
 import java.util.function.Consumer;
+import org.sitaf.agent.build.BuildRun;
 import org.sitaf.agent.build.BuildSettings;
+import org.sitaf.agent.sandbox.DiskLimits;
 import org.sitaf.agent.sandbox.ProcessGroup;
 import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.agent.simulation.Simulator;
 import org.sitaf.agent.spool.AgentDirectory;
 import org.sitaf.agent.spool.FreeSpace;
+import org.sitaf.agent.spool.Trash;
 import org.sitaf.agent.toolchain.Toolchains;
 import org.sitaf.agent.v1.Register;
 import org.sitaf.agent.v1.Registered;
 import org.sitaf.agent.v1.ServerMessage;
 import org.sitaf.agent.v1.Toolchain;
+import org.sitaf.core.activity.ActivityProfile.Language;
 
 /** A test build agent at work, from its start to {@link #close()}. */
 public final class TestBuildAgent implements AutoCloseable {
@@ -31,6 +35,11 @@ public final class TestBuildAgent implements AutoCloseable {
   private static final Duration UNACKNOWLEDGED = Duration.ofSeconds(20);
   private static final Duration STOP = Duration.ofSeconds(5);
 
+  /** So that who exceeds a limit is seen to do so before its file system is full. */
+  private static final int BEYOND_MIB = 64;
+
+  private static final int BEYOND_FILES = 4000;
+
   private final AgentSettings settings;
   private final Toolchains toolchains;
   private final Consumer<String> onRegistered;
@@ -40,6 +49,7 @@ public final class TestBuildAgent implements AutoCloseable {
   private final ManagedChannel channel;
   private final ResultUpload upload;
   private final FreeSpace disk;
+  private final Trash trash;
   private final Attempts attempts;
   private final ServerConnection connection;
 
@@ -62,7 +72,7 @@ public final class TestBuildAgent implements AutoCloseable {
     this.directory = AgentDirectory.open(settings.directory());
     // What an agent that was killed left running would disturb the builds to come.
     new ProcessGroup(ProcessGroup.markOf(directory.path())).kill();
-    this.simulator = simulatorOf(settings, directory);
+    this.simulator = simulatorOf(settings, directory, sandbox);
     AgentKey key =
         AgentKey.open(
             directory.path().resolve("key"), settings.name(), settings.access().enrolmentToken());
@@ -71,16 +81,22 @@ public final class TestBuildAgent implements AutoCloseable {
     this.upload = new ResultUpload(directory.spool(), calls);
     BuildSettings builds =
         new BuildSettings(
-            simulator,
-            toolchains,
-            sandbox,
-            settings.coverage(),
-            settings.name() + " " + settings.version());
+                simulator,
+                toolchains,
+                sandbox,
+                settings.coverage(),
+                settings.name() + " " + settings.version())
+            .within(settings.longestBuild());
     this.disk = new FreeSpace(directory.path(), settings.minFreeBytes());
+    this.trash = directory.trash();
     this.attempts =
         new Attempts(
             settings.slots(),
-            directory.emptiedBuilds(),
+            directory.builds(
+                trash,
+                BuildRun.WRITTEN,
+                DiskLimits.COMPONENT.mebibytes() + BEYOND_MIB,
+                DiskLimits.COMPONENT.files() + BEYOND_FILES),
             builds,
             calls,
             directory.fileCache(),
@@ -91,6 +107,7 @@ public final class TestBuildAgent implements AutoCloseable {
         new ServerConnection(
             channel, key, this::registration, attempts::refs, disk::whyFull, new FromServer());
     connection.start();
+    toolchains.startAhead(Language.JAVA, sandbox);
   }
 
   private static ManagedChannel channelTo(String server, ServerAccess access) throws IOException {
@@ -105,13 +122,18 @@ public final class TestBuildAgent implements AutoCloseable {
     return builder.build();
   }
 
-  private static Simulator simulatorOf(AgentSettings settings, AgentDirectory directory) {
+  private static Simulator simulatorOf(
+      AgentSettings settings, AgentDirectory directory, Sandbox sandbox) {
     if (settings.bridge() != null) {
       return Simulator.running(settings.bridge());
     }
     return settings.bridgeCommand().isEmpty()
         ? Simulator.none()
-        : Simulator.started(settings.bridgeCommand(), directory.path().resolve("bridge"));
+        : Simulator.started(
+            settings.bridgeCommand(),
+            directory.path().resolve("bridge"),
+            sandbox,
+            Simulator.ALWAYS);
   }
 
   private void beatSoon() {
@@ -169,7 +191,9 @@ public final class TestBuildAgent implements AutoCloseable {
     orElseLogged(upload::close);
     orElseLogged(connection::close);
     orElseLogged(channel::shutdownNow);
+    orElseLogged(toolchains::stop);
     orElseLogged(simulator::close);
+    orElseLogged(trash::close);
     try {
       directory.close();
     } catch (IOException e) {

@@ -4,27 +4,27 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.atomic.AtomicInteger;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.agent.sandbox.cgroup.AutomaticGroups;
+import org.sitaf.agent.sandbox.cgroup.ControlGroup;
+import org.sitaf.agent.sandbox.cgroup.ControlGroups;
+import org.sitaf.agent.sandbox.seccomp.SystemCallFilter;
 
 /**
  * Processes in namespaces of their own, made by bubblewrap: a read-only system, no network, nothing
- * of other processes, no file that is not named. Limits are those of {@code prlimit}. Where the
- * agent runs as root, the process runs as a user that exists nowhere else, because limits do not
- * bind root.
+ * of other processes, no file that is not named, no system call that other people's code does not
+ * need. Limits are those of control groups, where this machine gives some, and of {@code prlimit}.
+ * Where the agent runs as root, the process runs as a user that exists nowhere else, because limits
+ * do not bind root.
  */
 final class Bubblewrap implements Sandbox {
   private static final String INSTALL = "apt-get install bubblewrap";
+  private static final String DISABLE_NAMESPACES = "--disable-userns";
   private static final long PROBE_SECONDS = 20;
-
-  /** Beyond those that distributions give away; each process has another one. */
-  private static final int FIRST_USER = 847_000;
-
-  private static final int USERS = 1000;
-  private static final AtomicInteger NEXT_USER = new AtomicInteger();
 
   /** The monitor, the first process of its namespace, then the command. */
   private static final int GENERATIONS = 2;
@@ -32,21 +32,42 @@ final class Bubblewrap implements Sandbox {
   private final Path program;
   private final String version;
   private final boolean required;
-  private final boolean root;
+  private final ControlGroups groups;
+  private final @Nullable SystemCallFilter filter;
+  private final Rights rights = Rights.ofThisProcess();
 
-  private Bubblewrap(Path program, String version, boolean required, boolean root) {
+  /** Null where the agent is not root. */
+  private final @Nullable SandboxUsers users;
+
+  private final boolean disablesNamespaces;
+
+  private Bubblewrap(
+      Path program, boolean required, ControlGroups groups, @Nullable SystemCallFilter filter)
+      throws IOException {
     this.program = program;
-    this.version = version;
+    this.version = probe(List.of(program.toString(), "--version")).strip();
     this.required = required;
-    this.root = root;
+    this.groups = groups;
+    this.filter = filter;
+    this.users =
+        probe(List.of("id", "-u")).strip().equals("0") ? SandboxUsers.ofThisProcess() : null;
+    this.disablesNamespaces =
+        users == null && probe(List.of(program.toString(), "--help")).contains(DISABLE_NAMESPACES);
   }
 
   /**
    * Looks for it and tries it out.
    *
-   * @throws SandboxMissingException when it is not there or does not work here
+   * @throws SandboxMissingException when it is not there or does not work here, or cannot do what
+   *     is required
    */
   static Bubblewrap find(boolean required) throws SandboxMissingException {
+    return find(required, ControlGroups.ofThisMachine(), true);
+  }
+
+  /** As {@link #find(boolean)}, with these control groups, and perhaps without a filter. */
+  static Bubblewrap find(boolean required, ControlGroups groups, boolean filtered)
+      throws SandboxMissingException {
     Path program =
         inPath("bwrap")
             .orElseThrow(
@@ -60,23 +81,42 @@ final class Bubblewrap implements Sandbox {
       }
     }
     try {
-      String version = probe(List.of(program.toString(), "--version")).strip();
-      Bubblewrap found = new Bubblewrap(program, version, required, isRoot());
-      Path nowhere = Path.of("/");
-      List<String> trial = new ArrayList<>();
-      found.namespaces(trial, false);
-      MountPlan.system().appendTo(trial);
-      trial.addAll(List.of("--chdir", nowhere.toString(), "--"));
-      found.rights(trial, ProcessLimits.TOOL);
-      trial.add("/bin/true");
-      probe(trial);
+      Optional<SystemCallFilter> filter =
+          filtered
+              ? SystemCallFilter.of(groups.bindMemory(), groups.shareProcessors())
+              : Optional.empty();
+      Bubblewrap found = new Bubblewrap(program, required, groups, filter.orElse(null));
+      if (required && !found.bindsMemory()) {
+        throw new SandboxMissingException(
+            "the memory of components cannot be bounded: "
+                + groups.description()
+                + ", and there is no filter of system calls for "
+                + System.getProperty("os.arch")
+                + " that would keep memory where it can be counted");
+      }
+      probe(found.trial());
       return found;
+    } catch (SandboxMissingException e) {
+      throw e;
     } catch (IOException e) {
       throw new SandboxMissingException(
           "bubblewrap does not work here ("
               + e.getMessage()
               + "); it needs user namespaces, or a start as root");
     }
+  }
+
+  private List<String> trial() throws IOException {
+    List<String> command = Entry.before(ControlGroup.NONE, filterPath());
+    namespaces(command, false);
+    MountPlan.system().appendTo(command);
+    command.addAll(List.of("--chdir", "/", "--"));
+    command.addAll(rights.limit(ProcessLimits.TOOL));
+    if (users != null) {
+      command.addAll(Rights.become(users.first()));
+    }
+    command.add("/bin/true");
+    return command;
   }
 
   @Override
@@ -86,7 +126,28 @@ final class Bubblewrap implements Sandbox {
 
   @Override
   public String description() {
-    return version + (root ? ", each process as a user of its own" : "");
+    StringBuilder text = new StringBuilder(version);
+    if (users != null) {
+      text.append(", each process as a user of its own (")
+          .append(users.first())
+          .append(" to ")
+          .append(users.last())
+          .append(')');
+    }
+    if (groups.bindMemory()) {
+      text.append(", ").append(groups.description());
+    } else if (bindsMemory()) {
+      text.append(", memory is watched from outside: ").append(groups.description());
+    } else {
+      text.append(", MEMORY IS NOT BOUNDED: ").append(groups.description());
+    }
+    if (filter == null) {
+      text.append(", SYSTEM CALLS ARE NOT FILTERED on ").append(System.getProperty("os.arch"));
+    }
+    if (!groups.shareProcessors() && (filter == null || !AutomaticGroups.shareProcessors())) {
+      text.append(", PROCESSORS ARE NOT SHARED OUT");
+    }
+    return text.toString();
   }
 
   @Override
@@ -94,18 +155,48 @@ final class Bubblewrap implements Sandbox {
     return required;
   }
 
+  private boolean bindsMemory() {
+    return groups.bindMemory() || filter != null;
+  }
+
   @Override
   public ConfinedProcess start(Confinement confinement) throws IOException {
-    List<String> command = new ArrayList<>();
-    namespaces(command, confinement.network());
-    MountPlan.of(confinement).appendTo(command);
-    command.addAll(List.of("--chdir", confinement.working().toString(), "--"));
-    int user = rights(command, confinement.limits());
-    if (root) {
-      Ownership.giveTo(user, confinement);
+    ControlGroup group = groups.make(confinement.limits().ofGroup());
+    int user = -1;
+    try {
+      user = users == null ? -1 : users.take();
+      List<String> command = command(confinement, group, user);
+      if (user >= 0) {
+        Ownership.giveTo(user, confinement);
+      }
+      int taken = user;
+      return ConfinedProcess.start(
+          command, confinement, Map.of(), group, GENERATIONS, () -> release(taken));
+    } catch (IOException | RuntimeException e) {
+      group.remove();
+      release(user);
+      throw e;
     }
-    command.addAll(confinement.command());
-    return ConfinedProcess.start(command, confinement, GENERATIONS);
+  }
+
+  private List<String> command(Confinement confinement, ControlGroup group, int user)
+      throws IOException {
+    List<String> command = Entry.before(group, filterPath());
+    namespaces(command, confinement.network());
+    MountPlan.of(confinement, group.bindsMemory()).appendTo(command);
+    command.addAll(List.of("--chdir", confinement.working().toString(), "--"));
+    command.addAll(rights.limit(confinement.limits()));
+    if (user >= 0) {
+      command.addAll(Rights.become(user));
+    }
+    command.addAll(Rights.with(confinement.environment(), confinement.command()));
+    return command;
+  }
+
+  private void release(int user) {
+    if (users != null && user >= 0) {
+      users.release(user);
+    }
   }
 
   private void namespaces(List<String> command, boolean network) {
@@ -114,56 +205,34 @@ final class Bubblewrap implements Sandbox {
     command.addAll(
         List.of("--unshare-pid", "--unshare-ipc", "--unshare-uts", "--unshare-cgroup-try"));
     command.addAll(List.of("--hostname", "sandbox"));
+    if (filter != null) {
+      command.addAll(List.of("--seccomp", Integer.toString(Entry.FILTER)));
+    }
     if (!network) {
       command.add("--unshare-net");
     }
-    if (root) {
+    if (users != null) {
       // What the command before the component needs to become another user; it gives them up then.
       for (String capability : List.of("CAP_SETUID", "CAP_SETGID", "CAP_SETPCAP")) {
         command.addAll(List.of("--cap-add", capability));
       }
     } else {
       command.add("--unshare-user");
+      if (disablesNamespaces) {
+        command.add(DISABLE_NAMESPACES);
+      }
     }
   }
 
-  /** What limits the process and takes its rights away, before it begins; returns its user. */
-  private int rights(List<String> command, ProcessLimits limits) {
-    command.addAll(
-        List.of(
-            "prlimit",
-            "--core=0",
-            "--nofile=4096",
-            "--nproc=" + limits.processes(),
-            "--fsize=" + ((long) limits.fileMiB() << 20),
-            "--data=" + limits.dataBytes(),
-            "--cpu=" + limits.cpuSeconds(),
-            "--"));
-    int user = FIRST_USER + Math.floorMod(NEXT_USER.getAndIncrement(), USERS);
-    if (root) {
-      command.addAll(
-          List.of(
-              "setpriv",
-              "--reuid=" + user,
-              "--regid=" + user,
-              "--clear-groups",
-              "--inh-caps=-all",
-              "--bounding-set=-all",
-              "--no-new-privs",
-              "--"));
-    }
-    return user;
-  }
-
-  private static boolean isRoot() throws IOException {
-    return probe(List.of("id", "-u")).strip().equals("0");
+  private @Nullable Path filterPath() {
+    return filter == null ? null : filter.path();
   }
 
   private static String probe(List<String> command) throws IOException {
     Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
     process.getOutputStream().close();
     try {
-      String said = new String(process.getInputStream().readNBytes(2000), StandardCharsets.UTF_8);
+      String said = new String(process.getInputStream().readNBytes(20_000), StandardCharsets.UTF_8);
       if (!process.waitFor(PROBE_SECONDS, TimeUnit.SECONDS)) {
         throw new IOException("it does not end");
       }

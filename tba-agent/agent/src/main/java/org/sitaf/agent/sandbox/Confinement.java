@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.TreeMap;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A process and all that it needs; whatever is not named here it need not have. The system's own
@@ -19,6 +20,8 @@ import java.util.TreeMap;
  * @param network whether it reaches other machines; Unix sockets are files, and named as such
  * @param heldBack whether its input stays open until {@link ConfinedProcess#letGo}; else it is at
  *     its end from the beginning
+ * @param channel a named pipe that the process finds open for writing as descriptor {@link
+ *     #CHANNEL}; it need not see the file. Null for none
  */
 public record Confinement(
     List<String> command,
@@ -29,7 +32,11 @@ public record Confinement(
     List<Path> writable,
     boolean network,
     boolean heldBack,
+    @Nullable Path channel,
     ProcessLimits limits) {
+  /** The descriptor behind the standard ones. */
+  public static final int CHANNEL = 3;
+
   public Confinement {
     command = List.copyOf(command);
     Objects.requireNonNull(working);
@@ -47,7 +54,7 @@ public record Confinement(
   public static Confinement of(
       List<String> command, Path working, Path temporary, ProcessLimits limits) {
     return new Confinement(
-        command, working, temporary, Map.of(), List.of(), List.of(), false, false, limits);
+        command, working, temporary, Map.of(), List.of(), List.of(), false, false, null, limits);
   }
 
   /** With these variables too. */
@@ -55,7 +62,7 @@ public record Confinement(
     Map<String, String> all = new TreeMap<>(environment);
     all.putAll(more);
     return new Confinement(
-        command, working, temporary, all, readable, writable, network, heldBack, limits);
+        command, working, temporary, all, readable, writable, network, heldBack, channel, limits);
   }
 
   /** Reading these files and folders too. */
@@ -69,6 +76,7 @@ public record Confinement(
         writable,
         network,
         heldBack,
+        channel,
         limits);
   }
 
@@ -83,19 +91,53 @@ public record Confinement(
         joined(writable, more),
         network,
         heldBack,
+        channel,
         limits);
   }
 
   /** Reaching other machines, as what fetches packages must. */
   public Confinement withNetwork() {
     return new Confinement(
-        command, working, temporary, environment, readable, writable, true, heldBack, limits);
+        command,
+        working,
+        temporary,
+        environment,
+        readable,
+        writable,
+        true,
+        heldBack,
+        channel,
+        limits);
   }
 
   /** Waiting for a line on its input, as what is started before it has anything to do. */
   public Confinement heldBackUntilLetGo() {
     return new Confinement(
-        command, working, temporary, environment, readable, writable, network, true, limits);
+        command,
+        working,
+        temporary,
+        environment,
+        readable,
+        writable,
+        network,
+        true,
+        channel,
+        limits);
+  }
+
+  /** Writing to this named pipe too, by its descriptor alone. */
+  public Confinement withChannel(Path pipe) {
+    return new Confinement(
+        command,
+        working,
+        temporary,
+        environment,
+        readable,
+        writable,
+        network,
+        heldBack,
+        pipe,
+        limits);
   }
 
   private static List<Path> joined(List<Path> some, List<Path> more) {

@@ -1,32 +1,45 @@
 package org.sitaf.agent.sandbox;
 
-import java.io.IOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.time.Duration;
-import java.util.stream.Stream;
+import java.util.concurrent.TimeUnit;
+import org.sitaf.agent.sandbox.cgroup.ControlGroup;
 
 /**
- * Ends a process that uses, with all that it started, more memory than it may. The kernel's own
- * limits bind either one process or need rights over control groups that an agent seldom has.
+ * Ends a process that uses, with all that it started, more memory than it may: the kernel says it
+ * of the process's control group; without one its processes are looked at.
  */
 final class MemoryWatch implements Runnable {
   private static final Duration PERIOD = Duration.ofMillis(100);
 
+  /** Of those that are looked at, as they may grow fast; longer where looking takes long. */
+  private static final Duration SHORTEST = Duration.ofMillis(20);
+
+  private static final int PAUSE_FACTOR = 10;
+
   private final Process process;
+  private final ControlGroup group;
   private final int limitMiB;
   private final Runnable onExcess;
+  private final Runnable onEnd;
 
-  private MemoryWatch(Process process, int limitMiB, Runnable onExcess) {
+  private MemoryWatch(
+      Process process, ControlGroup group, int limitMiB, Runnable onExcess, Runnable onEnd) {
     this.process = process;
+    this.group = group;
     this.limitMiB = limitMiB;
     this.onExcess = onExcess;
+    this.onEnd = onEnd;
   }
 
-  /** Watches until the process ends. */
-  static void over(Process process, int limitMiB, Runnable onExcess) {
-    Thread thread = new Thread(new MemoryWatch(process, limitMiB, onExcess), "sitaf-memory");
+  /**
+   * Watches until the process ends.
+   *
+   * @param onEnd what is done then, whatever the reason of its end
+   */
+  static void over(
+      Process process, ControlGroup group, int limitMiB, Runnable onExcess, Runnable onEnd) {
+    Thread thread =
+        new Thread(new MemoryWatch(process, group, limitMiB, onExcess, onEnd), "sitaf-memory");
     thread.setDaemon(true);
     thread.start();
   }
@@ -34,33 +47,28 @@ final class MemoryWatch implements Runnable {
   @Override
   public void run() {
     try {
-      while (!process.waitFor(PERIOD.toMillis(), java.util.concurrent.TimeUnit.MILLISECONDS)) {
-        if (usedKiB() > (long) limitMiB << 10) {
+      long pause = group.bindsMemory() ? PERIOD.toMillis() : SHORTEST.toMillis();
+      while (!process.waitFor(pause, TimeUnit.MILLISECONDS)) {
+        long before = System.nanoTime();
+        if (isExceeded()) {
           onExcess.run();
-          return;
+          break;
+        }
+        long took = Duration.ofNanos(System.nanoTime() - before).toMillis();
+        if (!group.bindsMemory()) {
+          pause = Math.max(SHORTEST.toMillis(), PAUSE_FACTOR * took);
         }
       }
+      process.waitFor();
+      onEnd.run();
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }
   }
 
-  private long usedKiB() {
-    return Stream.concat(Stream.of(process.toHandle()), process.descendants())
-        .mapToLong(handle -> usedKiB(handle.pid()))
-        .sum();
-  }
-
-  private static long usedKiB(long pid) {
-    try (Stream<String> lines =
-        Files.lines(Path.of("/proc", Long.toString(pid), "status"), StandardCharsets.ISO_8859_1)) {
-      return lines
-          .filter(line -> line.startsWith("RssAnon:") || line.startsWith("RssShmem:"))
-          .mapToLong(line -> Long.parseLong(line.replaceAll("\\D", "")))
-          .sum();
-    } catch (IOException | java.io.UncheckedIOException e) {
-      // It ended meanwhile.
-      return 0;
-    }
+  private boolean isExceeded() {
+    return group.bindsMemory()
+        ? group.exceededMemory()
+        : MemoryUse.kibOf(process.pid()) > (long) limitMiB << 10;
   }
 }

@@ -44,7 +44,10 @@ final class MountPlan {
           "/etc/host.conf",
           "/etc/services");
 
-  private static final long TMP_BYTES = 64L << 20;
+  private static final Path TMP = Path.of("/tmp");
+
+  /** Of each file system in memory. */
+  private static final String MEMORY_BYTES = Long.toString(64L << 20);
 
   private final List<String> arguments = new ArrayList<>();
   private final Set<Path> mounted = new TreeSet<>();
@@ -67,12 +70,16 @@ final class MountPlan {
     plan.settings(SETTINGS);
     plan.javaSettings();
     plan.add("--proc", "/proc", "--dev", "/dev");
-    plan.add("--perms", "1777", "--size", Long.toString(TMP_BYTES), "--tmpfs", "/tmp");
-    plan.passed.add(Path.of("/tmp"));
     return plan;
   }
 
-  static MountPlan of(Confinement confinement) throws IOException {
+  /**
+   * What a process sees.
+   *
+   * @param memoryIsCounted whether a control group counts what is in file systems in memory, files
+   *     without content among it; else there is none that can be written
+   */
+  static MountPlan of(Confinement confinement, boolean memoryIsCounted) throws IOException {
     MountPlan plan = system();
     if (confinement.network()) {
       plan.settings(NETWORK);
@@ -89,6 +96,8 @@ final class MountPlan {
     }
     binds.put(confinement.temporary(), "--bind");
     binds.put(confinement.working(), "--bind");
+    plan.temporary(
+        confinement, memoryIsCounted || binds.keySet().stream().anyMatch(p -> p.startsWith(TMP)));
     // From the outside in, so that a writable folder may lie in a readable one.
     for (Map.Entry<Path, String> bind : binds.entrySet()) {
       Path path = bind.getKey();
@@ -99,8 +108,22 @@ final class MountPlan {
     return plan;
   }
 
+  /** Where programs write by default. */
+  private void temporary(Confinement confinement, boolean inMemory) {
+    for (String folder : List.of(TMP.toString(), "/dev/shm")) {
+      if (inMemory) {
+        add("--perms", "1777", "--size", MEMORY_BYTES, "--tmpfs", folder);
+      } else {
+        add("--bind", confinement.temporary().toString(), folder);
+      }
+    }
+    passed.add(TMP);
+  }
+
+  /** What bubblewrap makes in memory for the mounts is not to be written. */
   void appendTo(List<String> command) {
     command.addAll(arguments);
+    command.addAll(List.of("--remount-ro", "/dev", "--remount-ro", "/"));
   }
 
   private void add(String... words) {

@@ -1,6 +1,7 @@
 package org.sitaf.agent.sandbox;
 
 import java.io.IOException;
+import org.sitaf.agent.sandbox.cgroup.ControlGroup;
 
 /**
  * No sandbox: the process has this user's rights, but nothing of the agent's environment.
@@ -25,6 +26,12 @@ record NoSandbox(String reason) implements Sandbox {
 
   @Override
   public ConfinedProcess start(Confinement confinement) throws IOException {
-    return ConfinedProcess.start(confinement.command(), confinement, 0);
+    return ConfinedProcess.start(
+        confinement.command(),
+        confinement,
+        confinement.environment(),
+        ControlGroup.NONE,
+        0,
+        () -> {});
   }
 }

@@ -2,6 +2,7 @@ package org.sitaf.agent.sandbox;
 
 import java.time.Duration;
 import java.util.Objects;
+import org.sitaf.agent.sandbox.cgroup.GroupLimits;
 
 /**
  * What a process and all that it starts may use together.
@@ -29,6 +30,15 @@ public record ProcessLimits(int memoryMiB, int processes, int fileMiB, Duration 
    */
   long dataBytes() {
     return (2L * memoryMiB + 1024) << 20;
+  }
+
+  /**
+   * The same for a control group, which counts more: the kernel's tables and stacks for the
+   * processes, and bubblewrap's own.
+   */
+  GroupLimits ofGroup() {
+    long bytes = (long) memoryMiB << 20;
+    return new GroupLimits(bytes + bytes / 16 + (16L << 20), processes + 4);
   }
 
   long cpuSeconds() {

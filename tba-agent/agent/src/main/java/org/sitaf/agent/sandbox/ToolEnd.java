@@ -11,7 +11,8 @@ import java.time.Duration;
  *
  * @param code its exit code; {@link #GIVEN_UP} when it took too long
  * @param output of its output stream, at most {@link #MAX_BYTES}
- * @param errors of its error stream, at most {@link #MAX_BYTES}
+ * @param errors of its error stream, at most {@link #MAX_BYTES}; at its end the limit that it was
+ *     ended for
  */
 public record ToolEnd(int code, String output, String errors) {
   /** The code of a tool that took longer than it may. */
@@ -36,8 +37,17 @@ public record ToolEnd(int code, String output, String errors) {
         process.kill();
       }
       process.killRest();
-      return new ToolEnd(ended ? process.exitCode() : GIVEN_UP, output.text(), errors.text());
+      String said = errors.text();
+      return new ToolEnd(
+          ended ? process.exitCode() : GIVEN_UP,
+          output.text(),
+          process.brokenLimit().map(limit -> withLine(said, limit)).orElse(said));
     }
+  }
+
+  private static String withLine(String said, String limit) {
+    String lineEnd = said.isEmpty() || said.endsWith("\n") ? "" : "\n";
+    return said + lineEnd + "it was ended: " + limit + "\n";
   }
 
   /** One stream, read to its end so that the tool never waits for a full pipe. */

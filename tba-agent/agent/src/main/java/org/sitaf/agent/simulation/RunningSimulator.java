@@ -9,5 +9,10 @@ record RunningSimulator(String target) implements Simulator {
   }
 
   @Override
+  public BuildSimulator forBuild() {
+    return new SharedSimulator(target);
+  }
+
+  @Override
   public void close() {}
 }

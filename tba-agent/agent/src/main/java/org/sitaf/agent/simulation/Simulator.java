@@ -2,38 +2,45 @@ package org.sitaf.agent.simulation;
 
 import java.nio.file.Path;
 import java.util.List;
+import org.sitaf.agent.sandbox.Sandbox;
 
 /**
- * A robot simulator that test applications of this machine can reach. Safe to use from several
- * threads.
+ * Where the builds of this machine get their robot simulators. Safe to use from several threads.
  */
 public sealed interface Simulator extends AutoCloseable
     permits StartedSimulator, RunningSimulator, NoSimulator {
 
+  /** How many builds an agent expects. */
+  int ALWAYS = Integer.MAX_VALUE;
+
   /**
-   * A gRPC target at which a simulator answers now. One of the agent's own is started when it does
-   * not run yet or has died.
+   * The simulator of one build.
    *
-   * @throws SimulatorException when none answers and none can be started
+   * @throws SimulatorException when there is none and none can be started
    */
-  String target() throws SimulatorException, InterruptedException;
+  BuildSimulator forBuild() throws SimulatorException, InterruptedException;
+
+  /** Waits until the simulator of the next build is started, where one is started ahead. */
+  default void awaitReady() throws InterruptedException {}
 
   @Override
   void close();
 
   /**
-   * A bridge of one's own: started when it is first needed, kept for the next builds, ended with
-   * this object.
+   * A bridge for each build: one that no build has used waits for the next, and each ends with its
+   * build.
    *
    * @param command what starts {@code sitaf_bridge}, such as {@code python -m sitaf_bridge}; its
    *     arguments are appended
-   * @param directory private to the caller; holds the socket and the bridge's log
+   * @param directory private to the caller; holds the bridges' folders
+   * @param sandbox in which the bridges run
+   * @param builds how many are expected: no more bridges than that are started ahead
    */
-  static Simulator started(List<String> command, Path directory) {
-    return new StartedSimulator(command, directory);
+  static Simulator started(List<String> command, Path directory, Sandbox sandbox, int builds) {
+    return new StartedSimulator(command, directory, sandbox, builds);
   }
 
-  /** One that somebody else runs at this gRPC target. */
+  /** One that somebody else runs at this gRPC target, and that is shared with others. */
   static Simulator running(String target) {
     return new RunningSimulator(target);
   }

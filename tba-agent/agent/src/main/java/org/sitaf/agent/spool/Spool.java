@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.channels.FileChannel;
 import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
@@ -19,9 +20,11 @@ import org.jspecify.annotations.Nullable;
  * Entries appear and disappear by renaming their folder.
  */
 public final class Spool {
+  private static final System.Logger LOGGER = System.getLogger("org.sitaf.agent");
   private static final Pattern NAME = Pattern.compile("[A-Za-z0-9_-]{1,120}");
   private static final String IN_WORK = "tmp.";
   private static final String REJECTED = "rejected.";
+  private static final String MESSAGE = "message";
   private static final String ATTACHMENTS = "attachments";
 
   private final Path directory;
@@ -45,7 +48,7 @@ public final class Spool {
   public record Entry(String name, Path directory) {
     /** What was put. */
     public byte[] message() throws IOException {
-      return Files.readAllBytes(directory.resolve("message"));
+      return Files.readAllBytes(directory.resolve(MESSAGE));
     }
 
     /** The build's log; may be empty. */
@@ -76,7 +79,7 @@ public final class Spool {
     Path work = directory.resolve(IN_WORK + name);
     Folders.delete(work);
     Files.createDirectories(work);
-    Files.write(work.resolve("message"), message);
+    Files.write(work.resolve(MESSAGE), message);
     if (log != null && Files.isRegularFile(log)) {
       Files.copy(log, work.resolve("log"));
     } else {
@@ -85,7 +88,7 @@ public final class Spool {
     if (attachments != null) {
       attach(attachments, Files.createDirectory(work.resolve(ATTACHMENTS)));
     }
-    sync(work.resolve("message"));
+    sync(work.resolve(MESSAGE));
     sync(work.resolve("log"));
     sync(work);
     Path entry = directory.resolve(name);
@@ -113,14 +116,25 @@ public final class Spool {
     }
   }
 
-  /** All entries, in the order of their names. */
+  /**
+   * All entries, in the order of their names. What has no message is none, and is put aside: the
+   * others must not wait for it.
+   */
   public synchronized List<Entry> entries() throws IOException {
     List<Entry> entries = new ArrayList<>();
     try (DirectoryStream<Path> folders = Files.newDirectoryStream(directory)) {
       for (Path folder : folders) {
         String name = folder.getFileName().toString();
-        if (NAME.matcher(name).matches()) {
-          entries.add(new Entry(name, folder));
+        if (!NAME.matcher(name).matches()) {
+          continue;
+        }
+        Entry entry = new Entry(name, folder);
+        if (Files.isRegularFile(folder.resolve(MESSAGE), LinkOption.NOFOLLOW_LINKS)) {
+          entries.add(entry);
+        } else {
+          Path aside = reject(entry);
+          LOGGER.log(
+              System.Logger.Level.WARNING, name + " in the spool has no message; see " + aside);
         }
       }
     }

@@ -1,7 +1,9 @@
 package org.sitaf.agent.toolchain;
 
 import java.io.IOException;
+import java.nio.file.Path;
 import java.util.Optional;
+import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.core.activity.ActivityProfile.Language;
 
 /** A language that this machine can compile and run. Safe to use from several threads. */
@@ -16,6 +18,30 @@ public interface Toolchain {
    * What was compiled under another identity is never used.
    */
   String identity() throws IOException, InterruptedException;
+
+  /** Starts what the next compilation would wait for otherwise; nothing of a user's is in it. */
+  default void startAhead(Sandbox sandbox) throws IOException, InterruptedException {}
+
+  /** Ends what was started ahead. */
+  default void stop() {}
+
+  /**
+   * Whether {@link #compile} may read any file of the activity, not only those that the profile
+   * names for the component.
+   */
+  default boolean readsWholeActivity() {
+    return false;
+  }
+
+  /**
+   * Whether what {@link #compile} has left in a folder is what it would bring now, as far as files
+   * of this machine decide that {@link #identity} does not stand for.
+   *
+   * @param compiled the output folder, or a copy of it
+   */
+  default boolean isCurrent(Compilation compilation, Path compiled) throws IOException {
+    return true;
+  }
 
   /**
    * Compiles component, adapter and harness. Is not called when the same was compiled before; then

@@ -1,5 +1,6 @@
 package org.sitaf.agent.toolchain;
 
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.EnumMap;
@@ -7,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.agent.toolchain.ToolchainLookup.Found;
 import org.sitaf.agent.toolchain.ToolchainLookup.Missing;
 import org.sitaf.agent.toolchain.cpp.CppToolchain;
@@ -16,6 +18,8 @@ import org.sitaf.core.activity.ActivityProfile.Language;
 
 /** The toolchains of this machine; each is looked for when it is first asked for. */
 public final class Toolchains {
+  private static final System.Logger LOGGER = System.getLogger("org.sitaf.agent");
+
   private final ToolchainPlaces places;
   private final Map<Language, ToolchainLookup> looked = new EnumMap<>(Language.class);
 
@@ -55,6 +59,33 @@ public final class Toolchains {
       of(language).ifPresent(found::add);
     }
     return List.copyOf(found);
+  }
+
+  /**
+   * Starts what the next build in a language would wait for otherwise. What cannot be started is
+   * reported by the build that needs it.
+   */
+  public void startAhead(Language language, Sandbox sandbox) {
+    of(language)
+        .ifPresent(
+            toolchain -> {
+              try {
+                toolchain.startAhead(sandbox);
+              } catch (IOException e) {
+                LOGGER.log(System.Logger.Level.WARNING, "nothing is started ahead: " + e);
+              } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+              }
+            });
+  }
+
+  /** Ends what was started ahead. */
+  public synchronized void stop() {
+    for (ToolchainLookup lookup : looked.values()) {
+      if (lookup instanceof Found found) {
+        found.toolchain().stop();
+      }
+    }
   }
 
   /** Why a language that an agent knows is not among them, one sentence each. */

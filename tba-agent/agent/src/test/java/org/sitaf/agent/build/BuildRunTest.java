@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.concurrent.atomic.AtomicReference;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sitaf.agent.build.BuildOutcome.CompilationFailed;
@@ -16,6 +17,7 @@ import org.sitaf.agent.testing.Recording;
 import org.sitaf.agent.toolchain.SourceDiagnostic;
 import org.sitaf.agent.toolchain.ToolchainPlaces;
 import org.sitaf.agent.toolchain.Toolchains;
+import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.TestResult;
 import org.sitaf.core.verdict.Verdict;
 
@@ -175,6 +177,51 @@ class BuildRunTest {
                 .file("component/demo/offset.txt", "0\n"));
 
     assertThat(((Completed) outcome).result().summary().pass()).isEqualTo(5);
+  }
+
+  @Test
+  void aCancelEndsTheJudgementOfPostConditions() {
+    String digits = "[0,1,2,3,4,5,6,7,8,9]";
+    String slow =
+        digits + ".all(a, " + digits + ".all(b, " + digits + ".all(c, a + b + c + actual != 0)))";
+    EchoActivity activity = EchoActivity.doing("return value;").cases(400);
+    for (int i = 0; i < 20; i++) {
+      activity.postCondition(slow);
+    }
+    AtomicReference<BuildRun> run = new AtomicReference<>();
+    Recording cancelling =
+        new Recording() {
+          @Override
+          public void caseFinished(CaseResult result) {
+            super.caseFinished(result);
+            run.get().cancel("not wanted");
+          }
+        };
+    run.set(
+        new BuildRun(
+            activity.application(),
+            directory.resolve("build"),
+            EchoActivity.settings(),
+            cancelling));
+
+    assertThat(run.get().run()).isEqualTo(new BuildOutcome.Cancelled("not wanted"));
+    assertThat(cancelling.cases()).as("no further case is judged").hasSize(1);
+  }
+
+  @Test
+  void aPostConditionThatTakesTooMuchIsAnErrorOfItsCase() {
+    String digits = "[0,1,2,3,4,5,6,7,8,9]";
+    EchoActivity activity =
+        EchoActivity.doing("return value;")
+            .cases(2)
+            .postCondition("actual != 1 || ['ab']" + ".map(s, s + s)".repeat(30) + "[0] == ''")
+            .postCondition(digits + ".all(a, a != actual + 20)");
+
+    TestResult result = ((Completed) build(activity)).result();
+    assertThat(result.cases())
+        .extracting(c -> c.verdict())
+        .containsExactly(Verdict.ERROR, Verdict.PASS);
+    assertThat(result.cases().get(0).message()).contains("it makes a text of", "1,000,000");
   }
 
   @Test

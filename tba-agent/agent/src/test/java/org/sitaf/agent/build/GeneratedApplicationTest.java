@@ -53,7 +53,12 @@ class GeneratedApplicationTest {
   }
 
   private static TestApplication infrared(Map<String, String> changed) throws IOException {
-    Path example = Path.of(System.getProperty("sitaf.examples", ""), "ir-sensor");
+    return example("ir-sensor", changed);
+  }
+
+  private static TestApplication example(String name, Map<String, String> changed)
+      throws IOException {
+    Path example = Path.of(System.getProperty("sitaf.examples", ""), name);
     assumeTrue(Files.isDirectory(example), "skipped for want of " + example);
     Map<String, byte[]> files = new HashMap<>();
     try (Stream<Path> paths = Files.walk(example)) {
@@ -115,7 +120,8 @@ class GeneratedApplicationTest {
 
   @Test
   void theEvaluationOfThePaperPassesInAllOfIts55Cases() throws Exception {
-    try (Simulator simulator = Simulator.started(RealBridge.command(), directory)) {
+    try (Simulator simulator =
+        Simulator.started(RealBridge.command(), directory, SandboxMode.AUTO.open(), 1)) {
       BuildOutcome outcome = build(infrared(Map.of()), simulator);
 
       TestResult result = ((Completed) outcome).result();
@@ -123,7 +129,8 @@ class GeneratedApplicationTest {
       assertThat(result.cases())
           .allSatisfy(c -> assertThat(c.verdict()).as(c.toString()).isEqualTo(Verdict.PASS));
       assertThat(result.provenance().bridge()).matches("sitaf-bridge \\S+ \\(MuJoCo \\S+\\)");
-      assertThat(recording.logText()).contains("world world/ir.world.yaml on sitaf-bridge");
+      assertThat(recording.logText())
+          .contains("world world/ir.world.yaml on sitaf-bridge", "this build's alone");
     }
   }
 
@@ -133,7 +140,8 @@ class GeneratedApplicationTest {
     String source = infrared(Map.of()).activity().files().text(component).orElseThrow();
     String wrong = source.replace("double range =", "double range = 0.25 +");
     assertThat(wrong).isNotEqualTo(source);
-    try (Simulator simulator = Simulator.started(RealBridge.command(), directory)) {
+    try (Simulator simulator =
+        Simulator.started(RealBridge.command(), directory, SandboxMode.AUTO.open(), 1)) {
       BuildSettings settings =
           new BuildSettings(simulator, EchoActivity.toolchains(), SandboxMode.AUTO.open(), true, "")
               .recording(
@@ -178,7 +186,8 @@ class GeneratedApplicationTest {
             }
           }
         };
-    try (Simulator simulator = Simulator.started(RealBridge.command(), directory)) {
+    try (Simulator simulator =
+        Simulator.started(RealBridge.command(), directory, SandboxMode.AUTO.open(), 1)) {
       BuildSettings settings =
           new BuildSettings(
               simulator, EchoActivity.toolchains(), SandboxMode.AUTO.open(), true, "");
@@ -198,13 +207,14 @@ class GeneratedApplicationTest {
 
       TestResult result = ((Completed) outcome).result();
       assertThat(result.summary().pass()).as(killing.logText()).isEqualTo(55);
-      assertThat(killing.logText()).contains("the simulator was started anew");
+      assertThat(killing.logText()).contains("the simulator ended", "going on with a fresh one");
     }
   }
 
   @Test
   void aWorldThatTheSimulatorRefusesIsToldBeforeAnythingIsBuilt() throws Exception {
-    try (Simulator simulator = Simulator.started(RealBridge.command(), directory)) {
+    try (Simulator simulator =
+        Simulator.started(RealBridge.command(), directory, SandboxMode.AUTO.open(), 1)) {
       BuildOutcome outcome =
           build(infrared(Map.of("world/ir.xml", "<mujoco><oops/></mujoco>")), simulator);
 

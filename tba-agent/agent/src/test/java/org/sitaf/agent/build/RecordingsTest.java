@@ -7,16 +7,20 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.sitaf.agent.build.RecordingOrder.Cases;
 import org.sitaf.agent.executor.OutputSink;
+import org.sitaf.agent.spool.SystemTool;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.Verdict;
 
+@Timeout(60)
 class RecordingsTest {
   @TempDir Path folder;
   private final List<Integer> told = Collections.synchronizedList(new ArrayList<>());
@@ -95,7 +99,67 @@ class RecordingsTest {
     assertThat(kept()).containsExactly("1.glb", "2.glb");
     assertThat(told).containsExactlyInAnyOrder(1, 2);
     assertThat(from("1.glb")).doesNotExist();
-    assertThat(remarks).singleElement().asString().startsWith("recordings: 2 cases, 0.0 MiB");
+    assertThat(remarks).hasSize(2);
+    assertThat(remarks.get(0)).startsWith("recordings: 2 cases, 0.0 MiB");
+    assertThat(remarks.get(1)).contains("some recordings are lost", "is no regular file");
+  }
+
+  @Test
+  void aPipeInTheNameOfARecordingKeepsNobodyWaiting() throws Exception {
+    try (Recordings recordings = recordings(Cases.ALL, 10, 1000)) {
+      SystemTool.run(List.of("mkfifo", from("1.glb").toString()), Duration.ofSeconds(5));
+      Files.createSymbolicLink(from("2.glb"), Path.of("/dev/zero"));
+      Files.write(from("3.glb"), glb(16));
+      for (int no = 1; no <= 3; no++) {
+        recordings.expect(result(no, Verdict.PASS));
+      }
+    }
+
+    assertThat(kept()).containsExactly("3.glb");
+    assertThat(remarks.get(1)).contains("some recordings are lost");
+  }
+
+  @Test
+  void whatIsSwappedForAPipeMeanwhileKeepsNobodyWaiting() throws Exception {
+    Path pipe = folder.resolve("pipe");
+    SystemTool.run(List.of("mkfifo", pipe.toString()), Duration.ofSeconds(5));
+    Process swapping;
+    try (Recordings recordings = recordings(Cases.ALL, 10_000, 1 << 20)) {
+      // A regular file and a pipe take turns under the name, thousands of times a second.
+      swapping =
+          new ProcessBuilder(
+                  "python3",
+                  "-c",
+                  """
+                  import os, sys
+                  where, pipe = sys.argv[1:]
+                  while os.getppid() != 1:
+                      for no in range(1, 50):
+                          name = f"{where}/{no}.glb"
+                          try:
+                              open(name + "x", "wb").write(b"no glTF")
+                              os.replace(name + "x", name)
+                              os.link(pipe, name + "x")
+                              os.replace(name + "x", name)
+                          except OSError:
+                              pass
+                  """,
+                  from("").toString(),
+                  pipe.toString())
+              .start();
+      try {
+        for (int round = 0; round < 10; round++) {
+          for (int no = 1; no < 50; no++) {
+            recordings.expect(result(no, Verdict.PASS));
+          }
+          Thread.sleep(210);
+        }
+      } finally {
+        swapping.destroyForcibly().waitFor();
+      }
+    }
+
+    assertThat(told).isEmpty();
   }
 
   @Test

@@ -9,12 +9,14 @@ import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
 import java.time.Duration;
 import java.time.Instant;
+import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.agent.spool.SharedCache;
+import org.sitaf.agent.spool.SystemTool;
 import org.sitaf.agent.testing.EchoActivity;
 import org.sitaf.agent.toolchain.Compilation;
 import org.sitaf.agent.toolchain.CompiledApplication;
@@ -206,7 +208,7 @@ class CompileCacheTest {
   void aKeyCannotLeaveTheCache() {
     CompileCache cache = cache(1);
 
-    assertThatThrownBy(() -> cache.restore("../x", directory))
+    assertThatThrownBy(() -> cache.restore("../x", directory, folder -> true))
         .isInstanceOf(IllegalArgumentException.class);
   }
 
@@ -216,12 +218,35 @@ class CompileCacheTest {
 
   private boolean restores(CompileCache cache, int i) throws IOException {
     Path into = Files.createTempDirectory(directory, "into");
-    boolean restored = cache.restore(key(i), into);
+    boolean restored = cache.restore(key(i), into, folder -> true);
     assertThat(Files.exists(into.resolve("program"))).isEqualTo(restored);
     return restored;
   }
 
   private static String key(int i) {
     return Integer.toString(i).repeat(64);
+  }
+
+  @Test
+  void whatIsNoFileOfTheCompilersOwnIsNotKept() throws Exception {
+    Path secret = Files.writeString(directory.resolve("secret"), "the agent's key");
+    CompileCache cache = new CompileCache(new SharedCache(directory.resolve("odd")), 1 << 20);
+    Path output = Files.createDirectory(directory.resolve("output"));
+    Files.writeString(output.resolve("program"), "p");
+    Files.createSymbolicLink(output.resolve("link"), Path.of("program"));
+    String key = "a".repeat(64);
+    cache.keep(key, output);
+    Path restored = Files.createDirectory(directory.resolve("restored"));
+    assertThat(cache.restore(key, restored, compiled -> true)).isTrue();
+    assertThat(restored.resolve("link")).hasContent("p");
+
+    Files.createSymbolicLink(output.resolve("outside"), secret);
+    cache.keep("b".repeat(64), output);
+    Files.delete(output.resolve("outside"));
+    SystemTool.run(List.of("mkfifo", output.resolve("pipe").toString()), Duration.ofSeconds(5));
+    cache.keep("c".repeat(64), output);
+
+    assertThat(cache.restore("b".repeat(64), restored, compiled -> true)).isFalse();
+    assertThat(cache.restore("c".repeat(64), restored, compiled -> true)).isFalse();
   }
 }

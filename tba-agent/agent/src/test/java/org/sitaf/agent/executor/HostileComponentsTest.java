@@ -247,22 +247,6 @@ class HostileComponentsTest {
     assertThat(result.summary().pass()).isEqualTo(5);
   }
 
-  @Test
-  void forgedResultLinesChangeNothingButTheLog() {
-    TestResult result =
-        result(
-            EchoActivity.doing(
-                "if (value == 3) { var file = java.nio.file.Path.of(\"..\", \"results\");"
-                    + " java.nio.file.Files.writeString(file, \"<test_result no='1'"
-                    + " verdict='FAIL'/>\\nnonsense\\n<test_result no='99' verdict='PASS'/>\\n\","
-                    + " java.nio.file.StandardOpenOption.APPEND); } return value;"));
-
-    assertThat(result.summary().pass()).isEqualTo(5);
-    assertThat(result.cases()).hasSize(5);
-    assertThat(recording.logText())
-        .contains("a second result of case 1", "not a test_result", "a result of case 99");
-  }
-
   private static boolean isRunning(String argument) {
     return ProcessHandle.allProcesses()
         .anyMatch(

@@ -66,6 +66,8 @@ final class FakeServer extends AgentServiceGrpc.AgentServiceImplBase implements 
   private int downloads;
   private boolean damageDownloads;
   private boolean superseded;
+  private volatile boolean knowsParts = true;
+  private volatile int parts;
   private @Nullable Status refuseSubmit;
   private @Nullable Status refuseAttempt;
 
@@ -73,6 +75,7 @@ final class FakeServer extends AgentServiceGrpc.AgentServiceImplBase implements 
     server =
         NettyServerBuilder.forAddress(new InetSocketAddress(InetAddress.getLoopbackAddress(), port))
             .addService(ServerInterceptors.intercept(this, door))
+            .maxInboundMessageSize(64 << 20)
             .build()
             .start();
   }
@@ -372,6 +375,46 @@ final class FakeServer extends AgentServiceGrpc.AgentServiceImplBase implements 
             .setSha256(request.getSha256())
             .setSize(request.getResultDescriptor().size())
             .build());
+  }
+
+  @Override
+  public StreamObserver<SubmitResultRequest> submitResultInParts(
+      StreamObserver<SubmitResultResponse> responses) {
+    if (!knowsParts) {
+      return super.submitResultInParts(responses);
+    }
+    return new StreamObserver<>() {
+      private final SubmitResultRequest.Builder whole = SubmitResultRequest.newBuilder();
+
+      @Override
+      public void onNext(SubmitResultRequest part) {
+        parts++;
+        whole
+            .setAttempt(part.getAttempt())
+            .setSha256(part.getSha256())
+            .setResultDescriptor(whole.getResultDescriptor().concat(part.getResultDescriptor()));
+      }
+
+      @Override
+      public void onError(Throwable failure) {
+        // Nothing is kept of it.
+      }
+
+      @Override
+      public void onCompleted() {
+        submitResult(whole.build(), responses);
+      }
+    };
+  }
+
+  /** As a server of a release before it could put parts together. */
+  void knowNoParts() {
+    knowsParts = false;
+  }
+
+  /** How many parts of results have come. */
+  int parts() {
+    return parts;
   }
 
   private boolean refused(StreamObserver<?> responses) {

@@ -9,6 +9,7 @@ import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Stream;
@@ -60,7 +61,8 @@ class TestBuildAgentTest {
             SandboxMode.AUTO,
             true,
             Set.of(),
-            0);
+            0,
+            Duration.ofHours(1));
     agent = new TestBuildAgent(settings, EchoActivity.toolchains(), version -> {});
   }
 

@@ -26,6 +26,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.runtime.Hardware;
 import org.sitaf.runtime.Stopwatch;
 import org.sitaf.runtime.simulation.Simulation;
@@ -173,7 +174,9 @@ class PreparedAheadTest {
     List<String> names = List.copyOf(columns.keySet());
     List<TestCase> cases = cases(columns, count);
     Path world = example(file);
-    try (Simulator simulator = Simulator.started(RealBridge.command(), directory)) {
+    try (Simulator simulators =
+            Simulator.started(RealBridge.command(), directory, Sandbox.none(), 0);
+        BuildSimulator simulator = simulators.forBuild()) {
       String target = simulator.target();
       List<String> alone = run(target, world, cases, names, observations, false, component);
       long before = preparedAlone(target);
@@ -234,7 +237,9 @@ class PreparedAheadTest {
             200);
     List<String> names = List.of("StartX", "LidarNoise");
     Path world = example("worlds/maze/maze.world.yaml");
-    try (Simulator simulator = Simulator.started(RealBridge.command(), directory)) {
+    try (Simulator simulators =
+            Simulator.started(RealBridge.command(), directory, Sandbox.none(), 0);
+        BuildSimulator simulator = simulators.forBuild()) {
       String target = simulator.target();
       List<String> alone =
           run(target, world, cases, names, List.of("robot_x"), false, (s, c) -> {});
@@ -297,7 +302,9 @@ class PreparedAheadTest {
   @Test
   void aCommandThatTheDeviceDoesNotTakeIsTheComponentsDoing() throws Exception {
     List<TestCase> cases = cases(Map.of("StartX", evenly(-1, 1, 10)), 10);
-    try (Simulator simulator = Simulator.started(RealBridge.command(), directory);
+    try (Simulator simulators =
+            Simulator.started(RealBridge.command(), directory, Sandbox.none(), 0);
+        BuildSimulator simulator = simulators.forBuild();
         Simulation simulation =
             Simulation.open(
                 simulator.target(),

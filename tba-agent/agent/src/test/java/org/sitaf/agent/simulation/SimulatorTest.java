@@ -4,13 +4,27 @@ import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import com.google.protobuf.ByteString;
+import io.grpc.Grpc;
+import io.grpc.InsecureChannelCredentials;
+import io.grpc.ManagedChannel;
+import io.grpc.StatusRuntimeException;
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.sitaf.agent.sandbox.Sandbox;
+import org.sitaf.agent.sandbox.SandboxMode;
+import org.sitaf.sim.v1.CreateSessionRequest;
+import org.sitaf.sim.v1.ReadDevicesRequest;
+import org.sitaf.sim.v1.SimulationControlGrpc;
+import org.sitaf.sim.v1.VirtualHardwareGrpc;
+import org.sitaf.sim.v1.WorldSource;
 
 @Timeout(120)
 class SimulatorTest {
@@ -29,72 +43,203 @@ class SimulatorTest {
 
   @TempDir private Path directory;
 
+  private Simulator started(int builds) throws IOException {
+    return Simulator.started(RealBridge.command(), directory, SandboxMode.AUTO.open(), builds);
+  }
+
+  private static void check(BuildSimulator simulator) throws Exception {
+    simulator.check("w.world.yaml", Map.of("w.world.yaml", WORLD, "w.xml", MJCF));
+  }
+
   @Test
-  void aBridgeIsKeptForTheNextBuildAndSaysWhatItIs() throws Exception {
-    try (Simulator simulator = Simulator.started(RealBridge.command(), directory)) {
-      String target = simulator.target();
-      assertThat(target).startsWith("unix:/");
-      try (SimulatorClient client = new SimulatorClient(target)) {
-        assertThat(client.version()).matches("sitaf-bridge \\S+ \\(MuJoCo \\S+\\)");
-        client.check("w.world.yaml", Map.of("w.world.yaml", WORLD, "w.xml", MJCF));
+  void eachBuildHasABridgeOfItsOwnWhichEndsWithIt() throws Exception {
+    try (Simulator simulators = started(3)) {
+      String first;
+      try (BuildSimulator simulator = simulators.forBuild()) {
+        first = simulator.target();
+        assertThat(first).startsWith("unix:/");
+        assertThat(simulator.version()).matches("sitaf-bridge \\S+ \\(MuJoCo \\S+\\)");
+        assertThat(simulator.description()).contains("this build's alone");
+        check(simulator);
+        assertThat(simulator.target()).isEqualTo(first);
+        try (BuildSimulator another = simulators.forBuild()) {
+          assertThat(another.target()).isNotEqualTo(first);
+        }
       }
-      assertThat(simulator.target()).isEqualTo(target);
+      assertThat(Path.of(first.substring("unix:".length()))).doesNotExist();
+      try (BuildSimulator next = simulators.forBuild()) {
+        assertThat(next.target()).isNotEqualTo(first);
+      }
     }
   }
 
   @Test
-  void aBridgeThatDiedIsReplacedByAnother() throws Exception {
-    try (Simulator simulator = Simulator.started(RealBridge.command(), directory)) {
-      String target = simulator.target();
+  void whereABuildIsExpectedABridgeWaitsForIt() throws Exception {
+    try (Simulator simulators = started(1)) {
+      awaitBridges();
+      int waiting = bridges().size();
+      try (BuildSimulator simulator = simulators.forBuild()) {
+        simulator.target();
+        assertThat(bridges()).hasSize(waiting);
+      }
+      assertThat(bridges()).isEmpty();
+    }
+  }
+
+  @Test
+  void aSpareThatDiedIsReplaced() throws Exception {
+    try (Simulator simulators = started(1)) {
+      awaitBridges();
       bridges().forEach(SimulatorTest::killAndWait);
-
-      assertThat(simulator.target()).isNotEqualTo(target);
-      try (SimulatorClient client = new SimulatorClient(simulator.target())) {
-        assertThat(client.version()).startsWith("sitaf-bridge");
+      try (BuildSimulator simulator = simulators.forBuild()) {
+        assertThat(simulator.version()).startsWith("sitaf-bridge");
       }
     }
   }
 
   @Test
-  void aBridgeEndsWithItsOwner() throws Exception {
-    try (Simulator simulator = Simulator.started(RealBridge.command(), directory)) {
-      simulator.target();
-      assertThat(bridges()).isNotEmpty();
+  void anEndpointOffersTheWorldOfTheBuildAndNothingMore() throws Exception {
+    try (Simulator simulators = started(1);
+        BuildSimulator simulator = simulators.forBuild()) {
+      check(simulator);
+      try (SimulatorEndpoint endpoint = simulator.open();
+          SimulatorClient client = new SimulatorClient(endpoint.target())) {
+        assertThat(endpoint.target()).isNotEqualTo(simulator.target());
+        assertThat(endpoint.isShared()).isFalse();
+        assertThat(endpoint.hasEnded()).isFalse();
+        assertThat(endpoint.end()).isEmpty();
+        assertThat(client.check("w.world.yaml", Map.of("w.world.yaml", WORLD, "w.xml", MJCF)))
+            .hasSize(64);
+        byte[] other = "<mujoco/>".getBytes(UTF_8);
+        assertThatThrownBy(
+                () -> client.check("w.world.yaml", Map.of("w.world.yaml", WORLD, "w.xml", other)))
+            .hasMessageContaining("PERMISSION_DENIED");
+        assertThatThrownBy(() -> client.openEndpoint("e9", "0"))
+            .hasMessageContaining("UNIMPLEMENTED");
+      }
     }
-    assertThat(bridges()).isEmpty();
   }
 
   @Test
-  void aWorldThatTheSimulatorRefusesIsToldWithItsMessage() throws Exception {
-    try (Simulator simulator = Simulator.started(RealBridge.command(), directory);
-        SimulatorClient client = new SimulatorClient(simulator.target())) {
+  void aCameraSeesInTheSandboxWhatItSeesOutside() throws Exception {
+    byte[] mjcf =
+        ("<mujoco><worldbody><light pos=\"0 0 3\"/><geom type=\"plane\" size=\"1 1 1\"/>"
+                + "<camera name=\"c\" pos=\"0 0 2\"/></worldbody></mujoco>")
+            .getBytes(UTF_8);
+    byte[] world =
+        "mjcf: w.xml\ndevices:\n  c: {kind: camera, camera: c, width: 32, height: 24}\n"
+            .getBytes(UTF_8);
+    Map<String, byte[]> files = Map.of("w.world.yaml", world, "w.xml", mjcf);
+    String outside;
+    try (Simulator simulators =
+            Simulator.started(RealBridge.command(), directory, Sandbox.none(), 0);
+        BuildSimulator simulator = simulators.forBuild()) {
+      outside = picture(simulator, files);
+    }
+    try (Simulator simulators = started(0);
+        BuildSimulator simulator = simulators.forBuild()) {
+      assertThat(picture(simulator, files)).isEqualTo(outside);
+    }
+  }
+
+  /** Digest of what the camera sees, or the code of the refusal where this machine renders none. */
+  private static String picture(BuildSimulator simulator, Map<String, byte[]> files)
+      throws Exception {
+    simulator.check("w.world.yaml", files);
+    WorldSource.Builder source = WorldSource.newBuilder().setDescription("w.world.yaml");
+    files.forEach((path, content) -> source.putFiles(path, ByteString.copyFrom(content)));
+    try (SimulatorEndpoint endpoint = simulator.open()) {
+      ManagedChannel channel =
+          Grpc.newChannelBuilder(endpoint.target(), InsecureChannelCredentials.create())
+              .overrideAuthority("localhost")
+              .build();
+      try {
+        String session =
+            SimulationControlGrpc.newBlockingStub(channel)
+                .createSession(CreateSessionRequest.newBuilder().setWorld(source).build())
+                .getSessionId();
+        ByteString seen =
+            VirtualHardwareGrpc.newBlockingStub(channel)
+                .readDevices(
+                    ReadDevicesRequest.newBuilder().setSessionId(session).addDevices("c").build())
+                .getState()
+                .getReadings(0)
+                .getImage()
+                .getData();
+        assertThat(seen.size()).isEqualTo(32 * 24 * 3);
+        return Integer.toString(seen.hashCode());
+      } catch (StatusRuntimeException e) {
+        return e.getStatus().getCode().toString();
+      } finally {
+        channel.shutdownNow();
+      }
+    }
+  }
+
+  @Test
+  void aBridgeThatDiedIsFollowedByAnotherWithTheSameWorld() throws Exception {
+    try (Simulator simulators = started(1);
+        BuildSimulator simulator = simulators.forBuild()) {
+      check(simulator);
+      try (SimulatorEndpoint endpoint = simulator.open()) {
+        bridges().forEach(SimulatorTest::killAndWait);
+        assertThat(endpoint.end())
+            .hasValueSatisfying(end -> assertThat(end.reason()).contains("exit code"));
+        assertThat(endpoint.hasEnded()).isTrue();
+      }
+      try (SimulatorEndpoint endpoint = simulator.open();
+          SimulatorClient client = new SimulatorClient(endpoint.target())) {
+        assertThat(endpoint.end()).isEmpty();
+        assertThat(client.check("w.world.yaml", Map.of("w.world.yaml", WORLD, "w.xml", MJCF)))
+            .hasSize(64);
+      }
+    }
+  }
+
+  @Test
+  void aWorldThatWasAcceptedIsCompiledMeanwhile() throws Exception {
+    try (Simulator simulators = started(2)) {
+      for (int build = 0; build < 2; build++) {
+        try (BuildSimulator simulator = simulators.forBuild()) {
+          check(simulator);
+          try (SimulatorEndpoint endpoint = simulator.open();
+              SimulatorClient client = new SimulatorClient(endpoint.target())) {
+            client.check("w.world.yaml", Map.of("w.world.yaml", WORLD, "w.xml", MJCF));
+          }
+        }
+      }
+    }
+  }
+
+  @Test
+  void aWorldThatTheSimulatorRefusesIsReportedWithItsMessage() throws Exception {
+    byte[] oops = "<mujoco><oops/></mujoco>".getBytes(UTF_8);
+    try (Simulator simulators = started(0);
+        BuildSimulator simulator = simulators.forBuild()) {
       assertThatThrownBy(
-              () ->
-                  client.check(
-                      "w.world.yaml",
-                      Map.of(
-                          "w.world.yaml",
-                          WORLD,
-                          "w.xml",
-                          "<mujoco><oops/></mujoco>".getBytes(UTF_8))))
+              () -> simulator.check("w.world.yaml", Map.of("w.world.yaml", WORLD, "w.xml", oops)))
           .isInstanceOf(WorldException.class)
           .hasMessageContaining("oops");
+      check(simulator);
     }
   }
 
   @Test
   void aFolderWithALongPathGetsASocketElsewhere() throws Exception {
     Path deep = directory.resolve("d".repeat(100));
-    try (Simulator simulator = Simulator.started(RealBridge.command(), deep);
-        SimulatorClient client = new SimulatorClient(simulator.target())) {
+    try (Simulator simulators =
+            Simulator.started(RealBridge.command(), deep, SandboxMode.AUTO.open(), 0);
+        BuildSimulator simulator = simulators.forBuild()) {
       assertThat(simulator.target().length()).isLessThan(107);
-      assertThat(client.version()).startsWith("sitaf-bridge");
+      assertThat(simulator.version()).startsWith("sitaf-bridge");
     }
   }
 
   @Test
-  void aCommandThatDoesNotExistIsToldAsSuch() {
-    try (Simulator simulator = Simulator.started(List.of("/no/such/python"), directory)) {
+  void aCommandThatDoesNotExistIsReported() throws Exception {
+    try (Simulator simulators =
+            Simulator.started(List.of("/no/such/python"), directory, Sandbox.none(), 1);
+        BuildSimulator simulator = simulators.forBuild()) {
       assertThatThrownBy(simulator::target)
           .isInstanceOf(SimulatorException.class)
           .hasMessageContaining("cannot be started with '/no/such/python'");
@@ -102,10 +247,15 @@ class SimulatorTest {
   }
 
   @Test
-  void aCommandThatEndsAtOnceIsToldWithItsLastLine() throws Exception {
+  void aCommandThatEndsAtOnceIsReportedWithItsLastLine() throws Exception {
     Path script = Files.writeString(directory.resolve("s.sh"), "echo no module >&2; exit 4\n");
-    try (Simulator simulator =
-        Simulator.started(List.of("sh", script.toString()), directory.resolve("b"))) {
+    try (Simulator simulators =
+            Simulator.started(
+                List.of("sh", script.toString()),
+                directory.resolve("b"),
+                SandboxMode.AUTO.open(),
+                0);
+        BuildSimulator simulator = simulators.forBuild()) {
       assertThatThrownBy(simulator::target)
           .isInstanceOf(SimulatorException.class)
           .hasMessageContaining("exit code 4")
@@ -123,11 +273,37 @@ class SimulatorTest {
   }
 
   @Test
+  void aSimulatorOfSomebodyElseIsSaidToBeShared() throws Exception {
+    try (Simulator running = Simulator.running("127.0.0.1:1");
+        BuildSimulator simulator = running.forBuild();
+        SimulatorEndpoint endpoint = simulator.open()) {
+      assertThat(simulator.description())
+          .isEqualTo("the simulator at 127.0.0.1:1 is shared with others");
+      assertThat(endpoint.target()).isEqualTo("127.0.0.1:1");
+      assertThat(endpoint.isShared()).isTrue();
+    }
+  }
+
+  @Test
   void withoutASimulatorTheMessageSaysWhatToDo() {
     try (Simulator none = Simulator.none()) {
-      assertThatThrownBy(none::target)
+      assertThatThrownBy(none::forBuild)
           .isInstanceOf(SimulatorException.class)
           .hasMessageContaining("--bridge-command");
+    }
+  }
+
+  private void awaitBridges() throws InterruptedException {
+    for (int i = 0; i < 1000 && (bridges().isEmpty() || !hasSocket()); i++) {
+      Thread.sleep(20);
+    }
+  }
+
+  private boolean hasSocket() {
+    try (Stream<Path> files = Files.walk(directory)) {
+      return files.anyMatch(file -> file.endsWith("control"));
+    } catch (IOException | java.io.UncheckedIOException e) {
+      return false;
     }
   }
 

@@ -70,6 +70,20 @@ class SpoolTest {
   }
 
   @Test
+  void anEntryWithoutAMessageIsPutAsideAndTheOthersAreThere() throws Exception {
+    Spool spool = Spool.open(directory);
+    spool.put("b", new byte[] {1}, null, null);
+    Files.createDirectory(directory.resolve("a"));
+    Files.createDirectories(directory.resolve("c").resolve("message"));
+    Files.writeString(directory.resolve("d"), "a file");
+
+    assertThat(spool.entries()).extracting(Spool.Entry::name).containsExactly("b");
+    assertThat(directory.resolve("rejected.a")).exists();
+    assertThat(directory.resolve("rejected.c")).exists();
+    assertThat(Spool.open(directory).entries()).hasSize(1);
+  }
+
+  @Test
   void aLaterEntryOfTheSameNameReplacesTheFirst() throws Exception {
     Spool spool = Spool.open(directory);
     spool.put("a", new byte[] {1}, null, null);

@@ -28,12 +28,13 @@ import org.sitaf.core.suite.TestCaseGenerator;
  * component may do what it likes.
  */
 public final class EchoActivity {
-  private final Map<String, String> files = new HashMap<>();
+  private final Map<String, byte[]> files = new HashMap<>();
   private String language = "java";
   private String componentClass = "demo.Component";
   private String limits = "{case_wall_s: 10, case_sim_s: 60, memory_mb: 128}";
   private String extra = "";
   private int cases = 5;
+  private String postConditions = "";
   private final String harness = resource("ScriptedHarness.java");
 
   /** The component's class with this body of {@code int echo(int value) throws Exception}. */
@@ -54,7 +55,7 @@ public final class EchoActivity {
   /** The component's source as it stands. */
   public static EchoActivity withComponent(String source) {
     EchoActivity activity = new EchoActivity();
-    activity.files.put("component/demo/Component.java", source);
+    activity.file("component/demo/Component.java", source);
     return activity;
   }
 
@@ -94,7 +95,17 @@ public final class EchoActivity {
     return this;
   }
 
+  /** With a condition in CEL on every case; without characters that XML would escape. */
+  public EchoActivity postCondition(String condition) {
+    postConditions += "<post_condition>" + condition + "</post_condition>";
+    return this;
+  }
+
   public EchoActivity file(String path, String content) {
+    return file(path, content.getBytes(StandardCharsets.UTF_8));
+  }
+
+  public EchoActivity file(String path, byte[] content) {
     files.put(path, content);
     return this;
   }
@@ -107,8 +118,7 @@ public final class EchoActivity {
   }
 
   public TestApplication application() {
-    Map<String, byte[]> tree = new HashMap<>();
-    files.forEach((path, text) -> tree.put(path, text.getBytes(StandardCharsets.UTF_8)));
+    Map<String, byte[]> tree = new HashMap<>(files);
     tree.put("activity.yaml", profile().getBytes(StandardCharsets.UTF_8));
     tree.put("Echo.xml", model().getBytes(StandardCharsets.UTF_8));
     tree.put("EchoService.xml", resource("EchoService.xml").getBytes(StandardCharsets.UTF_8));
@@ -145,7 +155,15 @@ public final class EchoActivity {
         IntStream.rangeClosed(1, cases)
             .mapToObj(value -> "<value>" + value + "</value>")
             .collect(Collectors.joining());
-    return resource("Echo.xml").replace("@VALUES@", values);
+    return resource("Echo.xml")
+        .replace("@VALUES@", values)
+        .replace(
+            "  <order_of",
+            postConditions.isEmpty()
+                ? "  <order_of"
+                : "  <post_condition_spec_list>"
+                    + postConditions
+                    + "</post_condition_spec_list>\n  <order_of");
   }
 
   private static String resource(String name) {
@@ -159,11 +177,16 @@ public final class EchoActivity {
 
   /** The toolchains of this machine, on the runtimes that the build copied. */
   public static Toolchains toolchains() {
+    return new Toolchains(places());
+  }
+
+  /** The runtimes that the build copied, and a cache of all tests. */
+  public static ToolchainPlaces places() {
     Path runtimes =
         Path.of(
             Objects.requireNonNull(
                 System.getProperty("sitaf.runtimes"), "run the tests through Maven"));
-    return new Toolchains(new ToolchainPlaces(runtimes, runtimes.resolveSibling("test-cache")));
+    return new ToolchainPlaces(runtimes, runtimes.resolveSibling("test-cache"));
   }
 
   /** This machine, without a simulator. */

@@ -73,6 +73,9 @@ public final class Simulation implements AutoCloseable {
   private final Object acting = new Object();
   private volatile FrozenWorld world;
 
+  /** Why no result can be trusted any more; null while the simulator and the session are there. */
+  private volatile @Nullable SimulationException gone;
+
   /** Set while the session itself lags behind the readings, which came in bulk. */
   private @Nullable Prepared behind;
 
@@ -133,7 +136,7 @@ public final class Simulation implements AutoCloseable {
             .build();
     try {
       CreateSessionResponse created =
-          ask(
+          asked(
               "opening the world " + worldDescription.getFileName(),
               () -> stub(channel).createSession(request));
       if (created.getWorld().getTimestepNs() <= 0) {
@@ -199,6 +202,18 @@ public final class Simulation implements AutoCloseable {
     time.every(period, tick);
   }
 
+  /**
+   * Requires that nothing found the simulator or the session gone.
+   *
+   * @throws SimulationException which {@link SimulationException#isLost() is lost}
+   */
+  public void requireThere() {
+    SimulationException found = gone;
+    if (found != null) {
+      throw new SimulationException("the simulator is gone: " + found.getMessage(), true, found);
+    }
+  }
+
   /** How the time of this session passes for threads that wait for it. */
   public PassingTime time() {
     return time;
@@ -246,7 +261,7 @@ public final class Simulation implements AutoCloseable {
       films.save(no, stub(channel).takeMotion(request).getGltf().toByteArray());
     } catch (StatusRuntimeException e) {
       if (e.getStatus().getCode() != Status.Code.DATA_LOSS) {
-        throw failure("taking the recording of case " + no, e);
+        throw noted(failure("taking the recording of case " + no, e), e);
       }
     }
   }
@@ -357,11 +372,11 @@ public final class Simulation implements AutoCloseable {
   }
 
   /** A command that the device does not take is the component's doing, not the simulator's. */
-  private static RuntimeException refusedByDevice(String device, StatusRuntimeException e) {
+  private RuntimeException refusedByDevice(String device, StatusRuntimeException e) {
     return switch (e.getStatus().getCode()) {
       case INVALID_ARGUMENT, OUT_OF_RANGE ->
           new IllegalArgumentException(String.valueOf(e.getStatus().getDescription()), e);
-      default -> failure("commanding " + device, e);
+      default -> noted(failure("commanding " + device, e), e);
     };
   }
 
@@ -370,12 +385,29 @@ public final class Simulation implements AutoCloseable {
         .withDeadlineAfter(LONGEST_CALL.toSeconds(), TimeUnit.SECONDS);
   }
 
-  private static <T> T ask(String what, Supplier<T> call) {
+  private <T> T ask(String what, Supplier<T> call) {
+    try {
+      return call.get();
+    } catch (StatusRuntimeException e) {
+      throw noted(failure(what, e), e);
+    }
+  }
+
+  private static <T> T asked(String what, Supplier<T> call) {
     try {
       return call.get();
     } catch (StatusRuntimeException e) {
       throw failure(what, e);
     }
+  }
+
+  /** Whatever the component makes of the failure, the case is not measured. */
+  private SimulationException noted(SimulationException failure, StatusRuntimeException e) {
+    Status.Code code = e.getStatus().getCode();
+    if (code == Status.Code.UNAVAILABLE || code == Status.Code.NOT_FOUND) {
+      gone = failure;
+    }
+    return failure;
   }
 
   private static SimulationException failure(String what, StatusRuntimeException e) {

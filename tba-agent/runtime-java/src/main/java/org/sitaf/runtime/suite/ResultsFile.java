@@ -4,28 +4,67 @@ import java.io.FileOutputStream;
 import java.io.IOException;
 import java.io.RandomAccessFile;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Where the results go, one line a case. Each line is handed to the kernel in one write the moment
  * its case ends, so that the end of the process, however sudden, loses none of them.
+ *
+ * <p>A file holds the lines alone. Through a descriptor that the agent opened, each line begins
+ * with its number and a token that the agent knows, so that what the component writes there is not
+ * taken for a result.
  */
 public final class ResultsFile implements AutoCloseable {
   /** How many results a machine may lose with its power; a process that is killed loses none. */
   private static final int LINES_TO_SYNC = 4096;
 
+  private static final String DESCRIPTOR = "fd:";
+
+  /** Room for number and token. */
+  private static final int PREFIX_LENGTH = 64;
+
   /** Not a channel: an interrupt that the component left behind would close it. */
   private final FileOutputStream file;
 
+  private final boolean numbered;
+  private String token = "";
+  private long number;
   private int unsynced;
 
-  private ResultsFile(FileOutputStream file) {
+  private ResultsFile(FileOutputStream file, boolean numbered) {
     this.file = file;
+    this.numbered = numbered;
+  }
+
+  /**
+   * Opens what {@code --results} names.
+   *
+   * @param append goes on with a file that is there
+   */
+  public static ResultsFile open(String results, boolean append) throws IOException {
+    if (results.startsWith(DESCRIPTOR)) {
+      String descriptor = results.substring(DESCRIPTOR.length());
+      try {
+        Integer.parseUnsignedInt(descriptor);
+      } catch (NumberFormatException e) {
+        throw new IOException("--results: '" + results + "' is not a descriptor such as fd:3", e);
+      }
+      return new ResultsFile(new FileOutputStream("/dev/fd/" + descriptor), true);
+    }
+    try {
+      Path path = Path.of(results);
+      return append ? append(path) : create(path);
+    } catch (InvalidPathException e) {
+      throw new IOException("--results: '" + results + "' is not a path", e);
+    }
   }
 
   /** Begins a new file; one that is there is emptied. */
   public static ResultsFile create(Path file) throws IOException {
-    return new ResultsFile(new FileOutputStream(file.toFile()));
+    return new ResultsFile(new FileOutputStream(file.toFile()), false);
   }
 
   /**
@@ -44,7 +83,23 @@ public final class ResultsFile implements AutoCloseable {
     if (torn) {
       appended.write('\n');
     }
-    return new ResultsFile(appended);
+    return new ResultsFile(appended, false);
+  }
+
+  /**
+   * Takes the token with which lines begin, where they are numbered.
+   *
+   * @param line asked for it only then; null where there is none
+   * @throws IOException when there is none
+   */
+  public void authorise(Supplier<@Nullable String> line) throws IOException {
+    if (numbered) {
+      String given = line.get();
+      if (given == null || given.isBlank()) {
+        throw new IOException("standard input holds no line with the token of the results");
+      }
+      token = given.strip();
+    }
   }
 
   /**
@@ -52,23 +107,34 @@ public final class ResultsFile implements AutoCloseable {
    * a case holds.
    */
   public void ready() throws IOException {
-    file.write('\n');
+    write("\n");
   }
 
   /** Writes the line of a case. */
   public void save(CaseResult result) throws IOException {
-    file.write(result.line().getBytes(StandardCharsets.UTF_8));
-    if (++unsynced >= LINES_TO_SYNC) {
+    write(result.line());
+    if (!numbered && ++unsynced >= LINES_TO_SYNC) {
       unsynced = 0;
       file.getFD().sync();
     }
   }
 
-  /** Hands the rest to the disk and closes. */
+  private void write(String line) throws IOException {
+    // Not by +, whose way of joining texts takes its time when it is first gone.
+    StringBuilder whole = new StringBuilder(line.length() + PREFIX_LENGTH);
+    if (numbered) {
+      whole.append(++number).append(' ').append(token).append(' ');
+    }
+    file.write(whole.append(line).toString().getBytes(StandardCharsets.UTF_8));
+  }
+
+  /** Hands the rest of a file to the disk and closes. */
   @Override
   public void close() throws IOException {
     try (file) {
-      file.getFD().sync();
+      if (!numbered) {
+        file.getFD().sync();
+      }
     }
   }
 }

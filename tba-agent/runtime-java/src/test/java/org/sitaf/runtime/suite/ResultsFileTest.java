@@ -1,8 +1,10 @@
 package org.sitaf.runtime.suite;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.ByteArrayInputStream;
+import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -117,5 +119,60 @@ class ResultsFileTest {
     assertThat(lines.get(2))
         .startsWith("<test_result no=\"2\" verdict=\"PASS\">")
         .endsWith("</test_result>");
+  }
+
+  @Test
+  void throughADescriptorEachLineBeginsWithItsNumberAndTheToken() throws Exception {
+    Path file = Files.createFile(folder.resolve("channel"));
+    try (java.io.RandomAccessFile opened = new java.io.RandomAccessFile(file.toFile(), "rw")) {
+      try (ResultsFile results = ResultsFile.open("fd:" + descriptorOf(file), false)) {
+        results.authorise(() -> "secret");
+        results.ready();
+        results.save(passing(7, "x"));
+      }
+      assertThat(opened.length()).isPositive();
+    }
+    List<String> lines = Files.readAllLines(file);
+    assertThat(lines.get(0)).isEqualTo("1 secret ");
+    assertThat(lines.get(1)).startsWith("2 secret <test_result no=\"7\" verdict=\"PASS\">");
+    assertThat(lines).hasSize(2);
+  }
+
+  @Test
+  void aDescriptorWithoutATokenIsRefused() throws Exception {
+    Path file = Files.createFile(folder.resolve("channel"));
+    try (java.io.RandomAccessFile opened = new java.io.RandomAccessFile(file.toFile(), "rw");
+        ResultsFile results = ResultsFile.open("fd:" + descriptorOf(file), false)) {
+      assertThat(opened.length()).isZero();
+      assertThatThrownBy(() -> results.authorise(() -> null))
+          .isInstanceOf(IOException.class)
+          .hasMessageContaining("no line with the token");
+    }
+  }
+
+  @Test
+  void aFileNeedsNoToken() throws Exception {
+    Path file = folder.resolve("results");
+    try (ResultsFile results = ResultsFile.open(file.toString(), false)) {
+      results.authorise(
+          () -> {
+            throw new AssertionError("nobody asks for it");
+          });
+      results.ready();
+    }
+    assertThat(Files.readString(file)).isEqualTo("\n");
+  }
+
+  /** The number of a file that this process has open. */
+  private static String descriptorOf(Path file) throws IOException {
+    try (var descriptors = Files.newDirectoryStream(Path.of("/proc/self/fd"))) {
+      for (Path descriptor : descriptors) {
+        if (Files.isSymbolicLink(descriptor)
+            && Files.readSymbolicLink(descriptor).equals(file.toRealPath())) {
+          return descriptor.getFileName().toString();
+        }
+      }
+    }
+    throw new AssertionError(file + " is not open");
   }
 }

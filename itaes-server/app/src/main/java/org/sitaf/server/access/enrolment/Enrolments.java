@@ -14,8 +14,10 @@ import java.util.UUID;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.server.access.AccessSettings;
+import org.sitaf.server.access.Backoff;
 import org.sitaf.server.access.Secret;
 import org.sitaf.server.audit.Audit;
+import org.sitaf.server.network.Addresses;
 import org.sitaf.server.refusal.Refusal;
 import org.springframework.dao.DuplicateKeyException;
 import org.springframework.data.domain.PageRequest;
@@ -37,6 +39,7 @@ public class Enrolments {
   private final AccessSettings settings;
   private final Audit audit;
   private final Clock clock;
+  private final Backoff attempts = new Backoff(20, Duration.ofSeconds(1), Duration.ofMinutes(1));
 
   Enrolments(
       JdbcClient jdbc,
@@ -63,6 +66,14 @@ public class Enrolments {
    * @throws Refusal when no agent can have that name
    */
   public String enrol(String token, String agent, String address) {
+    String from = Addresses.group(address);
+    Duration wait = attempts.attempt(from, clock.instant());
+    if (!wait.isZero()) {
+      audit.recordRefusal("-", "enrol", agent, "refused: too often", address);
+      throw Refusal.busy(
+          "Too many enrolments from this address were refused: wait for %d s."
+              .formatted(Math.max(1, wait.toSeconds())));
+    }
     if (!NAME.matcher(agent).matches()) {
       throw Refusal.malformed("name: letters, digits, '.', '_', '-', at most 100.");
     }
@@ -76,9 +87,10 @@ public class Enrolments {
             store(agent, key);
           });
     } catch (EnrolmentRefused e) {
-      audit.record("-", "enrol", agent, "refused", address);
+      audit.recordRefusal("-", "enrol", agent, "refused", address);
       throw e;
     }
+    attempts.takeBack(from);
     audit.record(agent, "enrol", agent, "done", address);
     return key;
   }

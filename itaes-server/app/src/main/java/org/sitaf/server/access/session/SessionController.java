@@ -77,7 +77,8 @@ class SessionController {
       summary = "Signs in",
       description =
           "The answer sets the cookie of a session. 401: name or password are wrong; 429: too many"
-              + " attempts, Retry-After says for how long.")
+              + " attempts, and 503: too many people sign in at this moment; Retry-After says for"
+              + " how long.")
   CallerView signIn(
       @RequestBody SignIn credentials,
       @Parameter(hidden = true) HttpServletRequest request,
@@ -87,12 +88,13 @@ class SessionController {
     }
     request.setAttribute(Audit.SUBJECT, credentials.name());
     String address = request.getRemoteAddr();
-    limit.attempt(address, credentials.name());
+    String name = Users.normal(credentials.name());
+    limit.attempt(address, name);
     User user =
         users
-            .signIn(credentials.name(), credentials.password())
+            .signIn(name, credentials.password())
             .orElseThrow(() -> Denial.unknown("Name or password are wrong."));
-    limit.succeeded(address, credentials.name());
+    limit.succeeded(address, name);
     return CallerView.of(sessions.begin(user, request, response));
   }
 

@@ -16,6 +16,7 @@ import org.sitaf.server.access.Caller;
 import org.sitaf.server.access.Role;
 import org.sitaf.server.access.Secret;
 import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.settings.LimitSettings;
 import org.sitaf.server.storage.DiskSpace;
 import org.springframework.data.domain.PageRequest;
 import org.springframework.jdbc.core.simple.JdbcClient;
@@ -36,12 +37,15 @@ public class ApiTokens {
 
   private final JdbcClient jdbc;
   private final AccessSettings settings;
+  private final LimitSettings limits;
   private final DiskSpace disk;
   private final Clock clock;
 
-  ApiTokens(JdbcClient jdbc, AccessSettings settings, DiskSpace disk, Clock clock) {
+  ApiTokens(
+      JdbcClient jdbc, AccessSettings settings, LimitSettings limits, DiskSpace disk, Clock clock) {
     this.jdbc = jdbc;
     this.settings = settings;
+    this.limits = limits;
     this.disk = disk;
     this.clock = clock;
   }
@@ -82,6 +86,11 @@ public class ApiTokens {
     if (name.isBlank() || name.length() > LONGEST_NAME) {
       throw Refusal.malformed(
           "name: 1 to " + LONGEST_NAME + " characters that say what it is for.");
+    }
+    if (count(personId) >= limits.tokens()) {
+      throw Refusal.conflict(
+          "You have %d tokens, and may have %d; revoke one that is not needed."
+              .formatted(count(personId), limits.tokens()));
     }
     String id = UUID.randomUUID().toString();
     String secret = Secret.fresh(PREFIX);

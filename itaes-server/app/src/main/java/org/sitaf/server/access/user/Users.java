@@ -14,6 +14,7 @@ import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.server.access.Role;
 import org.sitaf.server.refusal.Refusal;
+import org.springframework.context.ApplicationEventPublisher;
 import org.springframework.dao.DuplicateKeyException;
 import org.springframework.data.domain.PageRequest;
 import org.springframework.jdbc.core.simple.JdbcClient;
@@ -32,6 +33,7 @@ public class Users {
   private final TransactionTemplate transaction;
   private final Passwords passwords;
   private final FindByIndexNameSessionRepository<?> sessions;
+  private final ApplicationEventPublisher events;
   private final Clock clock;
 
   Users(
@@ -39,13 +41,18 @@ public class Users {
       TransactionTemplate transaction,
       Passwords passwords,
       FindByIndexNameSessionRepository<?> sessions,
+      ApplicationEventPublisher events,
       Clock clock) {
     this.jdbc = jdbc;
     this.transaction = transaction;
     this.passwords = passwords;
     this.sessions = sessions;
+    this.events = events;
     this.clock = clock;
   }
+
+  /** Somebody has another password than before. */
+  record PasswordChange(User user) {}
 
   /** A person, and the password that was made for them: to be shown once, and stored nowhere. */
   public record WithPassword(User user, String password) {}
@@ -110,6 +117,7 @@ public class Users {
       throw Refusal.malformed("current: is not your password.");
     }
     setPassword(user, next);
+    events.publishEvent(new PasswordChange(user));
   }
 
   boolean anAdministratorHasAPassword() {
@@ -167,6 +175,7 @@ public class Users {
     User user = find(id);
     String password = passwords.fresh();
     setPassword(user, password);
+    events.publishEvent(new PasswordChange(user));
     return new WithPassword(user, password);
   }
 
@@ -223,7 +232,8 @@ public class Users {
     sessions.findByPrincipalName(name).keySet().forEach(sessions::deleteById);
   }
 
-  private static String normal(String name) {
+  /** A name as it is stored, however it was typed. */
+  public static String normal(String name) {
     return name.strip().toLowerCase(Locale.ROOT);
   }
 

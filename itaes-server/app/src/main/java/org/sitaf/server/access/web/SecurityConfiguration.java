@@ -65,8 +65,11 @@ class SecurityConfiguration {
         // Parts of requests that were let through before.
         .dispatcherTypeMatchers(DispatcherType.ASYNC, DispatcherType.ERROR, DispatcherType.FORWARD)
         .permitAll()
-        .requestMatchers("/actuator/health", "/actuator/prometheus")
+        .requestMatchers("/actuator/health")
         .permitAll()
+        // Its labels hold the paths of the server's folders, and how much work there is.
+        .requestMatchers("/actuator/prometheus")
+        .hasRole(VIEWER)
         .requestMatchers(HttpMethod.POST, SESSION)
         .permitAll()
         .requestMatchers("/api/v1/session/**", "/api/v1/tokens/**")
@@ -127,7 +130,7 @@ class SecurityConfiguration {
           "A browser sends the value of the cookie XSRF-TOKEN as the header X-XSRF-TOKEN.");
       return;
     }
-    audit.record(
+    audit.recordRefusal(
         Caller.currentName(),
         "denied",
         request.getMethod() + " " + request.getRequestURI(),

@@ -13,12 +13,17 @@ import io.grpc.ServerInterceptor;
 import io.grpc.Status;
 import java.net.InetSocketAddress;
 import java.net.SocketAddress;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.v1.AgentServiceGrpc;
 import org.sitaf.agent.v1.AttemptRef;
 import org.sitaf.server.access.enrolment.Enrolments;
 import org.sitaf.server.build.Attempts;
+import org.sitaf.server.network.Addresses;
+import org.sitaf.server.network.TrustedProxies;
 import org.springframework.grpc.server.GlobalServerInterceptor;
 import org.springframework.stereotype.Component;
 
@@ -38,10 +43,15 @@ class AgentAuthentication implements ServerInterceptor {
 
   private final Enrolments enrolments;
   private final Attempts attempts;
+  private final Strangers strangers;
+  private final TrustedProxies proxies;
 
-  AgentAuthentication(Enrolments enrolments, Attempts attempts) {
+  AgentAuthentication(
+      Enrolments enrolments, Attempts attempts, Strangers strangers, TrustedProxies proxies) {
     this.enrolments = enrolments;
     this.attempts = attempts;
+    this.strangers = strangers;
+    this.proxies = proxies;
   }
 
   /** The agent that makes the present call; empty in an enrolment. */
@@ -58,9 +68,13 @@ class AgentAuthentication implements ServerInterceptor {
   @Override
   public <Q, A> ServerCall.Listener<Q> interceptCall(
       ServerCall<Q, A> call, Metadata headers, ServerCallHandler<Q, A> next) {
-    Context context = Context.current().withValue(ADDRESS, addressOf(call));
+    String address = addressOf(call, headers);
+    Context context = Context.current().withValue(ADDRESS, address);
     if (call.getMethodDescriptor().getFullMethodName().equals(ENROL)) {
-      return Contexts.interceptCall(context, call, headers, next);
+      return strangers.admit(
+          Addresses.group(address),
+          call,
+          admitted -> Contexts.interceptCall(context, admitted, headers, next));
     }
     String header = headers.get(AUTHORIZATION);
     String key =
@@ -88,11 +102,24 @@ class AgentAuthentication implements ServerInterceptor {
         "the agent's key is unknown or revoked; enrol the agent");
   }
 
-  private static String addressOf(ServerCall<?, ?> call) {
+  private String addressOf(ServerCall<?, ?> call, Metadata headers) {
     SocketAddress remote = call.getAttributes().get(Grpc.TRANSPORT_ATTR_REMOTE_ADDR);
     return remote instanceof InetSocketAddress inet
-        ? inet.getAddress().getHostAddress()
+        ? proxies
+            .client(inet.getAddress().getHostAddress(), name -> values(headers, name))
+            .address()
         : String.valueOf(remote);
+  }
+
+  private static List<String> values(Metadata headers, String name) {
+    Iterable<String> values =
+        headers.getAll(
+            Metadata.Key.of(name.toLowerCase(Locale.ROOT), Metadata.ASCII_STRING_MARSHALLER));
+    List<String> all = new ArrayList<>();
+    if (values != null) {
+      values.forEach(all::add);
+    }
+    return all;
   }
 
   /** Looks at each message: a key may be revoked while a stream lives. */

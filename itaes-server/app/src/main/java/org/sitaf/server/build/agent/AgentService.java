@@ -40,6 +40,7 @@ import org.springframework.stereotype.Service;
 @Service
 class AgentService extends AgentServiceGrpc.AgentServiceImplBase {
   private static final int CHUNK = 64 << 10;
+  private static final int LARGEST_ENROLMENT = 16 << 10;
 
   private final Enrolments enrolments;
   private final Agents agents;
@@ -50,6 +51,7 @@ class AgentService extends AgentServiceGrpc.AgentServiceImplBase {
   private final StoredFiles contents;
   private final SitafSettings settings;
   private final DiskSpace disk;
+  private final PartsMemory memory;
   private final Clock clock;
 
   AgentService(
@@ -62,6 +64,7 @@ class AgentService extends AgentServiceGrpc.AgentServiceImplBase {
       StoredFiles contents,
       SitafSettings settings,
       DiskSpace disk,
+      PartsMemory memory,
       Clock clock) {
     this.enrolments = enrolments;
     this.agents = agents;
@@ -72,6 +75,7 @@ class AgentService extends AgentServiceGrpc.AgentServiceImplBase {
     this.contents = contents;
     this.settings = settings;
     this.disk = disk;
+    this.memory = memory;
     this.clock = clock;
   }
 
@@ -79,12 +83,15 @@ class AgentService extends AgentServiceGrpc.AgentServiceImplBase {
   public void enrol(EnrolRequest request, StreamObserver<EnrolResponse> answers) {
     answer(
         answers,
-        () ->
-            EnrolResponse.newBuilder()
-                .setKey(
-                    enrolments.enrol(
-                        request.getToken(), request.getName(), AgentAuthentication.address()))
-                .build());
+        () -> {
+          if (request.getSerializedSize() > LARGEST_ENROLMENT) {
+            throw Refusal.malformed("token: is longer than any that this server makes.");
+          }
+          String key =
+              enrolments.enrol(
+                  request.getToken(), request.getName(), AgentAuthentication.address());
+          return EnrolResponse.newBuilder().setKey(key).build();
+        });
   }
 
   @Override
@@ -152,42 +159,59 @@ class AgentService extends AgentServiceGrpc.AgentServiceImplBase {
   @Override
   public void uploadRecording(
       UploadRecordingRequest request, StreamObserver<UploadRecordingResponse> answers) {
-    answer(
-        answers,
-        () -> {
-          disk.requireFor(request.getGltf().size());
-          recordings.store(
-              Messages.toKey(request.getAttempt()),
-              request.getCaseNo(),
-              request.getGltf().toByteArray(),
-              request.getSha256());
-          return UploadRecordingResponse.newBuilder().setSha256(request.getSha256()).build();
-        });
+    answer(answers, () -> store(request, request.getGltf().toByteArray()));
+  }
+
+  @Override
+  public StreamObserver<UploadRecordingRequest> uploadRecordingInParts(
+      StreamObserver<UploadRecordingResponse> answers) {
+    return new InParts<>(
+        new InParts.Shape<>(UploadRecordingRequest::getAttempt, UploadRecordingRequest::getGltf),
+        this::store,
+        memory,
+        answers);
+  }
+
+  private UploadRecordingResponse store(UploadRecordingRequest request, byte[] gltf) {
+    disk.requireFor(gltf.length);
+    recordings.store(
+        Messages.toKey(request.getAttempt()), request.getCaseNo(), gltf, request.getSha256());
+    return UploadRecordingResponse.newBuilder().setSha256(request.getSha256()).build();
   }
 
   @Override
   public void submitResult(
       SubmitResultRequest request, StreamObserver<SubmitResultResponse> answers) {
-    answer(
-        answers,
-        () -> {
-          AttemptKey key = Messages.toKey(request.getAttempt());
-          disk.requireFor(request.getSerializedSize());
-          boolean accepted =
-              switch (request.getOutcomeCase()) {
-                case RESULT_DESCRIPTOR ->
-                    deliver(key, request.getResultDescriptor().toByteArray(), request.getSha256());
-                case FAILURE -> fail(key, request.getFailure());
-                case OUTCOME_NOT_SET ->
-                    throw Refusal.malformed("outcome: must be a result_descriptor or a failure.");
-              };
-          return SubmitResultResponse.newBuilder()
-              .setAccepted(accepted)
-              .setSha256(request.getSha256())
-              .setSize(request.getResultDescriptor().size())
-              .setLogSize(logs.size(key))
-              .build();
-        });
+    answer(answers, () -> take(request, request.getResultDescriptor().toByteArray()));
+  }
+
+  @Override
+  public StreamObserver<SubmitResultRequest> submitResultInParts(
+      StreamObserver<SubmitResultResponse> answers) {
+    return new InParts<>(
+        new InParts.Shape<>(
+            SubmitResultRequest::getAttempt, SubmitResultRequest::getResultDescriptor),
+        this::take,
+        memory,
+        answers);
+  }
+
+  private SubmitResultResponse take(SubmitResultRequest request, byte[] descriptor) {
+    AttemptKey key = Messages.toKey(request.getAttempt());
+    disk.requireFor(descriptor.length);
+    boolean accepted =
+        switch (request.getOutcomeCase()) {
+          case RESULT_DESCRIPTOR -> deliver(key, descriptor, request.getSha256());
+          case FAILURE -> fail(key, request.getFailure());
+          case OUTCOME_NOT_SET ->
+              throw Refusal.malformed("outcome: must be a result_descriptor or a failure.");
+        };
+    return SubmitResultResponse.newBuilder()
+        .setAccepted(accepted)
+        .setSha256(request.getSha256())
+        .setSize(descriptor.length)
+        .setLogSize(logs.size(key))
+        .build();
   }
 
   private boolean deliver(AttemptKey key, byte[] document, String sha256) {

@@ -47,7 +47,8 @@ final class StatusOf {
         case NOT_FOUND -> Status.NOT_FOUND;
         case MALFORMED, TOO_LARGE -> Status.INVALID_ARGUMENT;
         case CONFLICT, OUTDATED -> Status.FAILED_PRECONDITION;
-        case NO_ROOM -> Status.UNAVAILABLE;
+        case QUOTA -> Status.RESOURCE_EXHAUSTED;
+        case NO_ROOM, TOO_SLOW, BUSY -> Status.UNAVAILABLE;
       };
     }
     if (StorageFailure.of(e).isPresent()) {

@@ -34,6 +34,10 @@ record BuildView(
     @Schema(description = "why it waits; only while QUEUED") @Nullable String waitingFor,
     @Schema(description = "only when FAILED") @Nullable FailureView failure,
     @Schema(description = "only when DONE") @Nullable CountsView summary,
+    @Schema(
+            description =
+                "why the verdicts are not to be trusted; a build that has any has not passed")
+        List<String> suspicions,
     @Schema(description = "that reserved it") @Nullable String scheduleId,
     @Schema(description = "-100 to 100; higher ones are given to agents first") int priority,
     @Schema(description = "what an agent must have for it, in words") List<String> requirements,
@@ -156,6 +160,7 @@ record BuildView(
         waitingFor,
         build.failure().map(FailureView::of).orElse(null),
         build.counts().map(CountsView::of).orElse(null),
+        build.suspicions(),
         build.reservation().map(Reservation::scheduleId).orElse(null),
         build.priority(),
         build.requirements().all().stream().map(Requirement::words).toList(),

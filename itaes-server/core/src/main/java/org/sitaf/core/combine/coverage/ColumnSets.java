@@ -50,6 +50,22 @@ public final class ColumnSets {
     return sum;
   }
 
+  /** How many sets {@link #list} gives at most. */
+  public BigInteger count() {
+    BigInteger sum = BigInteger.ZERO;
+    for (Interaction interaction : interactions) {
+      BigInteger chosen = BigInteger.ONE;
+      for (int i = 0; i < interaction.strength(); i++) {
+        chosen =
+            chosen
+                .multiply(BigInteger.valueOf(interaction.parameters().length - i))
+                .divide(BigInteger.valueOf(i + 1));
+      }
+      sum = sum.add(chosen);
+    }
+    return sum;
+  }
+
   /** Whether every combination of all varied columns is asked for. */
   public boolean isProduct() {
     int varied = 0;
@@ -116,7 +132,7 @@ public final class ColumnSets {
     for (int[] set : sets) {
       (set.length == 2 ? pairs : set.length == 3 ? triples : others).add(set);
     }
-    if (symbols.count() > 6000) {
+    if (!symbols.hasSets()) {
       others.addAll(pairs);
       pairs.clear();
     }

@@ -9,7 +9,10 @@ public final class Row {
 
   final int[] values;
   final int[] chosen;
+
+  /** The set of its symbols; empty where there are too many symbols for sets of them. */
   final long[] bits;
+
   private final boolean[] fixed;
   private final long[] touched;
   private final Symbols symbols;
@@ -20,7 +23,7 @@ public final class Row {
     this.symbols = symbols;
     this.values = new int[symbols.columns()];
     this.chosen = new int[symbols.columns()];
-    this.bits = new long[symbols.words()];
+    this.bits = new long[symbols.hasSets() ? symbols.words() : 0];
     this.fixed = new boolean[symbols.columns()];
     this.touched = new long[symbols.columns()];
     Arrays.fill(values, FREE);
@@ -48,7 +51,7 @@ public final class Row {
   /** Changes one cell; rows that a {@link Coverage} counts are changed through it. */
   public void set(int column, int value) {
     int old = chosen[column];
-    if (old >= 0) {
+    if (old >= 0 && bits.length > 0) {
       bits[old >>> 6] &= ~(1L << old);
     }
     values[column] = value;
@@ -57,7 +60,9 @@ public final class Row {
     } else {
       int symbol = symbols.symbol(column, value);
       chosen[column] = symbol;
-      bits[symbol >>> 6] |= 1L << symbol;
+      if (bits.length > 0) {
+        bits[symbol >>> 6] |= 1L << symbol;
+      }
     }
   }
 

@@ -5,6 +5,8 @@ package org.sitaf.core.combine.coverage;
  * and a set of symbols is a few machine words.
  */
 public final class Symbols {
+  private static final int MAX_IN_SETS = 6000;
+
   final int[] levels;
   private final int[] offset;
   private final int[] columnOf;
@@ -40,6 +42,11 @@ public final class Symbols {
   /** How many symbols there are. */
   public int count() {
     return offset[levels.length];
+  }
+
+  /** Whether a row may hold the set of its symbols: with more, a row for each would be too much. */
+  public boolean hasSets() {
+    return count() <= MAX_IN_SETS;
   }
 
   /** Words of 64 bits that a set of symbols takes. */

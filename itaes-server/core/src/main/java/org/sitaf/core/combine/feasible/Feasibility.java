@@ -1,10 +1,12 @@
 package org.sitaf.core.combine.feasible;
 
+import java.math.BigInteger;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.combine.Constraint;
+import org.sitaf.core.combine.TooManyCombinationsException;
 import org.sitaf.core.combine.coverage.Row;
 import org.sitaf.core.combine.coverage.Symbols;
 
@@ -13,6 +15,9 @@ import org.sitaf.core.combine.coverage.Symbols;
  * propagation, and where neither decides, by the solver.
  */
 public final class Feasibility {
+  /** Values of a column that takes part in a constraint. */
+  private static final int MAX_CONSTRAINED = 10_000;
+
   private final Symbols symbols;
   private final Rules rules;
   private final Propagation propagation;
@@ -25,9 +30,24 @@ public final class Feasibility {
 
   private int known;
 
-  /** The judge of these constraints. */
+  /**
+   * The judge of these constraints.
+   *
+   * @throws TooManyCombinationsException when a constrained column has more values than can be
+   *     judged one by one
+   */
   public Feasibility(Symbols symbols, List<Constraint> constraints) {
     this.symbols = symbols;
+    for (Constraint constraint : constraints) {
+      for (int column : constraint.parameters()) {
+        if (symbols.levels(column) > MAX_CONSTRAINED) {
+          throw new TooManyCombinationsException(
+              "values of a parameter that a condition speaks of",
+              BigInteger.valueOf(symbols.levels(column)),
+              MAX_CONSTRAINED);
+        }
+      }
+    }
     this.rules = new Rules(symbols, constraints);
     this.forbidden = rules.forbidden();
     this.propagation = new Propagation(symbols, forbidden);

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import org.sitaf.core.combine.CoveringArray.Tuple;
 import org.sitaf.core.combine.CoveringArray.TupleReport;
+import org.sitaf.core.combine.Interruption;
 import org.sitaf.core.combine.coverage.Coverage;
 import org.sitaf.core.combine.coverage.Symbols;
 
@@ -46,6 +47,7 @@ public final class ImpossibleTuples {
         tuples *= symbols.levels(column);
       }
       long before = judge.count;
+      Interruption.check();
       if (!feasibility.rules().isEmpty()) {
         judge.judge(set);
       }
@@ -81,6 +83,7 @@ public final class ImpossibleTuples {
     List<int[]> found = new ArrayList<>();
     int[] values = new int[columns.length];
     while (true) {
+      Interruption.check();
       if (!feasibility.possible(columns, values)) {
         found.add(values.clone());
       }

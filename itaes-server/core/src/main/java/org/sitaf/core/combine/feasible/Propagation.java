@@ -14,6 +14,10 @@ public final class Propagation {
   private final boolean[] out;
   private final int[] left;
   private final boolean[] chosen;
+
+  /** The chosen symbol of each column, which rules the others out; -1: none. */
+  private final int[] choice;
+
   private final int[] trail;
   private int trailSize;
   private int done;
@@ -38,6 +42,8 @@ public final class Propagation {
     }
     this.out = new boolean[symbols.count()];
     this.chosen = new boolean[symbols.count()];
+    this.choice = new int[symbols.columns()];
+    java.util.Arrays.fill(choice, -1);
     this.left = symbols.levels();
     this.trail = new int[2 * symbols.count() + 2];
   }
@@ -63,6 +69,7 @@ public final class Propagation {
       int entry = trail[--trailSize];
       if (entry >= 0) {
         chosen[entry] = false;
+        choice[symbols.column(entry)] = -1;
       } else {
         int symbol = -entry - 1;
         out[symbol] = false;
@@ -74,13 +81,18 @@ public final class Propagation {
 
   /** Whether this value may still be chosen. */
   public boolean open(int column, int value) {
-    return !out[symbols.symbol(column, value)];
+    return !isOut(symbols.symbol(column, value));
+  }
+
+  private boolean isOut(int symbol) {
+    int other = choice[symbols.column(symbol)];
+    return out[symbol] || (other >= 0 && other != symbol);
   }
 
   /** Chooses a value; false: this cannot be, and the caller takes it back. */
   public boolean choose(int column, int value) {
     int symbol = symbols.symbol(column, value);
-    if (out[symbol]) {
+    if (isOut(symbol)) {
       return false;
     }
     return accept(symbol) && conclude();
@@ -96,20 +108,13 @@ public final class Propagation {
       return true;
     }
     chosen[symbol] = true;
+    choice[symbols.column(symbol)] = symbol;
     trail[trailSize++] = symbol;
-    int column = symbols.column(symbol);
-    for (int s = symbols.first(column); s < symbols.first(column + 1); s++) {
-      if (s != symbol && !out[s]) {
-        out[s] = true;
-        left[column]--;
-        trail[trailSize++] = -s - 1;
-      }
-    }
     return true;
   }
 
   private boolean exclude(int symbol) {
-    if (out[symbol]) {
+    if (isOut(symbol)) {
       return true;
     }
     int column = symbols.column(symbol);
@@ -139,7 +144,7 @@ public final class Propagation {
         int others = 0;
         for (int s : sets[i]) {
           if (!chosen[s]) {
-            others += out[s] ? 2 : 1;
+            others += isOut(s) ? 2 : 1;
             open = s;
           }
         }

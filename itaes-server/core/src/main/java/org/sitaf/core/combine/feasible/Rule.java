@@ -1,27 +1,51 @@
 package org.sitaf.core.combine.feasible;
 
+import java.math.BigInteger;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
+import java.util.Locale;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.combine.Constraint;
+import org.sitaf.core.combine.WideConstraintException;
 import org.sitaf.core.combine.coverage.Row;
 import org.sitaf.core.combine.coverage.Symbols;
 
 /** A constraint made ready to be asked often: a table of the allowed tuples where one is small. */
 final class Rule {
   /** Up to this many tuples are tabulated. */
-  static final long MAX_TABLE = 200_000;
+  static final long MAX_TABLE = Constraint.MAX_TABLE;
+
+  /** How often a constraint without a table is asked, before it is refused. */
+  private static final int MAX_ASKED = 3_000_000;
+
+  /** How many forbidden tuples of a constraint without a table are learned one by one. */
+  private static final int MAX_LEARNED = 20_000;
+
+  /** Up to this many tuples the answers of a constraint without a table are kept. */
+  private static final BigInteger MAX_ANSWERS = BigInteger.valueOf(16_000_000);
 
   final int[] columns;
   private final Constraint constraint;
   private final int[] strides;
   private final @Nullable BitSet allowed;
+  private final int[] levels;
+  private final BigInteger combinations;
+  private final BitSet answered = new BitSet();
+  private final BitSet answers = new BitSet();
+  private int asked;
+  private int learned;
 
   Rule(Symbols symbols, Constraint constraint) {
     this.constraint = constraint;
     this.columns = constraint.parameters();
     this.strides = new int[columns.length];
+    this.levels = Arrays.stream(columns).map(symbols::levels).toArray();
+    this.combinations =
+        Arrays.stream(levels)
+            .mapToObj(BigInteger::valueOf)
+            .reduce(BigInteger.ONE, BigInteger::multiply);
     long product = 1;
     for (int i = columns.length - 1; i >= 0 && product <= MAX_TABLE; i--) {
       strides[i] = (int) product;
@@ -66,7 +90,7 @@ final class Rule {
           return true;
         }
       }
-      return constraint.allowed().test(values);
+      return ask(values);
     }
     int index = 0;
     for (int i = 0; i < columns.length; i++) {
@@ -77,6 +101,46 @@ final class Rule {
       index += v * strides[i];
     }
     return allowed.get(index);
+  }
+
+  /** Asks a constraint that has no table, once for each tuple where there are few enough. */
+  private boolean ask(int[] values) {
+    if (combinations.compareTo(MAX_ANSWERS) > 0) {
+      return first(values);
+    }
+    int index = 0;
+    for (int i = 0; i < values.length; i++) {
+      index = index * levels[i] + values[i];
+    }
+    if (!answered.get(index)) {
+      answers.set(index, first(values));
+      answered.set(index);
+    }
+    return answers.get(index);
+  }
+
+  private boolean first(int[] values) {
+    if (++asked > MAX_ASKED) {
+      throw new WideConstraintException(
+          constraint,
+          combinations,
+          String.format(Locale.ROOT, "%,d were tried, which is the limit", MAX_ASKED));
+    }
+    return constraint.allowed().test(values);
+  }
+
+  /**
+   * A forbidden tuple has to be learned by itself.
+   *
+   * @throws WideConstraintException when there were too many already
+   */
+  void learn() {
+    if (++learned > MAX_LEARNED) {
+      throw new WideConstraintException(
+          constraint,
+          combinations,
+          String.format(Locale.ROOT, "more than %,d are forbidden one by one", MAX_LEARNED));
+    }
   }
 
   /** The forbidden tuples as sets of symbols, merged where the value of a column is all one. */
@@ -94,12 +158,12 @@ final class Rule {
       if (allowed == null || allowed.get(index)) {
         return false;
       }
-      out.add(java.util.Arrays.copyOf(chosen, size));
+      out.add(Arrays.copyOf(chosen, size));
       return true;
     }
     int levels = symbols.levels(columns[depth]);
     if (allForbidden(index, depth, symbols)) {
-      out.add(java.util.Arrays.copyOf(chosen, size));
+      out.add(Arrays.copyOf(chosen, size));
       return true;
     }
     for (int v = 0; v < levels; v++) {

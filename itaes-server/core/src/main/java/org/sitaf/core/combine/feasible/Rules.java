@@ -76,11 +76,16 @@ public final class Rules {
     return true;
   }
 
-  /** For each constraint that a complete row breaks, its cells as a set of symbols. */
+  /**
+   * For each constraint that a complete row breaks, its cells as a set of symbols.
+   *
+   * @throws org.sitaf.core.combine.WideConstraintException when a constraint breaks too often
+   */
   List<int[]> broken(Row row) {
     List<int[]> sets = new ArrayList<>();
     for (Rule rule : all) {
       if (!rule.keeps(row)) {
+        rule.learn();
         sets.add(Arrays.stream(rule.columns).map(c -> symbols.symbol(c, row.value(c))).toArray());
       }
     }

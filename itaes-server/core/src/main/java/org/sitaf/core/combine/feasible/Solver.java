@@ -1,12 +1,18 @@
 package org.sitaf.core.combine.feasible;
 
+import java.math.BigInteger;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.sat4j.core.VecInt;
 import org.sat4j.minisat.SolverFactory;
 import org.sat4j.specs.ContradictionException;
+import org.sat4j.specs.IConstr;
 import org.sat4j.specs.ISolver;
+import org.sat4j.specs.ISolverService;
+import org.sat4j.specs.SearchListenerAdapter;
 import org.sat4j.specs.TimeoutException;
+import org.sitaf.core.combine.Interruption;
+import org.sitaf.core.combine.TooManyCombinationsException;
 import org.sitaf.core.combine.coverage.Row;
 import org.sitaf.core.combine.coverage.Symbols;
 
@@ -15,6 +21,9 @@ import org.sitaf.core.combine.coverage.Symbols;
  * A constraint too large for a table is learned by its broken tuples, as solutions break it.
  */
 final class Solver {
+  /** Conflicts of all questions together: some minutes. */
+  private static final int MAX_CONFLICTS = 2_000_000;
+
   private final Symbols symbols;
   private final Rules rules;
   private final ISolver sat = SolverFactory.newDefault();
@@ -28,6 +37,7 @@ final class Solver {
         java.util.stream.IntStream.range(0, symbols.columns()).filter(rules::touches).toArray();
     // By conflicts: by time, Sat4j would start a timer thread for each question.
     sat.setTimeoutOnConflicts(Integer.MAX_VALUE);
+    sat.setSearchListener(new Watch());
     sat.newVar(symbols.count());
     try {
       for (int c : constrained) {
@@ -42,6 +52,24 @@ final class Solver {
       }
     } catch (ContradictionException e) {
       contradiction = true;
+    }
+  }
+
+  /** Ends a search that takes too long. */
+  private static final class Watch extends SearchListenerAdapter<ISolverService> {
+    private static final long serialVersionUID = 1L;
+
+    private int conflicts;
+
+    @Override
+    public void conflictFound(IConstr conflict, int level, int trailLevel) {
+      Interruption.check();
+      if (++conflicts > MAX_CONFLICTS) {
+        throw new TooManyCombinationsException(
+            "conflicts met in the search for cases that keep all conditions",
+            BigInteger.valueOf(conflicts),
+            MAX_CONFLICTS);
+      }
     }
   }
 

@@ -1,6 +1,7 @@
 package org.sitaf.core.combine.search;
 
 import org.jspecify.annotations.Nullable;
+import org.sitaf.core.combine.Interruption;
 
 /** What a search may still spend, in word operations: a count, never the clock. */
 public final class Budget {
@@ -21,11 +22,13 @@ public final class Budget {
     this.source = source;
   }
 
-  /** Spends some; more than is left is possible once. */
+  /** Spends some; more than is left is possible once. Ends the search of an interrupted thread. */
   public void spend(long operations) {
     left -= operations;
     if (source != null) {
       source.spend(operations);
+    } else {
+      Interruption.check();
     }
   }
 

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import org.sitaf.core.combine.Interruption;
 import org.sitaf.core.combine.coverage.Row;
 import org.sitaf.core.combine.coverage.Symbols;
 import org.sitaf.core.combine.feasible.Feasibility;
@@ -44,11 +45,14 @@ public final class Product {
       }
       return;
     }
+    Interruption.check();
     Propagation propagation = feasibility.propagation();
+    boolean constrained = feasibility.rules().touches(column);
     for (int v = 0; v < symbols.levels(column); v++) {
       int mark = propagation.mark();
       row.set(column, v);
-      if (propagation.choose(column, v) && feasibility.rules().allow(row, column, v)) {
+      if (!constrained
+          || (propagation.choose(column, v) && feasibility.rules().allow(row, column, v))) {
         extend(row, column + 1);
       }
       propagation.undo(mark);

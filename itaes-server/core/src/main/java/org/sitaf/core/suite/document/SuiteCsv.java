@@ -10,8 +10,8 @@ import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.Collectors;
 import org.sitaf.core.diagnostic.Diagnostics;
+import org.sitaf.core.document.CsvCells;
 import org.sitaf.core.suite.CaseParameter;
 import org.sitaf.core.suite.ExpectedValue;
 import org.sitaf.core.suite.TestCase;
@@ -19,7 +19,7 @@ import org.sitaf.core.suite.TestSuite;
 
 /**
  * The cases of a suite as comma-separated values: a header {@code no,class,PARAMETER...,expected
- * OUTPUT...} and a line a case, as RFC 4180 has it.
+ * OUTPUT...} and a line a case, in {@link CsvCells}.
  */
 public final class SuiteCsv {
   private static final String EXPECTED = "expected";
@@ -37,14 +37,14 @@ public final class SuiteCsv {
     List<String> header = new ArrayList<>(List.of("no", "class"));
     suite.parameters().stream().map(CaseParameter::name).forEach(header::add);
     outputs.forEach(o -> header.add(o.isEmpty() ? EXPECTED : EXPECTED + " " + o));
-    writeLine(header, writer);
+    writer.write(CsvCells.line(header));
     for (TestCase testCase : suite.cases()) {
       List<String> line = new ArrayList<>();
       line.add(Integer.toString(testCase.no()));
       line.add(testCase.valid() ? "valid" : "invalid");
       line.addAll(testCase.values());
       outputs.forEach(o -> line.add(expected(testCase, o)));
-      writeLine(line, writer);
+      writer.write(CsvCells.line(line));
     }
     writer.flush();
   }
@@ -152,7 +152,7 @@ public final class SuiteCsv {
         }
         quoted = true;
       } else if (c == ',' || c == '\n') {
-        fields.add(field.toString());
+        fields.add(CsvCells.read(field.toString()));
         field.setLength(0);
         if (c == '\n') {
           addLine(lines, begun, fields);
@@ -165,7 +165,7 @@ public final class SuiteCsv {
       closed = false;
     }
     if (field.length() > 0 || !fields.isEmpty()) {
-      fields.add(field.toString());
+      fields.add(CsvCells.read(field.toString()));
       addLine(lines, begun, fields);
     }
     return lines;
@@ -183,16 +183,5 @@ public final class SuiteCsv {
         .map(ExpectedValue::literal)
         .findFirst()
         .orElse("");
-  }
-
-  private static void writeLine(List<String> fields, Writer writer) throws IOException {
-    writer.write(fields.stream().map(SuiteCsv::quote).collect(Collectors.joining(",")));
-    writer.write("\r\n");
-  }
-
-  private static String quote(String field) {
-    return field.matches("(?s).*[\",\r\n].*") || field.startsWith(" ") || field.endsWith(" ")
-        ? '"' + field.replace("\"", "\"\"") + '"'
-        : field;
   }
 }

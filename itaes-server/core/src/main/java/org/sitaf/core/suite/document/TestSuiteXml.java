@@ -2,6 +2,7 @@ package org.sitaf.core.suite.document;
 
 import java.io.InputStream;
 import java.io.OutputStream;
+import java.util.AbstractList;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -58,9 +59,7 @@ public final class TestSuiteXml {
     generation.setGenerator(suite.generation().generator());
     root.setGeneration(generation);
     root.setCaseParamInfo(write(suite.parameters()));
-    CaseListType list = new CaseListType();
-    suite.cases().forEach(c -> list.getCases().add(write(c)));
-    root.setCaseList(list);
+    root.setCaseList(new CasesInTurn(suite.cases()));
     XmlDocuments.write(
         ROOT, TestSuiteDocument.class, root, Set.of("case", "param", "generation"), out);
   }
@@ -104,6 +103,24 @@ public final class TestSuiteXml {
       }
     }
     return parameters;
+  }
+
+  /** The cases, of which each exists as an element only while it is written. */
+  private static final class CasesInTurn extends CaseListType {
+    CasesInTurn(List<TestCase> of) {
+      cases =
+          new AbstractList<>() {
+            @Override
+            public CaseType get(int index) {
+              return write(of.get(index));
+            }
+
+            @Override
+            public int size() {
+              return of.size();
+            }
+          };
+    }
   }
 
   private static CaseType write(TestCase testCase) {

@@ -13,7 +13,10 @@ import org.sitaf.core.verdict.NamedValue;
 import org.sitaf.core.verdict.Summary;
 import org.sitaf.core.verdict.TestResult;
 
-/** A result in the format that CI systems read: FAIL is a failure, ERROR an error, DONT skipped. */
+/**
+ * A result in the format that CI systems read: FAIL is a failure, ERROR an error, DONT skipped. A
+ * suspect result has one error more, so that no CI system takes it for passed.
+ */
 public final class JunitXml {
   private JunitXml() {}
 
@@ -48,9 +51,10 @@ public final class JunitXml {
     xml.writeCharacters("\n  ");
     xml.writeStartElement("testsuite");
     xml.writeAttribute("name", activity + "." + result.name());
-    xml.writeAttribute("tests", Integer.toString(summary.total()));
+    int suspect = result.isSuspect() ? 1 : 0;
+    xml.writeAttribute("tests", Integer.toString(summary.total() + suspect));
     xml.writeAttribute("failures", Integer.toString(summary.fail()));
-    xml.writeAttribute("errors", Integer.toString(summary.error()));
+    xml.writeAttribute("errors", Integer.toString(summary.error() + suspect));
     xml.writeAttribute("skipped", Integer.toString(summary.dont()));
     xml.writeAttribute("timestamp", result.provenance().started());
     xml.writeAttribute(
@@ -58,7 +62,23 @@ public final class JunitXml {
     for (CaseResult kase : result.cases()) {
       write(activity, result, kase, xml);
     }
+    if (result.isSuspect()) {
+      writeSuspicion(activity, result, xml);
+    }
     xml.writeCharacters("\n  ");
+    xml.writeEndElement();
+  }
+
+  private static void writeSuspicion(String activity, TestResult result, XMLStreamWriter xml)
+      throws XMLStreamException {
+    xml.writeCharacters("\n    ");
+    xml.writeStartElement("testcase");
+    xml.writeAttribute("classname", activity + "." + result.name());
+    xml.writeAttribute("name", "the result can be trusted");
+    xml.writeStartElement("error");
+    xml.writeAttribute("message", "the result is suspect");
+    xml.writeCharacters(String.join("\n", result.suspicions()));
+    xml.writeEndElement();
     xml.writeEndElement();
   }
 

@@ -73,7 +73,8 @@ public final class TestResultXml {
         read(root.getSummary(), file),
         TestSuiteXml.read(root.getCaseParamInfo(), file, diagnostics),
         cases,
-        coverage);
+        coverage,
+        root.getSuspicion());
   }
 
   /**
@@ -103,6 +104,7 @@ public final class TestResultXml {
     root.getSummary().setCoverage(CoverageXml.summary(result.coverage()));
     root.setCoverageList(CoverageXml.write(result.coverage()));
     root.setCaseParamInfo(TestSuiteXml.write(result.parameters()));
+    root.getSuspicion().addAll(result.suspicions());
     TestResultListType list = new TestResultListType();
     result.cases().forEach(c -> list.getTestResults().add(write(c)));
     root.setTestResultList(list);

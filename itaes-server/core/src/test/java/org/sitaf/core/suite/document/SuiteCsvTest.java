@@ -8,8 +8,12 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.constraints.Chars;
 import org.junit.jupiter.api.Test;
 import org.sitaf.core.diagnostic.InvalidInputException;
+import org.sitaf.core.document.CsvCells;
 import org.sitaf.core.model.InputKind;
 import org.sitaf.core.model.InvalidValues;
 import org.sitaf.core.model.Strength;
@@ -42,6 +46,47 @@ class SuiteCsvTest {
         SuiteCsv.read(
             new ByteArrayInputStream(csv.toByteArray()), "cases.csv", SUITE.withCases(List.of()));
     assertThat(read).isEqualTo(SUITE);
+  }
+
+  @Test
+  void noCellIsAFormulaForASpreadsheetAndNumbersStayNumbers() throws IOException {
+    for (String formula :
+        List.of(
+            "=1+1",
+            "+1+cmd|' /C calc'!A0",
+            "-1-2",
+            "@SUM(1)",
+            "\t=1",
+            "\r=1",
+            "-",
+            "+",
+            "'=1",
+            "''@a")) {
+      TestSuite suite =
+          SUITE.withCases(
+              List.of(new TestCase(1, true, List.of(formula, "-1.5e-3"), expected(formula))));
+      ByteArrayOutputStream csv = new ByteArrayOutputStream();
+      SuiteCsv.write(suite, csv);
+      assertThat(csv.toString(StandardCharsets.UTF_8))
+          .containsPattern("valid,\"?'")
+          .contains(",-1.5e-3,");
+      assertThat(read(csv.toString(StandardCharsets.UTF_8))).isEqualTo(suite);
+    }
+    for (String number : List.of("-1.5", "+2", "-.5", "-Infinity", "1e9", "it's", "'", "'a")) {
+      assertThat(CsvCells.line(List.of(number))).isEqualTo(number + "\r\n");
+      assertThat(CsvCells.read(number)).isEqualTo(number);
+    }
+  }
+
+  @Property
+  void everyTextIsReadAsItWas(
+      @ForAll @Chars({'\'', '=', '+', '-', '1', 'a', ',', '"', '\n', '\t'}) String text)
+      throws IOException {
+    TestSuite suite =
+        SUITE.withCases(List.of(new TestCase(1, true, List.of(text, "1.0"), List.of())));
+    ByteArrayOutputStream csv = new ByteArrayOutputStream();
+    SuiteCsv.write(suite, csv);
+    assertThat(read(csv.toString(StandardCharsets.UTF_8))).isEqualTo(suite);
   }
 
   @Test

@@ -7,19 +7,23 @@ import com.google.gson.JsonParser;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.time.Duration;
+import java.util.HashMap;
 import java.util.List;
-import java.util.stream.Stream;
+import java.util.Map;
 import org.sitaf.agent.sandbox.Confinement;
 import org.sitaf.agent.sandbox.ProcessLimits;
 import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.agent.sandbox.ToolEnd;
+import org.sitaf.agent.spool.LeftFiles;
 import org.sitaf.core.verdict.Coverage;
 
 /** What gcov says of a program that g++ instrumented. */
 public final class GcovReport {
   private static final Duration LIMIT = Duration.ofMinutes(1);
+  private static final Duration LIMIT_OF_ALL = Duration.ofMinutes(5);
+  private static final int MOST_FILES = 10_000;
+  private static final int MOST_BYTES = 32 << 20;
   private static final String DATA = ".gcda";
   private static final String NOTES = ".gcno";
 
@@ -38,19 +42,24 @@ public final class GcovReport {
       Path data, Path notes, Path scratch, Sandbox sandbox, String activity, String sources)
       throws IOException, InterruptedException {
     LineCounts counts = new LineCounts();
-    List<Path> recorded;
-    try (Stream<Path> files = Files.walk(data)) {
-      recorded = files.filter(file -> file.toString().endsWith(DATA)).sorted().toList();
+    Map<String, Path> units = new HashMap<>();
+    for (Path note : LeftFiles.in(notes, file -> file.toString().endsWith(NOTES), MOST_FILES)) {
+      units.put(note.getFileName().toString().replace(NOTES, ""), note);
     }
+    List<Path> recorded = LeftFiles.in(data, file -> file.toString().endsWith(DATA), MOST_FILES);
+    long last = System.nanoTime() + LIMIT_OF_ALL.toNanos();
     for (Path file : recorded) {
       String unit = file.getFileName().toString().replace(DATA, "");
-      Path note = notes.resolve(unit + NOTES);
-      if (!Files.isRegularFile(note) || Files.isSymbolicLink(file)) {
+      Path note = units.get(unit);
+      if (note == null) {
         continue;
       }
+      if (System.nanoTime() - last > 0) {
+        throw new IOException("gcov takes longer than " + LIMIT_OF_ALL.toMinutes() + " minutes");
+      }
       Path work = Files.createTempDirectory(Files.createDirectories(scratch), "gcov");
-      Files.copy(file, work.resolve(unit + DATA), StandardCopyOption.REPLACE_EXISTING);
-      Files.copy(note, work.resolve(unit + NOTES), StandardCopyOption.REPLACE_EXISTING);
+      Files.write(work.resolve(unit + DATA), LeftFiles.read(file, MOST_BYTES));
+      Files.write(work.resolve(unit + NOTES), LeftFiles.read(note, MOST_BYTES));
       ToolEnd end =
           sandbox.run(
               Confinement.of(
@@ -77,7 +86,11 @@ public final class GcovReport {
               .forEach(line -> addLine(counts, path, line.getAsJsonObject()));
         }
       }
-    } catch (JsonParseException | IllegalStateException | NullPointerException e) {
+    } catch (JsonParseException
+        | IllegalStateException
+        | UnsupportedOperationException
+        | NumberFormatException
+        | NullPointerException e) {
       throw new IOException("gcov's answer is not understood: " + e.getMessage(), e);
     }
   }

@@ -3,193 +3,187 @@ package org.sitaf.agent.toolchain.cpp;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import org.sitaf.agent.sandbox.Confinement;
-import org.sitaf.agent.sandbox.ProcessLimits;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.FutureTask;
+import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.sandbox.ToolEnd;
 import org.sitaf.agent.toolchain.Compilation;
 import org.sitaf.agent.toolchain.CompilationException;
 import org.sitaf.agent.toolchain.SourceDiagnostic;
+import org.sitaf.agent.toolchain.cpp.inputs.InputCheck;
+import org.sitaf.agent.toolchain.cpp.inputs.Inputs;
 
 /** One compilation of a test application: translation units side by side, then the program. */
 final class CppCompilation {
+  private static final System.Logger LOGGER = System.getLogger("org.sitaf.agent.toolchain");
+
   private final Compilation compilation;
   private final Compiler compiler;
   private final CppRuntime.Built runtime;
   private final ObjectCache cache;
   private final CppSources sources;
+  private final CppLibraries libraries;
   private final CompilerOutput output;
+  private final InputCheck check;
+  private final ConfinedTools tools;
+  private final Path objects;
+
+  /** What went into the objects that are linked; one fewer for each whose inputs are uncertain. */
+  private final List<Inputs> inputs = new ArrayList<>();
 
   CppCompilation(
-      Compilation compilation, Compiler compiler, CppRuntime.Built runtime, ObjectCache cache) {
+      Compilation compilation, Compiler compiler, CppRuntime.Built runtime, ObjectCache cache)
+      throws CompilationException, IOException, InterruptedException {
     this.compilation = compilation;
     this.compiler = compiler;
     this.runtime = runtime;
     this.cache = cache;
     this.sources = new CppSources(compilation);
     this.output = new CompilerOutput(sources::place);
-  }
-
-  /**
-   * A translation unit on its way.
-   *
-   * @param command without what it writes
-   * @param number names its files
-   */
-  private record Work(List<String> command, int number, boolean measured, String digest) {
-    String object() {
-      return "unit" + number + ".o";
-    }
-
-    /** What gcov needs of the compilation. */
-    String notes() {
-      return "unit" + number + ".gcno";
-    }
+    this.libraries = CppLibraries.of(compilation);
+    List<Path> folders = new ArrayList<>(List.of(runtime.include()));
+    folders.addAll(libraries.headerFolders());
+    folders.addAll(compiler.headerFolders());
+    // Their files decide what the runtime's folder is called, and that is part of each command.
+    List<Path> known = List.of(runtime.include(), runtime.precompiled());
+    this.check = sources.inputCheck(folders, known);
+    this.tools =
+        new ConfinedTools(
+            compilation, List.of(runtime.include(), runtime.precompiled(), runtime.library()));
+    this.objects = compilation.scratch().resolve("objects");
   }
 
   void run() throws CompilationException, IOException, InterruptedException {
-    CppLibraries libraries = CppLibraries.of(compilation);
-    Path objects = Files.createDirectories(compilation.scratch().resolve("objects"));
-    Path notes = compilation.output().resolve(CppApplication.NOTES);
+    Files.createDirectories(objects);
     if (measures()) {
-      Files.createDirectories(notes);
+      Files.createDirectories(notes());
     }
-    List<String> link =
-        new ArrayList<>(List.of(compiler.program().toString(), "-pthread", "-rdynamic"));
-    if (measures()) {
-      link.add("--coverage");
-    }
-    List<Work> works = new ArrayList<>();
-    Digest common = new Digest();
-    sources.addHeadersTo(common);
-    String headers = common.hexadecimal();
-    int count = 0;
-    for (CppSources.Unit unit : sources.units()) {
-      Work work = work(unit, count++, libraries, headers);
-      boolean there = cache.fetch(work.digest(), ".o", objects.resolve(work.object()));
-      if (there && work.measured()) {
-        there = cache.fetch(work.digest(), ".gcno", notes.resolve(work.notes()));
-      }
-      if (!there) {
-        works.add(work);
-      }
-      link.add(objects.resolve(work.object()).toString());
-    }
-    List<ToolEnd> ends = Parallel.run(works, work -> compile(work, objects, notes));
-    for (int i = 0; i < works.size(); i++) {
-      judge(ends.get(i));
-      Work work = works.get(i);
-      if (ends.get(i).code() == 0) {
-        cache.keep(work.digest(), ".o", objects.resolve(work.object()));
-        if (work.measured()) {
-          cache.keep(work.digest(), ".gcno", notes.resolve(work.notes()));
-        }
+    sources.settleTimes();
+    List<TranslationUnit> all = new ArrayList<>();
+    List<TranslationUnit> changed = new ArrayList<>();
+    for (CppSources.Unit source : sources.units()) {
+      TranslationUnit unit = unit(source, all.size());
+      all.add(unit);
+      Optional<ObjectCache.Entry> kept = cache.find(unit.key(), check);
+      if (kept.isPresent()) {
+        restore(kept.get(), unit);
+      } else {
+        changed.add(unit);
       }
     }
-    throwIfErrors("the sources do not compile", ends);
-    link.addAll(List.of("-L" + runtime.library(), "-lsitaf_runtime"));
-    link.addAll(libraries.linkFlags());
-    // What the component brings lies beside the program, wherever that is.
-    Path brought = compilation.output().resolve(CppApplication.LIBRARIES);
-    link.addAll(
-        List.of(
-            "-Wl,-rpath,$ORIGIN/" + CppApplication.LIBRARIES,
-            "-Wl,-rpath-link," + runtime.library() + ":" + brought));
-    String program = compilation.application().entryPoint();
-    ToolEnd end = tool(link, program, Map.of(program, compilation.output().resolve(program)));
-    judge(end);
-    throwIfErrors("the test application cannot be linked", List.of(end));
+    Map<TranslationUnit, TranslationUnit.Compiled> compiled = new ConcurrentHashMap<>();
+    List<ToolEnd> ends =
+        Parallel.run(
+            changed,
+            unit -> {
+              TranslationUnit.Compiled done = unit.compile(tools, files(unit));
+              compiled.put(unit, done);
+              return done.end();
+            });
+    for (ToolEnd end : ends) {
+      judge(end);
+    }
+    // Reading what was read takes about as long as linking.
+    FutureTask<Void> keeping =
+        new FutureTask<>(
+            () -> {
+              for (TranslationUnit unit : changed) {
+                keep(unit, compiled.get(unit));
+              }
+              cache.shrink();
+              return null;
+            });
+    Thread thread = new Thread(keeping, "sitaf-keep-objects");
+    thread.setDaemon(true);
+    thread.start();
+    try {
+      throwIfErrors("the sources do not compile", ends);
+      link(all, keeping);
+    } finally {
+      await(keeping);
+    }
+  }
+
+  private TranslationUnit unit(CppSources.Unit source, int number) throws IOException {
+    return TranslationUnit.of(
+        source,
+        number,
+        compiler,
+        runtime,
+        sources.includeFolders(),
+        libraries,
+        compilation,
+        measures() && !source.ofHarness());
   }
 
   private boolean measures() {
     return compilation.coverage() && compiler.isMeasuredByGcov();
   }
 
-  private ToolEnd compile(Work work, Path objects, Path notes)
-      throws IOException, InterruptedException {
-    Map<String, Path> results = new HashMap<>();
-    results.put(work.object(), objects.resolve(work.object()));
-    if (work.measured()) {
-      results.put(work.notes(), notes.resolve(work.notes()));
-    }
-    return tool(work.command(), work.object(), results);
+  private Path notes() {
+    return compilation.output().resolve(CppApplication.NOTES);
   }
 
-  private Work work(CppSources.Unit unit, int number, CppLibraries libraries, String headers) {
-    List<String> command = new ArrayList<>(List.of(compiler.program().toString()));
-    command.addAll(Compiler.OPTIONS);
-    command.addAll(compiler.plainDiagnostics());
-    command.add("-ffile-prefix-map=" + compilation.sources() + "/=");
-    boolean measured = measures() && !unit.ofHarness();
-    if (measured) {
-      command.add("--coverage");
+  /** Where the files of a unit go, by kind. */
+  private Map<String, Path> files(TranslationUnit unit) {
+    Map<String, Path> files = new TreeMap<>();
+    files.put(TranslationUnit.OBJECT, objects.resolve(unit.name() + TranslationUnit.OBJECT));
+    if (unit.measured()) {
+      files.put(TranslationUnit.NOTES, notes().resolve(unit.name() + TranslationUnit.NOTES));
     }
-    if (unit.ofHarness()) {
-      // The precompiled header counts only where it is the first.
-      command.addAll(List.of("-I", runtime.precompiled().toString()));
-      command.addAll(List.of("-include", CppRuntime.PRECOMPILED));
-    }
-    for (Path folder : sources.includeFolders()) {
-      command.addAll(List.of("-I", folder.toString()));
-    }
-    command.addAll(List.of("-I", runtime.include().toString()));
-    command.addAll(libraries.compileFlags());
-    Digest digest = new Digest();
-    // Where the application lies does not matter to an object file.
-    command.forEach(word -> digest.add(word.replace(compilation.sources().toString(), "")));
-    digest.add(compiler.version());
-    digest.add(runtime.library().toString());
-    digest.add(headers);
-    digest.add(unit.path());
-    digest.add(measured ? Integer.toString(number) : "");
-    digest.add(content(unit));
-    command.addAll(List.of("-c", unit.file().toString()));
-    return new Work(command, number, measured, digest.hexadecimal());
+    return files;
   }
 
-  private byte[] content(CppSources.Unit unit) {
-    return compilation.application().files().content(unit.path()).orElseThrow();
+  private void restore(ObjectCache.Entry entry, TranslationUnit unit) throws IOException {
+    for (Map.Entry<String, Path> file : files(unit).entrySet()) {
+      Files.write(file.getValue(), entry.files().get(file.getKey()));
+    }
+    LOGGER.log(System.Logger.Level.DEBUG, "{0}: kept", unit.source().path());
+    inputs.add(entry.inputs());
   }
 
-  /**
-   * Runs a tool in a folder of its own, since all that works in the folder ends with it, and only
-   * that folder is the tool's to write.
-   *
-   * @param written what it writes, by {@code -o}
-   * @param results files of that folder and where they go
-   */
-  private ToolEnd tool(List<String> command, String written, Map<String, Path> results)
-      throws IOException, InterruptedException {
-    Path working = Files.createTempDirectory(compilation.scratch(), "tool");
-    List<String> whole = new ArrayList<>(command);
-    whole.addAll(List.of("-o", working.resolve(written).toString()));
-    ToolEnd end =
-        compilation
-            .sandbox()
-            .run(
-                Confinement.of(whole, working, working, ProcessLimits.TOOL)
-                    .reading(
-                        List.of(
-                            compilation.sources(),
-                            compilation.output(),
-                            compilation.scratch().resolve("objects"),
-                            runtime.include(),
-                            runtime.precompiled(),
-                            runtime.library())),
-                compilation.atMost());
-    if (end.code() == 0) {
-      for (Map.Entry<String, Path> result : results.entrySet()) {
-        Files.move(
-            working.resolve(result.getKey()),
-            result.getValue(),
-            StandardCopyOption.REPLACE_EXISTING);
-      }
+  private void keep(TranslationUnit unit, TranslationUnit.@Nullable Compiled compiled)
+      throws IOException {
+    if (compiled == null || compiled.end().code() != 0) {
+      return;
     }
-    return end;
+    Optional<Inputs> read = unit.inputs(compiled, check);
+    LOGGER.log(
+        System.Logger.Level.DEBUG,
+        read.isPresent() ? "{0}: compiled" : "{0}: compiled; what it reads is not certain",
+        unit.source().path());
+    if (read.isPresent()) {
+      cache.keep(unit.key(), read.get(), files(unit));
+      inputs.add(read.get());
+    }
+  }
+
+  private void link(List<TranslationUnit> units, FutureTask<Void> keeping)
+      throws CompilationException, IOException, InterruptedException {
+    Linking linking = new Linking(compilation, compiler, runtime, libraries, tools);
+    List<Path> linked =
+        units.stream().map(unit -> objects.resolve(unit.name() + TranslationUnit.OBJECT)).toList();
+    ToolEnd end = linking.link(linked, measures());
+    judge(end);
+    throwIfErrors("the test application cannot be linked", List.of(end));
+    await(keeping);
+    if (inputs.size() == units.size()) {
+      linking.note(inputs);
+    }
+  }
+
+  private static void await(FutureTask<Void> keeping) throws IOException, InterruptedException {
+    try {
+      keeping.get();
+    } catch (ExecutionException e) {
+      throw new IOException("what was compiled cannot be kept: " + e.getCause(), e.getCause());
+    }
   }
 
   private void judge(ToolEnd end) throws CompilationException {

@@ -60,18 +60,33 @@ record CppLibraries(List<String> compileFlags, List<String> linkFlags) {
         link.add(beside(compilation, path).toString());
       }
     }
-    String name = profile.component().packageName();
-    if (name != null) {
-      addPackage(name, compile, link, problems);
-    }
+    addPackage(profile, compile, link, problems);
     if (!problems.isEmpty()) {
       throw new CompilationException("the component's libraries cannot be used", problems);
     }
     return new CppLibraries(compile, link);
   }
 
+  /** What this machine says of the component's package now; empty where it has none. */
+  static String packageFlags(ActivityProfile profile) {
+    List<String> compile = new ArrayList<>();
+    List<String> link = new ArrayList<>();
+    List<SourceDiagnostic> problems = new ArrayList<>();
+    addPackage(profile, compile, link, problems);
+    return compile.isEmpty() && link.isEmpty() && problems.isEmpty()
+        ? ""
+        : compile + "\n" + link + "\n" + problems;
+  }
+
   private static void addPackage(
-      String wanted, List<String> compile, List<String> link, List<SourceDiagnostic> problems) {
+      ActivityProfile profile,
+      List<String> compile,
+      List<String> link,
+      List<SourceDiagnostic> problems) {
+    String wanted = profile.component().packageName();
+    if (wanted == null) {
+      return;
+    }
     Matcher parts = PACKAGE.matcher(wanted);
     if (!parts.matches()) {
       problems.add(
@@ -109,6 +124,22 @@ record CppLibraries(List<String> compileFlags, List<String> linkFlags) {
     }
     compile.addAll(words(known.get(), "--cflags"));
     link.addAll(words(known.get(), "--libs"));
+  }
+
+  /** Folders of headers among the flags. */
+  List<Path> headerFolders() {
+    List<Path> folders = new ArrayList<>();
+    for (int i = 0; i < compileFlags.size(); i++) {
+      String word = compileFlags.get(i);
+      for (String option : List.of("-isystem", "-idirafter", "-I")) {
+        if (word.equals(option) && i + 1 < compileFlags.size()) {
+          folders.add(Path.of(compileFlags.get(i + 1)));
+        } else if (word.startsWith(option) && word.length() > option.length()) {
+          folders.add(Path.of(word.substring(option.length())));
+        }
+      }
+    }
+    return folders;
   }
 
   private static List<String> words(String name, String which) {

@@ -1,12 +1,18 @@
 package org.sitaf.agent.toolchain.cpp;
 
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
+import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import org.sitaf.agent.toolchain.Compilation;
+import org.sitaf.agent.toolchain.cpp.inputs.InputCheck;
 import org.sitaf.core.activity.ActivityProfile.Component;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.harness.InterfaceTestApplicationGenerator;
@@ -14,6 +20,9 @@ import org.sitaf.core.harness.TestApplication;
 
 /** The sources of a C++ test application: component, adapter and harness. */
 final class CppSources {
+  /** When everything is compiled, in seconds since 1970: the beginning of 1980. */
+  static final long TIME = 315_532_800;
+
   private static final Set<String> UNITS = Set.of("cpp", "cc", "cxx", "c++", "C");
 
   private final TestApplication application;
@@ -76,30 +85,31 @@ final class CppSources {
     return folders;
   }
 
-  /** Whatever a translation unit may include of the application, by path and content. */
-  void addHeadersTo(Digest digest) {
-    for (String path : application.harness().paths()) {
-      if (!isUnit(path)) {
-        digest.add(path);
-        digest.add(application.harness().content(path).orElseThrow());
-      }
-    }
-    FileTree files = application.activity().files();
-    for (String path : files.paths()) {
-      if (!isUnit(path) && inSources(path)) {
-        digest.add(path);
-        digest.add(files.content(path).orElseThrow());
-      }
-    }
+  /** The files of the application that are here, and where the compiler looks for others. */
+  InputCheck inputCheck(List<Path> folders, List<Path> known) {
+    List<Path> all = new ArrayList<>(includeFolders());
+    all.addAll(folders);
+    return new InputCheck(application.harness(), application.activity().files(), root, all, known);
   }
 
-  private boolean inSources(String path) {
-    List<String> folders = new ArrayList<>(userFolders());
-    String headers = application.activity().profile().component().headers();
-    if (headers != null) {
-      folders.add(headers);
+  /**
+   * Gives each file a time that only its path decides: compilers write it for {@code
+   * __TIMESTAMP__}, and take two files of the same content and time for one where these ask to be
+   * included once.
+   */
+  void settleTimes() throws IOException {
+    for (Map.Entry<String, FileTree> tree :
+        Map.of("harness", application.harness(), "activity", application.activity().files())
+            .entrySet()) {
+      for (String path : tree.getValue().paths()) {
+        String inLayout = tree.getKey() + "/" + path;
+        Digest digest = new Digest();
+        digest.add(inLayout);
+        long seconds = Long.parseLong(digest.hexadecimal().substring(0, 7), 16);
+        Files.setLastModifiedTime(
+            root.resolve(inLayout), FileTime.from(TIME + seconds, TimeUnit.SECONDS));
+      }
     }
-    return folders.stream().anyMatch(folder -> path.startsWith(withSlash(folder)));
   }
 
   /** What a path of the compiler's means to the user. */

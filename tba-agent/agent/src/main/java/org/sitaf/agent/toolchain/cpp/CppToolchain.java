@@ -94,8 +94,19 @@ public final class CppToolchain implements Toolchain {
   }
 
   @Override
-  public String identity() throws IOException {
-    return compiler.version() + " " + Compiler.OPTIONS + "\n" + runtime.digest();
+  public String identity() throws IOException, InterruptedException {
+    return compiler.identity() + " " + Compiler.OPTIONS + "\n" + runtime.build().name();
+  }
+
+  @Override
+  public boolean readsWholeActivity() {
+    // Sources may include, and linkers take in, whatever lies there.
+    return true;
+  }
+
+  @Override
+  public boolean isCurrent(Compilation compilation, Path compiled) throws IOException {
+    return Linking.isCurrent(compilation, compiled);
   }
 
   @Override

@@ -15,8 +15,19 @@ final class Digest {
   private final MessageDigest digest;
 
   Digest() {
+    digest = sha256();
+  }
+
+  /** SHA-256 of the beginning of an array, as it is. */
+  static byte[] sha256(byte[] bytes, int length) {
+    MessageDigest digest = sha256();
+    digest.update(bytes, 0, length);
+    return digest.digest();
+  }
+
+  private static MessageDigest sha256() {
     try {
-      digest = MessageDigest.getInstance("SHA-256");
+      return MessageDigest.getInstance("SHA-256");
     } catch (NoSuchAlgorithmException e) {
       throw new AssertionError(e);
     }

@@ -1,59 +1,219 @@
 package org.sitaf.agent.toolchain.cpp;
 
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.DataInputStream;
+import java.io.DataOutputStream;
 import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.DirectoryNotEmptyException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
+import java.nio.file.attribute.BasicFileAttributes;
 import java.nio.file.attribute.FileTime;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
 import java.util.stream.Stream;
+import org.sitaf.agent.toolchain.cpp.inputs.InputCheck;
+import org.sitaf.agent.toolchain.cpp.inputs.Inputs;
 
 /**
- * Object files by the digest of all that decides about them, so that of a changed component only
- * what changed is compiled again. Several processes may use it at once.
+ * What was compiled of translation units, so that of a changed component only what changed is
+ * compiled again. An entry is found by the command and the unit's own source, and counts only where
+ * all that the compiler read then would be read now, with the same content; so it does not matter
+ * whose build has added it. Several processes may use it at once: an entry is one file, which comes
+ * by renaming and holds its own digest.
+ *
+ * @param folder of the agent alone, with a folder for each key
  */
 record ObjectCache(Path folder) {
-  /** Object files of a harness are some hundred kilobytes. */
-  private static final int KEPT = 400;
+  private static final int FORMAT = 0x51_7a_f0_01;
+  private static final int MOST_OF_A_KEY = 24;
+  private static final int MOST = 5_000;
+  private static final long MOST_BYTES = 512L << 20;
+
+  /** What is larger is compiled each time. */
+  private static final long MOST_BYTES_OF_AN_ENTRY = 32L << 20;
+
+  private static final int DIGEST_BYTES = 32;
+  private static final String COMES = "new";
+  private static final Duration ABANDONED = Duration.ofHours(1);
 
   /**
-   * Copies a file of a compilation to a place; false where there is none of that digest.
+   * An entry.
    *
-   * @param kind extension of the file, such as {@code .o}
+   * @param inputs all that went into it, apart from what the key stands for
+   * @param files by kind, such as {@code .o}
    */
-  boolean fetch(String digest, String kind, Path file) throws IOException {
-    Path kept = folder.resolve(digest + kind);
-    try {
-      Files.copy(kept, file, StandardCopyOption.REPLACE_EXISTING);
-      Files.setLastModifiedTime(kept, FileTime.fromMillis(System.currentTimeMillis()));
-      return true;
-    } catch (NoSuchFileException e) {
-      return false;
+  record Entry(Inputs inputs, Map<String, byte[]> files) {}
+
+  /** The entry of a key whose inputs are those of now. */
+  Optional<Entry> find(String key, InputCheck check) throws IOException {
+    for (Path file : newestFirst(folder.resolve(key))) {
+      try {
+        byte[] bytes = Files.readAllBytes(file);
+        Optional<Entry> entry = read(bytes, check);
+        if (entry.isPresent()) {
+          Files.setLastModifiedTime(file, FileTime.fromMillis(System.currentTimeMillis()));
+          return entry;
+        }
+      } catch (NoSuchFileException e) {
+        // Another process has removed it.
+      } catch (IOException e) {
+        // Damaged: it is compiled as if it had never been there.
+        Files.deleteIfExists(file);
+      }
     }
+    return Optional.empty();
   }
 
-  /** Keeps such a file, and forgets those that were not asked for the longest. */
-  void keep(String digest, String kind, Path file) throws IOException {
-    Files.createDirectories(folder);
-    Path fresh = Files.createTempFile(folder, "new", ".part");
-    Files.copy(file, fresh, StandardCopyOption.REPLACE_EXISTING);
-    Files.move(fresh, folder.resolve(digest + kind), StandardCopyOption.ATOMIC_MOVE);
-    List<Path> files;
-    try (Stream<Path> all = Files.list(folder)) {
-      files = all.sorted(Comparator.comparing(ObjectCache::age)).toList();
+  /** Empty where something else was compiled; throws where it is not what was once written. */
+  private static Optional<Entry> read(byte[] bytes, InputCheck check) throws IOException {
+    int end = bytes.length - DIGEST_BYTES;
+    if (end < 0) {
+      throw new IOException("cut off");
     }
-    for (Path old : files.subList(0, Math.max(0, files.size() - KEPT))) {
+    DataInputStream in = new DataInputStream(new ByteArrayInputStream(bytes, 0, end));
+    if (in.readInt() != FORMAT) {
+      throw new IOException("of another format");
+    }
+    Inputs inputs = Inputs.read(in);
+    if (!check.isCurrent(inputs)) {
+      return Optional.empty();
+    }
+    if (!Arrays.equals(Digest.sha256(bytes, end), Arrays.copyOfRange(bytes, end, bytes.length))) {
+      throw new IOException("changed");
+    }
+    Map<String, byte[]> files = new TreeMap<>();
+    for (int i = in.readInt(); i > 0; i--) {
+      files.put(in.readUTF(), in.readNBytes(in.readInt()));
+    }
+    return Optional.of(new Entry(inputs, files));
+  }
+
+  /** Adds an entry; files that are too large, or not there, are not kept. */
+  void keep(String key, Inputs inputs, Map<String, Path> files) throws IOException {
+    long size = 0;
+    for (Path file : files.values()) {
+      size += Files.size(file);
+    }
+    if (size > MOST_BYTES_OF_AN_ENTRY) {
+      return;
+    }
+    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+    DataOutputStream out = new DataOutputStream(bytes);
+    out.writeInt(FORMAT);
+    inputs.write(out);
+    Digest name = new Digest();
+    name.add(bytes.toByteArray());
+    out.writeInt(files.size());
+    for (Map.Entry<String, Path> file : files.entrySet()) {
+      byte[] content = Files.readAllBytes(file.getValue());
+      out.writeUTF(file.getKey());
+      out.writeInt(content.length);
+      out.write(content);
+    }
+    out.write(Digest.sha256(bytes.toByteArray(), bytes.size()));
+    createPrivate();
+    Path fresh = Files.createTempFile(folder, COMES, ".part");
+    Files.write(fresh, bytes.toByteArray());
+    Path ofKey = folder.resolve(key);
+    Path entry = ofKey.resolve(name.hexadecimal());
+    try {
+      Files.createDirectories(ofKey);
+      Files.move(fresh, entry, StandardCopyOption.ATOMIC_MOVE);
+    } catch (NoSuchFileException e) {
+      // Another process has just removed the empty folder.
+      Files.createDirectories(ofKey);
+      Files.move(fresh, entry, StandardCopyOption.ATOMIC_MOVE);
+    }
+    List<Path> all = newestFirst(ofKey);
+    for (Path old : all.subList(Math.min(MOST_OF_A_KEY, all.size()), all.size())) {
       Files.deleteIfExists(old);
     }
   }
 
-  private static FileTime age(Path file) {
+  private void createPrivate() throws IOException {
+    if (!Files.isDirectory(folder)) {
+      Files.createDirectories(folder.getParent());
+      Files.createDirectories(
+          folder,
+          PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString("rwx------")));
+    }
+  }
+
+  /** Forgets what was not asked for the longest, where there is more than may be kept. */
+  void shrink() throws IOException {
+    record Kept(Path file, FileTime used, long size) {}
+    List<Kept> all = new ArrayList<>();
+    try (Stream<Path> files = Files.walk(folder, 2)) {
+      for (Path file : files.toList()) {
+        BasicFileAttributes attributes = attributes(file);
+        if (attributes != null && attributes.isRegularFile()) {
+          all.add(new Kept(file, attributes.lastModifiedTime(), attributes.size()));
+        }
+      }
+    } catch (NoSuchFileException | UncheckedIOException e) {
+      // Nothing is kept yet, or another process removes what is.
+      return;
+    }
+    all.sort(Comparator.comparing(Kept::used).reversed());
+    long abandoned = System.currentTimeMillis() - ABANDONED.toMillis();
+    long bytes = 0;
+    int count = 0;
+    for (Kept kept : all) {
+      boolean comes = kept.file().getParent().equals(folder);
+      bytes += kept.size();
+      count++;
+      if (comes ? kept.used().toMillis() < abandoned : bytes > MOST_BYTES || count > MOST) {
+        Files.deleteIfExists(kept.file());
+        deleteIfEmpty(kept.file().getParent());
+      }
+    }
+  }
+
+  private void deleteIfEmpty(Path ofKey) throws IOException {
     try {
-      return Files.getLastModifiedTime(file);
+      if (!ofKey.equals(folder)) {
+        Files.deleteIfExists(ofKey);
+      }
+    } catch (DirectoryNotEmptyException e) {
+      // Something else of the key is kept.
+    }
+  }
+
+  private static List<Path> newestFirst(Path folder) throws IOException {
+    try (Stream<Path> all = Files.list(folder)) {
+      Map<Path, FileTime> times = new TreeMap<>();
+      for (Path file : all.toList()) {
+        BasicFileAttributes attributes = attributes(file);
+        times.put(
+            file, attributes == null ? FileTime.fromMillis(0) : attributes.lastModifiedTime());
+      }
+      return times.entrySet().stream()
+          .sorted(Map.Entry.<Path, FileTime>comparingByValue().reversed())
+          .map(Map.Entry::getKey)
+          .toList();
+    } catch (NoSuchFileException e) {
+      return List.of();
+    }
+  }
+
+  private static @org.jspecify.annotations.Nullable BasicFileAttributes attributes(Path file) {
+    try {
+      return Files.readAttributes(
+          file, BasicFileAttributes.class, java.nio.file.LinkOption.NOFOLLOW_LINKS);
     } catch (IOException e) {
-      return FileTime.fromMillis(0);
+      return null;
     }
   }
 }

@@ -2,6 +2,7 @@ package org.sitaf.agent.toolchain.cpp;
 
 import java.io.File;
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -31,11 +32,22 @@ final class Tools {
 
   /** What a program says on its output; empty when it fails. */
   static Optional<String> ask(List<String> command) {
+    return ask(new ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.DISCARD), false);
+  }
+
+  /** What a program says on its error stream; empty when it fails. */
+  static Optional<String> askForErrors(List<String> command) {
+    return ask(new ProcessBuilder(command).redirectOutput(ProcessBuilder.Redirect.DISCARD), true);
+  }
+
+  private static Optional<String> ask(ProcessBuilder command, boolean errors) {
     try {
-      Process process =
-          new ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.DISCARD).start();
+      // What it says is read by programs.
+      command.environment().put("LC_ALL", "C");
+      Process process = command.start();
       process.getOutputStream().close();
-      String output = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+      InputStream stream = errors ? process.getErrorStream() : process.getInputStream();
+      String output = new String(stream.readAllBytes(), StandardCharsets.UTF_8);
       boolean ended = process.waitFor(PATIENCE_S, TimeUnit.SECONDS);
       if (!ended) {
         process.destroyForcibly();

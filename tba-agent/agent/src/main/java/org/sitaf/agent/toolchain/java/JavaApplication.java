@@ -100,7 +100,7 @@ record JavaApplication(
   }
 
   @Override
-  public Optional<Coverage> coverage(Path data) throws IOException {
+  public Optional<Coverage> coverage(Path data) throws IOException, InterruptedException {
     return recording == null ? Optional.empty() : Optional.of(recording.read(data));
   }
 

@@ -1,52 +1,66 @@
 package org.sitaf.agent.toolchain.java;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.TreeSet;
-import java.util.stream.Stream;
-import org.jacoco.core.analysis.Analyzer;
-import org.jacoco.core.analysis.CoverageBuilder;
-import org.jacoco.core.analysis.ICounter;
-import org.jacoco.core.analysis.ILine;
-import org.jacoco.core.analysis.ISourceFileCoverage;
-import org.jacoco.core.tools.ExecFileLoader;
-import org.sitaf.core.activity.ActivityProfile.Component;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.sitaf.agent.sandbox.Sandbox;
+import org.sitaf.agent.toolchain.Compilation;
 import org.sitaf.core.activity.FileTree;
-import org.sitaf.core.harness.TestApplication;
 import org.sitaf.core.verdict.Coverage;
 
 /**
- * Which lines of a Java component are reached, by JaCoCo.
+ * Which lines of a Java component are reached.
  *
- * @param recorder JaCoCo's agent, a jar
  * @param classes where the component's classes are
  * @param folder of the component's sources within the activity, with a slash at its end
  * @param sources what is in that folder
+ * @param scratch a folder for what nobody needs afterwards, absolute
  */
-record JavaCoverage(Path recorder, Path classes, String folder, FileTree sources) {
+record JavaCoverage(
+    CoverageTool tool,
+    Path classes,
+    String folder,
+    FileTree sources,
+    Path scratch,
+    Sandbox sandbox) {
   private static final String DATA = "jacoco.exec";
+  private static final String FILE = "file ";
+  private static final Pattern LINE = Pattern.compile("(\\d{1,9}) ([01]) (\\d{1,9}) (\\d{1,9})");
 
   /** Empty where the component has no sources. */
-  static Optional<JavaCoverage> of(TestApplication application, Path recorder, Path classes) {
-    Component component = application.activity().profile().component();
-    String folder = component.sources();
+  static Optional<JavaCoverage> of(Compilation compilation, CoverageTool tool) {
+    String folder = compilation.application().activity().profile().component().sources();
     if (folder == null) {
       return Optional.empty();
     }
-    FileTree inside = application.activity().files().below(folder);
+    FileTree inside = compilation.application().activity().files().below(folder);
     String prefix = folder.isEmpty() || folder.endsWith("/") ? folder : folder + "/";
-    return Optional.of(new JavaCoverage(recorder, classes, prefix, inside));
+    return Optional.of(
+        new JavaCoverage(
+            tool,
+            compilation.output(),
+            prefix,
+            inside,
+            compilation.scratch(),
+            compilation.sandbox()));
+  }
+
+  /** JaCoCo's agent, a jar. */
+  Path recorder() {
+    return tool.recorder();
   }
 
   /** What the JVM is started with, to record into a folder. */
   String flag(Path directory) {
     return "-javaagent:"
-        + recorder
+        + recorder()
         + "=destfile="
         + directory.resolve(DATA)
         + ",includes="
@@ -73,64 +87,33 @@ record JavaCoverage(Path recorder, Path classes, String folder, FileTree sources
   }
 
   /**
-   * Reads what processes have recorded.
+   * Reads what processes have recorded. What is not said of a source of the component is left out.
    *
    * @param data holds a folder a process
    */
-  Coverage read(Path data) throws IOException {
-    ExecFileLoader loader = new ExecFileLoader();
-    try (Stream<Path> files = Files.walk(data)) {
-      for (Path file : files.filter(path -> path.endsWith(DATA)).sorted().toList()) {
-        try {
-          loader.load(file.toFile());
-        } catch (IOException e) {
-          // A process that was killed may leave half a record behind; what others saw still counts.
+  Coverage read(Path data) throws IOException, InterruptedException {
+    Map<String, List<Coverage.Line>> found = new TreeMap<>();
+    List<Coverage.Line> current = new ArrayList<>();
+    for (String text : tool.read(classes, data, DATA, scratch, sandbox)) {
+      Matcher line = LINE.matcher(text);
+      if (text.startsWith(FILE)) {
+        current = new ArrayList<>();
+        String path = text.substring(FILE.length());
+        if (sources.contains(path)) {
+          found.put(path, current);
         }
-      }
-    }
-    CoverageBuilder builder = new CoverageBuilder();
-    Analyzer analyzer = new Analyzer(loader.getExecutionDataStore(), builder);
-    try (Stream<Path> files = Files.walk(classes)) {
-      for (Path file : files.filter(path -> path.toString().endsWith(".class")).sorted().toList()) {
-        String path = classes.relativize(file).toString();
-        if (recorded().stream().anyMatch(pattern -> matches(pattern, path))) {
-          analyzer.analyzeClass(Files.readAllBytes(file), path);
-        }
-      }
-    }
-    TreeMap<String, Coverage.File> found = new TreeMap<>();
-    for (ISourceFileCoverage source : builder.getSourceFiles()) {
-      String path =
-          source.getPackageName().isEmpty()
-              ? source.getName()
-              : source.getPackageName() + "/" + source.getName();
-      if (sources.contains(path) && source.containsCode()) {
-        found.put(path, new Coverage.File(folder + path, lines(source)));
-      }
-    }
-    return new Coverage(List.copyOf(found.values()));
-  }
-
-  private static boolean matches(String pattern, String classFile) {
-    String name = classFile.substring(0, classFile.length() - ".class".length()).replace('/', '.');
-    return pattern.endsWith("*")
-        ? name.startsWith(pattern.substring(0, pattern.length() - 1))
-        : name.equals(pattern);
-  }
-
-  private static List<Coverage.Line> lines(ISourceFileCoverage source) {
-    List<Coverage.Line> lines = new ArrayList<>();
-    for (int number = source.getFirstLine(); number <= source.getLastLine(); number++) {
-      ILine line = source.getLine(number);
-      if (line.getStatus() != ICounter.EMPTY) {
-        lines.add(
+      } else if (line.matches()) {
+        current.add(
             new Coverage.Line(
-                number,
-                line.getInstructionCounter().getCoveredCount() > 0,
-                line.getBranchCounter().getTotalCount(),
-                line.getBranchCounter().getCoveredCount()));
+                Integer.parseInt(line.group(1)),
+                line.group(2).equals("1"),
+                Integer.parseInt(line.group(3)),
+                Integer.parseInt(line.group(4))));
       }
     }
-    return lines;
+    return new Coverage(
+        found.entrySet().stream()
+            .map(file -> new Coverage.File(folder + file.getKey(), file.getValue()))
+            .toList());
   }
 }

@@ -1,7 +1,5 @@
 package org.sitaf.agent.toolchain.java;
 
-import java.net.URI;
-import java.net.URISyntaxException;
 import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
@@ -11,7 +9,6 @@ import java.util.NavigableMap;
 import java.util.Objects;
 import java.util.TreeMap;
 import java.util.stream.Stream;
-import javax.tools.SimpleJavaFileObject;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.toolchain.CompilationException;
 import org.sitaf.agent.toolchain.SourceDiagnostic;
@@ -24,7 +21,7 @@ import org.sitaf.core.harness.TestApplication;
  * A Java source of a test application, in memory, known by its path in the layout of the
  * application.
  */
-final class JavaSource extends SimpleJavaFileObject {
+final class JavaSource {
   private static final String ACTIVITY = "activity/";
 
   private final String path;
@@ -32,7 +29,6 @@ final class JavaSource extends SimpleJavaFileObject {
   private final boolean generated;
 
   private JavaSource(String path, String text, boolean generated) {
-    super(uri(path), Kind.SOURCE);
     this.path = path;
     this.text = text;
     this.generated = generated;
@@ -125,20 +121,11 @@ final class JavaSource extends SimpleJavaFileObject {
     return generated;
   }
 
-  @Override
-  public CharSequence getCharContent(boolean ignoreEncodingErrors) {
+  String text() {
     return text;
   }
 
   private static String withSlash(String folder) {
     return folder.endsWith("/") ? folder : folder + "/";
-  }
-
-  private static URI uri(String path) {
-    try {
-      return new URI("source", null, "/" + path, null);
-    } catch (URISyntaxException e) {
-      throw new IllegalArgumentException("'" + path + "' cannot be a source's path", e);
-    }
   }
 }

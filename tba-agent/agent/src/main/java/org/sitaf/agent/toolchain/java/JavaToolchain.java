@@ -1,25 +1,20 @@
 package org.sitaf.agent.toolchain.java;
 
 import java.io.IOException;
+import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
-import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.FutureTask;
-import java.util.concurrent.TimeUnit;
-import java.util.concurrent.TimeoutException;
-import javax.tools.JavaCompiler;
-import javax.tools.StandardJavaFileManager;
-import javax.tools.StandardLocation;
 import javax.tools.ToolProvider;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.agent.toolchain.Compilation;
 import org.sitaf.agent.toolchain.CompilationException;
 import org.sitaf.agent.toolchain.CompiledApplication;
@@ -29,29 +24,34 @@ import org.sitaf.agent.toolchain.ToolchainLookup;
 import org.sitaf.agent.toolchain.ToolchainLookup.Found;
 import org.sitaf.agent.toolchain.ToolchainLookup.Missing;
 import org.sitaf.agent.toolchain.ToolchainPlaces;
+import org.sitaf.agent.toolchain.java.confined.Wire;
 import org.sitaf.core.activity.ActivityProfile;
 import org.sitaf.core.activity.ActivityProfile.Language;
+import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.harness.TestApplication;
 
 /**
- * Compiles Java test applications in this process, without annotation processors: no code of the
- * user runs while it is compiled.
+ * Compiles Java test applications in a process of the sandbox, without annotation processors but
+ * those that an administrator has named: no code of the user runs while it is compiled.
  */
 public final class JavaToolchain implements Toolchain {
+  private static final String ACTIVITY = "activity/";
+
   private final List<Path> runtimeJars;
   private final @Nullable Path archive;
-  private final @Nullable Path recorder;
+  private final @Nullable CoverageTool coverage;
+  private final CompilerSetup compiler;
+  private final CompilerProcesses compilers;
   private final MavenPackages packages;
 
   private JavaToolchain(
-      List<Path> runtimeJars,
-      @Nullable Path archive,
-      @Nullable Path recorder,
-      MavenPackages packages) {
-    this.packages = packages;
-    this.runtimeJars = List.copyOf(runtimeJars);
+      CompilerSetup compiler, @Nullable Path archive, @Nullable CoverageTool coverage, Path cache) {
+    this.compiler = compiler;
+    this.compilers = new CompilerProcesses(compiler, cache.resolve("compilers"));
+    this.packages = new MavenPackages(cache);
+    this.runtimeJars = compiler.runtime();
     this.archive = archive;
-    this.recorder = recorder;
+    this.coverage = coverage;
   }
 
   /** Looks whether the Java that runs the agent can compile, and whether the runtime is there. */
@@ -63,14 +63,24 @@ public final class JavaToolchain implements Toolchain {
               + ") is a runtime without a compiler",
           "run the agent with a JDK 17: apt-get install openjdk-17-jdk-headless");
     }
+    Path runtimes = places.runtimes();
     try {
+      List<Path> runtime = RuntimeJars.in(runtimes.resolve("runtime-java"));
+      CompilerSetup compiler =
+          new CompilerSetup(
+              RuntimeJars.compiler(runtimes.resolve("compiler-java")),
+              RuntimeJars.archive(runtimes.resolve("compiler-java.jsa")).orElse(null),
+              runtime,
+              RuntimeJars.required(places.annotationProcessors()));
       return new Found(
           new JavaToolchain(
-              RuntimeJars.in(places.runtimes().resolve("runtime-java")),
-              RuntimeJars.archive(places.runtimes().resolve("runtime-java.jsa")).orElse(null),
-              RuntimeJars.recorder(places.runtimes().resolve("coverage-java")).orElse(null),
-              new MavenPackages(places.cache().resolve("java"))));
-    } catch (IOException e) {
+              compiler,
+              RuntimeJars.archive(runtimes.resolve("runtime-java.jsa")).orElse(null),
+              RuntimeJars.recorder(runtimes.resolve("coverage-java"))
+                  .map(jar -> new CoverageTool(jar, RuntimeJars.jars(compiler.program())))
+                  .orElse(null),
+              places.cache().resolve("java")));
+    } catch (IOException | UncheckedIOException e) {
       return new Missing(
           String.valueOf(e.getMessage()), "install the agent with its runtime folders beside it");
     }
@@ -88,14 +98,7 @@ public final class JavaToolchain implements Toolchain {
 
   @Override
   public String identity() throws IOException {
-    StringBuilder identity = new StringBuilder(version());
-    identity.append(' ').append(JavaCompilation.OPTIONS);
-    for (Path jar : runtimeJars) {
-      // Jars are replaced as a whole; reading megabytes for each build would tell no more.
-      identity.append('\n').append(jar).append(' ').append(Files.size(jar));
-      identity.append(' ').append(Files.getLastModifiedTime(jar));
-    }
-    return identity.toString();
+    return version() + ' ' + compiler.identity();
   }
 
   @Override
@@ -119,12 +122,21 @@ public final class JavaToolchain implements Toolchain {
     classPath.addAll(libraries(compilation));
     classPath.add(compilation.output());
     JavaCoverage recording =
-        !compilation.coverage() || recorder == null
+        !compilation.coverage() || coverage == null
             ? null
-            : JavaCoverage.of(compilation.application(), recorder, compilation.output())
-                .orElse(null);
+            : JavaCoverage.of(compilation, coverage).orElse(null);
     return new JavaApplication(
         classPath, compilation.application().entryPoint(), early, archive, recording);
+  }
+
+  @Override
+  public void startAhead(Sandbox sandbox) throws IOException, InterruptedException {
+    compilers.startAhead(sandbox);
+  }
+
+  @Override
+  public void stop() {
+    compilers.stop();
   }
 
   @Override
@@ -132,57 +144,56 @@ public final class JavaToolchain implements Toolchain {
       throws CompilationException, InterruptedException, IOException {
     TestApplication application = compilation.application();
     List<Path> libraries = libraries(compilation);
-    List<Path> classPath = new ArrayList<>(runtimeJars);
-    classPath.addAll(libraries);
     List<JavaSource> sources = JavaSource.of(application);
     copyResources(application, compilation.output());
-
-    JavaCompiler javac = ToolProvider.getSystemJavaCompiler();
-    DiagnosticCollection errors = new DiagnosticCollection();
-    try (StandardJavaFileManager files =
-        javac.getStandardFileManager(errors, Locale.ROOT, StandardCharsets.UTF_8)) {
-      files.setLocationFromPaths(StandardLocation.CLASS_PATH, classPath);
-      files.setLocationFromPaths(StandardLocation.SOURCE_PATH, List.of());
-      files.setLocationFromPaths(StandardLocation.CLASS_OUTPUT, List.of(compilation.output()));
-      AbortableFiles abortable = new AbortableFiles(files);
-      ComponentClass component = new ComponentClass(application, libraries);
-      await(
-          new JavaCompilation(javac, abortable, errors, sources, component),
-          abortable,
-          compilation.atMost());
-    }
-    if (!errors.isEmpty()) {
-      throw errors.failure();
-    }
+    compilers.compile(
+        compiler -> write(compilation, libraries, sources, compiler),
+        new CompilerAnswer(
+            sources,
+            application.activity().profile().component().className(),
+            compilation.output()),
+        compilation.sandbox(),
+        compilation.atMost());
   }
 
-  private static void await(JavaCompilation compilation, AbortableFiles files, Duration timeLimit)
-      throws CompilationException, InterruptedException, IOException {
-    FutureTask<Void> task = new FutureTask<>(compilation);
-    Thread thread = new Thread(null, task, "sitaf-javac", 16L << 20);
-    thread.setDaemon(true);
-    thread.start();
-    try {
-      task.get(timeLimit.toMillis(), TimeUnit.MILLISECONDS);
-    } catch (TimeoutException e) {
-      files.abort();
-      throw new CompilationException(
-          "the compilation was given up after " + timeLimit.toSeconds() + " s", List.of());
-    } catch (InterruptedException e) {
-      files.abort();
-      throw e;
-    } catch (ExecutionException e) {
-      Throwable cause = e.getCause();
-      if (cause instanceof CompilationException failure) {
-        throw failure;
+  private static void write(
+      Compilation compilation,
+      List<Path> libraries,
+      List<JavaSource> sources,
+      OutputStream compiler)
+      throws IOException {
+    FileTree files = compilation.application().activity().files();
+    for (String path : files.paths()) {
+      // All of them: the manifest of one may name another.
+      if (path.endsWith(".jar")) {
+        Wire.write(compiler, Wire.JAR, utf8(ACTIVITY + path), files.content(path).orElseThrow());
       }
-      if (cause instanceof IOException failure) {
-        throw failure;
-      }
-      // javac fails by itself on sources made for it, such as very deep expressions.
-      throw new CompilationException(
-          "the compiler gave up with " + cause + "; simplify the sources", List.of());
     }
+    for (Path library : libraries) {
+      String path;
+      if (library.startsWith(compilation.activity())) {
+        path = ACTIVITY + compilation.activity().relativize(library);
+      } else {
+        path = "packages/" + library.getFileName();
+        Wire.write(compiler, Wire.JAR, utf8(path), Files.readAllBytes(library));
+      }
+      Wire.write(compiler, Wire.CLASS_PATH, path);
+    }
+    for (int i = 0; i < sources.size(); i++) {
+      JavaSource source = sources.get(i);
+      Wire.write(compiler, Wire.SOURCE, Integer.toString(i), source.path(), source.text());
+    }
+    String entryPoint = compilation.application().entryPoint();
+    Wire.write(
+        compiler,
+        Wire.COMPONENT,
+        compilation.application().activity().profile().component().className(),
+        entryPoint.substring(0, entryPoint.lastIndexOf('.') + 1));
+    Wire.write(compiler, Wire.COMPILE, new byte[0]);
+  }
+
+  private static byte[] utf8(String text) {
+    return text.getBytes(StandardCharsets.UTF_8);
   }
 
   /**
@@ -222,15 +233,36 @@ public final class JavaToolchain implements Toolchain {
     return SourceDiagnostic.ofFile("activity/activity.yaml", message);
   }
 
-  private static void copyResources(TestApplication application, Path classes) {
+  private static void copyResources(TestApplication application, Path classes)
+      throws CompilationException, IOException {
     for (Map.Entry<String, byte[]> entry : JavaSource.resources(application).entrySet()) {
-      try {
-        Path target = classes.resolve(entry.getKey());
-        Files.createDirectories(target.getParent());
-        Files.write(target, entry.getValue());
-      } catch (IOException e) {
-        throw new UncheckedIOException(e);
+      write(classes, entry.getKey(), entry.getValue());
+    }
+  }
+
+  /** Writes a file of the application, whose folder may have the name of another file. */
+  static void write(Path classes, String path, byte[] content)
+      throws CompilationException, IOException {
+    Path file = classes.resolve(path);
+    try {
+      Files.createDirectories(file.getParent());
+      Files.write(file, content);
+    } catch (FileSystemException e) {
+      boolean isFolder = Files.isDirectory(file, LinkOption.NOFOLLOW_LINKS);
+      Path folder = file.getParent();
+      while (!isFolder && !Files.exists(folder, LinkOption.NOFOLLOW_LINKS)) {
+        folder = folder.getParent();
       }
+      if (isFolder || !Files.isDirectory(folder, LinkOption.NOFOLLOW_LINKS)) {
+        throw new CompilationException(
+            "the component's files do not fit together",
+            List.of(
+                inProfile(
+                    path
+                        + ": there is a file and a folder of one name; rename the component's"
+                        + " file")));
+      }
+      throw e;
     }
   }
 }

@@ -5,11 +5,14 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.locks.Lock;
+import java.util.concurrent.locks.ReentrantLock;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -22,7 +25,8 @@ import org.sitaf.agent.toolchain.CompilationException;
 /**
  * Packages by their Maven coordinates, with all that they need at run time. Maven fetches them, in
  * the sandbox, when they are asked for first, and never while a test runs; no code of theirs runs
- * then.
+ * then. It reaches the repositories that this machine is configured for, and none that a package
+ * names: a package may name any address.
  */
 final class MavenPackages {
   private static final String PLUGIN =
@@ -43,7 +47,15 @@ final class MavenPackages {
   /** What a shell or a sandbox ends with where there is no such program. */
   private static final int NOT_FOUND = 127;
 
+  private static final Pattern JAR = Pattern.compile("[A-Za-z0-9_.+-]{1,250}\\.jar");
+  private static final int MOST_JARS = 1000;
+
+  /** Where a repository has its name in Maven's settings. */
+  private static final Pattern REPOSITORY =
+      Pattern.compile("<repository>.*?<id>\\s*([A-Za-z0-9_.-]{1,100})\\s*</id>", Pattern.DOTALL);
+
   private final Path cache;
+  private final Lock fetching = new ReentrantLock();
 
   MavenPackages(Path cache) {
     this.cache = cache;
@@ -55,7 +67,7 @@ final class MavenPackages {
    * @param wanted such as {@code org.apache.commons:commons-math3:3.6.1}
    * @throws CompilationException when it is spelled otherwise or cannot be fetched
    */
-  synchronized List<Path> jars(String wanted, Compilation compilation)
+  List<Path> jars(String wanted, Compilation compilation)
       throws CompilationException, IOException, InterruptedException {
     Matcher coordinates = COORDINATES.matcher(wanted.strip());
     if (!coordinates.matches()) {
@@ -66,11 +78,22 @@ final class MavenPackages {
               + " artifact and version");
     }
     Path folder = cache.resolve("packages").resolve(wanted.strip().replace(':', '!'));
-    if (!Files.isDirectory(folder)) {
-      fetch(coordinates, folder, compilation);
+    // Maven's repository is not made for several that write it.
+    fetching.lockInterruptibly();
+    try {
+      if (!Files.isDirectory(folder, LinkOption.NOFOLLOW_LINKS)) {
+        fetch(coordinates, folder, compilation);
+      }
+    } finally {
+      fetching.unlock();
     }
     try (Stream<Path> files = Files.list(folder)) {
-      return files.sorted().toList();
+      return files
+          .filter(file -> Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS))
+          .filter(file -> JAR.matcher(file.getFileName().toString()).matches())
+          .limit(MOST_JARS)
+          .sorted()
+          .toList();
     }
   }
 
@@ -98,11 +121,16 @@ final class MavenPackages {
         """
             .formatted(coordinates.group(1), coordinates.group(2), coordinates.group(3)),
         StandardCharsets.UTF_8);
+    Path settings = working.resolve("settings.xml");
+    Files.writeString(settings, settings(configuration()), StandardCharsets.UTF_8);
     List<String> command =
         List.of(
             "mvn",
             "--batch-mode",
             "--quiet",
+            "--strict-checksums",
+            "--settings",
+            settings.toString(),
             // What was not there before may be there by now.
             "--update-snapshots",
             "-Dmaven.repo.local=" + repository,
@@ -137,6 +165,45 @@ final class MavenPackages {
       }
       // Another agent has fetched the same meanwhile.
     }
+  }
+
+  /**
+   * Settings that keep Maven from every repository but its central one and those that the
+   * installation's own settings name, which stay in force.
+   */
+  static String settings(String installed) {
+    StringBuilder open = new StringBuilder("*,!central");
+    REPOSITORY
+        .matcher(installed)
+        .results()
+        .map(found -> found.group(1))
+        .distinct()
+        .forEach(name -> open.append(",!").append(name));
+    return """
+        <settings>
+          <mirrors>
+            <mirror>
+              <id>named-by-a-package</id>
+              <mirrorOf>%s</mirrorOf>
+              <url>http://0.0.0.0/</url>
+              <blocked>true</blocked>
+            </mirror>
+          </mirrors>
+        </settings>
+        """
+        .formatted(open);
+  }
+
+  /** The installation's settings; empty where there are none. */
+  private static String configuration() throws IOException {
+    StringBuilder text = new StringBuilder();
+    for (Path part : installation()) {
+      Path settings = part.resolve("settings.xml");
+      if (Files.isRegularFile(settings)) {
+        text.append(Files.readString(settings)).append('\n');
+      }
+    }
+    return text.toString().replaceAll("(?s)<!--.*?-->", "");
   }
 
   /** What Maven reads of its own; its settings may lie elsewhere, and only be linked to. */

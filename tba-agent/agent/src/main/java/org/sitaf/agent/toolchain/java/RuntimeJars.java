@@ -1,6 +1,7 @@
 package org.sitaf.agent.toolchain.java;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -45,5 +46,33 @@ final class RuntimeJars {
     try (Stream<Path> files = Files.list(directory)) {
       return files.filter(file -> file.toString().endsWith(".jar")).sorted().findFirst();
     }
+  }
+
+  /** The jar of the compiler's process. */
+  static Path compiler(Path directory) throws IOException {
+    Path jar = directory.resolve("compiler-java.jar");
+    if (!Files.isRegularFile(jar)) {
+      throw new IOException(directory + " does not hold the process of the Java compiler");
+    }
+    return jar;
+  }
+
+  /** All jars of the folder that a jar is in. */
+  static List<Path> jars(Path one) {
+    try (Stream<Path> files = Files.list(one.getParent())) {
+      return files.filter(file -> file.toString().endsWith(".jar")).sorted().toList();
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  /** Jars that an administrator has named. */
+  static List<Path> required(List<Path> jars) throws IOException {
+    for (Path jar : jars) {
+      if (!Files.isRegularFile(jar)) {
+        throw new IOException("--annotation-processor-path: there is no file " + jar);
+      }
+    }
+    return jars;
   }
 }

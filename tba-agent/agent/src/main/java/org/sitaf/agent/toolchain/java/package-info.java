@@ -1,4 +1,7 @@
-/** Java: javac within the agent, no code of the user at compile time, a JVM for each process. */
+/**
+ * Java: javac in a process of the sandbox, no code of the user at compile time, a JVM for each
+ * process.
+ */
 @NullMarked
 package org.sitaf.agent.toolchain.java;
 

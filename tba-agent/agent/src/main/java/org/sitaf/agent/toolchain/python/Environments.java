@@ -11,13 +11,15 @@ import java.nio.file.attribute.UserPrincipal;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.time.Duration;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.locks.Lock;
+import java.util.concurrent.locks.ReentrantLock;
 import java.util.stream.Stream;
-import org.sitaf.agent.sandbox.Confinement;
-import org.sitaf.agent.sandbox.ProcessLimits;
 import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.agent.sandbox.ToolEnd;
 import org.sitaf.agent.spool.SharedCache;
@@ -27,23 +29,36 @@ import org.sitaf.agent.toolchain.SourceDiagnostic;
 /**
  * Virtual environments, one for each set of packages, kept by their content. Each holds the runtime
  * of test applications, compiled; packages are fetched when an environment is made, and never while
- * a test runs.
+ * a test runs. The agent writes into an environment before packages are installed, and not again.
  */
 final class Environments {
   /** What the runtime needs, and what counts the lines that a component reaches. */
-  private static final String BASE = "grpcio==1.85.1\nprotobuf==7.36.2\ncoverage==7.17.3\n";
+  private static final List<String> BASE =
+      List.of("grpcio==1.85.1", "protobuf==7.36.2", "coverage==7.17.3");
 
-  /** How many lines of pip's complaint are told. */
-  private static final int COMPLAINT = 12;
+  /** Changes with the way in which environments are made. */
+  private static final String LAYOUT = "2";
+
+  private static final int MOST_FILES = 300_000;
 
   private final Interpreter interpreter;
   private final Path runtime;
   private final SharedCache cache;
+  private final PipSettings settings;
 
-  Environments(Interpreter interpreter, Path runtime, Path cache) {
+  /** One build makes an environment; others that want the same wait for it. */
+  private final Map<String, Lock> inTheMaking = new ConcurrentHashMap<>();
+
+  Environments(Interpreter interpreter, Path runtime, Path cache, PipSettings settings) {
     this.interpreter = interpreter;
     this.runtime = runtime;
     this.cache = new SharedCache(cache);
+    this.settings = settings;
+  }
+
+  /** What compiles modules, without any package. */
+  Path compiler() {
+    return runtime.resolve("sitaf_runtime").resolve("compiling.py");
   }
 
   /** The interpreter of an environment. */
@@ -54,7 +69,7 @@ final class Environments {
   /** Whatever decides what an environment holds beside the component's packages. */
   String identity() throws IOException {
     StringBuilder identity = new StringBuilder();
-    identity.append(interpreter).append('\n').append(BASE);
+    identity.append(LAYOUT).append(interpreter).append('\n').append(BASE).append('\n');
     for (Path file : files(runtime)) {
       identity
           .append(runtime.relativize(file))
@@ -71,79 +86,81 @@ final class Environments {
    * @throws CompilationException when pip cannot fetch or build what the component needs
    * @throws IOException when not even an environment without them can be made
    */
-  synchronized Path with(Requirements requirements, Path scratch, Duration atMost, Sandbox sandbox)
+  Path with(Requirements requirements, Path scratch, Duration atMost, Sandbox sandbox)
       throws CompilationException, IOException, InterruptedException {
-    StringBuilder held = new StringBuilder(identity()).append('\n').append(requirements.text());
+    StringBuilder held = new StringBuilder(identity());
+    requirements.lines().forEach(line -> held.append('\n').append(line));
     for (Path wheel : requirements.wheels()) {
-      held.append(wheel.getFileName()).append(' ').append(digest(Files.readAllBytes(wheel)));
+      held.append('\n')
+          .append(wheel.getFileName())
+          .append(' ')
+          .append(digest(Files.readAllBytes(wheel)));
     }
     String key = digest(held.toString().getBytes(StandardCharsets.UTF_8));
     String name = key.substring(0, 24);
-    Path environment = cache.entry(name);
-    if (Files.isDirectory(environment)) {
-      return environment;
+    if (Files.isDirectory(cache.entry(name))) {
+      return cache.entry(name);
     }
-    try (SharedCache.Draft draft = cache.draft()) {
-      Path fresh = draft.folder();
-      // Tests run as other users than the one that it is made by.
-      Files.setPosixFilePermissions(fresh, PosixFilePermissions.fromString("rwxr-xr-x"));
-      make(fresh, requirements, scratch, atMost, sandbox);
-      own(fresh);
-      draft.addAs(name);
-      return environment;
+    Lock lock = inTheMaking.computeIfAbsent(name, unused -> new ReentrantLock());
+    lock.lockInterruptibly();
+    try {
+      if (!Files.isDirectory(cache.entry(name))) {
+        PackageTools tools =
+            new PackageTools(interpreter, settings, scratch, Instant.now().plus(atMost), sandbox);
+        try (SharedCache.Draft draft = cache.draft()) {
+          Path fresh = draft.folder();
+          // Tests run as other users than the one that it is made by.
+          Files.setPosixFilePermissions(fresh, PosixFilePermissions.fromString("rwxr-xr-x"));
+          make(fresh, requirements, tools);
+          own(fresh, requirements);
+          draft.addAs(name);
+        }
+      }
+      return cache.entry(name);
+    } finally {
+      lock.unlock();
+      inTheMaking.remove(name);
     }
   }
 
-  private void make(
-      Path fresh, Requirements requirements, Path scratch, Duration atMost, Sandbox sandbox)
+  private void make(Path fresh, Requirements requirements, PackageTools tools)
       throws CompilationException, IOException, InterruptedException {
-    Tools tools = new Tools(fresh, scratch, atMost, sandbox, requirements.wheels());
-    ToolEnd made =
-        tools.run(
-            List.of(
-                interpreter.executable().toString(),
-                "-I",
-                "-m",
-                "venv",
-                "--clear",
-                fresh.toString()),
-            false);
+    ToolEnd made = tools.venv(fresh);
     if (made.code() != 0) {
-      throw new IOException("python -m venv: " + complaint(made));
+      throw new IOException("python -m venv: " + tools.complaint(made));
     }
-    // One request for both: what a component pins must fit to what the runtime needs, or be told.
-    Path list = scratch.resolve("requirements.txt");
-    Files.writeString(list, BASE + requirements.text());
-    List<String> pip =
-        new ArrayList<>(
-            List.of(
-                python(fresh).toString(),
-                "-I",
-                "-m",
-                "pip",
-                "install",
-                "--disable-pip-version-check",
-                "--no-input",
-                "--quiet",
-                "--no-warn-script-location",
-                "--requirement",
-                list.toString()));
-    requirements.wheels().forEach(wheel -> pip.add(wheel.toString()));
-    boolean nothingOfItsOwn = requirements.text().isBlank() && requirements.wheels().isEmpty();
-    ToolEnd installed = tools.run(pip, true);
-    if (installed.code() != 0 && nothingOfItsOwn) {
-      throw new IOException(
-          "pip cannot fetch what test applications need: " + complaint(installed));
+    addRuntime(fresh, tools);
+    Path known = baseWheels(fresh, tools);
+    List<Path> wheels;
+    try {
+      // One request for both: what a component pins must fit to what the runtime needs.
+      List<String> lines = new ArrayList<>(BASE);
+      lines.addAll(requirements.lines());
+      WheelCollection collection = new WheelCollection(tools, fresh, lines);
+      for (Path wheel : requirements.wheels()) {
+        collection.add(wheel);
+      }
+      wheels = requirements.isEmpty() ? LocalWheel.wheelsIn(known) : collection.collect(known);
+    } catch (WheelCollection.PackageException e) {
+      throw refused(requirements, String.valueOf(e.getMessage()));
     }
+    ToolEnd installed = SourceBuild.install(tools, fresh, wheels);
     if (installed.code() != 0) {
-      String reason =
-          installed.gaveUp()
-              ? "pip was given up after " + atMost.toSeconds() + " s"
-              : complaint(installed);
-      throw new CompilationException(
-          "the component's packages cannot be installed",
-          List.of(SourceDiagnostic.ofFile(requirements.file(), reason)));
+      String reason = tools.complaint(installed);
+      if (requirements.isEmpty()) {
+        throw new IOException("pip cannot install what test applications need: " + reason);
+      }
+      throw refused(requirements, reason);
     }
+  }
+
+  private static CompilationException refused(Requirements requirements, String reason) {
+    return new CompilationException(
+        "the component's packages cannot be installed",
+        List.of(SourceDiagnostic.ofFile(requirements.file(), reason)));
+  }
+
+  private void addRuntime(Path fresh, PackageTools tools) throws IOException, InterruptedException {
     Path packages = fresh.resolve("lib").resolve("python" + minor()).resolve("site-packages");
     for (Path file : files(runtime)) {
       Path copy = packages.resolve(runtime.relativize(file).toString());
@@ -151,71 +168,56 @@ final class Environments {
       Files.copy(file, copy);
     }
     ToolEnd compiled =
-        tools.run(
-            List.of(
-                python(fresh).toString(),
-                "-I",
-                "-m",
-                "sitaf_runtime.compiling",
-                packages.resolve("sitaf_runtime").toString()),
-            false);
+        tools.module(fresh, "sitaf_runtime.compiling", packages.resolve("sitaf_runtime"), fresh);
     if (compiled.code() != 0) {
       throw new IOException("the runtime of Python tests cannot be compiled: " + compiled.output());
     }
+  }
+
+  /** What each environment holds, fetched once. */
+  private Path baseWheels(Path fresh, PackageTools tools) throws IOException, InterruptedException {
+    String name =
+        "wheels-"
+            + digest((LAYOUT + interpreter + BASE).getBytes(StandardCharsets.UTF_8))
+                .substring(0, 24);
+    Path known = cache.entry(name);
+    if (!Files.isDirectory(known)) {
+      Path folder = tools.folder();
+      ToolEnd fetched = new WheelCollection(tools, fresh, BASE).fetch(folder);
+      if (fetched.code() != 0) {
+        throw new IOException(
+            "pip cannot fetch what test applications need: " + tools.complaint(fetched));
+      }
+      try (SharedCache.Draft draft = cache.draft()) {
+        Files.setPosixFilePermissions(draft.folder(), PosixFilePermissions.fromString("rwxr-xr-x"));
+        for (Path wheel : WheelCollection.wheels(folder)) {
+          Files.copy(wheel, draft.folder().resolve(wheel.getFileName().toString()));
+        }
+        draft.addAs(name);
+      }
+    }
+    return known;
   }
 
   private String minor() {
     return interpreter.version().substring(0, interpreter.version().lastIndexOf('.'));
   }
 
-  /** The programs that make one environment. */
-  private final class Tools {
-    private final Path fresh;
-    private final Path scratch;
-    private final Duration atMost;
-    private final Sandbox sandbox;
-    private final List<Path> wheels;
-
-    Tools(Path fresh, Path scratch, Duration atMost, Sandbox sandbox, List<Path> wheels) {
-      this.wheels = wheels;
-      this.fresh = fresh;
-      this.scratch = scratch;
-      this.atMost = atMost;
-      this.sandbox = sandbox;
-    }
-
-    ToolEnd run(List<String> command, boolean network) throws IOException, InterruptedException {
-      Path temporary = Files.createTempDirectory(scratch, "tool-");
-      Confinement confinement =
-          Confinement.of(command, scratch, temporary, ProcessLimits.TOOL)
-              .withEnvironment(Map.of("PYTHONUTF8", "1"))
-              .reading(interpreter.prefixes())
-              .reading(List.of(interpreter.executable()))
-              .reading(wheels)
-              .writing(List.of(fresh));
-      return sandbox.run(network ? confinement.withNetwork() : confinement, atMost);
-    }
-  }
-
   /** Takes over what the tools have left, so that no later process owns it. */
-  private void own(Path fresh) throws IOException {
+  private void own(Path fresh, Requirements requirements) throws CompilationException, IOException {
     UserPrincipal owner = Files.getOwner(cache.directory());
+    int count = 0;
     try (Stream<Path> paths = Files.walk(fresh)) {
       for (Path path : (Iterable<Path>) paths::iterator) {
+        if (++count > MOST_FILES) {
+          throw refused(requirements, "the packages hold more than " + MOST_FILES + " files");
+        }
         if (!Files.getOwner(path, LinkOption.NOFOLLOW_LINKS).equals(owner)) {
           Files.getFileAttributeView(path, FileOwnerAttributeView.class, LinkOption.NOFOLLOW_LINKS)
               .setOwner(owner);
         }
       }
     }
-  }
-
-  private static String complaint(ToolEnd end) {
-    String text = (end.errors().isBlank() ? end.output() : end.errors()).strip();
-    List<String> lines = text.lines().toList();
-    List<String> errors = lines.stream().filter(l -> l.startsWith("ERROR")).toList();
-    List<String> told = errors.isEmpty() ? lines : errors;
-    return String.join("; ", told.subList(Math.max(0, told.size() - COMPLAINT), told.size()));
   }
 
   private static List<Path> files(Path folder) throws IOException {

@@ -59,7 +59,8 @@ record PythonApplication(
   @Override
   public Map<String, String> environment(ProcessPlace place) {
     return Map.of(
-        "PYTHONPATH",
+        // Not PYTHONPATH: nothing of the component is loaded before the runtime says so.
+        "SITAF_PYTHONPATH",
         path.stream().map(Path::toString).collect(Collectors.joining(File.pathSeparator)),
         // Whatever a component prints is there when it ends the process.
         "PYTHONUNBUFFERED",

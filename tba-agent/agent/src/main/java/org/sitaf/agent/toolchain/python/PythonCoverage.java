@@ -1,17 +1,18 @@
 package org.sitaf.agent.toolchain.python;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.Stream;
 import org.sitaf.agent.sandbox.Confinement;
 import org.sitaf.agent.sandbox.ProcessLimits;
 import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.agent.sandbox.ToolEnd;
+import org.sitaf.agent.spool.LeftFiles;
 import org.sitaf.agent.toolchain.coverage.LcovReport;
 import org.sitaf.core.verdict.Coverage;
 
@@ -28,6 +29,8 @@ record PythonCoverage(
     Path python, List<Path> readable, Path copy, String sources, Path scratch, Sandbox sandbox) {
   private static final String DATA = "python.coverage";
   private static final Duration LIMIT = Duration.ofMinutes(1);
+  private static final int MOST_FILES = 2000;
+  private static final int MOST_BYTES = 32 << 20;
 
   PythonCoverage {
     readable = List.copyOf(readable);
@@ -50,21 +53,14 @@ record PythonCoverage(
    * @param data holds a folder a process
    */
   Coverage read(Path data) throws IOException, InterruptedException {
-    List<Path> recorded;
-    try (Stream<Path> files = Files.walk(data)) {
-      recorded =
-          files
-              .filter(file -> file.endsWith(DATA) && !Files.isSymbolicLink(file))
-              .sorted()
-              .toList();
-    }
+    List<Path> recorded = LeftFiles.in(data, file -> file.endsWith(DATA), MOST_FILES);
     Path work = Files.createTempDirectory(Files.createDirectories(scratch), "coverage");
     List<String> combine = new ArrayList<>(List.of("combine", "--keep", "--quiet"));
     combine.add("--data-file=all");
     for (Path file : recorded) {
       // A process that was killed may leave half a record behind; coverage.py passes over it.
       Path own = work.resolve("process" + combine.size());
-      Files.copy(file, own);
+      Files.write(own, LeftFiles.read(file, MOST_BYTES));
       combine.add(own.getFileName().toString());
     }
     run(work, combine);
@@ -72,7 +68,9 @@ record PythonCoverage(
     String root = copy.getFileName() + "/";
     Coverage coverage =
         LcovReport.read(
-            Files.readString(work.resolve("report")), copy.getParent().toString(), root);
+            new String(LeftFiles.read(work.resolve("report"), MOST_BYTES), StandardCharsets.UTF_8),
+            copy.getParent().toString(),
+            root);
     return new Coverage(
         coverage.files().stream()
             .map(

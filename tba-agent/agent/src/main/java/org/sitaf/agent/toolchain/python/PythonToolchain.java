@@ -37,7 +37,9 @@ public final class PythonToolchain implements Toolchain {
 
   /** What makes a module define names that do not stand in it. */
   private static final Pattern EVERYTHING =
-      Pattern.compile("^\\s*from\\s+\\S+\\s+import\\s+\\*|\\b__getattr__\\b", Pattern.MULTILINE);
+      Pattern.compile(
+          // Not \\s, which would go through all empty lines for each of them.
+          "^[ \\t]*from[ \\t]+\\S+[ \\t]+import[ \\t]+\\*|\\b__getattr__\\b", Pattern.MULTILINE);
 
   private static final Pattern CLASS =
       Pattern.compile("^class\\s+([A-Za-z_][A-Za-z0-9_]*)", Pattern.MULTILINE);
@@ -64,7 +66,12 @@ public final class PythonToolchain implements Toolchain {
             found ->
                 new Found(
                     new PythonToolchain(
-                        found, new Environments(found, runtime, places.cache().resolve("python")))))
+                        found,
+                        new Environments(
+                            found,
+                            runtime,
+                            places.cache().resolve("python"),
+                            PipSettings.ofThisMachine()))))
         .orElseGet(
             () ->
                 new Missing(
@@ -99,25 +106,25 @@ public final class PythonToolchain implements Toolchain {
     copy(compilation.application().harness(), compilation.output().resolve(HARNESS));
     moduleIsThere(compilation, profile.component(), roots);
 
+    // Without the component's packages, which would run code of theirs as the interpreter starts.
     Path temporary = Files.createTempDirectory(compilation.scratch(), "compile-");
-    Path python = Environments.python(environment(compilation));
     ToolEnd end =
         compilation
             .sandbox()
             .run(
                 Confinement.of(
                         List.of(
-                            python.toString(),
+                            interpreter.executable().toString(),
                             "-I",
-                            "-m",
-                            "sitaf_runtime.compiling",
+                            "-S",
+                            environments.compiler().toString(),
                             compilation.output().toString()),
                         compilation.scratch(),
                         temporary,
                         ProcessLimits.TOOL)
                     .withEnvironment(Map.of("PYTHONUTF8", "1"))
                     .reading(interpreter.prefixes())
-                    .reading(List.of(python.getParent().getParent()))
+                    .reading(List.of(interpreter.executable(), environments.compiler()))
                     .writing(List.of(compilation.output())),
                 compilation.atMost());
     if (end.gaveUp()) {
@@ -305,7 +312,7 @@ public final class PythonToolchain implements Toolchain {
   /** What the compiler says of a copy, as of the file that it was copied from. */
   private static SourceDiagnostic mistake(String line, Path output, Map<String, String> roots) {
     String[] parts = line.split("\t", 4);
-    if (parts.length < 4) {
+    if (parts.length < 4 || !parts[1].matches("\\d{1,9}") || !parts[2].matches("\\d{1,9}")) {
       return new SourceDiagnostic("", 0, 0, line, false);
     }
     String copy = output.relativize(Path.of(parts[0])).toString();

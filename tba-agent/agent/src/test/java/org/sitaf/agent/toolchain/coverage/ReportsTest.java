@@ -1,15 +1,19 @@
 package org.sitaf.agent.toolchain.coverage;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.agent.sandbox.SandboxMode;
+import org.sitaf.agent.spool.SystemTool;
 import org.sitaf.core.verdict.Coverage;
 import org.sitaf.core.verdict.Coverage.Line;
 
@@ -117,5 +121,35 @@ class ReportsTest {
     ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile()).inheritIO();
     builder.environment().putAll(environment);
     assertThat(builder.start().waitFor()).isZero();
+  }
+
+  @Test
+  void gcovIsGivenNothingButFiles(@TempDir Path folder) throws Exception {
+    Path data = Files.createDirectories(folder.resolve("data/process1"));
+    Path notes = Files.createDirectory(folder.resolve("notes"));
+    for (String unit : List.of("pipe", "link", "folder", "nonsense")) {
+      Files.writeString(notes.resolve(unit + ".gcno"), "x");
+    }
+    SystemTool.run(List.of("mkfifo", data.resolve("pipe.gcda").toString()), Duration.ofSeconds(5));
+    Files.createSymbolicLink(data.resolve("link.gcda"), notes.resolve("link.gcno"));
+    Files.createDirectory(data.resolve("folder.gcda"));
+
+    Coverage coverage =
+        GcovReport.read(
+            folder.resolve("data"), notes, folder.resolve("scratch"), Sandbox.none(), "a/", "s/");
+    assertThat(coverage.files()).isEmpty();
+    assertThat(folder.resolve("scratch")).doesNotExist();
+
+    Files.write(data.resolve("nonsense.gcda"), new byte[33 << 20]);
+    assertThatThrownBy(
+            () ->
+                GcovReport.read(
+                    folder.resolve("data"),
+                    notes,
+                    folder.resolve("scratch"),
+                    Sandbox.none(),
+                    "a/",
+                    "s/"))
+        .hasMessageContaining("nonsense.gcda has more than");
   }
 }

@@ -1,0 +1,59 @@
+package org.sitaf.server.quota;
+
+import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.media.Schema;
+import io.swagger.v3.oas.annotations.tags.Tag;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.server.access.Caller;
+import org.sitaf.server.access.Denial;
+import org.sitaf.server.access.user.Users;
+import org.springframework.web.bind.annotation.GetMapping;
+import org.springframework.web.bind.annotation.PathVariable;
+import org.springframework.web.bind.annotation.PutMapping;
+import org.springframework.web.bind.annotation.RequestBody;
+import org.springframework.web.bind.annotation.RequestMapping;
+import org.springframework.web.bind.annotation.RestController;
+
+@RestController
+@RequestMapping("/api/v1")
+class UsageController {
+  private final Quotas quotas;
+  private final Users users;
+
+  UsageController(Quotas quotas, Users users) {
+    this.quotas = quotas;
+    this.users = users;
+  }
+
+  @Schema(name = "Quota")
+  record Quota(
+      @Schema(description = "what the person's files may take; null for the server's own setting")
+          @Nullable Long mib) {}
+
+  @GetMapping("/session/usage")
+  @Tag(name = "session")
+  @Operation(operationId = "getUsage", summary = "What you use of the server, and may use")
+  Usage own() {
+    String person = Caller.current().personId();
+    if (person == null) {
+      throw Denial.forbidden("The command that started the server has no limits.");
+    }
+    return quotas.usage(person);
+  }
+
+  @GetMapping("/users/{id}/usage")
+  @Tag(name = "users")
+  @Operation(operationId = "getUsageOfUser", summary = "What a person uses of the server")
+  Usage of(@PathVariable String id) {
+    return quotas.usage(users.find(id).id());
+  }
+
+  @PutMapping("/users/{id}/quota")
+  @Tag(name = "users")
+  @Operation(operationId = "setQuota", summary = "Sets what a person's files may take")
+  Usage set(@PathVariable String id, @RequestBody Quota quota) {
+    String person = users.find(id).id();
+    quotas.set(person, quota.mib());
+    return quotas.usage(person);
+  }
+}

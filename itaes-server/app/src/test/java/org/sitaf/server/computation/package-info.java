@@ -1,0 +1,4 @@
+@NullMarked
+package org.sitaf.server.computation;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,180 @@
+package org.sitaf.core.suite;
+
+import java.util.ArrayList;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.combine.Constraint;
+import org.sitaf.core.diagnostic.Diagnostic;
+import org.sitaf.core.diagnostic.InvalidInputException;
+import org.sitaf.core.expression.EvaluationException;
+import org.sitaf.core.expression.Expression;
+import org.sitaf.core.expression.Variables;
+import org.sitaf.core.model.InputElement;
+import org.sitaf.core.model.TestModel;
+import org.sitaf.core.value.TestValue;
+
+/** Poses the pre-conditions of a model as constraints over candidate values. */
+final class PosedConditions {
+  private final TestModel model;
+  private final List<Expression> conditions;
+  private final Map<Constraint, Expression> conditionOf = new IdentityHashMap<>();
+
+  PosedConditions(TestModel model, List<Expression> conditions) {
+    this.model = model;
+    this.conditions = conditions;
+  }
+
+  /**
+   * The constraints of all conditions.
+   *
+   * @param valid whether all cases are; null where they differ
+   */
+  List<Constraint> constraints(List<List<TestValue>> candidates, @Nullable Boolean valid) {
+    conditionOf.clear();
+    return conditions.stream().flatMap(c -> constraints(c, candidates, valid)).toList();
+  }
+
+  /** The condition that a constraint comes from, as it was written. */
+  String text(Constraint constraint) {
+    Expression condition = conditionOf.get(constraint);
+    return condition == null ? "a condition" : condition.text();
+  }
+
+  /**
+   * A condition over few combinations as it is. One over more, such as {@code a == 1 && b == 2}
+   * over large parameters, also as its parts, since each of them speaks of fewer: the parts say
+   * which rows are not allowed, and the whole is needed only where a part has no value.
+   */
+  private Stream<Constraint> constraints(
+      Expression condition, List<List<TestValue>> candidates, @Nullable Boolean valid) {
+    Constraint whole = constraint(condition, candidates, valid);
+    List<Expression> parts =
+        hasTable(whole, candidates) ? List.of(condition) : condition.conjuncts();
+    if (parts.size() == 1) {
+      return Stream.of(whole);
+    }
+    List<Constraint> constraints = new ArrayList<>();
+    boolean complete = true;
+    for (Expression part : parts) {
+      Constraint constraint = constraint(part, candidates, valid);
+      if (hasTable(constraint, candidates)) {
+        boolean[] undecided = new boolean[1];
+        constraints.add(constraint(part, candidates, valid, undecided));
+        complete &= isDecided(constraints.get(constraints.size() - 1), candidates, undecided);
+      } else {
+        complete = false;
+      }
+    }
+    return complete ? constraints.stream() : Stream.concat(constraints.stream(), Stream.of(whole));
+  }
+
+  /** Whether a part has a value for all values of its parameters. */
+  private static boolean isDecided(
+      Constraint part, List<List<TestValue>> candidates, boolean[] undecided) {
+    int[] parameters = part.parameters();
+    int[] tuple = new int[parameters.length];
+    for (int i = 0; i >= 0; ) {
+      var unused = part.allowed().test(tuple);
+      if (undecided[0]) {
+        return false;
+      }
+      for (i = tuple.length - 1; i >= 0; i--) {
+        if (++tuple[i] < candidates.get(parameters[i]).size()) {
+          break;
+        }
+        tuple[i] = 0;
+      }
+    }
+    return true;
+  }
+
+  private static boolean hasTable(Constraint constraint, List<List<TestValue>> candidates) {
+    double combinations = 1;
+    for (int p : constraint.parameters()) {
+      combinations *= candidates.get(p).size();
+    }
+    return combinations <= Constraint.MAX_TABLE;
+  }
+
+  private Constraint constraint(
+      Expression condition, List<List<TestValue>> candidates, @Nullable Boolean valid) {
+    return constraint(condition, candidates, valid, null);
+  }
+
+  /**
+   * A condition over the parameters that it speaks of.
+   *
+   * @param undecided becomes true where it has no value, and allows them; null where that is an
+   *     error of the model
+   */
+  private Constraint constraint(
+      Expression condition,
+      List<List<TestValue>> candidates,
+      @Nullable Boolean valid,
+      boolean @Nullable [] undecided) {
+    boolean dependsOnAll = valid == null && condition.mentions(Variables.VALID);
+    int[] parameters =
+        IntStream.range(0, candidates.size())
+            .filter(p -> dependsOnAll || mentions(condition, model.inputs().get(p).name()))
+            .toArray();
+    Constraint constraint =
+        new Constraint(
+            parameters,
+            tuple -> {
+              Variables variables = new Variables();
+              boolean allValid = true;
+              for (int i = 0; i < parameters.length; i++) {
+                TestValue value = candidates.get(parameters[i]).get(tuple[i]);
+                InputElement input = model.inputs().get(parameters[i]);
+                variables.put(input.name(), value.value(), input.type());
+                allValid &= value.valid();
+              }
+              variables.put(Variables.VALID, valid == null ? allValid : valid);
+              return undecided == null
+                  ? holds(condition, variables)
+                  : mayHold(condition, variables, undecided);
+            });
+    conditionOf.put(constraint, condition);
+    return constraint;
+  }
+
+  private boolean mayHold(Expression condition, Variables variables, boolean[] undecided) {
+    try {
+      return condition.isTrue(variables.map());
+    } catch (EvaluationException e) {
+      if (e.tooCostly()) {
+        return holds(condition, variables);
+      }
+      undecided[0] = true;
+      return true;
+    }
+  }
+
+  /** Whether a condition holds; an error of the model where it has no value. */
+  boolean holds(Expression condition, Variables variables) {
+    try {
+      return condition.isTrue(variables.map());
+    } catch (EvaluationException e) {
+      throw new InvalidInputException(
+          List.of(
+              Diagnostic.error(
+                  model.source(),
+                  0,
+                  "pre_condition_spec_list",
+                  "'"
+                      + condition.text()
+                      + "' has no value for "
+                      + variables.map()
+                      + ": "
+                      + e.getMessage())));
+    }
+  }
+
+  private static boolean mentions(Expression condition, String input) {
+    return Variables.roots(List.of(input)).stream().anyMatch(condition::mentions);
+  }
+}

@@ -1,0 +1,149 @@
+package org.sitaf.core.verdict;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.regex.Pattern;
+
+/** Takes literals of values apart (docs/test-application.md, Values), in any of their forms. */
+final class Literals {
+  private static final Pattern NUMBER =
+      Pattern.compile("[-+]?(?:\\d+\\.?\\d*|\\.\\d+)(?:[eE][-+]?\\d{1,9})?");
+
+  /** Longer than any number that is not a whole one of hundreds of digits. */
+  private static final int MAX_NUMBER = 2000;
+
+  private Literals() {}
+
+  static boolean isSequence(String literal) {
+    return isBetween(literal, '[', ']');
+  }
+
+  static boolean isStruct(String literal) {
+    return isBetween(literal, '{', '}');
+  }
+
+  private static boolean isBetween(String literal, char open, char close) {
+    String text = literal.strip();
+    return text.length() >= 2 && text.charAt(0) == open && text.charAt(text.length() - 1) == close;
+  }
+
+  static boolean isTruth(String literal) {
+    return literal.equals("true") || literal.equals("false");
+  }
+
+  /** {@code true} or {@code false} for each of their spellings; any other text as it is. */
+  static String truth(String literal) {
+    return switch (literal.strip()) {
+      case "true", "1" -> "true";
+      case "false", "0" -> "false";
+      default -> literal;
+    };
+  }
+
+  /** A finite number in decimal. */
+  static boolean isNumber(String literal) {
+    String text = literal.strip();
+    return text.length() <= MAX_NUMBER && NUMBER.matcher(text).matches();
+  }
+
+  static boolean isReal(String literal) {
+    String text = literal.strip();
+    return text.length() <= MAX_NUMBER
+        && (NUMBER.matcher(text).matches() || !Double.isNaN(special(text)) || isNan(text));
+  }
+
+  /** A floating-point number, where {@link #isReal} says that it is one. */
+  static double real(String literal) {
+    String text = literal.strip();
+    return NUMBER.matcher(text).matches() ? Double.parseDouble(text) : special(text);
+  }
+
+  private static boolean isNan(String text) {
+    String lower = text.toLowerCase(Locale.ROOT);
+    return lower.equals("nan") || lower.equals(".nan");
+  }
+
+  private static double special(String text) {
+    return switch (text.toLowerCase(Locale.ROOT)) {
+      case "infinity", "+infinity", "inf", "+inf", ".inf" -> Double.POSITIVE_INFINITY;
+      case "-infinity", "-inf", "-.inf" -> Double.NEGATIVE_INFINITY;
+      default -> Double.NaN;
+    };
+  }
+
+  /** The elements of {@code [a, b]}, texts without their quotes. */
+  static List<String> elements(String literal) {
+    List<String> elements = new ArrayList<>();
+    parts(literal, '[', ']').forEach(part -> elements.add(unquoted(part)));
+    return elements;
+  }
+
+  /** The members of <code>{x: 1.0, y: 2.0}</code> in their order, texts without their quotes. */
+  static Map<String, String> members(String literal) {
+    Map<String, String> members = new LinkedHashMap<>();
+    for (String part : parts(literal, '{', '}')) {
+      int colon = part.indexOf(':');
+      if (colon < 0) {
+        throw new IllegalArgumentException(
+            "'" + RecordedValue.shortened(literal) + "' has a member without a name");
+      }
+      members.put(part.substring(0, colon).strip(), unquoted(part.substring(colon + 1).strip()));
+    }
+    return members;
+  }
+
+  /** What stands between commas; quotes, brackets and braces hold their commas together. */
+  private static List<String> parts(String literal, char open, char close) {
+    String text = literal.strip();
+    if (!isBetween(text, open, close)) {
+      throw new IllegalArgumentException(
+          "'" + RecordedValue.shortened(literal) + "' does not stand in " + open + close);
+    }
+    List<String> parts = new ArrayList<>();
+    int from = 1;
+    int depth = 0;
+    boolean quoted = false;
+    for (int i = 1; i < text.length() - 1; i++) {
+      char c = text.charAt(i);
+      if (quoted) {
+        i += c == '\\' ? 1 : 0;
+        quoted = c != '"';
+      } else if (c == '"') {
+        quoted = true;
+      } else if (c == '[' || c == '{') {
+        depth++;
+      } else if (c == ']' || c == '}') {
+        depth--;
+      } else if (c == ',' && depth == 0) {
+        parts.add(text.substring(from, i).strip());
+        from = i + 1;
+      }
+    }
+    if (quoted) {
+      throw new IllegalArgumentException(
+          "'" + RecordedValue.shortened(literal) + "' has a quote that does not end");
+    }
+    String last = text.substring(from, text.length() - 1).strip();
+    if (!parts.isEmpty() || !last.isEmpty()) {
+      parts.add(last);
+    }
+    return parts;
+  }
+
+  private static String unquoted(String part) {
+    if (part.length() < 2 || part.charAt(0) != '"' || !part.endsWith("\"")) {
+      return part;
+    }
+    StringBuilder text = new StringBuilder();
+    for (int i = 1; i < part.length() - 1; i++) {
+      if (part.charAt(i) == '\\' && i + 1 < part.length() - 1) {
+        i++;
+      }
+      text.append(part.charAt(i));
+    }
+    return text.toString();
+  }
+}

@@ -1,0 +1,137 @@
+"""What test applications reach of a bridge that serves one build: sockets with one session and one world each.
+
+A component under test lives in the process of its test application, so it can make every call that the test application
+can. What it does through its endpoint concerns its own session.
+"""
+
+import os
+import re
+import threading
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import grpc
+
+from sitaf_bridge.errors import Forbidden, InvalidRequest, NoSuchEndpoint
+from sitaf_bridge.server.control import SimulationControl
+from sitaf_bridge.server.hardware import VirtualHardware
+from sitaf_bridge.server.status import answering
+from sitaf_bridge.session.registry import Registry
+from sitaf_bridge.wire import administration_pb2 as pb
+from sitaf_bridge.wire import administration_pb2_grpc as pb_grpc
+from sitaf_bridge.wire import simulation_pb2_grpc
+from sitaf_bridge.world.catalog import Catalog
+from sitaf_bridge.world.description.source import WorldSource
+from sitaf_bridge.world.world import World
+
+MAX_MESSAGE_BYTES = 64 * 1024 * 1024
+SERVER_OPTIONS = (
+    ("grpc.max_receive_message_length", MAX_MESSAGE_BYTES),
+    # Two bridges on one port would share its calls at random.
+    ("grpc.so_reuseport", 0),
+)
+# The test application makes one call at a time, its component one for each of its threads.
+MAX_CALLS = 32
+MAX_ENDPOINTS = 64
+NAME = re.compile(r"[A-Za-z0-9]{1,16}")
+# Seconds that calls at work get to end when their endpoint is closed.
+GRACE_S = 0.5
+# The test application may run as another user; who reaches the file is decided by the folders above it.
+SOCKET_MODE = 0o666
+
+
+class OneWorld(Catalog):
+    """Gives the worlds of one set of files, which another catalog holds; refuses all others."""
+
+    def __init__(self, catalog: Catalog, digest: str) -> None:
+        super().__init__()
+        self._catalog = catalog
+        self._digest = digest
+
+    def world(self, source: WorldSource) -> World:
+        """The world of a source. Raises Forbidden for another one."""
+        if source.digest != self._digest:
+            raise Forbidden("world: this endpoint offers the world of its build only")
+        return self._catalog.world(source)
+
+
+class Endpoint:
+    """One socket with a server, a registry and threads of its own."""
+
+    def __init__(self, path: Path, catalog: Catalog, lease_s: float, threads: int) -> None:
+        self.target = f"unix:{path}"
+        self._registry = Registry(default_lease_s=lease_s, max_sessions=1)
+        self._pool = ThreadPoolExecutor(threads, thread_name_prefix="call")
+        self._server = grpc.server(self._pool, options=SERVER_OPTIONS, maximum_concurrent_rpcs=MAX_CALLS)
+        control, hardware = SimulationControl(catalog, self._registry), VirtualHardware(self._registry, threads // 2)
+        simulation_pb2_grpc.add_SimulationControlServicer_to_server(control, self._server)
+        simulation_pb2_grpc.add_VirtualHardwareServicer_to_server(hardware, self._server)
+        self._server.add_insecure_port(self.target)
+        os.chmod(path, SOCKET_MODE)
+        self._server.start()
+
+    def close(self) -> bool:
+        """End the session; says whether all calls have ended."""
+        stopped = self._server.stop(0)
+        self._registry.close()
+        self._pool.shutdown(wait=False, cancel_futures=True)
+        return stopped.wait(GRACE_S)
+
+
+class Endpoints:
+    """The endpoints that are open, by name. Safe for many threads."""
+
+    def __init__(self, folder: Path, catalog: Catalog, lease_s: float, threads: int) -> None:
+        self._folder = folder.absolute()
+        self._catalog = catalog
+        self._lease_s = lease_s
+        self._threads = max(2, threads)
+        self._lock = threading.Lock()
+        self._open: dict[str, Endpoint] = {}
+
+    def open(self, name: str, digest: str) -> str:
+        """Open one; gives its target. Raises InvalidRequest."""
+        if not NAME.fullmatch(name):
+            raise InvalidRequest(f"name: {name!r} is not 1 to 16 letters and digits")
+        with self._lock:
+            if name in self._open:
+                raise InvalidRequest(f"name: the endpoint {name} is open already")
+            if len(self._open) >= MAX_ENDPOINTS:
+                raise InvalidRequest(f"name: {MAX_ENDPOINTS} endpoints are open, the limit; close one first")
+            world = OneWorld(self._catalog, digest)
+            self._open[name] = Endpoint(self._folder / name, world, self._lease_s, self._threads)
+            return self._open[name].target
+
+    def close_one(self, name: str) -> bool:
+        """Close one; says whether all its calls have ended. Raises NoSuchEndpoint."""
+        with self._lock:
+            endpoint = self._open.pop(name, None)
+        if endpoint is None:
+            raise NoSuchEndpoint(f"name: there is no endpoint {name!r}")
+        return endpoint.close()
+
+    def close(self) -> None:
+        """Close all."""
+        with self._lock:
+            names = list(self._open)
+        for name in names:
+            self.close_one(name)
+
+
+class Administration(pb_grpc.SimulatorAdministrationServicer):
+    """Opens and closes endpoints; what each method promises stands in administration.proto."""
+
+    def __init__(self, endpoints: Endpoints) -> None:
+        self._endpoints = endpoints
+
+    @answering
+    def OpenEndpoint(self, request: pb.OpenEndpointRequest, context: grpc.ServicerContext) -> pb.OpenEndpointResponse:
+        """Open an endpoint."""
+        return pb.OpenEndpointResponse(target=self._endpoints.open(request.name, request.world_digest))
+
+    @answering
+    def CloseEndpoint(
+        self, request: pb.CloseEndpointRequest, context: grpc.ServicerContext
+    ) -> pb.CloseEndpointResponse:
+        """Close an endpoint."""
+        return pb.CloseEndpointResponse(idle=self._endpoints.close_one(request.name))

@@ -1,0 +1,84 @@
+package org.sitaf.agent.manager;
+
+import com.google.protobuf.ByteString;
+import io.grpc.Status;
+import io.grpc.StatusRuntimeException;
+import io.grpc.stub.ClientCallStreamObserver;
+import io.grpc.stub.ClientResponseObserver;
+import io.grpc.stub.StreamObserver;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
+import java.util.function.Function;
+
+/**
+ * Sends something large in parts, as fast as the server takes them.
+ *
+ * @param <Q> a message that holds a part
+ * @param <A> what answers the whole
+ */
+final class PartsCall<Q, A> implements ClientResponseObserver<Q, A> {
+  /** Largest part, by the protocol. */
+  static final int PART = 1 << 20;
+
+  private final ByteString whole;
+  private final Function<ByteString, Q> message;
+  private final CompletableFuture<A> answer = new CompletableFuture<>();
+  private int sent;
+  private boolean done;
+
+  private PartsCall(ByteString whole, Function<ByteString, Q> message) {
+    this.whole = whole;
+    this.message = message;
+  }
+
+  /**
+   * Makes such a call and waits for its answer.
+   *
+   * @throws StatusRuntimeException as of the protocol
+   */
+  static <Q, A> A send(
+      ByteString whole,
+      Function<ByteString, Q> message,
+      Function<StreamObserver<A>, StreamObserver<Q>> method) {
+    PartsCall<Q, A> call = new PartsCall<>(whole, message);
+    var unused = method.apply(call);
+    try {
+      return call.answer.join();
+    } catch (CompletionException e) {
+      throw Status.fromThrowable(e).asRuntimeException();
+    }
+  }
+
+  @Override
+  public void beforeStart(ClientCallStreamObserver<Q> requests) {
+    requests.setOnReadyHandler(() -> sendTo(requests));
+  }
+
+  private synchronized void sendTo(ClientCallStreamObserver<Q> requests) {
+    while (!done && requests.isReady()) {
+      int end = Math.min(whole.size(), sent + PART);
+      requests.onNext(message.apply(whole.substring(sent, end)));
+      sent = end;
+      if (sent == whole.size()) {
+        done = true;
+        requests.onCompleted();
+      }
+    }
+  }
+
+  @Override
+  public void onNext(A said) {
+    answer.complete(said);
+  }
+
+  @Override
+  public void onError(Throwable failure) {
+    answer.completeExceptionally(failure);
+  }
+
+  @Override
+  public void onCompleted() {
+    answer.completeExceptionally(
+        Status.INTERNAL.withDescription("the server gave no answer").asRuntimeException());
+  }
+}

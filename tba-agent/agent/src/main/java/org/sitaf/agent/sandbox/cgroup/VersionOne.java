@@ -1,0 +1,93 @@
+package org.sitaf.agent.sandbox.cgroup;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.jspecify.annotations.Nullable;
+
+/** Control groups of version 1: a hierarchy for each controller, which root alone may write. */
+final class VersionOne implements ControlGroups {
+  private static final String MEMORY = "memory";
+
+  private final GroupFiles files;
+  private final Map<String, Path> parents;
+  private final Owner owner;
+  private final AtomicInteger next = new AtomicInteger();
+
+  private VersionOne(GroupFiles files, Map<String, Path> parents, Owner owner) {
+    this.files = files;
+    this.parents = parents;
+    this.owner = owner;
+  }
+
+  static Optional<ControlGroups> find(GroupFiles files, Hierarchies hierarchies, Owner owner)
+      throws IOException {
+    Map<String, Path> parents = new TreeMap<>();
+    for (String controller : hierarchies.writable(CONTROLLERS)) {
+      Path parent = hierarchies.controllers().get(controller);
+      parents.put(controller, parent);
+      Leftovers.sweep(files, parent);
+    }
+    return parents.isEmpty()
+        ? Optional.empty()
+        : Optional.of(new VersionOne(files, parents, owner));
+  }
+
+  @Override
+  public String description() {
+    return "control groups (v1) for " + String.join(", ", parents.keySet());
+  }
+
+  @Override
+  public boolean bindMemory() {
+    return parents.containsKey(MEMORY);
+  }
+
+  @Override
+  public boolean shareProcessors() {
+    return parents.containsKey("cpu");
+  }
+
+  @Override
+  public ControlGroup make(GroupLimits limits) throws IOException {
+    String name = owner.nameOf(next.getAndIncrement());
+    List<Path> made = new ArrayList<>();
+    @Nullable Path events = null;
+    try {
+      for (Map.Entry<String, Path> parent : parents.entrySet()) {
+        Path folder = parent.getValue().resolve(name);
+        files.make(folder);
+        made.add(folder);
+        switch (parent.getKey()) {
+          case MEMORY -> {
+            limitMemory(folder, limits.memoryBytes());
+            events = folder.resolve("memory.oom_control");
+          }
+          case "pids" ->
+              files.write(folder.resolve("pids.max"), Integer.toString(limits.processes()));
+          default -> {
+            // Each group has the same share of the processors.
+          }
+        }
+      }
+    } catch (IOException e) {
+      new ControlGroup(files, made, null).remove();
+      throw e;
+    }
+    return new ControlGroup(files, made, events);
+  }
+
+  private void limitMemory(Path folder, long bytes) throws IOException {
+    String value = Long.toString(bytes);
+    files.write(folder.resolve("memory.limit_in_bytes"), value);
+    // Memory and swap together are no more than memory; without such a count nothing is swapped.
+    if (!files.tryWrite(folder.resolve("memory.memsw.limit_in_bytes"), value)) {
+      files.tryWrite(folder.resolve("memory.swappiness"), "0");
+    }
+  }
+}

@@ -1,0 +1,71 @@
+package org.sitaf.agent.simulation;
+
+import java.util.Map;
+import java.util.Optional;
+
+/** A simulator that other builds use too. */
+final class SharedSimulator implements BuildSimulator {
+  private final String target;
+  private final SimulatorClient client;
+
+  SharedSimulator(String target) {
+    this.target = target;
+    this.client = new SimulatorClient(target);
+  }
+
+  @Override
+  public String description() {
+    return "the simulator at " + target + " is shared with others";
+  }
+
+  @Override
+  public String version() throws SimulatorException {
+    return client.version();
+  }
+
+  @Override
+  public void check(String description, Map<String, byte[]> files)
+      throws WorldException, SimulatorException {
+    client.check(description, files);
+  }
+
+  @Override
+  public SimulatorEndpoint open() {
+    return new Endpoint();
+  }
+
+  @Override
+  public String target() {
+    return target;
+  }
+
+  @Override
+  public void close() {
+    client.close();
+  }
+
+  private final class Endpoint implements SimulatorEndpoint {
+    @Override
+    public String target() {
+      return target;
+    }
+
+    @Override
+    public boolean isShared() {
+      return true;
+    }
+
+    @Override
+    public boolean hasEnded() {
+      return false;
+    }
+
+    @Override
+    public Optional<SimulatorEnd> end() {
+      return Optional.empty();
+    }
+
+    @Override
+    public void close() {}
+  }
+}

@@ -1,0 +1,142 @@
+package org.sitaf.agent.toolchain.python;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.LinkOption;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.regex.Pattern;
+import org.sitaf.agent.sandbox.ToolEnd;
+import org.sitaf.agent.toolchain.python.WheelCollection.PackageException;
+
+/**
+ * Builds the wheel of a package of which the index has only sources. Its code runs without the
+ * network, and writes nothing but the folder that the wheel is taken from.
+ *
+ * @param environment without packages; its Python fetches and reads
+ * @param buildTools fetches the wheels that it is built with
+ */
+record SourceBuild(PackageTools tools, Path environment, Fetch buildTools) {
+  private static final Pattern ARCHIVE =
+      Pattern.compile("[A-Za-z0-9_.+!-]{1,200}\\.(tar\\.gz|zip|tgz|tar\\.bz2|tar\\.xz)");
+  private static final List<String> ALWAYS = List.of("setuptools", "wheel");
+  private static final int MOST_TOOLS = 50;
+
+  /** Fetches wheels of these packages. */
+  interface Fetch {
+    List<Path> wheels(List<String> lines)
+        throws IOException, InterruptedException, PackageException;
+  }
+
+  /** The wheel; empty where the index has no sources of it either. */
+  Optional<LocalWheel> build(String name, String specifier)
+      throws IOException, InterruptedException, PackageException {
+    Path fetch = tools.folder();
+    ToolEnd fetched = tools.ask(environment, fetch, true, List.of(), "source", name, specifier);
+    if (fetched.code() != 0) {
+      if (fetched.errors().contains("the index has no source archive")) {
+        return Optional.empty();
+      }
+      throw new PackageException(name + ": " + tools.complaint(fetched));
+    }
+    Path archive = fetch.resolve(value(fetched, "file"));
+    String version = value(fetched, "version");
+    if (!ARCHIVE.matcher(archive.getFileName().toString()).matches()
+        || !archive.getParent().equals(fetch)
+        || !Files.isRegularFile(archive, LinkOption.NOFOLLOW_LINKS)) {
+      throw new PackageException(name + ": its source archive cannot be used");
+    }
+    Path build = environment(name, archive);
+    Path folder = tools.folder();
+    Path into = Files.createDirectories(folder.resolve("wheels"));
+    ToolEnd built =
+        tools.pip(
+            build,
+            folder,
+            List.of(
+                "wheel",
+                "--no-index",
+                "--no-deps",
+                "--no-build-isolation",
+                "--no-cache-dir",
+                "--wheel-dir",
+                into.toString(),
+                archive.toString()),
+            List.of(archive),
+            List.of(),
+            false);
+    if (built.code() != 0) {
+      throw new PackageException(
+          name + " has no wheel and cannot be built: " + tools.complaint(built));
+    }
+    List<Path> wheels = LocalWheel.wheelsIn(into);
+    if (wheels.size() != 1) {
+      throw new PackageException(name + ": its build left " + wheels.size() + " wheels, not 1");
+    }
+    LocalWheel wheel = LocalWheel.read(wheels.get(0), environment, tools);
+    if (!wheel.name().equals(name) || !wheel.version().equals(version)) {
+      throw new PackageException(
+          name
+              + " "
+              + version
+              + ": its build left the wheel of "
+              + wheel.name()
+              + " "
+              + wheel.version());
+    }
+    return Optional.of(wheel);
+  }
+
+  /** An environment with what the package is built with. */
+  private Path environment(String name, Path archive)
+      throws IOException, InterruptedException, PackageException {
+    ToolEnd answer =
+        tools.ask(
+            environment, tools.folder(), false, List.of(archive), "build", archive.toString());
+    if (answer.code() != 0) {
+      throw new PackageException(name + ": " + tools.complaint(answer));
+    }
+    List<String> wanted = new ArrayList<>(ALWAYS);
+    for (String line : answer.output().lines().limit(MOST_TOOLS).toList()) {
+      LocalWheel.requirement(line.substring(line.indexOf('\t') + 1), name).forEach(wanted::add);
+    }
+    List<Path> wheels = buildTools.wheels(wanted);
+    Path build = Files.createDirectories(tools.folder().resolve("environment"));
+    ToolEnd made = tools.venv(build);
+    if (made.code() != 0) {
+      throw new IOException("python -m venv: " + tools.complaint(made));
+    }
+    ToolEnd installed = install(tools, build, wheels);
+    if (installed.code() != 0) {
+      throw new PackageException(name + ": " + tools.complaint(installed));
+    }
+    return build;
+  }
+
+  /** Installs wheels, and nothing else, without the network. */
+  static ToolEnd install(PackageTools tools, Path environment, List<Path> wheels)
+      throws IOException, InterruptedException {
+    List<String> arguments =
+        new ArrayList<>(
+            List.of(
+                "install",
+                "--no-index",
+                "--no-deps",
+                "--no-cache-dir",
+                "--no-warn-script-location"));
+    wheels.forEach(wheel -> arguments.add(wheel.toString()));
+    return tools.pip(environment, tools.folder(), arguments, wheels, List.of(environment), false);
+  }
+
+  private static String value(ToolEnd answer, String word) throws PackageException {
+    return answer
+        .output()
+        .lines()
+        .filter(line -> line.startsWith(word + "\t"))
+        .map(line -> line.substring(word.length() + 1))
+        .findFirst()
+        .orElseThrow(() -> new PackageException("the index gave no answer"));
+  }
+}

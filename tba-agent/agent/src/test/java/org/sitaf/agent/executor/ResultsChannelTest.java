@@ -1,0 +1,220 @@
+package org.sitaf.agent.executor;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.FileOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.sitaf.agent.testing.EchoActivity;
+import org.sitaf.core.suite.TestSuite;
+import org.sitaf.core.verdict.CaseResult;
+import org.sitaf.core.verdict.Verdict;
+
+/** What is written to a results channel, and what becomes of it. */
+@Timeout(60)
+class ResultsChannelTest {
+  @TempDir private Path folder;
+  private final List<String> remarks = new ArrayList<>();
+  private final TestSuite suite = EchoActivity.doing("").application().suite();
+  private final CaseProgress progress =
+      new CaseProgress(
+          suite,
+          result -> result,
+          new OutputSink() {
+            @Override
+            public void output(String text, int caseNo) {}
+
+            @Override
+            public void remark(String line) {
+              remarks.add(line);
+            }
+          });
+  private ResultsChannel channel;
+  private OutputStream driver;
+
+  @BeforeEach
+  void open() throws Exception {
+    channel = ResultsChannel.open(folder);
+    driver = new FileOutputStream(channel.pipe().toFile());
+    progress.processHasRun(1e6);
+  }
+
+  @AfterEach
+  void close() throws IOException {
+    driver.close();
+    channel.close();
+    assertThat(folder).isEmptyDirectory();
+  }
+
+  private boolean write(String text) throws IOException {
+    driver.write(text.getBytes(StandardCharsets.UTF_8));
+    return channel.read(progress);
+  }
+
+  private boolean line(int number, String content) throws IOException {
+    return write(number + " " + channel.token() + " " + content + "\n");
+  }
+
+  private static String passed(int no) {
+    return passed(no, "" + no, "1.5");
+  }
+
+  private static String passed(int no, String value, String time) {
+    return "<test_result no=\"%d\" verdict=\"PASS\"><value>%s</value><expected>%s</expected>"
+            .formatted(no, value, value)
+        + "<actual>%d</actual><processing_time unit=\"us\" hardware=\"0.000\" stub=\"0.000\">%s"
+            .formatted(no, time)
+        + "</processing_time></test_result>";
+  }
+
+  @Test
+  void numberedLinesWithTheTokenAreResults() throws Exception {
+    assertThat(line(1, "")).isTrue();
+    assertThat(progress.isReady()).isTrue();
+    assertThat(channel.pipe()).doesNotExist();
+    for (int no = 1; no <= 5; no++) {
+      assertThat(line(no + 1, passed(no))).isTrue();
+    }
+    assertThat(progress.isComplete()).isTrue();
+    assertThat(progress.results()).extracting(CaseResult::verdict).containsOnly(Verdict.PASS);
+    assertThat(progress.suspicions()).isEmpty();
+    assertThat(remarks).isEmpty();
+  }
+
+  @Test
+  void aLineThatIsNotTheDriversIsNoResultAndNoSignOfLife() throws Exception {
+    line(1, "");
+    String guessed = "0".repeat(channel.token().length());
+
+    assertThat(write("\n")).isFalse();
+    assertThat(write(passed(1) + "\n")).isFalse();
+    assertThat(write("2 " + guessed + " " + passed(1) + "\n")).isFalse();
+    assertThat(write(channel.token() + " " + passed(1) + "\n")).isFalse();
+    assertThat(write("two " + channel.token() + " " + passed(1) + "\n")).isFalse();
+    assertThat(write("2 " + channel.token() + passed(1) + "\n")).isFalse();
+    assertThat(progress.count()).isZero();
+    assertThat(progress.suspicions())
+        .containsExactly(
+            "a line without number and token (5 times)", "line -1 came where line 2 was due");
+    assertThat(line(2, passed(1))).isTrue();
+    assertThat(progress.count()).isEqualTo(1);
+  }
+
+  @Test
+  void aLineThatCameBeforeIsNotTakenAgain() throws Exception {
+    line(1, "");
+    line(2, passed(1));
+    assertThat(line(2, passed(2))).isFalse();
+
+    assertThat(progress.count()).isEqualTo(1);
+    assertThat(progress.suspicions()).containsExactly("line 2 came where line 3 was due");
+  }
+
+  @Test
+  void aLineThatIsMissingIsSuspectAndWhatFollowsCounts() throws Exception {
+    line(1, "");
+    line(3, passed(1));
+
+    assertThat(progress.count()).isEqualTo(1);
+    assertThat(progress.suspicions()).containsExactly("line 3 came where line 2 was due");
+  }
+
+  @Test
+  void resultsOfOtherCasesAreSuspect() throws Exception {
+    line(1, "");
+    line(2, passed(2));
+    line(3, passed(2));
+    line(4, passed(9));
+
+    assertThat(progress.results()).extracting(CaseResult::no).containsExactly(2);
+    assertThat(progress.suspicions())
+        .containsExactly(
+            "results came in another order than the cases of the suite",
+            "a second result of a case",
+            "a result of a case that the suite does not hold");
+  }
+
+  @Test
+  void valuesAreThoseOfTheSuiteWhateverALineSays() throws Exception {
+    line(1, "");
+    line(2, passed(1, "7", "1.5"));
+
+    CaseResult result = progress.results().get(0);
+    assertThat(result.values()).containsExactly("1");
+    assertThat(result.expected().get(0).literal()).isEqualTo("1");
+    assertThat(progress.suspicions())
+        .containsExactly("a result has other values, or expects other values, than its case");
+  }
+
+  @Test
+  void aTimeThatCannotBeTrueIsLeftOut() throws Exception {
+    line(1, "");
+    line(2, passed(1, "1", "1000000"));
+    line(3, passed(2, "2", "9000000"));
+    line(4, passed(3, "3", "-1"));
+    line(5, passed(4, "4", "NaN"));
+
+    assertThat(progress.results().get(0).time()).isNotNull();
+    assertThat(progress.results().subList(1, 4)).extracting(CaseResult::time).containsOnlyNulls();
+    assertThat(progress.suspicions())
+        .singleElement()
+        .asString()
+        .contains("processing time", "(3 times)");
+  }
+
+  @Test
+  void halfALineIsNoResult() throws Exception {
+    line(1, "");
+    write("2 " + channel.token() + " " + passed(1));
+
+    assertThat(progress.count()).isZero();
+    assertThat(channel.torn()).isPositive();
+    assertThat(progress.suspicions()).isEmpty();
+  }
+
+  @Test
+  void aResultThatIsTooLongIsAnErrorOfItsCase() throws Exception {
+    line(1, "");
+    Thread writer =
+        new Thread(
+            () -> {
+              try {
+                driver.write(("2 " + channel.token() + " ").getBytes(StandardCharsets.UTF_8));
+                driver.write(new byte[ResultsChannel.MAX_LINE]);
+                driver.write('\n');
+              } catch (IOException e) {
+                throw new java.io.UncheckedIOException(e);
+              }
+            });
+    writer.start();
+    while (progress.count() == 0) {
+      channel.read(progress);
+    }
+    writer.join();
+
+    assertThat(progress.results().get(0).verdict()).isEqualTo(Verdict.ERROR);
+    assertThat(progress.results().get(0).message()).contains("longer than 1 MiB");
+    assertThat(progress.suspicions()).isEmpty();
+  }
+
+  @Test
+  void thereAreFewRemarksWhateverComes() throws Exception {
+    line(1, "");
+    for (int i = 0; i < 100_000; i++) {
+      line(1 + i % 1000 - 500, "");
+    }
+
+    assertThat(remarks).hasSizeLessThan(25);
+    assertThat(progress.suspicions()).hasSizeLessThan(25);
+    assertThat(progress.suspicions().get(20)).matches("and \\d+ further reasons");
+  }
+}

@@ -1,0 +1,84 @@
+package org.sitaf.agent.sandbox;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.sitaf.agent.sandbox.Escapes.Bound;
+import org.sitaf.agent.sandbox.cgroup.AutomaticGroups;
+
+/**
+ * A component that burns all processors leaves another its share. What counts is the processor time
+ * that the kernel gave to each over the same while, so that other work on the machine does not.
+ */
+@Tag("slow")
+@Timeout(60)
+class FairnessTest {
+  private static final ProcessLimits LIMITS =
+      new ProcessLimits(256, 600, 64, Duration.ofMinutes(5));
+
+  /** Of the time of the one that burns; an even share would be 1. */
+  private static final double LEAST_SHARE = 0.34;
+
+  @TempDir Path folder;
+
+  @ParameterizedTest(name = "{0} {1} {2}")
+  @CsvSource({
+    "GROUPS,threads,512",
+    "GROUPS,processes,400",
+    "WATCH,threads,512",
+    "WATCH,processes,100"
+  })
+  void anotherHasItsShare(Bound bound, String kind, String number) throws Exception {
+    assumeTrue(
+        bound == Bound.GROUPS
+            ? bound.groups().shareProcessors()
+            : AutomaticGroups.shareProcessors(),
+        "skipped: nothing shares the processors out here");
+    String program = Escapes.compiled("burn", folder).toString();
+    int processors = Runtime.getRuntime().availableProcessors();
+    Sandbox sandbox = bound.sandbox();
+    try (ConfinedProcess hostile = start(sandbox, "hostile", program, kind, number);
+        ConfinedProcess other =
+            start(sandbox, "other", program, "threads", Integer.toString(processors))) {
+      // Both have begun with all that they start.
+      Thread.sleep(2000);
+      long hostileBefore = ticks(hostile);
+      long otherBefore = ticks(other);
+      Thread.sleep(3000);
+      double share = (double) (ticks(other) - otherBefore) / (ticks(hostile) - hostileBefore);
+
+      assertThat(share).isGreaterThan(LEAST_SHARE);
+    }
+  }
+
+  private ConfinedProcess start(Sandbox sandbox, String name, String... command) throws Exception {
+    Path own = Files.createDirectories(folder.resolve(name));
+    return sandbox.start(
+        Escapes.confinement(own, LIMITS, List.of(command)).reading(List.of(Path.of(command[0]))));
+  }
+
+  /** Processor time of all that a process started, in ticks. */
+  private static long ticks(ConfinedProcess process) throws Exception {
+    long sum = 0;
+    Set<Long> all = new TreeSet<>();
+    process.handle().descendants().map(ProcessHandle::pid).forEach(all::add);
+    for (long id : new ArrayList<>(all)) {
+      String stat = Files.readString(Path.of("/proc", Long.toString(id), "stat"));
+      String[] fields = stat.substring(stat.lastIndexOf(')') + 2).split(" ");
+      sum += Long.parseLong(fields[11]) + Long.parseLong(fields[12]);
+    }
+    return sum;
+  }
+}

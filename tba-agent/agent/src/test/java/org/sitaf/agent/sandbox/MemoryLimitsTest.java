@@ -1,0 +1,109 @@
+package org.sitaf.agent.sandbox;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.sitaf.agent.sandbox.Escapes.Bound;
+import org.sitaf.agent.sandbox.Escapes.End;
+
+/** 3 GB, in whatever way they are asked for, are not to be had with 512 MiB. */
+@Tag("slow")
+@Timeout(120)
+class MemoryLimitsTest {
+  private static final ProcessLimits LIMITS =
+      new ProcessLimits(512, 64, 256, Duration.ofMinutes(1));
+  private static final String BROKEN = "it used more than 512 MiB of memory";
+
+  @TempDir static Path programs;
+  @TempDir Path folder;
+
+  static Stream<Arguments> ways() {
+    List<Arguments> ways = new ArrayList<>();
+    for (Bound bound : Bound.values()) {
+      for (String way :
+          List.of(
+              "memfd-written",
+              "memfd-mapped",
+              "shared",
+              "private",
+              "children",
+              "segments",
+              "messages",
+              "queues",
+              "sockets",
+              "files /dev/shm",
+              "files /dev",
+              "files /tmp",
+              "files /",
+              "files /run")) {
+        // Where /tmp is on the disk, other limits bind it.
+        if (bound == Bound.GROUPS || !way.equals("files /tmp")) {
+          ways.add(Arguments.of(bound, way));
+        }
+      }
+    }
+    ways.add(Arguments.of(Bound.GROUPS, "names /tmp"));
+    return ways.stream();
+  }
+
+  @ParameterizedTest(name = "{0} {1}")
+  @MethodSource("ways")
+  void itIsStopped(Bound bound, String way) throws Exception {
+    End end = run(bound, way.split(" "));
+
+    assertThat(end.output()).doesNotContain("TAKEN");
+    assertThat(end.broken().isPresent() || end.output().contains("refused"))
+        .as(end.toString())
+        .isTrue();
+  }
+
+  @ParameterizedTest(name = "{0}")
+  @EnumSource(Bound.class)
+  void theReasonIsSaid(Bound bound) throws Exception {
+    assertThat(run(bound, "children").broken()).contains(BROKEN);
+    assertThat(run(bound, "shared").broken()).contains(BROKEN);
+  }
+
+  @Test
+  void theKernelsOwnCountIsTheReasonToo() throws Exception {
+    assertThat(run(Bound.GROUPS, "memfd-written").broken()).contains(BROKEN);
+    assertThat(run(Bound.GROUPS, "sockets").broken()).contains(BROKEN);
+  }
+
+  @Test
+  void withoutAGroupNoFileIsInMemory() throws Exception {
+    Path outside = Path.of("/var/tmp/sitaf-test-" + ProcessHandle.current().pid());
+    java.nio.file.Files.createDirectories(outside);
+    try {
+      End end =
+          Escapes.run(
+              Bound.WATCH.sandbox(),
+              Escapes.confinement(
+                  outside, LIMITS, List.of("stat", "-f", "-c", "%n %T", "/tmp", "/dev/shm")));
+
+      assertThat(end.output()).contains("/tmp ", "/dev/shm ").doesNotContain("tmpfs");
+    } finally {
+      new ProcessBuilder("rm", "-rf", outside.toString()).start().waitFor();
+    }
+  }
+
+  private End run(Bound bound, String... way) throws Exception {
+    Path program = Escapes.compiled("memory", programs);
+    List<String> command = new ArrayList<>(List.of(program.toString()));
+    command.addAll(List.of(way));
+    return Escapes.run(
+        bound.sandbox(), Escapes.confinement(folder, LIMITS, command).reading(List.of(program)));
+  }
+}

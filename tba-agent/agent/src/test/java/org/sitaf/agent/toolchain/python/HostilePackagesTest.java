@@ -1,0 +1,215 @@
+package org.sitaf.agent.toolchain.python;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.LinkOption;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.sitaf.agent.sandbox.Sandbox;
+import org.sitaf.agent.sandbox.SandboxMode;
+import org.sitaf.agent.testing.EchoActivity;
+import org.sitaf.agent.toolchain.CompilationException;
+
+/** What packages hold runs where there is no network and nothing to write but its own output. */
+@Tag("slow")
+class HostilePackagesTest {
+  private static final Duration LIMIT = Duration.ofMinutes(4);
+
+  @TempDir private Path directory;
+  private LocalIndex index;
+  private Sandbox sandbox;
+  private Environments environments;
+
+  @BeforeEach
+  void start() throws Exception {
+    sandbox = SandboxMode.AUTO.open();
+    assumeTrue(!sandbox.kind().equals(Sandbox.NONE), "skipped for want of bubblewrap");
+    index = new LocalIndex();
+    Path runtime = EchoActivity.places().runtimes().resolve("runtime-python");
+    Path shared = EchoActivity.places().cache().resolve("python");
+    Interpreter interpreter = Interpreter.find().orElseThrow();
+    new Environments(interpreter, runtime, shared, PipSettings.ofThisMachine())
+        .with(Requirements.NONE, Files.createTempDirectory(directory, "base"), LIMIT, sandbox);
+    Path cache = Files.createDirectories(directory.resolve("cache"));
+    copyBaseWheels(shared, cache);
+    Map<String, String> variables = new HashMap<>(System.getenv());
+    variables.put("PIP_EXTRA_INDEX_URL", index.url());
+    environments =
+        new Environments(interpreter, runtime, cache, PipSettings.of(variables, directory));
+  }
+
+  @AfterEach
+  void stop() {
+    index.close();
+  }
+
+  private static void copyBaseWheels(Path from, Path to) throws IOException {
+    try (Stream<Path> entries = Files.list(from)) {
+      for (Path entry :
+          entries.filter(e -> e.getFileName().toString().startsWith("wheels-")).toList()) {
+        Path copy = Files.createDirectories(to.resolve(entry.getFileName().toString()));
+        try (Stream<Path> wheels = Files.list(entry)) {
+          for (Path wheel : wheels.toList()) {
+            Files.copy(wheel, copy.resolve(wheel.getFileName().toString()));
+          }
+        }
+      }
+    }
+  }
+
+  private Path make(List<String> lines, Path... wheels) throws Exception {
+    return environments.with(
+        new Requirements(lines, "activity/component/requirements.txt", List.of(wheels)),
+        Files.createTempDirectory(directory, "scratch"),
+        LIMIT,
+        sandbox);
+  }
+
+  private static Path packages(Path environment) throws IOException {
+    try (Stream<Path> versions = Files.list(environment.resolve("lib"))) {
+      return versions
+          .filter(path -> path.getFileName().toString().startsWith("python"))
+          .findFirst()
+          .orElseThrow()
+          .resolve("site-packages");
+    }
+  }
+
+  @Test
+  void aSourceArchiveIsBuiltWithoutTheNetworkAndReachesNothing() throws Exception {
+    Path outside = Files.createDirectories(directory.resolve("outside"));
+    Path key = Files.writeString(directory.resolve("key"), "secret");
+    String setup =
+        """
+        import glob, os, socket, sys
+        said = []
+        for address in [("127.0.0.1", %d), ("169.254.169.254", 80)]:
+            try:
+                socket.create_connection(address, 2).close()
+                said.append("reached %%s" %% (address,))
+            except OSError:
+                said.append("no network")
+        for place in [%r, "/etc/evil", os.path.join(sys.prefix, "evil")]:
+            try:
+                open(place, "w").write("evil")
+                said.append("wrote " + place)
+            except OSError:
+                said.append("not written")
+        try:
+            said.append(open(%r).read())
+        except OSError:
+            said.append("not read")
+        for site in glob.glob(%r + "/*/lib/python*/site-packages") + [p for p in sys.path if "site-packages" in p]:
+            try:
+                os.rename(os.path.join(site, "sitaf_runtime"), os.path.join(site, "gone"))
+                os.symlink(%r, os.path.join(site, "sitaf_runtime"))
+                said.append("planted")
+            except OSError:
+                said.append("not planted")
+        open("sitaf_hostile_sample.py", "w").write("SAID = " + repr(said) + "\\n")
+        from setuptools import setup
+        setup(name="sitaf-hostile-sample", version="1.0", py_modules=["sitaf_hostile_sample"],
+              install_requires=["sitaf-hostile-needed"])
+        """
+            .replace("%r", "\"%s\"")
+            .formatted(
+                index.port(), outside.resolve("mark"), key, directory.resolve("cache"), outside);
+    String top = "sitaf-hostile-sample-1.0/";
+    index.add(
+        "sitaf-hostile-sample",
+        "sitaf-hostile-sample-1.0.zip",
+        LocalIndex.zip(
+            Map.of(
+                top + "setup.py",
+                setup,
+                top + "PKG-INFO",
+                "Metadata-Version: 2.1\nName: sitaf-hostile-sample\nVersion: 1.0\n")));
+    index.add(
+        "sitaf-hostile-needed",
+        "sitaf_hostile_needed-1.0-py3-none-any.whl",
+        LocalIndex.wheel("sitaf-hostile-needed", "THERE = True\n"));
+
+    Path environment = make(List.of("sitaf-hostile-sample==1.0"));
+
+    Path module = packages(environment).resolve("sitaf_hostile_sample.py");
+    assertThat(Files.readString(module))
+        .contains("no network", "not written", "not read", "not planted")
+        .doesNotContain("reached", "wrote", "secret", "'planted'");
+    assertThat(outside).isEmptyDirectory();
+    assertThat(packages(environment).resolve("sitaf_hostile_needed.py")).isRegularFile();
+    assertThat(
+            Files.isDirectory(
+                packages(environment).resolve("sitaf_runtime"), LinkOption.NOFOLLOW_LINKS))
+        .isTrue();
+  }
+
+  @Test
+  void aWheelOfTheActivityDoesNotSendPipToAnAddress() throws Exception {
+    Path wheel =
+        Files.write(
+            directory.resolve("robot-1.0-py3-none-any.whl"),
+            LocalIndex.wheel(
+                "robot", "", "evil @ http://127.0.0.1:" + index.port() + "/evil-1.0.zip"));
+
+    assertThatThrownBy(() -> make(List.of(), wheel))
+        .isInstanceOfSatisfying(
+            CompilationException.class,
+            e ->
+                assertThat(e.diagnostics().get(0).message())
+                    .contains("requires 'evil @ http://127.0.0.1")
+                    .contains("is not a package of the index"));
+    assertThat(index.requests()).isEmpty();
+  }
+
+  @Test
+  void aWheelOfTheActivityIsInstalledWithWhatItRequires() throws Exception {
+    index.add(
+        "sitaf-hostile-needed",
+        "sitaf_hostile_needed-1.0-py3-none-any.whl",
+        LocalIndex.wheel("sitaf-hostile-needed", "THERE = True\n"));
+    Path wheel =
+        Files.write(
+            directory.resolve("robot-1.0-py3-none-any.whl"),
+            LocalIndex.wheel(
+                "robot", "MINE = True\n", "sitaf-hostile-needed", "pytest; extra == 'test'"));
+
+    Path environment = make(List.of(), wheel);
+
+    assertThat(packages(environment).resolve("robot.py")).hasContent("MINE = True");
+    assertThat(packages(environment).resolve("sitaf_hostile_needed.py")).isRegularFile();
+    assertThat(packages(environment).resolve("pytest")).doesNotExist();
+  }
+
+  @Test
+  void whatTheIndexDoesNotHaveIsReported() {
+    assertThatThrownBy(() -> make(List.of("sitaf-hostile-nothing==9")))
+        .isInstanceOfSatisfying(
+            CompilationException.class,
+            e ->
+                assertThat(e.diagnostics().get(0).message())
+                    .contains("No matching distribution found for sitaf-hostile-nothing==9"));
+  }
+
+  @Test
+  void aLinkInAFolderThatABuildHasWrittenIsNotTaken() throws Exception {
+    Path folder = Files.createDirectories(directory.resolve("wheels"));
+    Files.createSymbolicLink(folder.resolve("evil-1.0-py3-none-any.whl"), Path.of("/etc/passwd"));
+    Files.createDirectory(folder.resolve("worse-1.0-py3-none-any.whl"));
+    Path good = Files.writeString(folder.resolve("good-1.0-py3-none-any.whl"), "");
+
+    assertThat(LocalWheel.wheelsIn(folder)).containsExactly(good);
+  }
+}

@@ -1,0 +1,79 @@
+"""The descriptor through which the agent takes results, in place of a file.
+
+Each line begins with its number and a token that the agent wrote to standard input, so that what the component writes
+there is not taken for a result.
+"""
+
+import fcntl
+import os
+import re
+from collections.abc import Sequence
+from contextlib import suppress
+from itertools import pairwise
+from typing import NamedTuple
+
+from sitaf_runtime.errors import CannotRunError
+
+_NAMED = re.compile("fd:([0-9]{1,4})")
+_LONGEST_TOKEN = 128
+_INPUT = 0
+# Far from the numbers that programs use.
+_LOWEST_DESCRIPTOR = 64
+# So that a fast component seldom waits for the agent; a system may give less.
+_PIPE_BYTES = 1 << 20
+
+
+class Channel(NamedTuple):
+    """A descriptor to write to, and what lines begin with."""
+
+    descriptor: int
+    token: str
+
+
+_held: list[Channel] = []
+
+
+def is_named(results: object) -> bool:
+    """Whether `--results` names a descriptor, such as `fd:3`."""
+    return _NAMED.fullmatch(str(results)) is not None
+
+
+def hold(arguments: Sequence[str]) -> None:
+    """Take descriptor and token before anything of the component is loaded. Raises CannotRunError."""
+    for option, value in pairwise(arguments):
+        if option == "--results" and is_named(value):
+            _held.append(_open(value))
+            return
+
+
+def take(results: object) -> Channel:
+    """The channel that is held, or that is taken now. Raises CannotRunError when there is none."""
+    return _held.pop() if _held else _open(str(results))
+
+
+def _open(results: str) -> Channel:
+    token = _token()
+    if not token:
+        raise CannotRunError(f"--results {results}: standard input holds no line with a token")
+    descriptor = int(results.removeprefix("fd:"))
+    try:
+        own = fcntl.fcntl(descriptor, fcntl.F_DUPFD_CLOEXEC, _LOWEST_DESCRIPTOR)
+    except OSError as e:
+        raise CannotRunError(f"--results {results}: there is no such open descriptor") from e
+    os.close(descriptor)
+    with suppress(OSError, AttributeError):
+        fcntl.fcntl(own, fcntl.F_SETPIPE_SZ, _PIPE_BYTES)
+    return Channel(own, token)
+
+
+def _token() -> str:
+    """The line on standard input, and nothing behind it, which is the component's."""
+    line = b""
+    while len(line) <= _LONGEST_TOKEN:
+        c = os.read(_INPUT, 1)
+        if c == b"\n":
+            return line.decode("ascii", "replace")
+        if not c:
+            break
+        line += c
+    return ""
