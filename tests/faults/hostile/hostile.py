@@ -17,7 +17,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 sys.path.insert(0, str(Path(__file__).parent.parent))
 import activities
 import watch
-from system import MODEL, OVER, Refused, Table, agent, await_true, own_bridge, server, show
+from system import MODEL, OVER, TOKEN, Refused, Table, agent, await_true, own_bridge, server, show
 
 CASES = 55
 HOSTILE_LIMIT_S = 150
@@ -25,6 +25,7 @@ CANCEL_LIMIT_S = 20
 VICTIM_FACTOR = 3
 # What two builds of a few milliseconds may differ by without anybody being harmed.
 VICTIM_ALLOWANCE_S = 0.5
+ANOTHER_LOOK = 2
 AGENT_MIB = 768
 LOG_MIB = 16
 DISK_MIB = 1024
@@ -79,11 +80,16 @@ class Trial:
         self.victim_s, passed, found = self.system.victim.build()
         if passed != CASES:
             self.faults.append(f"somebody else's build: {found['state']}, {passed} PASS, {found.get('failure')}")
-        if self.victim_s > VICTIM_FACTOR * self.system.victim.usual_s + VICTIM_ALLOWANCE_S:
-            # Once more: this machine is shared, too.
+        # Again where it was late: other work goes on on this machine, and hostile code is there all the time or not at all.
+        for _ in range(ANOTHER_LOOK):
+            if not self.is_late():
+                return
             self.victim_s = min(self.victim_s, self.system.victim.build()[0])
-            if self.victim_s > VICTIM_FACTOR * self.system.victim.usual_s + VICTIM_ALLOWANCE_S:
-                self.faults.append(f"somebody else's build took {self.victim_s:.1f} s")
+        if self.is_late():
+            self.faults.append(f"somebody else's build took {self.victim_s:.1f} s")
+
+    def is_late(self):
+        return self.victim_s > VICTIM_FACTOR * self.system.victim.usual_s + VICTIM_ALLOWANCE_S
 
     def cancel(self, hostile):
         self.faults.append(f"did not end within {HOSTILE_LIMIT_S} s")
@@ -236,7 +242,7 @@ def uploads(system, table, chosen):
 def send(system, content_type, content):
     """Uploads an activity; answers the status, or 0 where the server hung up."""
     connection = http.client.HTTPConnection("127.0.0.1", system.central.http, timeout=HOSTILE_LIMIT_S)
-    headers = {"Authorization": f"Bearer {activities_token()}", "Content-Type": content_type}
+    headers = {"Authorization": f"Bearer {TOKEN}", "Content-Type": content_type}
     body = content() if callable(content) else content
     try:
         connection.request("POST", "/api/v1/activities", body, headers, encode_chunked=not isinstance(body, bytes))
@@ -245,12 +251,6 @@ def send(system, content_type, content):
         return 0
     finally:
         connection.close()
-
-
-def activities_token():
-    from system import TOKEN
-
-    return TOKEN
 
 
 def afterwards(system, table):
