@@ -80,7 +80,7 @@ class Trial:
         self.victim_s, passed, found = self.system.victim.build()
         if passed != CASES:
             self.faults.append(f"somebody else's build: {found['state']}, {passed} PASS, {found.get('failure')}")
-        # Again where it was late: other work goes on on this machine, and hostile code is there all the time or not at all.
+        # Again where it was late: other work may go on on this machine.
         for _ in range(ANOTHER_LOOK):
             if not self.is_late():
                 return
