@@ -157,16 +157,16 @@ public final class CacheBenchmark {
     row("units and applications compiled though untouched", needless, shortOf);
     row("units and applications touched and not compiled", missed, shortOf);
     row("other disagreements of model and compiler", faults.size() - stale - needless - missed, shortOf);
-    told("units compiled, of " + units, compiledUnits, "");
-    told("applications in Java compiled, of " + applications, compiledApplications, "");
-    told("builds that the compiler refused, with caches and without", refused, "");
-    told("a build with caches", cachedSeconds / builds, "s");
-    told("a build without", cleanSeconds / builds, "s");
+    print("units compiled, of " + units, compiledUnits, "");
+    print("applications in Java compiled, of " + applications, compiledApplications, "");
+    print("builds that the compiler refused, with caches and without", refused, "");
+    print("a build with caches", cachedSeconds / builds, "s");
+    print("a build without", cleanSeconds / builds, "s");
     System.out.println("cache: " + (shortOf.isEmpty() ? "held" : "short: " + String.join(", ", shortOf)));
     return shortOf.isEmpty();
   }
 
-  private static void told(String what, double value, String unit) {
+  private static void print(String what, double value, String unit) {
     System.out.printf(Locale.ROOT, "%-66s %8s %s%n", what, unit.isEmpty() ? String.valueOf((int) value) : String.format(Locale.ROOT, "%.2f", value), unit);
   }
 

@@ -68,7 +68,7 @@ class Trial:
             return self
         began = time.monotonic()
         await_true(lambda: self.api.state(hostile) in OVER | {"RUNNING"}, HOSTILE_LIMIT_S, 0.05)
-        self.victim()
+        self.victim(hostile)
         if not await_true(lambda: self.api.state(hostile) in OVER, HOSTILE_LIMIT_S):
             self.cancel(hostile)
         self.took_s = time.monotonic() - began
@@ -76,14 +76,14 @@ class Trial:
         self.judge(hostile, never_green)
         return self
 
-    def victim(self):
+    def victim(self, hostile):
         self.victim_s, passed, found = self.system.victim.build()
         if passed != CASES:
             self.faults.append(f"somebody else's build: {found['state']}, {passed} PASS, {found.get('failure')}")
-        # Again where it was late: other work may go on on this machine.
+        # Other work may slow this machine down, so a late build is repeated, but only next to the hostile one: after it, nothing is shown.
         for _ in range(ANOTHER_LOOK):
-            if not self.is_late():
-                return
+            if not self.is_late() or self.api.state(hostile) in OVER:
+                break
             self.victim_s = min(self.victim_s, self.system.victim.build()[0])
         if self.is_late():
             self.faults.append(f"somebody else's build took {self.victim_s:.1f} s")
@@ -262,7 +262,8 @@ def afterwards(system, table):
     system.agent.kill()
     began = time.monotonic()
     system.agent.start(limit_s=60)
-    table.row("s until a killed agent is there again", time.monotonic() - began, "<= 60", True)
+    took = time.monotonic() - began
+    table.row("s until a killed agent is there again", took, "<= 60", took <= 60)
     _, passed, _ = system.victim.build()
     table.row("somebody else's build afterwards, PASS", passed, CASES, passed == CASES)
 

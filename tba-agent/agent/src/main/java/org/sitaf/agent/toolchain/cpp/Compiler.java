@@ -88,7 +88,7 @@ record Compiler(Path program, String version) {
     return identity.toString();
   }
 
-  /** Where it looks for headers without being told to. */
+  /** Where it looks for headers by default. */
   List<Path> headerFolders() throws IOException {
     List<Path> folders = new ArrayList<>();
     // One that is not there may come.
