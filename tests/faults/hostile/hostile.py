@@ -49,7 +49,10 @@ class Victim:
     def learn(self, rounds):
         # The first fills the caches.
         self.build()
-        self.usual_s = statistics.median(self.build()[0] for _ in range(rounds))
+        self.usual_s = self.alone_s(rounds)
+
+    def alone_s(self, rounds):
+        return statistics.median(self.build()[0] for _ in range(rounds))
 
 
 class Trial:
@@ -74,6 +77,7 @@ class Trial:
         self.took_s = time.monotonic() - began
         self.build = self.api.get(f"/api/v1/builds/{hostile}")
         self.judge(hostile, never_green)
+        self.judge_delay()
         return self
 
     def victim(self, hostile):
@@ -85,11 +89,14 @@ class Trial:
             if not self.is_late() or self.api.state(hostile) in OVER:
                 break
             self.victim_s = min(self.victim_s, self.system.victim.build()[0])
-        if self.is_late():
-            self.faults.append(f"somebody else's build took {self.victim_s:.1f} s")
 
-    def is_late(self):
-        return self.victim_s > VICTIM_FACTOR * self.system.victim.usual_s + VICTIM_ALLOWANCE_S
+    def is_late(self, usual_s=None):
+        return self.victim_s > VICTIM_FACTOR * (usual_s or self.system.victim.usual_s) + VICTIM_ALLOWANCE_S
+
+    def judge_delay(self):
+        """Blames the hostile build for a late one only where the machine, without it, is as fast as it was."""
+        if self.is_late() and self.is_late(self.system.victim.alone_s(3)):
+            self.faults.append(f"another user's build took {self.victim_s:.1f} s")
 
     def cancel(self, hostile):
         self.faults.append(f"did not end within {HOSTILE_LIMIT_S} s")
