@@ -1,0 +1,130 @@
+"""The documents name paths, classes, commands and links that exist."""
+
+import functools
+import itertools
+import os
+import re
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[1]
+PRUNED = {".git", ".sitaf", "node_modules", "target", "__pycache__"}
+# Every path and class in them is checked; in the other documents, the paths that start at the root of the repository.
+MAPS = ("ARCHITECTURE.md", "CONTRIBUTING.md")
+# Paths of users' activities, and files that a command creates.
+ELSEWHERE = re.compile(r"harness/MODEL/|^\./|\.sitaf/|^/|webapp/dist")
+# Words in capitals stand for a name.
+PLACEHOLDER = re.compile(r"\b[A-Z]{3,}\b")
+CLASS = re.compile(r"[A-Z]\w*[a-z]\w*(?:\.\w+)?")
+
+
+@functools.cache
+def files():
+    """Every file below the root, relative to it."""
+    found = []
+    for folder, folders, names in os.walk(ROOT):
+        folders[:] = sorted(name for name in folders if name not in PRUNED and not name.endswith(".egg-info"))
+        found += [Path(folder, name).relative_to(ROOT).as_posix() for name in names]
+    return found
+
+
+@functools.cache
+def endings():
+    """All paths of files and folders, also without their first folders."""
+    known = set()
+    for path in files():
+        parts = path.split("/")
+        for start, end in itertools.combinations(range(len(parts) + 1), 2):
+            known.add("/".join(parts[start:end]))
+    return known
+
+
+@functools.cache
+def by_stem():
+    """Files by their name without its ending."""
+    stems = {}
+    for path in files():
+        stems.setdefault(Path(path).stem, []).append(path)
+    return stems
+
+
+def documents():
+    return sorted(path for path in files() if path.endswith(".md"))
+
+
+def text(document):
+    return (ROOT / document).read_text()
+
+
+def spans(document):
+    """What stands in single backticks, line breaks as spaces."""
+    prose = re.sub(r"^```.*?^```", "", text(document), flags=re.DOTALL | re.MULTILINE)
+    return [" ".join(span.split()) for span in re.findall(r"`([^`]+)`", prose)]
+
+
+def alternatives(path):
+    """A path with {a,b} as one for each."""
+    braces = re.search(r"\{([^{}]*)\}", path)
+    if not braces:
+        return [path]
+    return [path[: braces.start()] + one + path[braces.end() :] for one in braces[1].split(",")]
+
+
+def paths(document):
+    for span in spans(document):
+        if re.fullmatch(r"[\w.{},@+-]*(/[\w.{},@+-]*)+", span) and not ELSEWHERE.search(span):
+            yield from (path.strip("/") for path in alternatives(span) if not PLACEHOLDER.search(Path(path).name))
+
+
+@pytest.mark.parametrize("document", documents())
+def test_links_lead_to_files(document):
+    folder = (ROOT / document).parent
+    targets = re.findall(r"\]\(([^)#\s]+)[^)]*\)", text(document))
+    assert [t for t in targets if not re.match(r"[a-z]+:", t) and not (folder / t).exists()] == []
+
+
+@pytest.mark.parametrize("document", documents())
+def test_paths_from_the_root_exist(document):
+    tops = {path.split("/")[0] for path in files() if "/" in path}
+    named = [path for path in paths(document) if path.split("/")[0] in tops and "/" in path]
+    folder = Path(document).parent
+    assert [p for p in named if not (ROOT / p).exists() and not (ROOT / folder / p).exists() and p not in endings()] == []
+
+
+@pytest.mark.parametrize("document", MAPS)
+def test_every_path_of_a_map_exists(document):
+    named = list(paths(document))
+    assert len(named) > 20
+    assert [path for path in named if not path.startswith("api/") and path not in endings()] == []
+
+
+@pytest.mark.parametrize("document", MAPS)
+def test_every_class_of_a_map_exists(document):
+    named = [span for span in spans(document) if CLASS.fullmatch(span)]
+    assert len(named) > 15
+    missing = []
+    for name in named:
+        stem, _, member = name.partition(".")
+        sources = [(ROOT / path).read_text() for path in by_stem().get(stem, [])]
+        if not sources:
+            declaration = re.compile(rf"\b(?:class|record|interface|enum|message)\s+{stem}\b")
+            sources = [s for s in map(_source, files()) if declaration.search(s)]
+        if not any(re.search(rf"\b{member}\b", source) for source in sources):
+            missing.append(name)
+    assert missing == []
+
+
+@functools.cache
+def _source(path):
+    return (ROOT / path).read_text() if path.endswith((".java", ".py", ".proto", ".hpp")) else ""
+
+
+@pytest.mark.parametrize("document", documents())
+def test_commands_exist(document):
+    help_text = (ROOT / "itaes-server/cli/launcher/help.txt").read_text()
+    known = set(re.findall(r"^  ([a-z]+)  ", help_text, flags=re.MULTILINE))
+    programs = {Path(path).parent.name for path in files() if re.fullmatch(r"tests/(benchmarks|faults)/[^/]+/run", path)}
+    commands = re.findall(r"\./sitaf ([a-z]+)(?: ([a-z-]+)\b)?", text(document))
+    assert {name for name, _ in commands} - known == set()
+    assert {program for name, program in commands if name == "bench" and program} - programs == set()
