@@ -6,33 +6,33 @@
 
 namespace robot {
 
-/// The infrared sensors of a robot, side by side and numbered from 1. Methods are named as the
-/// interface InfraredSensorService has them.
+/// The infrared sensors of a robot, numbered from 1. The methods have the names of the interface
+/// InfraredSensorService.
 class InfraredSensor {
  public:
-  /// What GetInfraredData returns where there is no distance to return.
+  /// The value that GetInfraredData returns if there is no distance.
   static constexpr double noDistance = -1.0;
 
-  /// The sensors of a robot; `ir1`, `ir2` and so on are their devices.
+  /// Uses the range sensors `ir1`, `ir2` and so on.
   explicit InfraredSensor(sitaf::Hardware& hardware);
 
-  /// Property `Size`: how many sensors there are, at least 1.
+  /// Property `Size`: the number of sensors, at least 1.
   void setSize(int size);
 
-  /// Finds the sensors. Until then nothing is measured.
+  /// Opens the sensors. Before this call, there is no distance.
   void Enable();
 
-  /// Lets the sensors go.
+  /// Releases the sensors.
   void Disable();
 
-  /// Whether the sensors measure.
+  /// Whether the sensors are open.
   bool IsEnabled() const;
 
-  /// The distance that one sensor measures, in metres; noDistance when an argument is out of range,
-  /// or the sensor sees nothing within its range.
+  /// The distance that one sensor measures, in metres; noDistance if an argument is out of range
+  /// or no object is within the range of the sensor.
   ///
-  /// - indexOfSensor: which sensor, from 1
-  /// - numOfSensor: how many sensors the caller uses, from 1 to `Size`; the index must be among them
+  /// - indexOfSensor: the number of the sensor, 1 to numOfSensor
+  /// - numOfSensor: the number of sensors that the caller uses, 1 to `Size`
   double GetInfraredData(int indexOfSensor, int numOfSensor) const;
 
  private:

@@ -5,11 +5,11 @@ import math
 from sitaf_runtime import Hardware
 
 NO_DISTANCE = -1.0
-"""What `get_infrared_data` returns where there is no distance to return."""
+"""The value that `get_infrared_data` returns if there is no distance."""
 
 
 class InfraredSensor:
-    """The sensors of a robot; `ir1`, `ir2` and so on are their devices."""
+    """The range sensors `ir1`, `ir2` and so on of a robot."""
 
     def __init__(self, hardware: Hardware) -> None:
         self._hardware = hardware
@@ -17,30 +17,30 @@ class InfraredSensor:
         self._size = 1
 
     def set_size(self, size: int) -> None:
-        """Property `Size`: how many sensors there are."""
+        """Property `Size`: the number of sensors, at least 1."""
         if size < 1:
             raise ValueError(f"Size must be at least 1, not {size}")
         self._size = size
 
     def enable(self) -> None:
-        """Find the sensors. Until then nothing is measured."""
+        """Open the sensors. Before this call, there is no distance."""
         self._sensors = [
             self._hardware.range_sensor(f"ir{i}") for i in range(1, self._size + 1)
         ]
 
     def disable(self) -> None:
-        """Let the sensors go."""
+        """Release the sensors."""
         self._sensors = []
 
     def is_enabled(self) -> bool:
-        """Whether the sensors measure."""
+        """Whether the sensors are open."""
         return bool(self._sensors)
 
     def get_infrared_data(self, index_of_sensor: int, num_of_sensor: int) -> float:
         """The distance that one sensor measures, in metres.
 
-        The index counts from 1 to the number of sensors that the caller uses, which is at most `Size`. NO_DISTANCE when
-        an argument is out of range, or the sensor sees nothing within its range.
+        `num_of_sensor`, the number of sensors that the caller uses, is 1 to `Size`; `index_of_sensor` is 1 to that number.
+        Returns NO_DISTANCE if an argument is out of range or no object is within the range of the sensor.
         """
         if not 1 <= num_of_sensor <= len(self._sensors):
             return NO_DISTANCE

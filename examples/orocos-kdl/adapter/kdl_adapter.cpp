@@ -12,7 +12,7 @@ constexpr double lowerLink = 0.3;
 constexpr double maxVelocity = 1.0;
 constexpr double maxAcceleration = 2.0;
 
-/// What InverseKinematics returns where the solver came to no solution.
+/// The value that InverseKinematics returns if the solver finds no solution.
 constexpr double noSolution = -1.0;
 
 }  // namespace
@@ -33,7 +33,7 @@ sitaf::interfaces::Point KdlAdapter::ForwardKinematics(double shoulder, double e
 }
 
 double KdlAdapter::InverseKinematics(double x, double y) {
-  // The orientation of the tip is free: an arm of two joints has no say in it.
+  // The orientation of the tip is free: an arm with two joints cannot control it.
   Eigen::Matrix<double, 6, 1> weights;
   weights << 1, 1, 1, 0, 0, 0;
   KDL::ChainIkSolverPos_LMA solver(arm_, weights);

@@ -4,7 +4,7 @@
 
 #include "sitaf/interfaces/Kinematics.hpp"
 
-/// Binds the Kinematics and Dynamics Library to the interface of the test: a planar arm of two links.
+/// Adapts the Kinematics and Dynamics Library to the interface under test: a planar arm with two links.
 class KdlAdapter : public sitaf::interfaces::Kinematics {
  public:
   KdlAdapter();

@@ -1,4 +1,4 @@
-"""Binds simple_pid.PID of release 0.1.0 to the interface PidController."""
+"""Adapts simple_pid.PID of release 0.1.0 to the interface PidController."""
 
 import sys
 
@@ -6,7 +6,7 @@ from simple_pid import PID
 
 
 class Clock:
-    """Stands in for the clock, which this release cannot be given."""
+    """Replaces the clock of the module: this release takes no time step."""
 
     def __init__(self) -> None:
         self.now = 0.0
@@ -30,7 +30,7 @@ class PidController:
         limit: float,
         automatic: bool,
     ) -> float:
-        """The output after two measurements, `dt` seconds apart; 0 where the controller is off."""
+        """Return the output after two measurements, `dt` seconds apart; 0 if the controller is off."""
         clock = Clock()
         sys.modules[PID.__module__].time = clock
         pid = PID(

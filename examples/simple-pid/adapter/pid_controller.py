@@ -1,4 +1,4 @@
-"""Binds simple_pid.PID to the interface PidController."""
+"""Adapts simple_pid.PID to the interface PidController."""
 
 from simple_pid import PID
 
@@ -17,7 +17,7 @@ class PidController:
         limit: float,
         automatic: bool,
     ) -> float:
-        """The output after two measurements, `dt` seconds apart; 0 where the controller is off."""
+        """Return the output after two measurements, `dt` seconds apart; 0 if the controller is off."""
         pid = PID(
             kp,
             0.0,

@@ -6,23 +6,23 @@ import org.sitaf.runtime.Hardware;
 import org.sitaf.runtime.RangeSensor;
 
 /**
- * The infrared sensors of a robot, side by side and numbered from 1. Methods are named as the
- * interface {@code InfraredSensorService} has them.
+ * The infrared sensors of a robot, numbered from 1. The methods have the names of the interface
+ * {@code InfraredSensorService}.
  */
 public final class InfraredSensor {
-  /** What {@link #GetInfraredData} returns where there is no distance to return. */
+  /** The value that {@link #GetInfraredData} returns if there is no distance. */
   public static final double NO_DISTANCE = -1.0;
 
   private final Hardware hardware;
   private final List<RangeSensor> sensors = new ArrayList<>();
   private int size = 1;
 
-  /** The sensors of a robot; {@code ir1}, {@code ir2} and so on are their devices. */
+  /** Uses the range sensors {@code ir1}, {@code ir2} and so on. */
   public InfraredSensor(Hardware hardware) {
     this.hardware = hardware;
   }
 
-  /** Property {@code Size}: how many sensors there are. */
+  /** Property {@code Size}: the number of sensors, at least 1. */
   public void setSize(int size) {
     if (size < 1) {
       throw new IllegalArgumentException("Size must be at least 1, not " + size);
@@ -30,7 +30,7 @@ public final class InfraredSensor {
     this.size = size;
   }
 
-  /** Finds the sensors. Until then nothing is measured. */
+  /** Opens the sensors. Before this call, there is no distance. */
   public void Enable() {
     Disable();
     for (int i = 1; i <= size; i++) {
@@ -38,24 +38,24 @@ public final class InfraredSensor {
     }
   }
 
-  /** Lets the sensors go. */
+  /** Releases the sensors. */
   public void Disable() {
     sensors.clear();
   }
 
-  /** Whether the sensors measure. */
+  /** Whether the sensors are open. */
   public boolean IsEnabled() {
     return !sensors.isEmpty();
   }
 
   /**
-   * The distance that one sensor measures.
+   * Returns the distance that one sensor measures.
    *
-   * @param indexOfSensor which sensor, from 1
-   * @param numOfSensor how many sensors the caller uses, from 1 to {@code Size}; the index must be
-   *     among them
-   * @return the distance in metres; {@link #NO_DISTANCE} when an argument is out of range, or the
-   *     sensor sees nothing within its range
+   * @param indexOfSensor the number of the sensor, 1 to {@code numOfSensor}
+   * @param numOfSensor the number of sensors that the caller uses, from 1 to the property {@code
+   *     Size}
+   * @return the distance in metres; {@link #NO_DISTANCE} if an argument is out of range or no object
+   *     is within the range of the sensor
    */
   public double GetInfraredData(int indexOfSensor, int numOfSensor) {
     if (numOfSensor < 1 || numOfSensor > sensors.size()) {

@@ -4,7 +4,7 @@ import org.sitaf.runtime.Hardware;
 import org.sitaf.runtime.actuator.JointMotor;
 import org.sitaf.runtime.sensor.JointEncoder;
 
-/** A PID controller, executed once a period: reads the encoder, commands the motor. */
+/** A PID controller, executed once per period: reads the encoder, commands the motor. */
 public final class JointController {
   private static final double PERIOD = 0.01;
   private static final double STRONGEST = 8;
@@ -35,7 +35,7 @@ public final class JointController {
     kd = gain;
   }
 
-  /** Where the joint is when it all begins, there it shall stay. */
+  /** Holds the initial angle until a target is set. */
   public void start() {
     target = encoder.position();
   }

@@ -6,7 +6,7 @@ import sitaf.interfaces.NoEcho;
 import sitaf.interfaces.RangeFinder;
 import sitaf.interfaces.WheelController;
 
-/** One step of a navigation: looks ahead twice, believes the nearer reading, and drives by it. */
+/** One navigation step: measures the distance ahead twice and drives by the shorter reading. */
 public final class NavigationStep {
   private static final double SLOW_SPEED = 0.3;
 
@@ -19,7 +19,7 @@ public final class NavigationStep {
     this.wheels = wheels;
   }
 
-  /** Below it the robot halts, below twice of it the robot is slow; metres. */
+  /** In metres. At shorter distances the robot halts; at less than twice this distance it is slow. */
   public void setSafeDistance(double metres) {
     safeDistance = metres;
   }
@@ -41,7 +41,7 @@ public final class NavigationStep {
     return near ? Decision.SLOW_DOWN : Decision.GO;
   }
 
-  /** A sensor without an echo says nothing, so that the robot must not trust the way. */
+  /** Without an echo the distance is unknown: returns 0, so that the robot halts. */
   private double look() {
     try {
       double range = finder.GetRange();

@@ -6,7 +6,7 @@ import org.sitaf.runtime.actuator.DifferentialDrive;
 import org.sitaf.runtime.sensor.ContactSensor;
 import org.sitaf.runtime.sensor.LaserScanner;
 
-/** Drives straight on towards a wall, slower the nearer it is, and stops before it. */
+/** Drives straight towards a wall, slows down as it gets closer, and stops in front of it. */
 public final class WallApproach {
   private static final double FASTEST = 0.4;
   private static final double GAIN = 1.5;
@@ -40,7 +40,7 @@ public final class WallApproach {
     return false;
   }
 
-  /** What the middle ray measures, in metres from the mast. */
+  /** The reading of the middle ray, in metres from the mast. */
   private double ahead() {
     double[] ranges = lidar.ranges();
     return ranges[ranges.length / 2];
