@@ -10,11 +10,11 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[1]
 PRUNED = {".git", ".sitaf", "node_modules", "target", "__pycache__"}
-# Every path and class in them is checked; in the other documents, the paths that start at the root of the repository.
+# All paths and classes in these documents are checked. In other documents, only paths from the root of the repository are.
 MAPS = ("ARCHITECTURE.md", "CONTRIBUTING.md")
-# Paths of users' activities, and files that a command creates.
+# Paths in users' activities, and files that a command creates.
 ELSEWHERE = re.compile(r"harness/MODEL/|^\./|\.sitaf/|^/|webapp/dist")
-# Words in capitals stand for a name.
+# A word in capitals is a placeholder.
 PLACEHOLDER = re.compile(r"\b[A-Z]{3,}\b")
 CLASS = re.compile(r"[A-Z]\w*[a-z]\w*(?:\.\w+)?")
 
@@ -31,7 +31,7 @@ def files():
 
 @functools.cache
 def endings():
-    """All paths of files and folders, also without their first folders."""
+    """Each path of a file or folder, and each path without its first folders."""
     known = set()
     for path in files():
         parts = path.split("/")
@@ -42,7 +42,7 @@ def endings():
 
 @functools.cache
 def by_stem():
-    """Files by their name without its ending."""
+    """Files by their name without the extension."""
     stems = {}
     for path in files():
         stems.setdefault(Path(path).stem, []).append(path)
@@ -58,13 +58,13 @@ def text(document):
 
 
 def spans(document):
-    """What stands in single backticks, line breaks as spaces."""
+    """The texts in single backticks, with line breaks replaced by spaces."""
     prose = re.sub(r"^```.*?^```", "", text(document), flags=re.DOTALL | re.MULTILINE)
     return [" ".join(span.split()) for span in re.findall(r"`([^`]+)`", prose)]
 
 
 def alternatives(path):
-    """A path with {a,b} as one for each."""
+    """Expands {a,b} in a path."""
     braces = re.search(r"\{([^{}]*)\}", path)
     if not braces:
         return [path]
@@ -89,7 +89,9 @@ def test_paths_from_the_root_exist(document):
     tops = {path.split("/")[0] for path in files() if "/" in path}
     named = [path for path in paths(document) if path.split("/")[0] in tops and "/" in path]
     folder = Path(document).parent
-    assert [p for p in named if not (ROOT / p).exists() and not (ROOT / folder / p).exists() and p not in endings()] == []
+    assert [
+        p for p in named if not (ROOT / p).exists() and not (ROOT / folder / p).exists() and p not in endings()
+    ] == []
 
 
 @pytest.mark.parametrize("document", MAPS)
@@ -124,7 +126,9 @@ def _source(path):
 def test_commands_exist(document):
     help_text = (ROOT / "itaes-server/cli/launcher/help.txt").read_text()
     known = set(re.findall(r"^  ([a-z]+)  ", help_text, flags=re.MULTILINE))
-    programs = {Path(path).parent.name for path in files() if re.fullmatch(r"tests/(benchmarks|faults)/[^/]+/run", path)}
+    programs = {
+        Path(path).parent.name for path in files() if re.fullmatch(r"tests/(benchmarks|faults)/[^/]+/run", path)
+    }
     commands = re.findall(r"\./sitaf ([a-z]+)(?: ([a-z-]+)\b)?", text(document))
     assert {name for name, _ in commands} - known == set()
     assert {program for name, program in commands if name == "bench" and program} - programs == set()
