@@ -26,6 +26,12 @@ interface BuildRepository extends Repository<Build, String>, JpaSpecificationExe
           + " (org.sitaf.server.build.BuildState.QUEUED, org.sitaf.server.build.BuildState.RUNNING)")
   List<String> findUnfinishedWithParts();
 
+  /** Builds that are over although some of their parts are not. */
+  @Query(
+      "select distinct b.id from Build b, Build p where p.parentId = b.id and p.finished is null"
+          + " and b.finished is not null")
+  List<String> findOverWithUnfinishedParts();
+
   @Query("select b.id from Build b where b.scheduleId = :scheduleId and b.fireTime = :fireTime")
   Optional<String> findIdByReservation(String scheduleId, Instant fireTime);
 

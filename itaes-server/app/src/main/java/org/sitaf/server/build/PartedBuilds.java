@@ -79,12 +79,14 @@ class PartedBuilds implements SmartLifecycle {
     }
   }
 
-  private void look() {
+  /** Completes what events did not: they are lost when a server dies or a transaction fails. */
+  void look() {
     if (!disk.canWrite()) {
       return;
     }
     try {
       builds.findUnfinishedWithParts().forEach(this::follow);
+      builds.findOverWithUnfinishedParts().forEach(this::cancelParts);
     } catch (RuntimeException e) {
       log.error("Looking for builds whose parts have ended failed", e);
     }
@@ -154,7 +156,10 @@ class PartedBuilds implements SmartLifecycle {
     live.forget(parent.id());
   }
 
-  /** What is left of the parts of a build that is over is not wanted any more. */
+  /**
+   * Cancels the parts of a build that is over. A part that cannot be cancelled now, for example
+   * because its row is locked, does not keep the others running; {@link #look} tries it again.
+   */
   private void cancelParts(String parentId) {
     List<Build> parts =
         Optional.ofNullable(
@@ -162,11 +167,19 @@ class PartedBuilds implements SmartLifecycle {
             .orElse(List.of());
     for (Build part : parts) {
       if (!part.state().isOver()) {
-        try {
-          all.cancel(part.id(), "its build is over");
-        } catch (Refusal e) {
-          log.debug("Part {} ended by itself", part.id(), e);
-        }
+        cancel(part);
+      }
+    }
+  }
+
+  private void cancel(Build part) {
+    try {
+      all.cancel(part.id(), "its build is over");
+    } catch (Refusal e) {
+      log.debug("Part {} ended by itself", part.id(), e);
+    } catch (RuntimeException e) {
+      if (running) {
+        log.warn("Part {} of a build that is over could not be cancelled yet", part.id(), e);
       }
     }
   }
