@@ -122,11 +122,11 @@ class ActivityController {
                   @Content(mediaType = ZIP, schema = @Schema(type = "string", format = "binary"))))
   ActivityView replace(
       @PathVariable String id,
-      @RequestHeader(name = HttpHeaders.IF_MATCH, required = false) @Nullable String ifMatch,
+      @RequestHeader(HttpHeaders.IF_MATCH) String ifMatch,
       @Parameter(hidden = true) HttpServletRequest request)
       throws IOException {
     workspaces.require(id);
-    @Nullable Long version = Requests.version(ifMatch);
+    Requests.Expected version = Requests.expected(ifMatch);
     return uploads.unpack(
         request,
         files -> {
@@ -171,11 +171,11 @@ class ActivityController {
   ActivityView replaceModel(
       @PathVariable String id,
       @PathVariable String name,
-      @RequestHeader(name = HttpHeaders.IF_MATCH, required = false) @Nullable String ifMatch,
+      @RequestHeader(HttpHeaders.IF_MATCH) String ifMatch,
       @Parameter(hidden = true) HttpServletRequest request)
       throws IOException {
     try (InputStream body = requests.body(request)) {
-      workspaces.replaceModel(id, name, body.readAllBytes(), Requests.version(ifMatch));
+      workspaces.replaceModel(id, name, body.readAllBytes(), Requests.expected(ifMatch));
     }
     return get(id);
   }

@@ -7,7 +7,6 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import jakarta.servlet.http.HttpServletRequest;
 import java.io.IOException;
-import org.jspecify.annotations.Nullable;
 import org.sitaf.server.refusal.Refusal;
 import org.sitaf.server.web.Requests;
 import org.sitaf.server.web.Uploads;
@@ -48,16 +47,15 @@ class AuthoringController {
   @Operation(
       operationId = "changeFiles",
       summary = "Changes several files of an activity at once",
-      description =
-          "Nothing is changed when the activity would not hold together. With If-Match, only onto that version (412).")
+      description = "Nothing is changed when the activity would not hold together.")
   ActivityView changeFiles(
       @PathVariable String id,
-      @RequestHeader(name = HttpHeaders.IF_MATCH, required = false) @Nullable String ifMatch,
+      @RequestHeader(HttpHeaders.IF_MATCH) String ifMatch,
       @RequestBody FileChanges changes) {
     if (changes.changes() == null) {
       throw Refusal.malformed("changes is missing; it lists the files to change.");
     }
-    workspaces.change(id, changes, Requests.version(ifMatch));
+    workspaces.change(id, changes, Requests.expected(ifMatch));
     return workspaces.inspect(id, ActivityView::of);
   }
 

@@ -22,7 +22,6 @@ import org.sitaf.core.diagnostic.Diagnostic;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.server.file.StoredFile;
-import org.sitaf.server.refusal.Refusal;
 
 /**
  * One component under test on the server: the files of its activity, verified, and what they say.
@@ -145,17 +144,6 @@ class Workspace {
           .methods()
           .forEach(
               m -> methods.add(new WorkspaceMethod(description.name(), required, signature(m))));
-    }
-  }
-
-  /**
-   * Makes sure that a change is made to the state that its author saw.
-   *
-   * @param expected null where the author does not care
-   */
-  void requireVersion(@Nullable Long expected) {
-    if (expected != null && expected != version()) {
-      throw Refusal.outdated("activity", version());
     }
   }
 

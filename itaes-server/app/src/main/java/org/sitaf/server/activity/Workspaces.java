@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.UUID;
 import java.util.function.Function;
+import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.activity.Activity;
 import org.sitaf.core.activity.FileTree;
@@ -17,6 +18,7 @@ import org.sitaf.server.file.StoredFile;
 import org.sitaf.server.file.StoredFiles;
 import org.sitaf.server.quota.Quotas;
 import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.web.Requests;
 import org.springframework.context.ApplicationEventPublisher;
 import org.springframework.data.domain.Page;
 import org.springframework.data.domain.Pageable;
@@ -28,6 +30,9 @@ import org.springframework.transaction.support.TransactionTemplate;
  */
 @Service
 public class Workspaces {
+  /** How often a change of whatever version is made again when somebody else was faster. */
+  private static final int MAX_ATTEMPTS = 10;
+
   private final WorkspaceRepository workspaces;
   private final StoredFiles contents;
   private final Quotas quotas;
@@ -127,20 +132,56 @@ public class Workspaces {
   }
 
   /**
-   * Puts another document into the place of a model's, when the activity holds together with it.
+   * Replaces the document of a model, when the activity is valid with it.
+   *
+   * @param expected the version that the author of the document saw
+   * @throws Refusal when the activity has another version
    */
-  void replaceModel(String id, String name, byte[] document, @Nullable Long expectedVersion) {
-    FileTree tree = contents.load(files(id));
-    Map<String, byte[]> files = new HashMap<>();
-    tree.paths().forEach(path -> files.put(path, tree.content(path).orElseThrow()));
-    files.put(modelPath(id, name), document);
-    replace(id, FileTree.of(files), expectedVersion);
+  void replaceModel(String id, String name, byte[] document, Requests.Expected expected) {
+    change(
+        id,
+        expected,
+        tree -> {
+          Map<String, byte[]> files = new HashMap<>();
+          tree.paths().forEach(path -> files.put(path, tree.content(path).orElseThrow()));
+          files.put(modelPath(id, name), document);
+          return FileTree.of(files);
+        });
   }
 
-  /** Changes several files, when the activity holds together with the changes. */
-  void change(String id, FileChanges changes, @Nullable Long expectedVersion) {
-    replace(id, changes.applyTo(tree(id)), expectedVersion);
+  /**
+   * Changes several files, when the activity is valid with the changes.
+   *
+   * @param expected the version that the author of the changes saw
+   * @throws Refusal when the activity has another version
+   */
+  void change(String id, FileChanges changes, Requests.Expected expected) {
+    change(id, expected, changes::applyTo);
   }
+
+  /**
+   * Replaces the files by what a change makes of them. They are replaced only while the activity
+   * has the version that was read, so that no change of somebody else is undone; where any version
+   * was expected, the change is made again to the newer files.
+   */
+  private void change(String id, Requests.Expected expected, UnaryOperator<FileTree> change) {
+    for (int attempt = 1; ; attempt++) {
+      Snapshot seen = inspect(id, w -> new Snapshot(w.version(), w.files()));
+      try {
+        expected.require("activity", seen.version());
+        FileTree changed = change.apply(contents.load(seen.files()));
+        replace(id, changed, Requests.Expected.version(seen.version()));
+        return;
+      } catch (Refusal e) {
+        boolean repeat = expected.isAny() && e.reason() == Refusal.Reason.OUTDATED;
+        if (!repeat || attempt == MAX_ATTEMPTS) {
+          throw e;
+        }
+      }
+    }
+  }
+
+  private record Snapshot(long version, List<StoredFile> files) {}
 
   FileTree tree(String id) {
     return contents.load(files(id));
@@ -165,7 +206,7 @@ public class Workspaces {
   }
 
   /** Puts other files into the place of the activity's. */
-  void replace(String id, FileTree tree, @Nullable Long expectedVersion) {
+  void replace(String id, FileTree tree, Requests.Expected expected) {
     Activity activity = Activity.read(tree);
     quotas.storing(
         tree,
@@ -174,8 +215,11 @@ public class Workspaces {
           List<StoredFile> files = contents.store(tree);
           transaction.executeWithoutResult(
               status -> {
-                Workspace workspace = find(id);
-                workspace.requireVersion(expectedVersion);
+                Workspace workspace =
+                    workspaces
+                        .findForChange(id)
+                        .orElseThrow(() -> Refusal.notFound("activity", id));
+                expected.require("activity", workspace.version());
                 workspace.replace(activity, files, now());
                 workspaces.saveAndFlush(workspace);
                 quotas.ownActivity(id);

@@ -115,17 +115,6 @@ class StoredSuite {
     document = newDocument.clone();
   }
 
-  /**
-   * Makes sure that a change is made to the state that its author saw.
-   *
-   * @param expected null where the author does not care
-   */
-  void requireVersion(@Nullable Long expected) {
-    if (expected != null && expected != version()) {
-      throw Refusal.outdated("suite", version());
-    }
-  }
-
   String id() {
     return id;
   }

@@ -103,8 +103,7 @@ class SuiteController {
   @Operation(
       operationId = "replaceSuiteDocument",
       summary = "Puts an edited document into the place of a suite's",
-      description =
-          "For expected values, or cases of one's own. With If-Match, only onto that version (412).",
+      description = "For expected values, or cases of one's own.",
       requestBody =
           @io.swagger.v3.oas.annotations.parameters.RequestBody(
               required = true,
@@ -114,11 +113,11 @@ class SuiteController {
                       schema = @Schema(type = "string"))))
   SuiteView replaceDocument(
       @PathVariable String id,
-      @RequestHeader(name = HttpHeaders.IF_MATCH, required = false) @Nullable String ifMatch,
+      @RequestHeader(HttpHeaders.IF_MATCH) String ifMatch,
       @Parameter(hidden = true) HttpServletRequest request)
       throws IOException {
     try (InputStream body = requests.body(request)) {
-      suites.replaceDocument(id, body.readAllBytes(), Requests.version(ifMatch));
+      suites.replaceDocument(id, body.readAllBytes(), Requests.expected(ifMatch));
     }
     return get(id);
   }

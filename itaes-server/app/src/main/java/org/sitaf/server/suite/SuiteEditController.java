@@ -53,13 +53,10 @@ class SuiteEditController {
   }
 
   @PatchMapping("/expected")
-  @Operation(
-      operationId = "changeExpected",
-      summary = "Sets expected values of single cases",
-      description = "With If-Match, only onto that version (412).")
+  @Operation(operationId = "changeExpected", summary = "Sets expected values of single cases")
   SuiteView change(
       @PathVariable String id,
-      @RequestHeader(name = HttpHeaders.IF_MATCH, required = false) @Nullable String ifMatch,
+      @RequestHeader(HttpHeaders.IF_MATCH) String ifMatch,
       @RequestBody ExpectedChanges changes) {
     return edit(id, ifMatch, (suite, model) -> SuiteEdits.change(suite, model, changes));
   }
@@ -68,11 +65,10 @@ class SuiteEditController {
   @Operation(
       operationId = "fillExpected",
       summary = "Works expected values out by a formula",
-      description =
-          "Nothing is changed where it has no value for a case. With If-Match, only onto that version (412).")
+      description = "Nothing is changed where it has no value for a case.")
   SuiteView fill(
       @PathVariable String id,
-      @RequestHeader(name = HttpHeaders.IF_MATCH, required = false) @Nullable String ifMatch,
+      @RequestHeader(HttpHeaders.IF_MATCH) String ifMatch,
       @RequestBody ExpectedFill fill) {
     return edit(
         id,
@@ -86,10 +82,8 @@ class SuiteEditController {
       operationId = "undoSuiteChange",
       summary = "Brings back what a suite was before its latest change",
       description = "Refused (409) when no change is left to undo.")
-  SuiteView undo(
-      @PathVariable String id,
-      @RequestHeader(name = HttpHeaders.IF_MATCH, required = false) @Nullable String ifMatch) {
-    suites.undo(id, Requests.version(ifMatch));
+  SuiteView undo(@PathVariable String id, @RequestHeader(HttpHeaders.IF_MATCH) String ifMatch) {
+    suites.undo(id, Requests.expected(ifMatch));
     return suites.inspect(id, suites::view);
   }
 
@@ -105,15 +99,14 @@ class SuiteEditController {
   @Operation(
       operationId = "importSuiteFromCsv",
       summary = "Puts other cases into the place of a suite's",
-      description =
-          "The header must be the one of the export. With If-Match, only onto that version (412).",
+      description = "The header must be the one of the export.",
       requestBody =
           @io.swagger.v3.oas.annotations.parameters.RequestBody(
               required = true,
               content = @Content(mediaType = CSV, schema = @Schema(type = "string"))))
   SuiteView importCsv(
       @PathVariable String id,
-      @RequestHeader(name = HttpHeaders.IF_MATCH, required = false) @Nullable String ifMatch,
+      @RequestHeader(HttpHeaders.IF_MATCH) String ifMatch,
       @Parameter(hidden = true) HttpServletRequest request)
       throws IOException {
     byte[] document = body(request);
@@ -130,7 +123,6 @@ class SuiteEditController {
   @Operation(
       operationId = "importSuiteFromJson",
       summary = "Puts the cases of a JSON document into the place of a suite's",
-      description = "With If-Match, only onto that version (412).",
       requestBody =
           @io.swagger.v3.oas.annotations.parameters.RequestBody(
               required = true,
@@ -140,7 +132,7 @@ class SuiteEditController {
                       schema = @Schema(type = "string"))))
   SuiteView importJson(
       @PathVariable String id,
-      @RequestHeader(name = HttpHeaders.IF_MATCH, required = false) @Nullable String ifMatch,
+      @RequestHeader(HttpHeaders.IF_MATCH) String ifMatch,
       @Parameter(hidden = true) HttpServletRequest request)
       throws IOException {
     byte[] document = body(request);
@@ -171,8 +163,8 @@ class SuiteEditController {
         .orElseGet(ChangesView::first);
   }
 
-  private SuiteView edit(String id, @Nullable String ifMatch, Suites.Edit edit) {
-    suites.edit(id, Requests.version(ifMatch), edit);
+  private SuiteView edit(String id, String ifMatch, Suites.Edit edit) {
+    suites.edit(id, Requests.expected(ifMatch), edit);
     return suites.inspect(id, suites::view);
   }
 

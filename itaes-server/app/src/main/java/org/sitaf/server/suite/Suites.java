@@ -24,6 +24,7 @@ import org.sitaf.server.activity.Workspaces;
 import org.sitaf.server.computation.Computations;
 import org.sitaf.server.quota.Quotas;
 import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.web.Requests;
 import org.springframework.data.domain.Page;
 import org.springframework.data.domain.Pageable;
 import org.springframework.stereotype.Service;
@@ -132,9 +133,9 @@ public class Suites {
   }
 
   /** Puts an edited document into the place of a suite's. */
-  void replaceDocument(String id, byte[] document, @Nullable Long expectedVersion) {
+  void replaceDocument(String id, byte[] document, Requests.Expected expected) {
     TestSuite edited = TestSuiteXml.read(new ByteArrayInputStream(document), "the document");
-    edit(id, expectedVersion, (suite, model) -> edited);
+    edit(id, expected, (suite, model) -> edited);
   }
 
   /** A change of a suite, made with the model that it belongs to. */
@@ -144,9 +145,9 @@ public class Suites {
   }
 
   /** Changes a suite; what it was can be brought back with {@link #undo}. */
-  void edit(String id, @Nullable Long expectedVersion, Edit edit) {
+  void edit(String id, Requests.Expected expected, Edit edit) {
     StoredSuite seen = find(id);
-    seen.requireVersion(expectedVersion);
+    expected.require("suite", seen.version());
     TestModel model = Workspaces.model(workspaces.activity(seen.activityId()), seen.model());
     TestSuite edited = edit.apply(suite(seen), model);
     requireFit(edited, model);
@@ -159,7 +160,7 @@ public class Suites {
         status -> {
           StoredSuite stored = find(id);
           // What was changed is what was seen, whether or not its author named a version.
-          stored.requireVersion(seen.version());
+          Requests.Expected.version(seen.version()).require("suite", stored.version());
           revisions.push(id, stored.version(), stored.document());
           stored.replace(edited, document);
           suites.saveAndFlush(stored);
@@ -168,11 +169,11 @@ public class Suites {
   }
 
   /** Brings back what a suite was before its latest change. */
-  void undo(String id, @Nullable Long expectedVersion) {
+  void undo(String id, Requests.Expected expected) {
     transaction.executeWithoutResult(
         status -> {
           StoredSuite stored = find(id);
-          stored.requireVersion(expectedVersion);
+          expected.require("suite", stored.version());
           byte[] document =
               revisions
                   .pop(id)

@@ -20,6 +20,8 @@ import org.springframework.http.MediaType;
 import org.springframework.http.ProblemDetail;
 import org.springframework.http.ResponseEntity;
 import org.springframework.http.converter.HttpMessageNotReadableException;
+import org.springframework.web.bind.MissingRequestHeaderException;
+import org.springframework.web.bind.ServletRequestBindingException;
 import org.springframework.web.bind.annotation.ExceptionHandler;
 import org.springframework.web.bind.annotation.RestControllerAdvice;
 import org.springframework.web.context.request.WebRequest;
@@ -133,6 +135,26 @@ class Problems extends ResponseEntityExceptionHandler {
         };
     problem.setTitle(passing == StorageFailure.NO_ROOM ? "No room" : "Not available");
     return problem;
+  }
+
+  /** Without If-Match a change could undo one of another person unnoticed (RFC 6585, section 3). */
+  @Override
+  protected @Nullable ResponseEntity<Object> handleServletRequestBindingException(
+      ServletRequestBindingException e,
+      HttpHeaders headers,
+      HttpStatusCode status,
+      WebRequest request) {
+    if (e instanceof MissingRequestHeaderException missing
+        && missing.getHeaderName().equals(HttpHeaders.IF_MATCH)) {
+      ProblemDetail problem =
+          ProblemDetail.forStatusAndDetail(
+              HttpStatus.PRECONDITION_REQUIRED,
+              "Send If-Match with the version that the change is made to, such as \"3\", or with *"
+                  + " to change any version.");
+      problem.setTitle("If-Match is missing");
+      return createResponseEntity(problem, headers, HttpStatus.PRECONDITION_REQUIRED, request);
+    }
+    return super.handleServletRequestBindingException(e, headers, status, request);
   }
 
   /** A refusal while a body was read comes wrapped by the reader. */

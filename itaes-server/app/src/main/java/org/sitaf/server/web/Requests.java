@@ -61,19 +61,45 @@ public class Requests {
     };
   }
 
-  /**
-   * The version in an {@code If-Match} header.
-   *
-   * @return null where the header is absent or {@code *}
-   */
-  public static @Nullable Long version(@Nullable String ifMatch) {
-    if (ifMatch == null || ifMatch.equals("*")) {
-      return null;
+  /** The version that a change is made to, from an {@code If-Match} header. */
+  public static Expected expected(String ifMatch) {
+    if (ifMatch.strip().equals("*")) {
+      return Expected.ANY;
     }
     try {
-      return Long.valueOf(ifMatch.replace("\"", ""));
+      return Expected.version(Long.parseLong(ifMatch.replace("\"", "").strip()));
     } catch (NumberFormatException e) {
       throw Refusal.malformed("If-Match must be a version, such as \"3\", not " + ifMatch + ".");
+    }
+  }
+
+  /**
+   * Which version of a resource a change is made to.
+   *
+   * @param version null for any
+   */
+  public record Expected(@Nullable Long version) {
+    /** Whatever the version is. */
+    public static final Expected ANY = new Expected(null);
+
+    /** One version. */
+    public static Expected version(long version) {
+      return new Expected(version);
+    }
+
+    public boolean isAny() {
+      return version == null;
+    }
+
+    /**
+     * Makes sure that the resource has this version.
+     *
+     * @throws Refusal when it has another one
+     */
+    public void require(String what, long present) {
+      if (version != null && version != present) {
+        throw Refusal.outdated(what, present);
+      }
     }
   }
 

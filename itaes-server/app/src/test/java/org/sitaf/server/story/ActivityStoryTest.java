@@ -53,7 +53,7 @@ class ActivityStoryTest extends ServerTest {
             .replace("min=\"1\" max=\"7\"", "min=\"8\" max=\"7\"")
             .replace("offset=\"0.5\"", "offset=\"-0.5\"")
             .getBytes(StandardCharsets.UTF_8);
-    Api.Answer refused = api.put(modelPath, XML, spoilt, null).expect(422);
+    Api.Answer refused = api.put(modelPath, XML, spoilt, "*").expect(422);
     assertThat(refused.headers().firstValue("Content-Type").orElse(""))
         .isEqualTo("application/problem+json");
     assertThat(refused.json().get("diagnostics").size()).isGreaterThanOrEqualTo(3);
@@ -144,7 +144,7 @@ class ActivityStoryTest extends ServerTest {
         edited
             .replace("name=\"Distance\"", "name=\"Temperature\"")
             .getBytes(StandardCharsets.UTF_8);
-    api.put(path, XML, foreign, null).expect(409);
+    api.put(path, XML, foreign, "*").expect(409);
   }
 
   @Test

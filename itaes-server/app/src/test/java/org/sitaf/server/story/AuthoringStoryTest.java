@@ -6,6 +6,8 @@ import java.net.http.HttpRequest.BodyPublishers;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.BeforeEach;
@@ -74,7 +76,7 @@ class AuthoringStoryTest extends ServerTest {
         .extracting(m -> m.get("name").asString())
         .containsExactly("GetInfraredData", "Second");
     patch(activity + "/files", both, version).expect(412);
-    patch(activity + "/files", changes(Map.of("../x", "")), null).expect(422);
+    patch(activity + "/files", changes(Map.of("../x", "")), "*").expect(422);
   }
 
   @Test
@@ -136,7 +138,7 @@ class AuthoringStoryTest extends ServerTest {
         .contains("steps", "5,000,000");
     JsonNode next = api.post(path, XML, bytes(model)).expect(200).json();
     assertThat(next.get("counts").get("total").asInt()).isEqualTo(55);
-    api.put(activity + "/models/" + Activities.MODEL, XML, bytes(nested), null).expect(422);
+    api.put(activity + "/models/" + Activities.MODEL, XML, bytes(nested), "*").expect(422);
   }
 
   @Test
@@ -150,34 +152,34 @@ class AuthoringStoryTest extends ServerTest {
     assertThat(expected(suite, 4)).isEmpty();
     patch(suite + "/expected", one, version).expect(412);
     assertThat(
-            patch(suite + "/expected", "{\"changes\":[{\"no\":3,\"literal\":\"far\"}]}", null)
+            patch(suite + "/expected", "{\"changes\":[{\"no\":3,\"literal\":\"far\"}]}", "*")
                 .expect(422)
                 .text())
         .contains("case 3");
 
-    api.post(suite + "/expected/fill", "{\"expression\":\"Distance * 2.0\"}").expect(200);
+    api.change(suite + "/expected/fill", "{\"expression\":\"Distance * 2.0\"}", "*").expect(200);
     assertThat(expected(suite, 3)).as("stays").isEqualTo("7.0");
     assertThat(Double.valueOf(expected(suite, 4)))
         .isEqualTo(2 * Double.parseDouble(value(suite, 4, 2)));
-    api.post(suite + "/expected/fill", "{\"expression\":\"Nothing + 1\"}").expect(422);
+    api.change(suite + "/expected/fill", "{\"expression\":\"Nothing + 1\"}", "*").expect(422);
 
     String csv = api.get(suite + "/cases.csv").expect(200).text();
     assertThat(csv).startsWith("no,class,IndexOfSensor,NumOfSensor,Distance,expected\r\n");
     byte[] json = api.get(suite + "/cases.json").expect(200).bytes();
     String edited = csv.replaceFirst("(?m)^3,(.*),7\\.0$", "3,$1,9.0");
-    api.put(suite + "/cases.csv", "text/csv", bytes(edited), null).expect(200);
+    api.put(suite + "/cases.csv", "text/csv", bytes(edited), "*").expect(200);
     assertThat(expected(suite, 3)).isEqualTo("9.0");
-    api.put(suite + "/cases.json", "application/octet-stream", json, null).expect(200);
+    api.put(suite + "/cases.json", "application/octet-stream", json, "*").expect(200);
     assertThat(expected(suite, 3)).isEqualTo("7.0");
-    api.put(suite + "/cases.csv", "text/csv", bytes("no\r\n"), null).expect(422);
+    api.put(suite + "/cases.csv", "text/csv", bytes("no\r\n"), "*").expect(422);
 
-    api.post(suite + "/undo", "").expect(200);
+    api.change(suite + "/undo", "", "*").expect(200);
     assertThat(expected(suite, 3)).isEqualTo("9.0");
     for (int left = 3; left > 0; left--) {
-      assertThat(api.post(suite + "/undo", "").expect(200).json().get("undoable").asInt())
+      assertThat(api.change(suite + "/undo", "", "*").expect(200).json().get("undoable").asInt())
           .isEqualTo(left - 1);
     }
-    api.post(suite + "/undo", "").expect(409);
+    api.change(suite + "/undo", "", "*").expect(409);
     assertThat(expected(suite, 3)).isNotEqualTo("7.0");
   }
 
@@ -188,12 +190,44 @@ class AuthoringStoryTest extends ServerTest {
     assertThat(generated.has("generated")).isFalse();
     String path = generated.get("keptPath").asString();
     String own = "// mine\n" + generated.get("content").asString();
-    patch(activity + "/files", changes(Map.of(path, own)), null).expect(200);
+    patch(activity + "/files", changes(Map.of(path, own)), "*").expect(200);
     JsonNode kept = driver(suite);
     assertThat(kept.get("content").asString()).isEqualTo(own);
     assertThat(kept.get("generated")).isEqualTo(generated.get("content"));
-    patch(activity + "/files", "{\"changes\":[{\"path\":\"" + path + "\"}]}", null).expect(200);
+    patch(activity + "/files", "{\"changes\":[{\"path\":\"" + path + "\"}]}", "*").expect(200);
     assertThat(driver(suite)).isEqualTo(generated);
+  }
+
+  @Test
+  void aChangeWithoutAVersionIsRefused() {
+    String id = api.upload(Activities.zip());
+    String activity = "/api/v1/activities/" + id;
+    String suite = "/api/v1/suites/" + api.suite(id);
+    byte[] model = api.get(activity + "/models/" + Activities.MODEL).bytes();
+    String change = changes(Map.of("notes.txt", "one"));
+    assertThat(patch(activity + "/files", change, null).expect(428).text()).contains("If-Match");
+    api.put(activity + "/models/" + Activities.MODEL, XML, model, null).expect(428);
+    api.put(activity + "/content", "application/zip", Activities.zip(), null).expect(428);
+    patch(suite + "/expected", "{\"changes\":[]}", null).expect(428);
+    api.post(suite + "/undo", "").expect(428);
+    patch(activity + "/files", change, "three").expect(400);
+  }
+
+  @Test
+  void peopleWhoChangeDifferentFilesOfAnyVersionKeepTheChangesOfEachOther() {
+    String activity = "/api/v1/activities/" + api.upload(Activities.zip());
+    List<String> paths = IntStream.range(0, 4).mapToObj("note-%d.txt"::formatted).toList();
+    List<CompletableFuture<Api.Answer>> answers =
+        paths.stream()
+            .map(
+                path ->
+                    CompletableFuture.supplyAsync(
+                        () -> patch(activity + "/files", changes(Map.of(path, "text")), "*")))
+            .toList();
+    answers.forEach(answer -> answer.join().expect(200));
+    assertThat(api.get(activity).json().get("files"))
+        .extracting(f -> f.get("path").asString())
+        .containsAll(paths);
   }
 
   private JsonNode driver(String suiteId) {

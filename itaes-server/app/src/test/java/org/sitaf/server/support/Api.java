@@ -79,6 +79,15 @@ public final class Api {
             .POST(BodyPublishers.ofString(json)));
   }
 
+  /** Posts a change of the version, or of any with {@code *}. */
+  public Answer change(String path, String json, String ifMatch) {
+    return send(
+        request(path)
+            .header("Content-Type", "application/json")
+            .header("If-Match", ifMatch)
+            .POST(BodyPublishers.ofString(json)));
+  }
+
   public Answer post(String path, String type, byte[] body) {
     return send(request(path).header("Content-Type", type).POST(BodyPublishers.ofByteArray(body)));
   }
