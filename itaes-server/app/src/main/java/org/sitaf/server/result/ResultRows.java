@@ -84,6 +84,13 @@ class ResultRows {
         .map(text -> json.readValue(text, Overview.class));
   }
 
+  Optional<String> sha256(String buildId) {
+    return jdbc.sql("SELECT sha256 FROM result WHERE build_id = ?")
+        .param(buildId)
+        .query(String.class)
+        .optional();
+  }
+
   Optional<byte[]> document(String buildId) {
     return jdbc.sql("SELECT document FROM result WHERE build_id = ?")
         .param(buildId)

@@ -1,6 +1,9 @@
 package org.sitaf.server.result;
 
+import com.github.benmanes.caffeine.cache.Cache;
+import com.github.benmanes.caffeine.cache.Caffeine;
 import java.io.ByteArrayInputStream;
+import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
@@ -24,12 +27,26 @@ import org.springframework.transaction.annotation.Transactional;
 public class Results {
   private static final String DOCUMENT_NAME = "result descriptor";
 
-  private final ResultRows rows;
-  private final ResultCache cache;
+  /** Of all results in memory together. */
+  private static final int MAX_CASES = 300_000;
 
-  Results(ResultRows rows, ResultCache cache) {
+  private static final Duration KEPT = Duration.ofMinutes(30);
+
+  private final ResultRows rows;
+
+  /**
+   * The results used last: graphs, filters and comparisons look at every case. The database is
+   * asked for each use whether the result still exists, since another server may have deleted it.
+   */
+  private final Cache<Key, TestResult> parsed =
+      Caffeine.newBuilder()
+          .maximumWeight(MAX_CASES)
+          .weigher((Key key, TestResult result) -> result.cases().size())
+          .expireAfterAccess(KEPT)
+          .build();
+
+  Results(ResultRows rows) {
     this.rows = rows;
-    this.cache = cache;
   }
 
   /**
@@ -67,17 +84,17 @@ public class Results {
     return rows.document(buildId).orElseThrow(() -> noResult(buildId));
   }
 
-  /** A result with all of its cases. */
+  /**
+   * A result with all of its cases.
+   *
+   * @throws Refusal when there is none, be it that it was deleted
+   */
   TestResult whole(String buildId) {
-    return cache
-        .get(buildId)
-        .orElseGet(
-            () -> {
-              TestResult result = read(document(buildId));
-              cache.put(buildId, result);
-              return result;
-            });
+    String sha256 = rows.sha256(buildId).orElseThrow(() -> noResult(buildId));
+    return parsed.get(new Key(buildId, sha256), key -> read(document(key.buildId())));
   }
+
+  private record Key(String buildId, String sha256) {}
 
   /** What was reached of the component; empty where that was not measured. */
   public Optional<Coverage> coverage(String buildId) {

@@ -270,6 +270,21 @@ abstract class BuildStory extends RecordingStory {
   }
 
   @Test
+  void aDeletedResultIsNotShownAnyMore() {
+    String activity = api.upload(Activities.zip());
+    String id = api.build(api.suite(activity));
+    try (RimAgent agent = RimAgent.register(grpcPort(), "deleted", "java")) {
+      Assignment assignment = agent.nextAssignment();
+      assertThat(assignment.getAttempt().getBuildId()).isEqualTo(id);
+      agent.submit(assignment.getAttempt(), RimAgent.result(agent.download(assignment), List.of()));
+    }
+    String csv = "/api/v1/builds/" + id + "/result/cases.csv";
+    api.get(csv).expect(200);
+    api.delete("/api/v1/activities/" + activity).expect(204);
+    api.get(csv).expect(404);
+  }
+
+  @Test
   void whatContradictsTheProtocolIsRefused() throws Exception {
     api.build(suiteId);
     try (RimAgent agent = RimAgent.register(grpcPort(), "strict", "java")) {
