@@ -1,6 +1,5 @@
 package org.sitaf.server.suite;
 
-import jakarta.persistence.Basic;
 import jakarta.persistence.CollectionTable;
 import jakarta.persistence.Column;
 import jakarta.persistence.ElementCollection;
@@ -19,10 +18,15 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.diagnostic.Diagnostic;
 import org.sitaf.core.diagnostic.Severity;
+import org.sitaf.core.model.InputKind;
+import org.sitaf.core.suite.CaseParameter;
 import org.sitaf.core.suite.TestSuite;
 import org.sitaf.server.refusal.Refusal;
 
-/** A suite and its document, which is what counts; the rest is for lists. */
+/**
+ * What lists show of a suite. The suite itself is its document, which {@link SuiteDocuments} keeps:
+ * to list suites reads no document.
+ */
 @Entity
 @Table(name = "suite")
 class StoredSuite {
@@ -43,7 +47,13 @@ class StoredSuite {
   /** Null until it is stored, which is how the persistence provider knows that it is new. */
   @Version private @Nullable Long version;
 
-  @Basic private byte[] document;
+  /** Changes with each document, so that the version does. */
+  private Instant updated;
+
+  @ElementCollection
+  @CollectionTable(name = "suite_parameter", joinColumns = @JoinColumn(name = "suite_id"))
+  @OrderColumn(name = "position")
+  private List<Parameter> parameters = new ArrayList<>();
 
   @ElementCollection
   @CollectionTable(name = "suite_note", joinColumns = @JoinColumn(name = "suite_id"))
@@ -76,6 +86,18 @@ class StoredSuite {
     }
   }
 
+  /** What the values at one position of every case stand for. */
+  @Embeddable
+  record Parameter(String name, @Enumerated(EnumType.STRING) InputKind kind, String realType) {
+    static Parameter of(CaseParameter parameter) {
+      return new Parameter(parameter.name(), parameter.kind(), parameter.realType());
+    }
+
+    CaseParameter toCaseParameter() {
+      return new CaseParameter(name, kind, realType);
+    }
+  }
+
   /** For the persistence provider. */
   protected StoredSuite() {
     id = "";
@@ -83,27 +105,21 @@ class StoredSuite {
     model = "";
     name = "";
     created = Instant.EPOCH;
-    document = new byte[0];
+    updated = Instant.EPOCH;
   }
 
-  StoredSuite(
-      String id,
-      String activityId,
-      TestSuite suite,
-      List<Diagnostic> notes,
-      byte[] document,
-      Instant now) {
+  StoredSuite(String id, String activityId, TestSuite suite, List<Diagnostic> notes, Instant now) {
     this();
     notes.stream().limit(MAX_NOTES).map(Note::of).forEach(this.notes::add);
     this.id = id;
     this.activityId = activityId;
     this.created = now;
     model = suite.modelName();
-    replace(suite, document);
+    replace(suite, now);
   }
 
   /** Puts an edited suite of the same model into the place of the present one. */
-  final void replace(TestSuite suite, byte[] newDocument) {
+  final void replace(TestSuite suite, Instant now) {
     if (!suite.modelName().equals(model)) {
       throw Refusal.conflict(
           "The document is of model '" + suite.modelName() + "', the suite of '" + model + "'.");
@@ -112,7 +128,12 @@ class StoredSuite {
     seed = suite.generation().seed();
     total = suite.cases().size();
     valid = Math.toIntExact(suite.validCount());
-    document = newDocument.clone();
+    updated = now;
+    List<Parameter> present = suite.parameters().stream().map(Parameter::of).toList();
+    if (!parameters.equals(present)) {
+      parameters.clear();
+      parameters.addAll(present);
+    }
   }
 
   String id() {
@@ -155,7 +176,7 @@ class StoredSuite {
     return notes.stream().map(Note::toDiagnostic).toList();
   }
 
-  byte[] document() {
-    return document.clone();
+  List<CaseParameter> parameters() {
+    return parameters.stream().map(Parameter::toCaseParameter).toList();
   }
 }

@@ -96,7 +96,7 @@ class SuiteController {
     return ResponseEntity.ok()
         .contentType(MediaType.APPLICATION_XML)
         .eTag(Long.toString(stored.version()))
-        .body(stored.document());
+        .body(suites.document(id));
   }
 
   @PutMapping(path = "/suites/{id}/document", consumes = MediaType.APPLICATION_XML_VALUE)

@@ -9,7 +9,6 @@ import org.sitaf.core.model.InputKind;
 import org.sitaf.core.model.OutputElement;
 import org.sitaf.core.suite.CaseParameter;
 import org.sitaf.core.suite.TestCase;
-import org.sitaf.core.suite.TestSuite;
 import org.sitaf.server.web.DiagnosticView;
 
 /** A suite as people and programs see it. */
@@ -58,7 +57,7 @@ record SuiteView(
     }
   }
 
-  static SuiteView of(StoredSuite stored, TestSuite suite, int undoable) {
+  static SuiteView of(StoredSuite stored, int undoable) {
     return new SuiteView(
         stored.id(),
         stored.activityId(),
@@ -71,7 +70,7 @@ record SuiteView(
         stored.created(),
         stored.version(),
         undoable,
-        suite.parameters().stream().map(ParameterView::of).toList(),
+        stored.parameters().stream().map(ParameterView::of).toList(),
         stored.notes().stream().map(DiagnosticView::of).toList());
   }
 }

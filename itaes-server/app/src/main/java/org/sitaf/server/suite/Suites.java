@@ -1,8 +1,12 @@
 package org.sitaf.server.suite;
 
+import com.github.benmanes.caffeine.cache.Cache;
+import com.github.benmanes.caffeine.cache.Caffeine;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.time.Clock;
+import java.time.Duration;
+import java.time.Instant;
 import java.time.temporal.ChronoUnit;
 import java.util.Arrays;
 import java.util.Objects;
@@ -33,14 +37,32 @@ import org.springframework.transaction.support.TransactionTemplate;
 /** The suites on the server. */
 @Service
 public class Suites {
+  /** Of all suites in memory together. */
+  private static final int MAX_CASES = 500_000;
+
+  private static final Duration KEPT = Duration.ofMinutes(30);
+
   private final SuiteRepository suites;
   private final Workspaces workspaces;
   private final Quotas quotas;
   private final TransactionTemplate transaction;
   private final Clock clock;
-  private final SuiteCache cache;
+  private final SuiteDocuments documents;
   private final SuiteRevisions revisions;
   private final Computations computations;
+
+  /**
+   * The suites used last, as read from their documents: a person who scrolls through 100,000 cases
+   * must not have them parsed for every page.
+   */
+  private final Cache<Key, TestSuite> parsed =
+      Caffeine.newBuilder()
+          .maximumWeight(MAX_CASES)
+          .weigher((Key key, TestSuite suite) -> suite.cases().size())
+          .expireAfterAccess(KEPT)
+          .build();
+
+  private record Key(String id, long version) {}
 
   Suites(
       SuiteRepository suites,
@@ -48,13 +70,13 @@ public class Suites {
       Quotas quotas,
       TransactionTemplate transaction,
       Clock clock,
-      SuiteCache cache,
+      SuiteDocuments documents,
       SuiteRevisions revisions,
       Computations computations) {
     this.suites = suites;
     this.workspaces = workspaces;
     this.quotas = quotas;
-    this.cache = cache;
+    this.documents = documents;
     this.revisions = revisions;
     this.computations = computations;
     this.transaction = transaction;
@@ -116,19 +138,14 @@ public class Suites {
     byte[] document = document(generated.suite());
     quotas.requireSuite(document.length);
     StoredSuite stored =
-        new StoredSuite(
-            id,
-            activityId,
-            generated.suite(),
-            generated.notes(),
-            document,
-            clock.instant().truncatedTo(ChronoUnit.MICROS));
+        new StoredSuite(id, activityId, generated.suite(), generated.notes(), now());
     transaction.executeWithoutResult(
         status -> {
           suites.saveAndFlush(stored);
+          documents.save(id, document);
           quotas.ownSuite(id, document.length);
         });
-    cache.put(id, version(id), generated.suite());
+    parsed.put(new Key(id, version(id)), generated.suite());
     return id;
   }
 
@@ -152,7 +169,7 @@ public class Suites {
     TestSuite edited = edit.apply(suite(seen), model);
     requireFit(edited, model);
     byte[] document = document(edited);
-    if (Arrays.equals(document, seen.document())) {
+    if (Arrays.equals(document, document(id))) {
       // Nothing changed, so there is nothing to bring back.
       return;
     }
@@ -161,11 +178,12 @@ public class Suites {
           StoredSuite stored = find(id);
           // What was changed is what was seen, whether or not its author named a version.
           Requests.Expected.version(seen.version()).require("suite", stored.version());
-          revisions.push(id, stored.version(), stored.document());
-          stored.replace(edited, document);
+          revisions.push(id, stored.version(), document(id));
+          stored.replace(edited, now());
           suites.saveAndFlush(stored);
+          documents.save(id, document);
         });
-    cache.put(id, version(id), edited);
+    parsed.put(new Key(id, version(id)), edited);
   }
 
   /** Brings back what a suite was before its latest change. */
@@ -179,8 +197,9 @@ public class Suites {
                   .pop(id)
                   .orElseThrow(() -> Refusal.conflict("There is no change left to undo."));
           stored.replace(
-              TestSuiteXml.read(new ByteArrayInputStream(document), stored.name()), document);
+              TestSuiteXml.read(new ByteArrayInputStream(document), stored.name()), now());
           suites.saveAndFlush(stored);
+          documents.save(id, document);
         });
   }
 
@@ -197,12 +216,13 @@ public class Suites {
 
   /** The suite of an id, as its document says. */
   TestSuite suite(String id) {
-    return cache.get(id, version(id)).orElseGet(() -> suite(find(id)));
+    Key key = new Key(id, version(id));
+    return Optional.ofNullable(parsed.getIfPresent(key)).orElseGet(() -> suite(find(id)));
   }
 
   /** A suite as people and programs see it; within a transaction. */
   SuiteView view(StoredSuite stored) {
-    return SuiteView.of(stored, suite(stored), revisions.count(stored.id()));
+    return SuiteView.of(stored, revisions.count(stored.id()));
   }
 
   StoredSuite find(String id) {
@@ -223,15 +243,22 @@ public class Suites {
 
   /** The suite as its document says. */
   TestSuite suite(StoredSuite stored) {
-    return cache
-        .get(stored.id(), stored.version())
-        .orElseGet(
-            () -> {
-              TestSuite suite =
-                  TestSuiteXml.read(new ByteArrayInputStream(stored.document()), stored.name());
-              cache.put(stored.id(), stored.version(), suite);
-              return suite;
-            });
+    return parsed.get(
+        new Key(stored.id(), stored.version()),
+        key -> TestSuiteXml.read(new ByteArrayInputStream(document(key.id())), stored.name()));
+  }
+
+  /**
+   * The document of a suite.
+   *
+   * @throws Refusal when there is no such suite
+   */
+  byte[] document(String id) {
+    return documents.find(id).orElseThrow(() -> Refusal.notFound("suite", id));
+  }
+
+  private Instant now() {
+    return clock.instant().truncatedTo(ChronoUnit.MICROS);
   }
 
   private static byte[] document(TestSuite suite) {

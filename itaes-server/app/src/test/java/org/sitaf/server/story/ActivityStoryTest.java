@@ -10,6 +10,8 @@ import org.junit.jupiter.api.Test;
 import org.sitaf.server.support.Activities;
 import org.sitaf.server.support.Api;
 import org.sitaf.server.support.ServerTest;
+import org.springframework.beans.factory.annotation.Autowired;
+import org.springframework.jdbc.core.simple.JdbcClient;
 import tools.jackson.databind.JsonNode;
 
 /** Activities and suites over HTTP. */
@@ -17,6 +19,8 @@ import tools.jackson.databind.JsonNode;
 class ActivityStoryTest extends ServerTest {
   private static final String ZIP = "application/zip";
   private static final String XML = "application/xml";
+
+  @Autowired private JdbcClient jdbc;
 
   @Test
   void anActivityIsDownloadedAsItWasUploaded() {
@@ -145,6 +149,21 @@ class ActivityStoryTest extends ServerTest {
             .replace("name=\"Distance\"", "name=\"Temperature\"")
             .getBytes(StandardCharsets.UTF_8);
     api.put(path, XML, foreign, "*").expect(409);
+  }
+
+  @Test
+  void suitesAreListedWithoutReadingTheirDocuments() {
+    String activity = api.upload(Activities.zip());
+    String id = api.suite(activity);
+    JsonNode suite = api.get("/api/v1/suites/" + id).expect(200).json();
+    assertThat(suite.get("parameters"))
+        .extracting(p -> p.get("name").asString())
+        .containsExactly("IndexOfSensor", "NumOfSensor", "Distance");
+    jdbc.sql("UPDATE suite_document SET document = ? WHERE suite_id = ?")
+        .params("no XML".getBytes(StandardCharsets.UTF_8), id)
+        .update();
+    JsonNode list = api.get("/api/v1/activities/" + activity + "/suites").expect(200).json();
+    assertThat(list.get("items").get(0)).isEqualTo(suite);
   }
 
   @Test

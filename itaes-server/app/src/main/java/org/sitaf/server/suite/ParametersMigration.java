@@ -1,0 +1,61 @@
+package org.sitaf.server.suite;
+
+import java.io.ByteArrayInputStream;
+import java.util.List;
+import javax.sql.DataSource;
+import org.flywaydb.core.api.MigrationVersion;
+import org.flywaydb.core.api.migration.Context;
+import org.flywaydb.core.api.migration.JavaMigration;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.suite.CaseParameter;
+import org.sitaf.core.suite.document.TestSuiteXml;
+import org.springframework.jdbc.core.simple.JdbcClient;
+import org.springframework.jdbc.datasource.SingleConnectionDataSource;
+import org.springframework.stereotype.Component;
+
+/** V91: reads the parameters of the suites that are stored already from their documents. */
+@Component
+class ParametersMigration implements JavaMigration {
+  @Override
+  public MigrationVersion getVersion() {
+    return MigrationVersion.fromVersion("91");
+  }
+
+  @Override
+  public String getDescription() {
+    return "parameters of suites";
+  }
+
+  @Override
+  public @Nullable Integer getChecksum() {
+    return null;
+  }
+
+  @Override
+  public boolean canExecuteInTransaction() {
+    return true;
+  }
+
+  @Override
+  public void migrate(Context context) {
+    DataSource database = new SingleConnectionDataSource(context.getConnection(), true);
+    JdbcClient jdbc = JdbcClient.create(database);
+    for (String id : jdbc.sql("SELECT id FROM suite").query(String.class).list()) {
+      byte[] document =
+          jdbc.sql("SELECT document FROM suite_document WHERE suite_id = ?")
+              .param(id)
+              .query((row, index) -> row.getBytes(1))
+              .single();
+      List<CaseParameter> parameters =
+          TestSuiteXml.read(new ByteArrayInputStream(document), "suite " + id).parameters();
+      for (int position = 0; position < parameters.size(); position++) {
+        CaseParameter parameter = parameters.get(position);
+        jdbc.sql(
+                "INSERT INTO suite_parameter (suite_id, position, name, kind, real_type)"
+                    + " VALUES (?, ?, ?, ?, ?)")
+            .params(id, position, parameter.name(), parameter.kind().name(), parameter.realType())
+            .update();
+      }
+    }
+  }
+}

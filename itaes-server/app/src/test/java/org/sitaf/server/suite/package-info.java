@@ -1,0 +1,4 @@
+@NullMarked
+package org.sitaf.server.suite;
+
+import org.jspecify.annotations.NullMarked;
