@@ -1,13 +1,34 @@
 package org.sitaf.server.schedule;
 
+import java.time.Duration;
+import java.time.Instant;
+import java.util.Date;
 import org.quartz.DisallowConcurrentExecution;
 import org.quartz.Job;
+import org.quartz.JobDataMap;
 import org.quartz.JobExecutionContext;
 import org.quartz.JobExecutionException;
+import org.quartz.JobKey;
+import org.quartz.SchedulerException;
+import org.quartz.Trigger;
+import org.quartz.TriggerBuilder;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
-/** Inserts a build request, and nothing else: what happens to it is the business of others. */
+/**
+ * Inserts a build request, and nothing else: what happens to it is the business of others. A fire
+ * time at which that fails is tried again by triggers of their own, which survive a restart.
+ */
 @DisallowConcurrentExecution
 class ReservedBuildJob implements Job {
+  /** With delays of 1 s, 2 s, 4 s and so on: more than eight minutes in all. */
+  private static final int MAX_ATTEMPTS = 10;
+
+  private static final String FIRE_TIME = "fireTime";
+  private static final String ATTEMPT = "attempt";
+
+  private static final Logger log = LoggerFactory.getLogger(ReservedBuildJob.class);
+
   private final Schedules schedules;
 
   ReservedBuildJob(Schedules schedules) {
@@ -16,11 +37,43 @@ class ReservedBuildJob implements Job {
 
   @Override
   public void execute(JobExecutionContext context) throws JobExecutionException {
+    JobKey key = context.getJobDetail().getKey();
+    JobDataMap data = context.getTrigger().getJobDataMap();
+    Instant fireTime =
+        data.containsKey(FIRE_TIME)
+            ? Instant.parse(data.getString(FIRE_TIME))
+            : context.getScheduledFireTime().toInstant();
+    int attempt = data.containsKey(ATTEMPT) ? data.getIntFromString(ATTEMPT) : 1;
     try {
-      schedules.fire(
-          context.getJobDetail().getKey().getName(), context.getScheduledFireTime().toInstant());
+      schedules.fire(key.getName(), fireTime);
     } catch (RuntimeException e) {
-      throw new JobExecutionException(e);
+      if (attempt < MAX_ATTEMPTS) {
+        log.warn("Schedule {} could not request its build of {} yet", key.getName(), fireTime, e);
+        retry(context, fireTime, attempt + 1);
+      } else {
+        schedules.giveUp(key.getName(), fireTime);
+        throw new JobExecutionException(e);
+      }
+    }
+  }
+
+  private static void retry(JobExecutionContext context, Instant fireTime, int attempt)
+      throws JobExecutionException {
+    JobKey key = context.getJobDetail().getKey();
+    Duration delay = Duration.ofSeconds(1L << (attempt - 2));
+    Trigger trigger =
+        TriggerBuilder.newTrigger()
+            .forJob(key)
+            .withIdentity(key.getName() + " " + fireTime + " " + attempt, "retries")
+            .usingJobData(FIRE_TIME, fireTime.toString())
+            .usingJobData(ATTEMPT, Integer.toString(attempt))
+            .startAt(Date.from(Instant.now().plus(delay)))
+            .build();
+    try {
+      context.getScheduler().scheduleJob(trigger);
+    } catch (SchedulerException e) {
+      // The database is away. Quartz executes the job again at once, and waits for a connection.
+      throw new JobExecutionException(e, true);
     }
   }
 }

@@ -117,6 +117,16 @@ class Schedules {
     }
   }
 
+  /** Notes for people that a fire time has no build, since each attempt to request one failed. */
+  void giveUp(String id, Instant fireTime) {
+    fires.note(
+        id,
+        fireTime.truncatedTo(ChronoUnit.MICROS),
+        now(),
+        null,
+        "The server failed to request the build; its log says why.");
+  }
+
   /** Requests a build now, beside the times of the schedule. */
   Fires.Fire runNow(String id) {
     Instant now = now();

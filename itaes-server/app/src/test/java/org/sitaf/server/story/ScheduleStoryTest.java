@@ -19,6 +19,7 @@ import org.quartz.impl.matchers.GroupMatcher;
 import org.sitaf.server.support.Activities;
 import org.sitaf.server.support.ServerTest;
 import org.springframework.beans.factory.annotation.Autowired;
+import org.springframework.jdbc.core.simple.JdbcClient;
 import tools.jackson.databind.JsonNode;
 
 /** Reserved and periodic builds. */
@@ -27,6 +28,7 @@ class ScheduleStoryTest extends ServerTest {
   private static final String JSON = "application/json";
 
   @Autowired private Scheduler quartz;
+  @Autowired private JdbcClient jdbc;
 
   @Test
   void aReservedBuildIsRequestedAtItsTimeAndOnce() throws Exception {
@@ -50,6 +52,31 @@ class ScheduleStoryTest extends ServerTest {
         .hasSize(1)
         .allSatisfy(b -> assertThat(b.get("scheduleId").asString()).isEqualTo(id))
         .allSatisfy(b -> assertThat(b.get("recordedCases").asString()).isEqualTo("FAILED"));
+  }
+
+  @Test
+  void aFireTimeAtWhichTheServerFailedIsTriedAgain() throws Exception {
+    String activityId = api.upload(Activities.zip());
+    String id =
+        api.post(
+                "/api/v1/schedules",
+                "{\"suiteId\":\"%s\",\"at\":\"2099-01-01T00:00:00Z\"}"
+                    .formatted(api.suite(activityId)))
+            .expect(201)
+            .id();
+    JobKey job =
+        quartz.getJobKeys(GroupMatcher.anyJobGroup()).stream()
+            .filter(key -> key.getName().equals(id))
+            .findFirst()
+            .orElseThrow();
+    jdbc.sql("ALTER TABLE schedule_fire RENAME TO schedule_fire_away").update();
+    try {
+      quartz.triggerJob(job);
+      await().until(() -> quartz.getTriggersOfJob(job).size() == 2);
+    } finally {
+      jdbc.sql("ALTER TABLE schedule_fire_away RENAME TO schedule_fire").update();
+    }
+    await().untilAsserted(() -> assertThat(builds(activityId)).hasSize(1));
   }
 
   @Test
