@@ -24,8 +24,7 @@ def main():
     dice, table = random.Random(given.seed), Table("cluster")
     with tempfile.TemporaryDirectory(prefix="sitaf-cluster-") as folder, Postgres() as database:
         folder = Path(folder)
-        logs = f"--sitaf.log-directory={folder / 'logs'}"
-        servers = [server(folder, logs, name=f"server-{i}", database=database.url) for i in (1, 2)]
+        servers = [server(folder, name=f"server-{i}", database=database.url) for i in (1, 2)]
         target = ",".join(f"127.0.0.1:{s.grpc}" for s in servers)
         worker = agent(folder, "worker", target, *own_bridge())
         try:

@@ -17,10 +17,10 @@ import org.springframework.validation.annotation.Validated;
 /**
  * Settings {@code sitaf.*} of the server.
  *
- * @param dataDirectory where the database, the logs of builds and {@code ports.properties} lie;
- *     absolute, or beginning with {@code ./}
- * @param logDirectory logs of builds; null for {@code logs} in the data directory; several servers
- *     with one database share it
+ * @param dataDirectory where the database and {@code ports.properties} lie; absolute, or beginning
+ *     with {@code ./}
+ * @param logDirectory where earlier versions kept the logs of builds, which are imported into the
+ *     database once; null for {@code logs} in the data directory
  * @param publicHosts host names, besides those of the loopback, under which people reach the server
  * @param trustedProxies addresses, and ranges such as {@code 10.0.0.0/8}, whose word is taken for
  *     whom they speak for: {@code X-Forwarded-For}, {@code X-Forwarded-Proto}, {@code Forwarded}
@@ -31,8 +31,8 @@ import org.springframework.validation.annotation.Validated;
  * @param maxUpload largest body of a request
  * @param maxLog largest log of a build; what goes beyond is dropped, with a note
  * @param maxRecordings what the recordings of a build may take together
- * @param minFree with less room than this on the disks of data and logs no new work is taken, and
- *     with a quarter of it nothing is written; 0 asks for none
+ * @param minFree with less room than this on the disk of the data no new work is taken, and with a
+ *     quarter of it nothing is written; 0 asks for none
  * @param stopWithStdin whether the server ends when its standard input does, so that it never
  *     outlives a launcher
  */
@@ -56,7 +56,7 @@ public record SitafSettings(
     trustedProxies = List.copyOf(trustedProxies);
   }
 
-  /** Where the logs of builds lie. */
+  /** Where earlier versions kept the logs of builds. */
   public Path logs() {
     return logDirectory == null ? dataDirectory.resolve("logs") : logDirectory;
   }

@@ -2,7 +2,6 @@ package org.sitaf.server.storage;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.Optional;
 import java.util.function.ToLongFunction;
 import org.sitaf.server.refusal.Refusal;
@@ -12,8 +11,8 @@ import org.springframework.core.env.Environment;
 import org.springframework.stereotype.Component;
 
 /**
- * Room on the disks that the server writes to. With less than {@code sitaf.min-free} it takes no
- * new work, so that what it has taken can come to its end; with less than the reserve, a quarter of
+ * Room on the disk that the server writes to. With less than {@code sitaf.min-free} it takes no new
+ * work, so that what it has taken can come to its end; with less than the reserve, a quarter of
  * that, it writes nothing at all, so that no write fails half-way.
  */
 @Component
@@ -21,13 +20,10 @@ public class DiskSpace {
   private static final long MIB = 1 << 20;
   private static final int RESERVES = 4;
 
-  private final Place data;
-  private final List<Place> all;
+  private final Path data;
   private final boolean holdsDatabase;
   private final long minFree;
   private final ToLongFunction<Path> usableBytes;
-
-  private record Place(String name, Path folder) {}
 
   /**
    * Asks the file system.
@@ -46,21 +42,19 @@ public class DiskSpace {
 
   DiskSpace(SitafSettings settings, boolean holdsDatabase, ToLongFunction<Path> usableBytes) {
     this.holdsDatabase = holdsDatabase;
-    this.data = new Place("the server's data", settings.dataDirectory().toAbsolutePath());
-    Place logs = new Place("the logs of builds", settings.logs().toAbsolutePath());
-    this.all = logs.folder().startsWith(data.folder()) ? List.of(data) : List.of(data, logs);
+    this.data = settings.dataDirectory().toAbsolutePath();
     this.minFree = settings.minFree().toBytes();
     this.usableBytes = usableBytes;
   }
 
   /** Why no new work is taken; empty when it is. */
   public Optional<String> whyNoNewWork() {
-    return all.stream().flatMap(place -> lack(place, minFree).stream()).findFirst();
+    return lack(minFree);
   }
 
   /** Why nothing is written any more; empty when there is room. */
   public Optional<String> whyNothingIsWritten() {
-    return all.stream().flatMap(place -> lack(place, minFree / RESERVES).stream()).findFirst();
+    return lack(minFree / RESERVES);
   }
 
   /** Whether the database is written to at present. */
@@ -70,7 +64,7 @@ public class DiskSpace {
 
   /** Why the database is not written to; empty when it is, and where its disk is not ours. */
   Optional<String> whyTheDatabaseIsNotWritten() {
-    return holdsDatabase ? lack(data, minFree / RESERVES) : Optional.empty();
+    return holdsDatabase ? lack(minFree / RESERVES) : Optional.empty();
   }
 
   /**
@@ -92,25 +86,23 @@ public class DiskSpace {
    * @throws Refusal when there is none
    */
   public void requireFor(long bytes) {
-    all.stream()
-        .flatMap(place -> lack(place, minFree == 0 ? 0 : minFree / RESERVES + bytes).stream())
-        .findFirst()
+    lack(minFree == 0 ? 0 : minFree / RESERVES + bytes)
         .ifPresent(
             why -> {
               throw Refusal.noRoom("There is no room for it", why);
             });
   }
 
-  private Optional<String> lack(Place place, long needed) {
+  private Optional<String> lack(long needed) {
     if (needed == 0) {
       return Optional.empty();
     }
-    long free = usableBytes.applyAsLong(place.folder());
+    long free = usableBytes.applyAsLong(data);
     return free >= needed
         ? Optional.empty()
         : Optional.of(
-            "the disk of %s has only %d MiB left, %d are needed"
-                .formatted(place.name(), free / MIB, (needed + MIB - 1) / MIB));
+            "the disk of the server's data has only %d MiB left, %d are needed"
+                .formatted(free / MIB, (needed + MIB - 1) / MIB));
   }
 
   /** Of the folder, or of where it will be made; 0 where nobody knows. */

@@ -10,8 +10,8 @@ final class NoRoomToStartException extends RuntimeException {
   NoRoomToStartException(String why, SitafSettings settings) {
     super("The server does not start: " + why + ".");
     remedy =
-        "Make room below %s (logs of builds: %s), and start the server again; sitaf.min-free says"
-                .formatted(settings.dataDirectory(), settings.logs())
+        "Make room below %s, and start the server again; sitaf.min-free says"
+                .formatted(settings.dataDirectory())
             + " how much is kept free.";
   }
 

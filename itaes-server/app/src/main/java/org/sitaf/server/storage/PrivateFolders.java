@@ -43,13 +43,9 @@ final class PrivateFolders
   public void initialize(ConfigurableApplicationContext context) {
     Environment environment = context.getEnvironment();
     String data = environment.getProperty("sitaf.data-directory");
-    String logs = environment.getProperty("sitaf.log-directory");
     try {
       if (data != null) {
         secure(Path.of(data).toAbsolutePath().normalize());
-      }
-      if (logs != null) {
-        secure(Path.of(logs).toAbsolutePath().normalize());
       }
     } catch (IOException e) {
       throw new UncheckedIOException(e);

@@ -8,7 +8,6 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
-import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.sitaf.server.refusal.Refusal;
 import org.sitaf.server.settings.SitafSettings;
@@ -16,19 +15,17 @@ import org.springframework.util.unit.DataSize;
 
 class DiskSpaceTest {
   private static final Path DATA = Path.of("/data/sitaf");
-  private static final Path LOGS = Path.of("/logs/sitaf");
 
-  private static DiskSpace disk(long minFreeMib, @Nullable Path logs, Map<Path, Long> freeMib) {
-    return disk(minFreeMib, logs, true, freeMib);
+  private static DiskSpace disk(long minFreeMib, Map<Path, Long> freeMib) {
+    return disk(minFreeMib, true, freeMib);
   }
 
-  private static DiskSpace disk(
-      long minFreeMib, @Nullable Path logs, boolean holdsDatabase, Map<Path, Long> freeMib) {
+  private static DiskSpace disk(long minFreeMib, boolean holdsDatabase, Map<Path, Long> freeMib) {
     DataSize some = DataSize.ofMegabytes(1);
     SitafSettings settings =
         new SitafSettings(
             DATA,
-            logs,
+            null,
             List.of(),
             List.of(),
             Duration.ofSeconds(15),
@@ -47,7 +44,7 @@ class DiskSpaceTest {
 
   @Test
   void withRoomAllIsTaken() {
-    DiskSpace disk = disk(256, null, Map.of(DATA, 256L));
+    DiskSpace disk = disk(256, Map.of(DATA, 256L));
     assertThat(disk.whyNoNewWork()).isEmpty();
     assertThat(disk.canWrite()).isTrue();
     assertThatCode(disk::requireForNewWork).doesNotThrowAnyException();
@@ -55,7 +52,7 @@ class DiskSpaceTest {
 
   @Test
   void withLittleRoomOnlyNewWorkIsRefused() {
-    DiskSpace disk = disk(256, null, Map.of(DATA, 255L));
+    DiskSpace disk = disk(256, Map.of(DATA, 255L));
     assertThat(disk.whyNoNewWork())
         .contains("the disk of the server's data has only 255 MiB left, 256 are needed");
     assertThat(disk.canWrite()).isTrue();
@@ -67,14 +64,14 @@ class DiskSpaceTest {
 
   @Test
   void belowTheReserveNothingIsWritten() {
-    DiskSpace disk = disk(256, null, Map.of(DATA, 63L));
+    DiskSpace disk = disk(256, Map.of(DATA, 63L));
     assertThat(disk.whyNothingIsWritten()).isPresent();
     assertThat(disk.canWrite()).isFalse();
   }
 
   @Test
   void whatIsLargeLeavesTheReserve() {
-    DiskSpace disk = disk(256, null, Map.of(DATA, 100L));
+    DiskSpace disk = disk(256, Map.of(DATA, 100L));
     assertThatCode(() -> disk.requireFor(DataSize.ofMegabytes(36).toBytes()))
         .doesNotThrowAnyException();
     assertThatThrownBy(() -> disk.requireFor(DataSize.ofMegabytes(37).toBytes()))
@@ -83,24 +80,15 @@ class DiskSpaceTest {
   }
 
   @Test
-  void logsOnAnotherDiskNeedRoomAsWell() {
-    DiskSpace disk = disk(256, LOGS, Map.of(DATA, 1000L, LOGS, 10L));
-    assertThat(disk.whyNoNewWork())
-        .contains("the disk of the logs of builds has only 10 MiB left, 256 are needed");
-    assertThat(disk.whyNothingIsWritten()).isPresent();
-    assertThat(disk.canWrite()).isTrue();
-  }
-
-  @Test
   void aDatabaseElsewhereIsWrittenToWhateverIsLeftHere() {
-    DiskSpace disk = disk(256, null, false, Map.of(DATA, 0L));
+    DiskSpace disk = disk(256, false, Map.of(DATA, 0L));
     assertThat(disk.whyNoNewWork()).isPresent();
     assertThat(disk.canWrite()).isTrue();
   }
 
   @Test
   void whoAsksForNoRoomIsRefusedNothing() {
-    DiskSpace disk = disk(0, null, Map.of());
+    DiskSpace disk = disk(0, Map.of());
     assertThat(disk.whyNoNewWork()).isEmpty();
     assertThat(disk.canWrite()).isTrue();
     assertThatCode(() -> disk.requireFor(1)).doesNotThrowAnyException();

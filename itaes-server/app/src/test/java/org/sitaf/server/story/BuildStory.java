@@ -14,10 +14,14 @@ import org.sitaf.agent.v1.Diagnostic;
 import org.sitaf.core.harness.TestApplication;
 import org.sitaf.server.support.Activities;
 import org.sitaf.server.support.RimAgent;
+import org.springframework.beans.factory.annotation.Autowired;
+import org.springframework.jdbc.core.simple.JdbcClient;
 import tools.jackson.databind.JsonNode;
 
 /** Builds from request to result, with an agent at the rim. Each database runs all of it. */
 abstract class BuildStory extends RecordingStory {
+  @Autowired private JdbcClient jdbc;
+
   @Test
   void aBuildGoesFromRequestToResult() {
     String id = api.build(suiteId);
@@ -267,6 +271,30 @@ abstract class BuildStory extends RecordingStory {
           .hasSizeBetween(64 << 10, (64 << 10) + 200)
           .endsWith("[the log is cut here: it is larger than this server keeps]\n");
     }
+  }
+
+  @Test
+  void logsAreInTheDatabaseSoThatServersShareNothingElse() {
+    String activity = api.upload(Activities.zip());
+    String id = api.build(api.suite(activity));
+    try (RimAgent agent = RimAgent.register(grpcPort(), "log-sharer", "java")) {
+      AttemptRef attempt = agent.nextAssignment().getAttempt();
+      assertThat(attempt.getBuildId()).isEqualTo(id);
+      agent.appendLog(attempt, 0, "one\n");
+      agent.appendLog(attempt, 4, "two\n");
+    }
+    assertThat(chunks(id)).isEqualTo(2);
+    assertThat(api.get("/api/v1/builds/" + id + "/log?offset=2").text()).isEqualTo("e\ntwo\n");
+    api.post("/api/v1/builds/" + id + "/cancel", "").expect(200);
+    api.delete("/api/v1/activities/" + activity).expect(204);
+    assertThat(chunks(id)).isZero();
+  }
+
+  private int chunks(String buildId) {
+    return jdbc.sql("SELECT COUNT(*) FROM build_log WHERE build_id = ?")
+        .param(buildId)
+        .query(Integer.class)
+        .single();
   }
 
   @Test

@@ -1,27 +1,23 @@
 package org.sitaf.server.build.log;
 
-import java.io.IOException;
-import java.io.UncheckedIOException;
-import java.nio.ByteBuffer;
-import java.nio.channels.FileChannel;
+import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
+import java.util.Arrays;
 import org.sitaf.server.build.AttemptKey;
 import org.sitaf.server.build.Attempts;
 import org.sitaf.server.build.BuildEvent;
 import org.sitaf.server.refusal.Refusal;
 import org.sitaf.server.settings.SitafSettings;
+import org.springframework.context.event.EventListener;
 import org.springframework.jdbc.core.simple.JdbcClient;
 import org.springframework.stereotype.Component;
 import org.springframework.transaction.annotation.Propagation;
 import org.springframework.transaction.annotation.Transactional;
-import org.springframework.transaction.event.TransactionalEventListener;
 
 /**
- * The logs of builds, attempt after attempt in one file. The length in the database is what counts:
- * bytes beyond it in a file were never acknowledged and are written over.
+ * The logs of builds, attempt after attempt, in chunks in the database: several servers share
+ * nothing but that. {@code build.log_length} counts what agents have sent, which is more than is
+ * stored where a log is larger than the limit.
  */
 @Component
 public class BuildLogs {
@@ -31,13 +27,14 @@ public class BuildLogs {
 
   private static final int READ_AT_ONCE = 1 << 20;
 
-  private final Path directory;
+  /** Of a stored chunk, in bytes; a reader finds the first chunk by it. */
+  static final int MAX_CHUNK = 256 << 10;
+
   private final long limit;
   private final Attempts attempts;
   private final JdbcClient jdbc;
 
   BuildLogs(SitafSettings settings, Attempts attempts, JdbcClient jdbc) {
-    this.directory = settings.logs();
     this.limit = settings.maxLog().toBytes();
     this.attempts = attempts;
     this.jdbc = jdbc;
@@ -80,7 +77,7 @@ public class BuildLogs {
       return end - start;
     }
     long newEnd = at + chunk.length;
-    write(key.buildId(), end, ByteBuffer.wrap(chunk, known, chunk.length - known));
+    write(key.buildId(), end, chunk, known, chunk.length - known);
     jdbc.sql("UPDATE build SET log_length = ? WHERE id = ?").params(newEnd, key.buildId()).update();
     return newEnd - start;
   }
@@ -98,22 +95,33 @@ public class BuildLogs {
    */
   @Transactional(readOnly = true)
   public Excerpt read(String buildId, long offset, int atMost) {
-    long length = length(buildId, "");
-    long end = length > limit ? limit + CUT.length : length;
+    length(buildId, "");
+    long end =
+        jdbc.sql(
+                "SELECT start_at + size FROM build_log WHERE build_id = ?"
+                    + " ORDER BY start_at DESC LIMIT 1")
+            .param(buildId)
+            .query(Long.class)
+            .optional()
+            .orElse(0L);
     if (offset < 0 || offset > end) {
       throw Refusal.malformed("offset must be between 0 and the end of the log, " + end + ".");
     }
-    ByteBuffer bytes = ByteBuffer.allocate((int) Math.min(atMost, end - offset));
-    if (bytes.hasRemaining()) {
-      try (FileChannel file = FileChannel.open(path(buildId), StandardOpenOption.READ)) {
-        while (bytes.hasRemaining() && file.read(bytes, offset + bytes.position()) >= 0) {
-          // Reads on until the excerpt is whole.
-        }
-      } catch (IOException e) {
-        throw new UncheckedIOException(e);
-      }
-    }
-    return new Excerpt(java.util.Arrays.copyOf(bytes.array(), bytes.position()), end);
+    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+    jdbc.sql(
+            "SELECT start_at, bytes FROM build_log WHERE build_id = ? AND start_at > ?"
+                + " AND start_at < ? ORDER BY start_at")
+        .params(buildId, offset - MAX_CHUNK, offset + atMost)
+        .query(
+            row -> {
+              byte[] chunk = row.getBytes(2);
+              long skipped = Math.max(0, offset - row.getLong(1));
+              long length = Math.min(chunk.length - skipped, (long) atMost - bytes.size());
+              if (length > 0) {
+                bytes.write(chunk, (int) skipped, (int) length);
+              }
+            });
+    return new Excerpt(bytes.toByteArray(), end);
   }
 
   /**
@@ -134,8 +142,8 @@ public class BuildLogs {
   }
 
   /** The log of a build that was spread over parts is theirs, one after the other. */
-  @TransactionalEventListener
-  @Transactional(propagation = Propagation.REQUIRES_NEW)
+  @EventListener
+  @Transactional(propagation = Propagation.MANDATORY)
   public void on(BuildEvent.PartsEnded ended) {
     long at = 0;
     int no = 0;
@@ -144,7 +152,7 @@ public class BuildLogs {
       String title = "== shard %d of %d\n".formatted(no, ended.partIds().size());
       at = put(ended.buildId(), at, title.getBytes(StandardCharsets.UTF_8));
       Excerpt excerpt = read(part, 0, READ_AT_ONCE);
-      for (long read = 0; excerpt.bytes().length > 0; ) {
+      for (long read = 0; excerpt.bytes().length > 0 && at <= limit; ) {
         at = put(ended.buildId(), at, excerpt.bytes());
         read += excerpt.bytes().length;
         excerpt = read(part, read, READ_AT_ONCE);
@@ -154,15 +162,8 @@ public class BuildLogs {
   }
 
   private long put(String buildId, long at, byte[] bytes) {
-    write(buildId, at, ByteBuffer.wrap(bytes));
+    write(buildId, at, bytes, 0, bytes.length);
     return at + bytes.length;
-  }
-
-  @TransactionalEventListener
-  void on(BuildEvent.Deleted deleted) throws IOException {
-    for (String id : deleted.buildIds()) {
-      Files.deleteIfExists(path(id));
-    }
   }
 
   private long length(String buildId, String lock) {
@@ -173,38 +174,27 @@ public class BuildLogs {
         .orElseThrow(() -> Refusal.notFound("build", buildId));
   }
 
-  private void write(String buildId, long at, ByteBuffer bytes) {
+  private void write(String buildId, long at, byte[] bytes, int from, int length) {
     if (at > limit) {
       return;
     }
-    boolean cut = at + bytes.remaining() > limit;
-    if (cut) {
-      bytes.limit(bytes.position() + (int) (limit - at));
+    int kept = (int) Math.min(length, limit - at);
+    for (int done = 0; done < kept; done += MAX_CHUNK) {
+      int size = Math.min(MAX_CHUNK, kept - done);
+      insert(buildId, at + done, Arrays.copyOfRange(bytes, from + done, from + done + size));
     }
-    Path path = path(buildId);
-    try {
-      Files.createDirectories(directory);
-      try (FileChannel file =
-          FileChannel.open(path, StandardOpenOption.CREATE, StandardOpenOption.WRITE)) {
-        long position = writeFully(file, bytes, at);
-        if (cut) {
-          writeFully(file, ByteBuffer.wrap(CUT), position);
-        }
-      }
-    } catch (IOException e) {
-      throw new UncheckedIOException("cannot write the log " + path, e);
+    if (kept < length) {
+      insert(buildId, limit, CUT);
     }
   }
 
-  private static long writeFully(FileChannel file, ByteBuffer bytes, long at) throws IOException {
-    long position = at;
-    while (bytes.hasRemaining()) {
-      position += file.write(bytes, position);
-    }
-    return position;
+  private void insert(String buildId, long at, byte[] chunk) {
+    insert(jdbc, buildId, at, chunk);
   }
 
-  private Path path(String buildId) {
-    return directory.resolve(buildId + ".log");
+  static void insert(JdbcClient jdbc, String buildId, long at, byte[] chunk) {
+    jdbc.sql("INSERT INTO build_log (build_id, start_at, size, bytes) VALUES (?, ?, ?, ?)")
+        .params(buildId, at, chunk.length, chunk)
+        .update();
   }
 }

@@ -1,4 +1,4 @@
-/** Logs of builds: files, with their lengths in the database. */
+/** Logs of builds, in chunks in the database. */
 @NullMarked
 package org.sitaf.server.build.log;
 

@@ -1,0 +1,102 @@
+package org.sitaf.server.build.log;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import org.flywaydb.core.api.MigrationVersion;
+import org.flywaydb.core.api.migration.Context;
+import org.flywaydb.core.api.migration.JavaMigration;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.server.settings.SitafSettings;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import org.springframework.beans.factory.annotation.Autowired;
+import org.springframework.jdbc.core.simple.JdbcClient;
+import org.springframework.jdbc.datasource.SingleConnectionDataSource;
+import org.springframework.stereotype.Component;
+
+/**
+ * V93: imports the logs that earlier versions kept as files, and leaves the files where they are.
+ */
+@Component
+class LogFilesMigration implements JavaMigration {
+  private static final Logger log = LoggerFactory.getLogger(LogFilesMigration.class);
+
+  private final Path folder;
+
+  @Autowired
+  LogFilesMigration(SitafSettings settings) {
+    this(settings.logs());
+  }
+
+  LogFilesMigration(Path folder) {
+    this.folder = folder;
+  }
+
+  private record Length(String buildId, long bytes) {}
+
+  @Override
+  public MigrationVersion getVersion() {
+    return MigrationVersion.fromVersion("93");
+  }
+
+  @Override
+  public String getDescription() {
+    return "logs of builds in files";
+  }
+
+  @Override
+  public @Nullable Integer getChecksum() {
+    return null;
+  }
+
+  @Override
+  public boolean canExecuteInTransaction() {
+    return true;
+  }
+
+  @Override
+  public void migrate(Context context) {
+    JdbcClient jdbc =
+        JdbcClient.create(new SingleConnectionDataSource(context.getConnection(), true));
+    List<Length> lengths =
+        jdbc.sql("SELECT id, log_length FROM build WHERE log_length > 0")
+            .query((row, index) -> new Length(row.getString(1), row.getLong(2)))
+            .list();
+    int imported = 0;
+    for (Length length : lengths) {
+      Path file = folder.resolve(length.buildId() + ".log");
+      if (Files.isRegularFile(file)) {
+        read(jdbc, length, file);
+        imported++;
+      }
+    }
+    if (imported > 0) {
+      log.info(
+          "{} logs of builds are in the database now. The files in {} are not used any more and"
+              + " can be deleted.",
+          imported,
+          folder);
+    }
+  }
+
+  /** Bytes beyond the length were never acknowledged. */
+  private static void read(JdbcClient jdbc, Length length, Path file) {
+    try (InputStream in = Files.newInputStream(file)) {
+      long at = 0;
+      byte[] chunk = in.readNBytes(BuildLogs.MAX_CHUNK);
+      while (chunk.length > 0 && at < length.bytes()) {
+        int size = (int) Math.min(chunk.length, length.bytes() - at);
+        BuildLogs.insert(jdbc, length.buildId(), at, Arrays.copyOf(chunk, size));
+        at += size;
+        chunk = in.readNBytes(BuildLogs.MAX_CHUNK);
+      }
+    } catch (IOException e) {
+      throw new UncheckedIOException("cannot read the log " + file, e);
+    }
+  }
+}

@@ -1,0 +1,4 @@
+@NullMarked
+package org.sitaf.server.build;
+
+import org.jspecify.annotations.NullMarked;
