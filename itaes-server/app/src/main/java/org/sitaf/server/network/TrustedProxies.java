@@ -6,9 +6,12 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.server.settings.SitafSettings;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 import org.springframework.beans.factory.annotation.Autowired;
 import org.springframework.stereotype.Component;
 
@@ -22,7 +25,10 @@ public class TrustedProxies {
   private static final String FORWARDED_FOR = "X-Forwarded-For";
   private static final String FORWARDED_PROTO = "X-Forwarded-Proto";
 
+  private static final Logger log = LoggerFactory.getLogger(TrustedProxies.class);
+
   private final List<AddressRange> ranges;
+  private final AtomicBoolean warned = new AtomicBoolean();
 
   @Autowired
   TrustedProxies(SitafSettings settings) {
@@ -47,11 +53,12 @@ public class TrustedProxies {
    * @param headers all values of a header of that name, in their order
    */
   public Client client(String remote, Function<String, List<String>> headers) {
-    if (!isTrusted(remote)) {
-      return new Client(remote, null);
-    }
     List<String> plain = parts(headers.apply(FORWARDED_FOR));
     List<String> standard = parameters(headers.apply(FORWARDED), "for");
+    if (!isTrusted(remote)) {
+      warnOfProxy(remote, !plain.isEmpty() || !standard.isEmpty());
+      return new Client(remote, null);
+    }
     Optional<String> one = nearestStranger(plain);
     Optional<String> other = nearestStranger(standard);
     // A proxy that sets one of them hands the other on as a stranger wrote it.
@@ -62,6 +69,16 @@ public class TrustedProxies {
       schemes = parameters(headers.apply(FORWARDED), "proto");
     }
     return new Client(address, schemes.isEmpty() ? null : isTls(schemes.get(schemes.size() - 1)));
+  }
+
+  /** Once: an operator who forgot the setting finds it out, and strangers do not fill the log. */
+  private void warnOfProxy(String remote, boolean forwarded) {
+    if (forwarded && warned.compareAndSet(false, true)) {
+      log.warn(
+          "{} forwards requests of others and is not in sitaf.trusted-proxies: audited addresses are"
+              + " those of the proxy, and cookies are not Secure. Add it if it is your proxy.",
+          Addresses.group(remote));
+    }
   }
 
   private boolean isTrusted(String address) {
