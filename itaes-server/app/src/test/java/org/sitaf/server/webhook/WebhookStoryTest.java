@@ -9,13 +9,16 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
+import java.util.List;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.sitaf.agent.v1.Assignment;
 import org.sitaf.server.support.Activities;
+import org.sitaf.server.support.RimAgent;
 import org.sitaf.server.support.ServerTest;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
@@ -82,6 +85,34 @@ class WebhookStoryTest extends ServerTest {
     assertThat(told.get("model").asString()).isEqualTo(Activities.MODEL);
     api.delete("/api/v1/webhooks/" + id).expect(204);
     api.get("/api/v1/webhooks/" + id + "/deliveries").expect(404);
+  }
+
+  @Test
+  void aSuspectBuildHasNotPassedAlthoughAllOfItsCasesHave() {
+    String id =
+        api.post(
+                "/api/v1/webhooks",
+                "{\"url\":\"http://localhost:%d/hook\"}".formatted(receiver.getAddress().getPort()))
+            .expect(201)
+            .json()
+            .get("webhook")
+            .get("id")
+            .asString();
+    String build = api.build(api.suite(api.upload(Activities.zip())));
+    try (RimAgent agent = RimAgent.register(grpcPort(), "suspect", "java")) {
+      Assignment assignment = agent.nextAssignment();
+      agent.submit(
+          assignment.getAttempt(),
+          RimAgent.result(agent.download(assignment), List.of(), List.of("a torn line")));
+    }
+    await().atMost(Duration.ofSeconds(60)).until(() -> delivery(id, "DELIVERED"));
+    JsonNode message = JsonMapper.shared().readTree(received.element().body());
+    assertThat(message.get("build").asString()).isEqualTo(build);
+    assertThat(message.get("state").asString()).isEqualTo("DONE");
+    assertThat(message.get("counts").get("pass").asInt()).isEqualTo(55);
+    assertThat(message.get("passed").asBoolean()).isFalse();
+    assertThat(message.get("suspicions").get(0).asString()).isEqualTo("a torn line");
+    api.delete("/api/v1/webhooks/" + id).expect(204);
   }
 
   @Test
