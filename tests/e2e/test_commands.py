@@ -65,7 +65,7 @@ def test_doctor_finds_this_machine_complete(sitaf):
     assert doctor.returncode == 0, doctor.stdout
     assert "Nothing is missing" in doctor.stdout
     if shutil.which("bwrap"):
-        assert re.search(r"memory +(control groups v[12]|watched from outside) ", doctor.stdout)
+        assert re.search(r"memory +(control groups v[12]|polled by the agent) ", doctor.stdout)
 
 
 def test_doctor_says_what_installs_what_is_missing(sitaf, tmp_path):

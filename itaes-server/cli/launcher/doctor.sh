@@ -114,9 +114,9 @@ if command -v bwrap >/dev/null; then
   elif [ -n "$unified" ] && [ "$(id -u)" -ne 0 ] && grep -qw memory "$unified/cgroup.controllers"; then
     held "memory" "control groups v2" ""
   elif [ -n "$filtered" ]; then
-    held "memory" "watched from outside" "exact with control groups: $delegate"
+    held "memory" "polled by the agent" "control groups would be exact: $delegate"
   else
-    held "memory" "NOT BOUNDED" "--sandbox=required refuses this host; $delegate"
+    held "memory" "NOT LIMITED" "--sandbox=required does not work on this host; $delegate"
   fi
   if [ -n "$(own_group cpu)" ] || { [ -n "$unified" ] && [ "$(id -u)" -ne 0 ] && grep -qw cpu "$unified/cgroup.controllers"; }; then
     held "processors" "shared by control groups" ""
@@ -124,7 +124,7 @@ if command -v bwrap >/dev/null; then
     grep -qE '^([0-9]+:([^:]*,)?cpu(,[^:]*)?|0:):/$' /proc/self/cgroup; then
     held "processors" "shared by session" ""
   else
-    held "processors" "NOT SHARED OUT" "a component can slow others down; $delegate"
+    held "processors" "NOT SHARED" "a component can slow others down; $delegate"
   fi
 fi
 

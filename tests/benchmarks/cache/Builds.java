@@ -114,7 +114,7 @@ final class Builds {
         new Watched(
             toolchains
                 .of(language)
-                .orElseThrow(() -> new IllegalStateException(toolchains.lackOf(language))));
+                .orElseThrow(() -> new IllegalStateException(toolchains.missingMessage(language))));
     TestApplicationCompiler compiler =
         new TestApplicationCompiler(toolchain, toolchains.compiled(), false, sandbox);
     Compilation compilation = compiler.begin(application, sources, build);

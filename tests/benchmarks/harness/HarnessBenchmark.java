@@ -112,7 +112,7 @@ public final class HarnessBenchmark {
     List<String> bridge = List.of(state.resolve("venv/bin/python").toString(), "-m", "sitaf_bridge");
     Sandbox sandbox = SandboxMode.AUTO.open();
     try (Simulator simulator =
-        Simulator.started(bridge, directory.resolve("simulator"), sandbox, Simulator.ALWAYS)) {
+        Simulator.started(bridge, directory.resolve("simulator"), sandbox, Simulator.UNLIMITED)) {
       Builds builds = new Builds(simulator, toolchains, sandbox, directory);
       System.out.printf(
           Locale.ROOT,
@@ -139,7 +139,7 @@ public final class HarnessBenchmark {
           continue;
         }
         if (toolchains.of(language).isEmpty()) {
-          System.out.println(language.spelling() + ": skipped: " + toolchains.lackOf(language));
+          System.out.println(language.spelling() + ": skipped: " + toolchains.missingMessage(language));
         } else {
           measure(language, example, builds);
         }

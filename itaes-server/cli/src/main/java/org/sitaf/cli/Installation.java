@@ -17,7 +17,7 @@ public record Installation(Path home) {
   /**
    * The installation that the launcher named.
    *
-   * @throws InvalidInputException when the command was not started by the launcher
+   * @throws InvalidInputException if the command was not started by the launcher
    */
   public static Installation current() {
     String home = System.getProperty(HOME);

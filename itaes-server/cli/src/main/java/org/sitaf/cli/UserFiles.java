@@ -20,7 +20,7 @@ public final class UserFiles {
   /**
    * Reads a folder with all that lies in it; hidden files and folders are left out.
    *
-   * @throws InvalidInputException when there is no such folder, or a link lies in it
+   * @throws InvalidInputException if there is no such folder, or a link lies in it
    */
   public static FileTree folder(Path folder) {
     if (!Files.isDirectory(folder)) {
@@ -54,7 +54,7 @@ public final class UserFiles {
   /**
    * Reads a file.
    *
-   * @throws InvalidInputException when it cannot be read
+   * @throws InvalidInputException if it cannot be read
    */
   public static byte[] file(Path file) {
     try {

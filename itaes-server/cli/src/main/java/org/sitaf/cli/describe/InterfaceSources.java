@@ -58,7 +58,7 @@ public final class InterfaceSources {
    * Reads all that is named. Single files are read together, so that one may use what another
    * declares; a folder or an archive is read by itself.
    *
-   * @throws InvalidInputException when something cannot be read at all
+   * @throws InvalidInputException if something cannot be read at all
    */
   public static List<Source> read(List<Path> named) {
     List<Path> single = new ArrayList<>();

@@ -53,7 +53,7 @@ final class LocalSystem implements AutoCloseable {
    * @param directory what server and agent keep; logs among it
    * @param httpPort 0 for a free one
    * @param grpcPort 0 for a free one
-   * @throws IOException when one of them does not start; the message holds the end of its log
+   * @throws IOException if one of them does not start; the message holds the end of its log
    */
   static LocalSystem start(
       Installation installation, Path directory, int httpPort, int grpcPort, ProgressLine progress)

@@ -49,8 +49,8 @@ final class RemoteBuild {
   /**
    * Builds a suite now and waits for its result document.
    *
-   * @throws InvalidInputException when the build brought no result; holds the reason
-   * @throws InterruptedException when this thread is interrupted; the build is cancelled then
+   * @throws InvalidInputException if the build brought no result; holds the reason
+   * @throws InterruptedException if this thread is interrupted; the build is cancelled then
    */
   byte[] build(String suiteId) throws IOException, InterruptedException {
     JsonNode build = server.post("builds", Map.of("suiteId", suiteId));

@@ -37,7 +37,7 @@ public final class RemoteRun {
    * @param token of the server; null where there is none
    * @param plaintext whether the token may be sent without TLS beyond the loopback
    * @param err for people: how far it is, and the log of each build
-   * @throws InvalidInputException when the server refuses it; holds the server's diagnostics
+   * @throws InvalidInputException if the server refuses it; holds the server's diagnostics
    */
   public static RemoteRun upload(
       URI address, @Nullable String token, boolean plaintext, FileTree files, PrintStream err)
@@ -71,7 +71,7 @@ public final class RemoteRun {
   /**
    * Tests one model; cancels its build when this thread is interrupted.
    *
-   * @throws InvalidInputException when the build brought no result; holds the reason
+   * @throws InvalidInputException if the build brought no result; holds the reason
    */
   public TestResult test(String model, long seed) throws IOException, InterruptedException {
     try (ProgressLine progress = new ProgressLine(err)) {

@@ -42,7 +42,7 @@ final class ServerClient {
   /**
    * Posts a body and returns the answer.
    *
-   * @throws InvalidInputException when the server refuses it; holds the server's diagnostics
+   * @throws InvalidInputException if the server refuses it; holds the server's diagnostics
    */
   JsonNode post(String path, String contentType, byte[] body)
       throws IOException, InterruptedException {

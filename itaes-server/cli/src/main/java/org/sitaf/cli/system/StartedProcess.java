@@ -63,7 +63,7 @@ final class StartedProcess implements AutoCloseable {
    * @param progress is told of a wait that is longer than people expect
    * @param others what this process waits for itself: while they come on, so does it
    * @return what was found in the line that says so
-   * @throws IOException when it ends before, or patience does; the message holds the end of its log
+   * @throws IOException if it ends before, or patience does; the message holds the end of its log
    */
   Matcher awaitReady(Patience patience, ProgressLine progress, StartedProcess... others)
       throws IOException, InterruptedException {

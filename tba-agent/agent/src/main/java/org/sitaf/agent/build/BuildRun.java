@@ -178,7 +178,7 @@ public final class BuildRun {
     return settings
         .toolchains()
         .of(language)
-        .orElseThrow(() -> new IOException(settings.toolchains().lackOf(language)));
+        .orElseThrow(() -> new IOException(settings.toolchains().missingMessage(language)));
   }
 
   /**

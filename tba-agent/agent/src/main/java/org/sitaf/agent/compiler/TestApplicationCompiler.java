@@ -46,9 +46,9 @@ public record TestApplicationCompiler(
   /**
    * Compiles an application.
    *
-   * @throws CompilationException when the user's files are at fault
-   * @throws InterruptedException when the build was cancelled meanwhile
-   * @throws IOException when this machine is at fault
+   * @throws CompilationException if the user's files are at fault
+   * @throws InterruptedException if the build was cancelled meanwhile
+   * @throws IOException if this machine is at fault
    */
   public CompiledApplication compile(Compilation compilation)
       throws CompilationException, InterruptedException, IOException {

@@ -22,7 +22,7 @@ public final class EarlyProcess implements AutoCloseable {
    * Starts it.
    *
    * @param request as it will be executed, with an application that was opened early
-   * @throws IOException when it cannot be started, or its simulator is not there
+   * @throws IOException if it cannot be started, or its simulator is not there
    */
   public static EarlyProcess start(ExecutionRequest request, OutputSink sink)
       throws IOException, InterruptedException {
@@ -39,15 +39,15 @@ public final class EarlyProcess implements AutoCloseable {
     }
   }
 
-  /** What it reaches of the simulator; the caller of letGo closes it. */
+  /** What it reaches of the simulator; the caller of release closes it. */
   @Nullable SimulatorEndpoint simulator() {
     return simulator;
   }
 
   /** The process, which now goes on; whoever takes it closes it. */
-  HarnessProcess letGo() {
+  HarnessProcess release() {
     gone = true;
-    process.letGo();
+    process.release();
     return process;
   }
 

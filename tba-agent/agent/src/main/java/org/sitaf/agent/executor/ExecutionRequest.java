@@ -96,7 +96,7 @@ public record ExecutionRequest(
     /**
      * Opens an endpoint, of a fresh simulator where the last one is gone.
      *
-     * @throws IOException when no simulator answers and none can be started
+     * @throws IOException if no simulator answers and none can be started
      */
     SimulatorEndpoint open() throws IOException, InterruptedException;
   }

@@ -67,7 +67,7 @@ final class HarnessProcess implements AutoCloseable {
   /**
    * Starts a process that begins at a case.
    *
-   * @throws IOException when the process cannot be started, or its simulator is not there
+   * @throws IOException if the process cannot be started, or its simulator is not there
    */
   static HarnessProcess start(
       ExecutionRequest request,
@@ -76,11 +76,11 @@ final class HarnessProcess implements AutoCloseable {
       OutputSink sink)
       throws IOException, InterruptedException {
     HarnessProcess started = startHeldBack(request, fromCase, simulator, sink);
-    started.letGo();
+    started.release();
     return started;
   }
 
-  /** As {@link #start}, and it waits for {@link #letGo}. */
+  /** As {@link #start}, and it waits for {@link #release}. */
   static HarnessProcess startHeldBack(
       ExecutionRequest request, int fromCase, @Nullable SimulatorEndpoint endpoint, OutputSink sink)
       throws IOException, InterruptedException {
@@ -105,7 +105,7 @@ final class HarnessProcess implements AutoCloseable {
             .withEnvironment(application.environment(place))
             .reading(application.readable())
             .reading(List.of(request.files(), request.suiteFile()))
-            .heldBackUntilLetGo();
+            .withInputOpen();
     if (coverage != null) {
       confinement = confinement.writing(List.of(coverage));
     }
@@ -166,8 +166,8 @@ final class HarnessProcess implements AutoCloseable {
   }
 
   /** Lets a process go on that was held back, with the token of its results. */
-  void letGo() {
-    process.letGo(results.token());
+  void release() {
+    process.release(results.token());
   }
 
   /** For how long it has run. */
@@ -191,7 +191,7 @@ final class HarnessProcess implements AutoCloseable {
    */
   String stacks() throws InterruptedException {
     heard.begin();
-    process.askForStacks();
+    process.requestStackTraces();
     return heard.untilQuiet();
   }
 
@@ -202,12 +202,12 @@ final class HarnessProcess implements AutoCloseable {
 
   /** How it ended; only after its end. */
   ProcessEnd end() throws InterruptedException {
-    process.killRest();
+    process.killLeftovers();
     for (Thread pump : pumps) {
       pump.join(OUTPUT_GRACE.toMillis());
     }
-    written.makeRoom(process.brokenLimit().isPresent());
-    return new ProcessEnd(process.exitCode(), process.brokenLimit().orElse(""), lastWords.get());
+    written.makeRoom(process.exceededLimit().isPresent());
+    return new ProcessEnd(process.exitCode(), process.exceededLimit().orElse(""), lastWords.get());
   }
 
   @Override

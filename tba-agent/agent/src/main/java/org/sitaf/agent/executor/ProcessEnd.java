@@ -6,10 +6,10 @@ import java.util.Map;
  * How a process ended.
  *
  * @param code exit code; above 128 a signal's number is added, as shells have it
- * @param brokenLimit for which limit the agent ended it; empty where it did not
+ * @param exceededLimit for which limit the agent ended it; empty where it did not
  * @param lastWords the last telling line of its standard error; empty where it said nothing
  */
-record ProcessEnd(int code, String brokenLimit, String lastWords) {
+record ProcessEnd(int code, String exceededLimit, String lastWords) {
   private static final int SIGNAL_BASE = 128;
 
   /**
@@ -61,8 +61,8 @@ record ProcessEnd(int code, String brokenLimit, String lastWords) {
    * As a message shows it, such as {@code signal 9 (SIGKILL)} or {@code exit code 1: last words}.
    */
   String describe() {
-    if (!brokenLimit.isEmpty()) {
-      return brokenLimit;
+    if (!exceededLimit.isEmpty()) {
+      return exceededLimit;
     }
     String signal = SIGNALS.get(code - SIGNAL_BASE);
     String how =

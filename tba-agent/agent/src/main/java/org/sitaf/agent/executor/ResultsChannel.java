@@ -71,7 +71,7 @@ final class ResultsChannel implements AutoCloseable {
   /**
    * Makes the pipe in a folder that the test application does not see.
    *
-   * @throws IOException when this machine cannot make one
+   * @throws IOException if this machine cannot make one
    */
   static ResultsChannel open(Path folder) throws IOException, InterruptedException {
     Path pipe = Files.createTempDirectory(folder, "results").resolve("pipe");

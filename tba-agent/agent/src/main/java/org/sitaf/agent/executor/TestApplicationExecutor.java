@@ -59,8 +59,8 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow, Durat
    * @param early the first process, started before the application was compiled; null where there
    *     is none
    * @param onResult is told each result the moment it is known, and may judge it differently
-   * @throws IOException when no process can be started at all
-   * @throws InterruptedException when the build was cancelled; its processes are gone then
+   * @throws IOException if no process can be started at all
+   * @throws InterruptedException if the build was cancelled; its processes are gone then
    */
   public Execution execute(
       ExecutionRequest request,
@@ -122,11 +122,11 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow, Durat
           HarnessProcess process =
               waiting == null
                   ? HarnessProcess.start(request, progress.current().no(), simulator, sink)
-                  : waiting.letGo()) {
+                  : waiting.release()) {
         Follow how = follow(process, simulator);
         String where = "";
         if (how == Follow.NO_ANSWER) {
-          where = request.application().whereItHangs(process.stacks()).orElse("");
+          where = request.application().hangLocation(process.stacks()).orElse("");
         }
         if (how != Follow.ENDED) {
           process.kill();

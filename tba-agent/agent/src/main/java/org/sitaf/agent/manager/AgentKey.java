@@ -46,7 +46,7 @@ final class AgentKey implements ClientInterceptor {
   /**
    * The key in a file, or what gets one.
    *
-   * @throws IOException when there is neither
+   * @throws IOException if there is neither
    */
   static AgentKey open(Path file, String agent, @Nullable String enrolmentToken)
       throws IOException {
@@ -66,8 +66,8 @@ final class AgentKey implements ClientInterceptor {
   /**
    * Gets a key, unless there is one.
    *
-   * @throws StatusRuntimeException when the server gives none
-   * @throws IOException when it cannot be kept
+   * @throws StatusRuntimeException if the server gives none
+   * @throws IOException if it cannot be kept
    */
   void enrol(Channel channel) throws IOException {
     if (key != null) {

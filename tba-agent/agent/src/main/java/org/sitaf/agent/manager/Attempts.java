@@ -147,7 +147,7 @@ final class Attempts {
     Path directory = builds.of(attempt.key());
     LOGGER.log(System.Logger.Level.INFO, attempt + ": begins");
     try {
-      builds.begin(attempt.key());
+      builds.create(attempt.key());
       Optional<BuildOutcome> outcome = run.run();
       if (!disk.whyFull().isEmpty()) {
         onFull.run();
@@ -170,7 +170,7 @@ final class Attempts {
         running.remove(attempt.key());
       }
       try {
-        builds.end(attempt.key());
+        builds.remove(attempt.key());
       } catch (IOException e) {
         LOGGER.log(System.Logger.Level.WARNING, directory + " cannot be deleted: " + e);
       }

@@ -58,8 +58,8 @@ public final class TestBuildAgent implements AutoCloseable {
    * not.
    *
    * @param onRegistered is told the server's version each time that the server knows the agent
-   * @throws IOException when the agent's folder cannot be used, or a sandbox is required and there
-   *     is none
+   * @throws IOException if the agent's folder cannot be used, or a sandbox is required and there is
+   *     none
    */
   public TestBuildAgent(
       AgentSettings settings, Toolchains toolchains, Consumer<String> onRegistered)
@@ -133,7 +133,7 @@ public final class TestBuildAgent implements AutoCloseable {
             settings.bridgeCommand(),
             directory.path().resolve("bridge"),
             sandbox,
-            Simulator.ALWAYS);
+            Simulator.UNLIMITED);
   }
 
   private void beatSoon() {

@@ -15,18 +15,18 @@ import org.sitaf.agent.sandbox.cgroup.ControlGroups;
 import org.sitaf.agent.sandbox.seccomp.SystemCallFilter;
 
 /**
- * Processes in namespaces of their own, made by bubblewrap: a read-only system, no network, nothing
- * of other processes, no file that is not named, no system call that other people's code does not
- * need. Limits are those of control groups, where this machine gives some, and of {@code prlimit}.
- * Where the agent runs as root, the process runs as a user that exists nowhere else, because limits
- * do not bind root.
+ * Runs processes in namespaces made by bubblewrap: a read-only system, no network, no view of other
+ * processes, only the files that are named, and only the system calls that builds need. Limits come
+ * from control groups where this machine offers them, and from {@code prlimit}. If the agent runs
+ * as root, each process runs as an unprivileged user that owns nothing else, because limits do not
+ * apply to root. do not bind root.
  */
 final class Bubblewrap implements Sandbox {
   private static final String INSTALL = "apt-get install bubblewrap";
   private static final String DISABLE_NAMESPACES = "--disable-userns";
   private static final long PROBE_SECONDS = 20;
 
-  /** The monitor, the first process of its namespace, then the command. */
+  /** The monitor process, the first process of its namespace, then the command. */
   private static final int GENERATIONS = 2;
 
   private final Path program;
@@ -34,9 +34,9 @@ final class Bubblewrap implements Sandbox {
   private final boolean required;
   private final ControlGroups groups;
   private final @Nullable SystemCallFilter filter;
-  private final Rights rights = Rights.ofThisProcess();
+  private final Privileges privileges = Privileges.ofThisProcess();
 
-  /** Null where the agent is not root. */
+  /** Null if the agent does not run as root. */
   private final @Nullable SandboxUsers users;
 
   private final boolean disablesNamespaces;
@@ -56,45 +56,45 @@ final class Bubblewrap implements Sandbox {
   }
 
   /**
-   * Looks for it and tries it out.
+   * Finds bubblewrap and runs a trial command in it.
    *
-   * @throws SandboxMissingException when it is not there or does not work here, or cannot do what
+   * @throws SandboxMissingException if it is not installed, does not work, or cannot enforce what
    *     is required
    */
   static Bubblewrap find(boolean required) throws SandboxMissingException {
     return find(required, ControlGroups.ofThisMachine(), true);
   }
 
-  /** As {@link #find(boolean)}, with these control groups, and perhaps without a filter. */
-  static Bubblewrap find(boolean required, ControlGroups groups, boolean filtered)
+  /** Like {@link #find(boolean)}, with the given control groups and optionally without a filter. */
+  static Bubblewrap find(boolean required, ControlGroups groups, boolean filterSystemCalls)
       throws SandboxMissingException {
     Path program =
-        inPath("bwrap")
+        findInPath("bwrap")
             .orElseThrow(
                 () ->
                     new SandboxMissingException(
                         "bubblewrap is not installed; install it with: " + INSTALL));
     for (String tool : List.of("prlimit", "setpriv")) {
-      if (inPath(tool).isEmpty()) {
+      if (findInPath(tool).isEmpty()) {
         throw new SandboxMissingException(
             tool + " is not installed; install it with: apt-get install util-linux");
       }
     }
     try {
       Optional<SystemCallFilter> filter =
-          filtered
-              ? SystemCallFilter.of(groups.bindMemory(), groups.shareProcessors())
+          filterSystemCalls
+              ? SystemCallFilter.of(groups.limitsMemory(), groups.sharesCpu())
               : Optional.empty();
       Bubblewrap found = new Bubblewrap(program, required, groups, filter.orElse(null));
-      if (required && !found.bindsMemory()) {
+      if (required && !found.limitsMemory()) {
         throw new SandboxMissingException(
-            "the memory of components cannot be bounded: "
+            "the memory of components cannot be limited: "
                 + groups.description()
-                + ", and there is no filter of system calls for "
+                + ", and there is no system call filter for "
                 + System.getProperty("os.arch")
-                + " that would keep memory where it can be counted");
+                + " that would keep their memory countable");
       }
-      probe(found.trial());
+      probe(found.trialCommand());
       return found;
     } catch (SandboxMissingException e) {
       throw e;
@@ -102,18 +102,18 @@ final class Bubblewrap implements Sandbox {
       throw new SandboxMissingException(
           "bubblewrap does not work here ("
               + e.getMessage()
-              + "); it needs user namespaces, or a start as root");
+              + "); it needs user namespaces, or an agent that runs as root");
     }
   }
 
-  private List<String> trial() throws IOException {
-    List<String> command = Entry.before(ControlGroup.NONE, filterPath());
+  private List<String> trialCommand() throws IOException {
+    List<String> command = LaunchScript.prefix(ControlGroup.NONE, filterPath());
     namespaces(command, false);
     MountPlan.system().appendTo(command);
     command.addAll(List.of("--chdir", "/", "--"));
-    command.addAll(rights.limit(ProcessLimits.TOOL));
+    command.addAll(privileges.setLimits(ProcessLimits.TOOL));
     if (users != null) {
-      command.addAll(Rights.become(users.first()));
+      command.addAll(Privileges.switchTo(users.first()));
     }
     command.add("/bin/true");
     return command;
@@ -128,24 +128,24 @@ final class Bubblewrap implements Sandbox {
   public String description() {
     StringBuilder text = new StringBuilder(version);
     if (users != null) {
-      text.append(", each process as a user of its own (")
+      text.append(", each process as a separate user (")
           .append(users.first())
           .append(" to ")
           .append(users.last())
           .append(')');
     }
-    if (groups.bindMemory()) {
+    if (groups.limitsMemory()) {
       text.append(", ").append(groups.description());
-    } else if (bindsMemory()) {
-      text.append(", memory is watched from outside: ").append(groups.description());
+    } else if (limitsMemory()) {
+      text.append(", the agent polls the memory in use: ").append(groups.description());
     } else {
-      text.append(", MEMORY IS NOT BOUNDED: ").append(groups.description());
+      text.append(", MEMORY IS NOT LIMITED: ").append(groups.description());
     }
     if (filter == null) {
       text.append(", SYSTEM CALLS ARE NOT FILTERED on ").append(System.getProperty("os.arch"));
     }
-    if (!groups.shareProcessors() && (filter == null || !AutomaticGroups.shareProcessors())) {
-      text.append(", PROCESSORS ARE NOT SHARED OUT");
+    if (!groups.sharesCpu() && (filter == null || !AutomaticGroups.sharesCpu())) {
+      text.append(", PROCESSOR TIME IS NOT SHARED");
     }
     return text.toString();
   }
@@ -155,23 +155,23 @@ final class Bubblewrap implements Sandbox {
     return required;
   }
 
-  private boolean bindsMemory() {
-    return groups.bindMemory() || filter != null;
+  private boolean limitsMemory() {
+    return groups.limitsMemory() || filter != null;
   }
 
   @Override
   public ConfinedProcess start(Confinement confinement) throws IOException {
-    ControlGroup group = groups.make(confinement.limits().ofGroup());
+    ControlGroup group = groups.create(confinement.limits().ofGroup());
     int user = -1;
     try {
-      user = users == null ? -1 : users.take();
+      user = users == null ? -1 : users.acquire();
       List<String> command = command(confinement, group, user);
       if (user >= 0) {
-        Ownership.giveTo(user, confinement);
+        Ownership.transferTo(user, confinement);
       }
-      int taken = user;
+      int sandboxUser = user;
       return ConfinedProcess.start(
-          command, confinement, Map.of(), group, GENERATIONS, () -> release(taken));
+          command, confinement, Map.of(), group, GENERATIONS, () -> release(sandboxUser));
     } catch (IOException | RuntimeException e) {
       group.remove();
       release(user);
@@ -181,15 +181,15 @@ final class Bubblewrap implements Sandbox {
 
   private List<String> command(Confinement confinement, ControlGroup group, int user)
       throws IOException {
-    List<String> command = Entry.before(group, filterPath());
+    List<String> command = LaunchScript.prefix(group, filterPath());
     namespaces(command, confinement.network());
-    MountPlan.of(confinement, group.bindsMemory()).appendTo(command);
+    MountPlan.of(confinement, group.limitsMemory()).appendTo(command);
     command.addAll(List.of("--chdir", confinement.working().toString(), "--"));
-    command.addAll(rights.limit(confinement.limits()));
+    command.addAll(privileges.setLimits(confinement.limits()));
     if (user >= 0) {
-      command.addAll(Rights.become(user));
+      command.addAll(Privileges.switchTo(user));
     }
-    command.addAll(Rights.with(confinement.environment(), confinement.command()));
+    command.addAll(Privileges.withVariables(confinement.environment(), confinement.command()));
     return command;
   }
 
@@ -206,13 +206,13 @@ final class Bubblewrap implements Sandbox {
         List.of("--unshare-pid", "--unshare-ipc", "--unshare-uts", "--unshare-cgroup-try"));
     command.addAll(List.of("--hostname", "sandbox"));
     if (filter != null) {
-      command.addAll(List.of("--seccomp", Integer.toString(Entry.FILTER)));
+      command.addAll(List.of("--seccomp", Integer.toString(LaunchScript.FILTER_DESCRIPTOR)));
     }
     if (!network) {
       command.add("--unshare-net");
     }
     if (users != null) {
-      // What the command before the component needs to become another user; it gives them up then.
+      // Needed by the command that switches to the sandbox user, which then drops them.
       for (String capability : List.of("CAP_SETUID", "CAP_SETGID", "CAP_SETPCAP")) {
         command.addAll(List.of("--cap-add", capability));
       }
@@ -232,14 +232,19 @@ final class Bubblewrap implements Sandbox {
     Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
     process.getOutputStream().close();
     try {
-      String said = new String(process.getInputStream().readNBytes(20_000), StandardCharsets.UTF_8);
+      String output =
+          new String(process.getInputStream().readNBytes(20_000), StandardCharsets.UTF_8);
       if (!process.waitFor(PROBE_SECONDS, TimeUnit.SECONDS)) {
-        throw new IOException("it does not end");
+        throw new IOException("no exit within " + PROBE_SECONDS + " s");
       }
       if (process.exitValue() != 0) {
-        throw new IOException(said.lines().findFirst().orElse("it ends without a word"));
+        throw new IOException(
+            output
+                .lines()
+                .findFirst()
+                .orElse("exit code " + process.exitValue() + " without output"));
       }
-      return said;
+      return output;
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       throw new IOException("interrupted", e);
@@ -248,7 +253,7 @@ final class Bubblewrap implements Sandbox {
     }
   }
 
-  private static Optional<Path> inPath(String name) {
+  private static Optional<Path> findInPath(String name) {
     String path = System.getenv().getOrDefault("PATH", "/usr/bin:/bin");
     for (String folder : path.split(":")) {
       Path candidate = Path.of(folder.isEmpty() ? "." : folder, name).toAbsolutePath();

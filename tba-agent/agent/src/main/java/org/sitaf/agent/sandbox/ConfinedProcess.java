@@ -14,16 +14,16 @@ import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.sandbox.cgroup.ControlGroup;
 
-/** A process of other people's code at work, with all that it started. */
+/** A running process of untrusted code, together with all processes that it started. */
 public final class ConfinedProcess implements AutoCloseable {
-  private static final Duration SIGNAL = Duration.ofSeconds(2);
+  private static final Duration SIGNAL_TIMEOUT = Duration.ofSeconds(2);
 
   private final Process process;
   private final ProcessGroup group;
   private final ControlGroup controlGroup;
   private final int memoryMiB;
   private final int generations;
-  private volatile @Nullable String broken;
+  private volatile @Nullable String exceededLimit;
 
   private ConfinedProcess(
       Process process,
@@ -41,11 +41,10 @@ public final class ConfinedProcess implements AutoCloseable {
   /**
    * Starts a process with nothing of the agent's environment.
    *
-   * @param variables in addition to those that every process has
-   * @param controlGroup which the command enters; removed after its end
-   * @param generations how many processes lie between the one that is started and the one that was
-   *     asked for
-   * @param onEnd what is done after its end and that of all that it started
+   * @param variables in addition to those that every process gets
+   * @param controlGroup group that the command enters; removed after the command has ended
+   * @param generations number of processes between the started one and the requested command
+   * @param onEnd called after the process and all that it started have ended
    */
   static ConfinedProcess start(
       List<String> command,
@@ -57,7 +56,7 @@ public final class ConfinedProcess implements AutoCloseable {
       throws IOException {
     ProcessBuilder builder = new ProcessBuilder(withChannel(command, confinement));
     builder.directory(confinement.working().toFile());
-    // Nothing of the agent's environment is the component's business; what it holds may be secret.
+    // The agent's environment may hold secrets.
     Map<String, String> environment = builder.environment();
     String path = environment.getOrDefault("PATH", "/usr/bin:/bin");
     environment.clear();
@@ -70,26 +69,26 @@ public final class ConfinedProcess implements AutoCloseable {
     environment.put(ProcessGroup.VARIABLE, group.mark());
     DiskWatch disk = DiskWatch.of(confinement);
     Process process = builder.start();
-    if (!confinement.heldBack()) {
+    if (!confinement.keepsInputOpen()) {
       process.getOutputStream().close();
     }
     int memoryMiB = confinement.limits().memoryMiB();
     ConfinedProcess confined =
         new ConfinedProcess(process, group, controlGroup, memoryMiB, generations);
-    MemoryWatch.over(
+    MemoryWatch.start(
         process,
         controlGroup,
         memoryMiB,
-        () -> confined.breakOff(confined.memoryBroken()),
+        () -> confined.killFor(confined.memoryMessage()),
         () -> {
           controlGroup.remove();
           onEnd.run();
         });
-    disk.over(process, confined::breakOff);
+    disk.start(process, confined::killFor);
     return confined;
   }
 
-  /** Opens the channel outside of all confinement, where the pipe is a file that can be opened. */
+  /** Opens the channel outside the sandbox, where the named pipe is visible. */
   private static List<String> withChannel(List<String> command, Confinement confinement) {
     Path channel = confinement.channel();
     if (channel == null) {
@@ -102,16 +101,16 @@ public final class ConfinedProcess implements AutoCloseable {
     return opening;
   }
 
-  /** Tells a process that was held back to go on: this line, and the end of its input. */
-  public void letGo(String line) {
+  /** Sends a waiting process one line and closes its input. */
+  public void release(String line) {
     try (OutputStream input = process.getOutputStream()) {
       input.write((line + "\n").getBytes(StandardCharsets.UTF_8));
     } catch (IOException e) {
-      // It has ended already; how, its end tells.
+      // The process has ended already; its exit code tells how.
     }
   }
 
-  /** The input of a process that was held back, for what is more than a line. */
+  /** The input of a process that waits, for callers that send more than one line. */
   public OutputStream input() {
     return process.getOutputStream();
   }
@@ -124,63 +123,66 @@ public final class ConfinedProcess implements AutoCloseable {
     return process.getErrorStream();
   }
 
-  /** Waits for the end; true when it came within that time. */
+  /** Waits for the end; returns whether the process ended within that time. */
   public boolean awaitEnd(Duration atMost) throws InterruptedException {
     return process.waitFor(atMost.toMillis(), TimeUnit.MILLISECONDS);
   }
 
   /**
-   * Asks the process for its stacks, as runtimes give them at {@code SIGQUIT}; one that does not
-   * know the signal ends.
+   * Sends {@code SIGQUIT}, for which most runtimes print their stack traces. A process that does
+   * not handle the signal ends.
    */
-  public void askForStacks() throws InterruptedException {
-    ProcessHandle asked = process.toHandle();
+  public void requestStackTraces() throws InterruptedException {
+    ProcessHandle target = process.toHandle();
     for (int i = 0; i < generations; i++) {
-      Optional<ProcessHandle> child = asked.children().findFirst();
+      Optional<ProcessHandle> child = target.children().findFirst();
       if (child.isEmpty()) {
         return;
       }
-      asked = child.get();
+      target = child.get();
     }
     try {
-      new ProcessBuilder("kill", "-QUIT", Long.toString(asked.pid()))
+      new ProcessBuilder("kill", "-QUIT", Long.toString(target.pid()))
           .redirectErrorStream(true)
           .start()
-          .waitFor(SIGNAL.toMillis(), TimeUnit.MILLISECONDS);
+          .waitFor(SIGNAL_TIMEOUT.toMillis(), TimeUnit.MILLISECONDS);
     } catch (IOException e) {
-      // Without the signal there are no stacks; the process is killed all the same.
+      // Only the stack traces are missing; the caller kills the process next.
     }
   }
 
-  /** The process outside, of which all others of it descend. */
+  /** The process outside the sandbox, the ancestor of all others. */
   ProcessHandle handle() {
     return process.toHandle();
   }
 
-  /** Ends it now, with all that it started. */
+  /** Kills it and all processes that it started. */
   public void kill() throws InterruptedException {
     destroy();
     process.waitFor();
   }
 
-  /** Ends what it left behind, which would keep its output open. */
-  public void killRest() {
+  /** Kills background processes that it left, which would keep its output open. */
+  public void killLeftovers() {
     controlGroup.kill();
     group.kill();
     controlGroup.remove();
   }
 
-  /** Its exit code; above 128 a signal's number is added, as shells have it. Only after its end. */
+  /**
+   * The exit code; 128 plus the signal number for a signal, as in a shell. Valid after the end
+   * only.
+   */
   public int exitCode() {
     return process.exitValue();
   }
 
-  /** Which limit it was ended for. */
-  public Optional<String> brokenLimit() {
-    if (broken == null && controlGroup.exceededMemory()) {
-      broken = memoryBroken();
+  /** The limit that it was killed for. */
+  public Optional<String> exceededLimit() {
+    if (exceededLimit == null && controlGroup.exceededMemory()) {
+      exceededLimit = memoryMessage();
     }
-    return Optional.ofNullable(broken);
+    return Optional.ofNullable(exceededLimit);
   }
 
   @Override
@@ -188,12 +190,12 @@ public final class ConfinedProcess implements AutoCloseable {
     destroy();
   }
 
-  private void breakOff(String limit) {
-    broken = limit;
+  private void killFor(String limit) {
+    exceededLimit = limit;
     destroy();
   }
 
-  private String memoryBroken() {
+  private String memoryMessage() {
     return "it used more than " + memoryMiB + " MiB of memory";
   }
 

@@ -9,19 +9,20 @@ import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A process and all that it needs; whatever is not named here it need not have. The system's own
- * folders are always readable.
+ * A command and everything that it may access. The system's programs and libraries are always
+ * readable.
  *
  * @param working its working folder, writable, absolute; becomes {@code HOME}
  * @param temporary its folder for temporary files, writable, absolute
  * @param environment in addition to {@code PATH}, {@code HOME}, {@code TMPDIR}, {@code LANG}
- * @param readable files and folders beyond the system's, absolute
- * @param writable files and folders beyond the two above, absolute; they exist
- * @param network whether it reaches other machines; Unix sockets are files, and named as such
- * @param heldBack whether its input stays open until {@link ConfinedProcess#letGo}; else it is at
- *     its end from the beginning
- * @param channel a named pipe that the process finds open for writing as descriptor {@link
- *     #CHANNEL}; it need not see the file. Null for none
+ * @param readable absolute paths of files and folders, in addition to the system's
+ * @param writable absolute paths of existing files and folders, in addition to the two above
+ * @param network whether it may connect to other machines; Unix sockets are files and listed as
+ *     such
+ * @param keepsInputOpen whether its input stays open until {@link ConfinedProcess#release};
+ *     otherwise its input is empty
+ * @param channel named pipe that the process finds open for writing as descriptor {@link #CHANNEL},
+ *     without seeing the file; null for none
  */
 public record Confinement(
     List<String> command,
@@ -31,10 +32,10 @@ public record Confinement(
     List<Path> readable,
     List<Path> writable,
     boolean network,
-    boolean heldBack,
+    boolean keepsInputOpen,
     @Nullable Path channel,
     ProcessLimits limits) {
-  /** The descriptor behind the standard ones. */
+  /** The first descriptor after the standard streams. */
   public static final int CHANNEL = 3;
 
   public Confinement {
@@ -50,22 +51,31 @@ public record Confinement(
     }
   }
 
-  /** A command in a folder of its own, without environment, network or any further file. */
+  /** A command without environment, network or files beyond its two folders. */
   public static Confinement of(
       List<String> command, Path working, Path temporary, ProcessLimits limits) {
     return new Confinement(
         command, working, temporary, Map.of(), List.of(), List.of(), false, false, null, limits);
   }
 
-  /** With these variables too. */
+  /** Adds variables of the environment. */
   public Confinement withEnvironment(Map<String, String> more) {
     Map<String, String> all = new TreeMap<>(environment);
     all.putAll(more);
     return new Confinement(
-        command, working, temporary, all, readable, writable, network, heldBack, channel, limits);
+        command,
+        working,
+        temporary,
+        all,
+        readable,
+        writable,
+        network,
+        keepsInputOpen,
+        channel,
+        limits);
   }
 
-  /** Reading these files and folders too. */
+  /** Adds readable files and folders. */
   public Confinement reading(List<Path> more) {
     return new Confinement(
         command,
@@ -75,12 +85,12 @@ public record Confinement(
         joined(readable, more),
         writable,
         network,
-        heldBack,
+        keepsInputOpen,
         channel,
         limits);
   }
 
-  /** Writing these files and folders too. */
+  /** Adds writable files and folders. */
   public Confinement writing(List<Path> more) {
     return new Confinement(
         command,
@@ -90,12 +100,12 @@ public record Confinement(
         readable,
         joined(writable, more),
         network,
-        heldBack,
+        keepsInputOpen,
         channel,
         limits);
   }
 
-  /** Reaching other machines, as what fetches packages must. */
+  /** Allows connections to other machines, as downloads of packages need. */
   public Confinement withNetwork() {
     return new Confinement(
         command,
@@ -105,13 +115,13 @@ public record Confinement(
         readable,
         writable,
         true,
-        heldBack,
+        keepsInputOpen,
         channel,
         limits);
   }
 
-  /** Waiting for a line on its input, as what is started before it has anything to do. */
-  public Confinement heldBackUntilLetGo() {
+  /** Keeps the input open, for a process that is started before its work is known. */
+  public Confinement withInputOpen() {
     return new Confinement(
         command,
         working,
@@ -125,7 +135,7 @@ public record Confinement(
         limits);
   }
 
-  /** Writing to this named pipe too, by its descriptor alone. */
+  /** Adds a named pipe, which the process can write by its descriptor only. */
   public Confinement withChannel(Path pipe) {
     return new Confinement(
         command,
@@ -135,7 +145,7 @@ public record Confinement(
         readable,
         writable,
         network,
-        heldBack,
+        keepsInputOpen,
         pipe,
         limits);
   }

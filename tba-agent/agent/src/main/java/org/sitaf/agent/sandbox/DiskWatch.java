@@ -11,31 +11,31 @@ import java.util.stream.Stream;
 import org.sitaf.agent.spool.SystemTool;
 
 /**
- * Ends a process that writes, with all that it started, more than it may. The kernel's own limit
- * binds each file by itself; a quota needs rights over a file system that an agent seldom has.
+ * Kills a process that, with all that it started, writes more than allowed. The kernel can limit
+ * single files only, and a quota needs rights that an agent seldom has.
  */
 final class DiskWatch {
   private static final long SHORTEST_PAUSE_MS = 100;
   private static final long LONGEST_PAUSE_MS = 1000;
 
-  /** Looking takes at most this part of the time. */
-  private static final int SHARE = 5;
+  /** Pause between two checks, as a multiple of the duration of a check. */
+  private static final int PAUSE_FACTOR = 5;
 
-  /** Deleted files are looked for in each such round only; nobody needs them in a hurry. */
-  private static final int ROUNDS = 5;
+  /** Deleted files are searched in every n-th check only, because that is slow. */
+  private static final int DELETED_FILES_PERIOD = 5;
 
-  /** A process may be hidden for a moment while it becomes another program. */
-  private static final int MOST_HIDDEN = 4;
+  /** A process may be unreadable for a moment while it executes another program. */
+  private static final int MAX_HIDDEN_CHECKS = 4;
 
-  private static final int MOST_OPENED = 50;
-  private static final Duration OPENING = Duration.ofSeconds(2);
+  private static final int MAX_PERMISSION_FIXES = 50;
+  private static final Duration CHMOD_TIMEOUT = Duration.ofSeconds(2);
 
   private final List<Path> own;
   private final List<Path> shared;
   private final DiskLimits limits;
   private final TreeSize before;
-  private int opened;
-  private int hiddenRounds;
+  private int permissionFixes;
+  private int hiddenChecks;
 
   private DiskWatch(Confinement confinement) {
     this.own = Stream.of(confinement.working(), confinement.temporary()).distinct().toList();
@@ -45,19 +45,20 @@ final class DiskWatch {
   }
 
   /**
-   * Of a process that is about to start. What lies in its own folders before counts, as it may be
-   * what a process before it left; what lies in the others does not.
+   * Measures the folders of a process that is about to start. Files that exist in its own folders
+   * count against the limit, because an earlier process of the same component may have left them;
+   * files in shared folders do not.
    */
   static DiskWatch of(Confinement confinement) {
     return new DiskWatch(confinement);
   }
 
   /**
-   * Watches until the process ends.
+   * Checks until the process ends.
    *
-   * @param onExcess receives which limit it broke
+   * @param onExcess receives a message about the exceeded limit
    */
-  void over(Process process, Consumer<String> onExcess) {
+  void start(Process process, Consumer<String> onExcess) {
     Thread thread = new Thread(() -> watch(process, onExcess), "sitaf-disk");
     thread.setDaemon(true);
     thread.start();
@@ -66,33 +67,33 @@ final class DiskWatch {
   private void watch(Process process, Consumer<String> onExcess) {
     long pause = SHORTEST_PAUSE_MS;
     try {
-      for (int round = 1; !process.waitFor(pause, TimeUnit.MILLISECONDS); round++) {
-        long begun = System.nanoTime();
-        String excess = excess(process, round % ROUNDS == 0);
+      for (int check = 1; !process.waitFor(pause, TimeUnit.MILLISECONDS); check++) {
+        long start = System.nanoTime();
+        String excess = excess(process, check % DELETED_FILES_PERIOD == 0);
         if (!excess.isEmpty()) {
           onExcess.accept(excess);
           return;
         }
-        long tookMs = (System.nanoTime() - begun) / 1_000_000;
-        pause = Math.min(LONGEST_PAUSE_MS, Math.max(SHORTEST_PAUSE_MS, SHARE * tookMs));
+        long elapsedMs = (System.nanoTime() - start) / 1_000_000;
+        pause = Math.min(LONGEST_PAUSE_MS, Math.max(SHORTEST_PAUSE_MS, PAUSE_FACTOR * elapsedMs));
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }
   }
 
-  /** Which limit is broken; empty for none. */
-  private String excess(Process process, boolean deletedToo) throws InterruptedException {
-    DiskLimits most =
+  /** A message about the exceeded limit; empty for none. */
+  private String excess(Process process, boolean countDeleted) throws InterruptedException {
+    DiskLimits max =
         new DiskLimits(
             (int) Math.min(Integer.MAX_VALUE, limits.mebibytes() + (before.bytes() >> 20) + 1),
             limits.files() + before.files());
-    TreeSize now = new TreeSize(most).with(own).with(shared);
+    TreeSize now = new TreeSize(max).with(own).with(shared);
     long bytes = now.bytes() - before.bytes();
-    if (deletedToo) {
+    if (countDeleted) {
       UnlinkedFiles deleted = deletedFiles(process);
       bytes += deleted.bytes();
-      hiddenRounds = deleted.areHidden() ? hiddenRounds + 1 : 0;
+      hiddenChecks = deleted.areHidden() ? hiddenChecks + 1 : 0;
     }
     if (bytes > limits.bytes()) {
       return "it wrote more than " + limits.mebibytes() + " MiB of files";
@@ -101,14 +102,14 @@ final class DiskWatch {
       return "it wrote more than " + limits.files() + " files";
     }
     if (now.isTooDeep()) {
-      return "it nested folders more than " + TreeSize.DEEPEST + " deep";
+      return "it nested folders more than " + TreeSize.MAX_DEPTH + " deep";
     }
-    if (hiddenRounds == MOST_HIDDEN) {
-      return "it hides from the agent which files it has open";
+    if (hiddenChecks == MAX_HIDDEN_CHECKS) {
+      return "it prevents the agent from listing its open files";
     }
-    return now.closed().isEmpty() || open(now.closed())
+    return now.unreadable().isEmpty() || makeReadable(now.unreadable())
         ? ""
-        : "it keeps folders from being looked into";
+        : "it prevents the agent from reading its folders";
   }
 
   private UnlinkedFiles deletedFiles(Process process) {
@@ -119,19 +120,19 @@ final class DiskWatch {
   }
 
   /**
-   * Gives the agent's user the rights on its own folders back; false where it had to too often. A
-   * link that comes in a folder's place gets no one else a right.
+   * Restores the permissions of the agent's user on its own folders; returns false after too many
+   * attempts. {@code chmod} does not follow a link that replaced a folder during the listing.
    */
-  private boolean open(List<Path> folders) throws InterruptedException {
-    if (++opened > MOST_OPENED) {
+  private boolean makeReadable(List<Path> folders) throws InterruptedException {
+    if (++permissionFixes > MAX_PERMISSION_FIXES) {
       return false;
     }
     List<String> command = new ArrayList<>(List.of("chmod", "u+rwx", "--"));
-    folders.stream().limit(MOST_OPENED).forEach(folder -> command.add(folder.toString()));
+    folders.stream().limit(MAX_PERMISSION_FIXES).forEach(folder -> command.add(folder.toString()));
     try {
-      SystemTool.run(command, OPENING);
+      SystemTool.run(command, CHMOD_TIMEOUT);
     } catch (IOException e) {
-      // Gone meanwhile, or another try is needed.
+      // The folder is gone; otherwise the next check tries again.
     }
     return true;
   }

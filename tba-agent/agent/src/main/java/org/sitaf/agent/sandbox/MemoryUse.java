@@ -15,25 +15,26 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * How much memory a process uses with all that it started, as far as the processes show it: their
- * own, what they share, the tables of their pages, and at most what their open sockets and pipes
- * can hold.
+ * The memory of a process and all its descendants, read from {@code /proc}: private and shared
+ * memory, page tables, and an upper bound for the buffers of open sockets and pipes.
  */
 final class MemoryUse {
   private static final Path PROC = Path.of("/proc");
   private static final Set<String> COUNTED =
       Set.of("RssAnon", "RssShmem", "VmSwap", "VmPTE", "HugetlbPages");
 
-  /** Up to here a process has descriptors for its own purposes, with little in them. */
+  /** Below this number, open descriptors are not counted: ordinary programs have that many. */
   private static final int FREE_DESCRIPTORS = 128;
 
-  /** What the kernel keeps for a socket whose other end does not read, by default. */
+  /** Default buffer size of a socket whose peer does not read. */
   private static final long SOCKET_KIB = 208;
 
   private static final long PIPE_KIB = 64;
   private static final long OTHER_KIB = 1;
 
-  /** Not every kernel lists the children of a thread; it is slower to ask all processes. */
+  /**
+   * Not every kernel lists the children of a thread; without the list, all processes are searched.
+   */
   private static final boolean LISTS_CHILDREN =
       Files.exists(
           Path.of("/proc/self/task", Long.toString(ProcessHandle.current().pid()), "children"));
@@ -46,7 +47,7 @@ final class MemoryUse {
     Deque<Long> open = new ArrayDeque<>(seen);
     while (!open.isEmpty()) {
       Path process = PROC.resolve(Long.toString(open.remove()));
-      sum += shown(process) + inDescriptors(process);
+      sum += resident(process) + buffers(process);
       for (long child : children(process)) {
         if (seen.add(child)) {
           open.add(child);
@@ -56,7 +57,7 @@ final class MemoryUse {
     return sum;
   }
 
-  private static long shown(Path process) {
+  private static long resident(Path process) {
     try (Stream<String> lines =
         Files.lines(process.resolve("status"), StandardCharsets.ISO_8859_1)) {
       return lines
@@ -64,12 +65,12 @@ final class MemoryUse {
           .mapToLong(line -> Long.parseLong(line.replaceAll("\\D", "")))
           .sum();
     } catch (IOException | java.io.UncheckedIOException e) {
-      // It ended meanwhile.
+      // The process has ended.
       return 0;
     }
   }
 
-  private static long inDescriptors(Path process) {
+  private static long buffers(Path process) {
     String[] names = process.resolve("fd").toFile().list();
     if (names == null || names.length <= FREE_DESCRIPTORS) {
       return 0;
@@ -83,13 +84,13 @@ final class MemoryUse {
                 ? SOCKET_KIB
                 : target.startsWith("pipe:") ? PIPE_KIB : OTHER_KIB;
       } catch (IOException e) {
-        // Closed meanwhile.
+        // The descriptor was closed.
       }
     }
     return sum;
   }
 
-  /** Each thread has children of its own; orphans are those of the first process in there. */
+  /** Each thread lists its own children; orphans belong to the first process of the namespace. */
   private static Set<Long> children(Path process) {
     if (!LISTS_CHILDREN) {
       return ProcessHandle.of(Long.parseLong(process.getFileName().toString()))
@@ -106,7 +107,7 @@ final class MemoryUse {
         }
       }
     } catch (IOException | DirectoryIteratorException e) {
-      // It ended meanwhile.
+      // The process has ended.
     }
     return children;
   }

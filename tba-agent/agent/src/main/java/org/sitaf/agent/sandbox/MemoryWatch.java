@@ -5,13 +5,13 @@ import java.util.concurrent.TimeUnit;
 import org.sitaf.agent.sandbox.cgroup.ControlGroup;
 
 /**
- * Ends a process that uses, with all that it started, more memory than it may: the kernel says it
- * of the process's control group; without one its processes are looked at.
+ * Kills a process that, with all that it started, uses more memory than allowed. Asks the control
+ * group, or measures the processes if there is none.
  */
 final class MemoryWatch implements Runnable {
   private static final Duration PERIOD = Duration.ofMillis(100);
 
-  /** Of those that are looked at, as they may grow fast; longer where looking takes long. */
+  /** Without a control group: memory may grow fast between two measurements. */
   private static final Duration SHORTEST = Duration.ofMillis(20);
 
   private static final int PAUSE_FACTOR = 10;
@@ -34,9 +34,9 @@ final class MemoryWatch implements Runnable {
   /**
    * Watches until the process ends.
    *
-   * @param onEnd what is done then, whatever the reason of its end
+   * @param onEnd called after the process has ended for whatever reason
    */
-  static void over(
+  static void start(
       Process process, ControlGroup group, int limitMiB, Runnable onExcess, Runnable onEnd) {
     Thread thread =
         new Thread(new MemoryWatch(process, group, limitMiB, onExcess, onEnd), "sitaf-memory");
@@ -47,16 +47,16 @@ final class MemoryWatch implements Runnable {
   @Override
   public void run() {
     try {
-      long pause = group.bindsMemory() ? PERIOD.toMillis() : SHORTEST.toMillis();
+      long pause = group.limitsMemory() ? PERIOD.toMillis() : SHORTEST.toMillis();
       while (!process.waitFor(pause, TimeUnit.MILLISECONDS)) {
         long before = System.nanoTime();
         if (isExceeded()) {
           onExcess.run();
           break;
         }
-        long took = Duration.ofNanos(System.nanoTime() - before).toMillis();
-        if (!group.bindsMemory()) {
-          pause = Math.max(SHORTEST.toMillis(), PAUSE_FACTOR * took);
+        long elapsedMs = Duration.ofNanos(System.nanoTime() - before).toMillis();
+        if (!group.limitsMemory()) {
+          pause = Math.max(SHORTEST.toMillis(), PAUSE_FACTOR * elapsedMs);
         }
       }
       process.waitFor();
@@ -67,7 +67,7 @@ final class MemoryWatch implements Runnable {
   }
 
   private boolean isExceeded() {
-    return group.bindsMemory()
+    return group.limitsMemory()
         ? group.exceededMemory()
         : MemoryUse.kibOf(process.pid()) > (long) limitMiB << 10;
   }

@@ -11,15 +11,15 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 
-/** Which files a confined process sees, each under the path that it has outside. */
+/** Which files a confined process sees, each under its original path. */
 final class MountPlan {
-  /** Where programs and libraries are; links among them stay links. */
+  /** Programs and libraries; symbolic links among them are kept. */
   private static final List<String> SYSTEM =
       List.of("/usr", "/bin", "/sbin", "/lib", "/lib32", "/lib64", "/libx32");
 
   /**
-   * What programs read of the system's settings: how libraries are found, what the time zone is.
-   * Not what belongs to users.
+   * System settings that programs read, such as library paths and the time zone, but nothing of
+   * users.
    */
   private static final List<String> SETTINGS =
       List.of(
@@ -33,7 +33,7 @@ final class MountPlan {
           "/etc/nsswitch.conf",
           "/etc/mime.types");
 
-  /** What reaching other machines takes. */
+  /** Needed to connect to other machines. */
   private static final List<String> NETWORK =
       List.of(
           "/etc/resolv.conf",
@@ -46,12 +46,12 @@ final class MountPlan {
 
   private static final Path TMP = Path.of("/tmp");
 
-  /** Of each file system in memory. */
+  /** Size of each tmpfs. */
   private static final String MEMORY_BYTES = Long.toString(64L << 20);
 
   private final List<String> arguments = new ArrayList<>();
-  private final Set<Path> mounted = new TreeSet<>();
-  private final Set<Path> passed = new TreeSet<>();
+  private final Set<Path> mountPoints = new TreeSet<>();
+  private final Set<Path> created = new TreeSet<>();
 
   private MountPlan() {}
 
@@ -64,7 +64,7 @@ final class MountPlan {
         plan.add("--symlink", Files.readSymbolicLink(path).toString(), folder);
       } else if (Files.isDirectory(path)) {
         plan.add("--ro-bind", folder, folder);
-        plan.mounted.add(path);
+        plan.mountPoints.add(path);
       }
     }
     plan.settings(SETTINGS);
@@ -76,8 +76,8 @@ final class MountPlan {
   /**
    * What a process sees.
    *
-   * @param memoryIsCounted whether a control group counts what is in file systems in memory, files
-   *     without content among it; else there is none that can be written
+   * @param memoryIsCounted whether a control group counts the content of a tmpfs; otherwise the
+   *     process gets no writable tmpfs
    */
   static MountPlan of(Confinement confinement, boolean memoryIsCounted) throws IOException {
     MountPlan plan = system();
@@ -103,12 +103,12 @@ final class MountPlan {
       Path path = bind.getKey();
       plan.makeParents(path);
       plan.add(bind.getValue(), path.toString(), path.toString());
-      plan.mounted.add(path);
+      plan.mountPoints.add(path);
     }
     return plan;
   }
 
-  /** Where programs write by default. */
+  /** Mounts the default folders for temporary files. */
   private void temporary(Confinement confinement, boolean inMemory) {
     for (String folder : List.of(TMP.toString(), "/dev/shm")) {
       if (inMemory) {
@@ -117,10 +117,10 @@ final class MountPlan {
         add("--bind", confinement.temporary().toString(), folder);
       }
     }
-    passed.add(TMP);
+    created.add(TMP);
   }
 
-  /** What bubblewrap makes in memory for the mounts is not to be written. */
+  /** Appends the arguments; folders that bubblewrap creates for mount points become read-only. */
   void appendTo(List<String> command) {
     command.addAll(arguments);
     command.addAll(List.of("--remount-ro", "/dev", "--remount-ro", "/"));
@@ -136,12 +136,12 @@ final class MountPlan {
       if (Files.exists(path)) {
         makeParents(path);
         add("--ro-bind", file, file);
-        mounted.add(path);
+        mountPoints.add(path);
       }
     }
   }
 
-  /** Debian's JDKs keep parts of themselves in /etc, one folder a version. */
+  /** Debian keeps configuration files of JDKs and Python in one folder per version. */
   private void javaSettings() throws IOException {
     try (var folders = Files.newDirectoryStream(Path.of("/etc"), "{java,python3}*")) {
       List<String> names = new ArrayList<>();
@@ -151,18 +151,18 @@ final class MountPlan {
     }
   }
 
-  /** Folders on the way that nobody mounts; another user than the agent's must pass them. */
+  /** Creates the parent folders of a mount point, passable for the sandbox user. */
   private void makeParents(Path path) {
     List<Path> missing = new ArrayList<>();
     for (Path parent = path.getParent();
         parent != null
             && parent.getNameCount() > 0
-            && mounted.stream().noneMatch(parent::startsWith);
+            && mountPoints.stream().noneMatch(parent::startsWith);
         parent = parent.getParent()) {
       missing.add(0, parent);
     }
     for (Path parent : missing) {
-      if (passed.add(parent)) {
+      if (created.add(parent)) {
         add("--perms", "0755", "--dir", parent.toString());
       }
     }

@@ -4,9 +4,9 @@ import java.io.IOException;
 import org.sitaf.agent.sandbox.cgroup.ControlGroup;
 
 /**
- * No sandbox: the process has this user's rights, but nothing of the agent's environment.
+ * Runs processes with the agent's own rights, but without the agent's environment.
  *
- * @param reason why there is none
+ * @param reason why there is no sandbox
  */
 record NoSandbox(String reason) implements Sandbox {
   @Override

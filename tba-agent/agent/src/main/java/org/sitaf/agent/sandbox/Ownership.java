@@ -13,29 +13,30 @@ import java.util.ArrayList;
 import java.util.List;
 import org.sitaf.agent.spool.SystemTool;
 
-/** Gives what a process may write to the user that it runs as. */
+/** Changes the owner of the files that a confined process may write. */
 final class Ownership {
-  private static final Duration PATIENCE = Duration.ofMinutes(1);
+  private static final Duration CHOWN_TIMEOUT = Duration.ofMinutes(1);
 
   private Ownership() {}
 
-  static void giveTo(int user, Confinement confinement) throws IOException {
+  static void transferTo(int user, Confinement confinement) throws IOException {
     List<Path> all = new ArrayList<>(List.of(confinement.working(), confinement.temporary()));
     all.addAll(confinement.writable());
-    List<String> full = new ArrayList<>();
+    List<String> trees = new ArrayList<>();
     for (Path path : all) {
-      if (isFilledFolder(path)) {
-        full.add(path.toString());
+      if (isNonEmptyFolder(path)) {
+        trees.add(path.toString());
       } else {
-        give(user, path);
+        chown(user, path);
       }
     }
-    if (!full.isEmpty()) {
-      giveTrees(user, full);
+    if (!trees.isEmpty()) {
+      chownTrees(user, trees);
     }
     for (Path path : confinement.readable()) {
       if (isSocket(path)) {
-        // Its folder is the agent's alone, so that this opens it to the process and to no one else.
+        // The socket's folder is accessible to the agent only, so no other process can reach the
+        // socket.
         Files.setPosixFilePermissions(path, PosixFilePermissions.fromString("rw-rw-rw-"));
       }
     }
@@ -47,7 +48,7 @@ final class Ownership {
     return attributes.isOther();
   }
 
-  private static boolean isFilledFolder(Path path) throws IOException {
+  private static boolean isNonEmptyFolder(Path path) throws IOException {
     if (!Files.isDirectory(path, LinkOption.NOFOLLOW_LINKS)) {
       return false;
     }
@@ -56,18 +57,18 @@ final class Ownership {
     }
   }
 
-  private static void give(int user, Path path) throws IOException {
-    // Never through a link, which a process before may have left for this.
+  private static void chown(int user, Path path) throws IOException {
+    // NOFOLLOW_LINKS: an earlier process may have replaced the file by a link.
     Files.setAttribute(path, "unix:uid", user, LinkOption.NOFOLLOW_LINKS);
     Files.setAttribute(path, "unix:gid", user, LinkOption.NOFOLLOW_LINKS);
   }
 
-  /** What a process before left may be of any shape, and another one may be changing it. */
-  private static void giveTrees(int user, List<String> folders) throws IOException {
+  /** Uses {@code chown}, which is safe on trees that another process changes at the same time. */
+  private static void chownTrees(int user, List<String> folders) throws IOException {
     List<String> command = new ArrayList<>(List.of("chown", "-hR", user + ":" + user, "--"));
     command.addAll(folders);
     try {
-      SystemTool.run(command, PATIENCE);
+      SystemTool.run(command, CHOWN_TIMEOUT);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       throw (InterruptedIOException) new InterruptedIOException("interrupted").initCause(e);

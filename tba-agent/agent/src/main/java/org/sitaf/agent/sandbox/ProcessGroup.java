@@ -11,12 +11,11 @@ import java.util.List;
 import java.util.Objects;
 
 /**
- * All processes of one test application, also those that outlived their parents: each inherits a
- * variable of the environment by which it is found. (On a system without {@code /proc} only
- * descendants are found.)
+ * All processes of one test application, including those that outlived their parents. They are
+ * found by an inherited environment variable. On systems without {@code /proc} nothing is found.
  */
 public final class ProcessGroup {
-  /** Variable of the environment. */
+  /** Name of the environment variable. */
   static final String VARIABLE = "SITAF_RUN";
 
   private static final Path PROC = Path.of("/proc");
@@ -25,14 +24,14 @@ public final class ProcessGroup {
   private final String mark;
 
   /**
-   * The processes whose mark begins so; an agent's own begin with its directory, so that it finds
-   * what it left behind.
+   * The processes whose mark starts with the given one. The marks of an agent's processes start
+   * with the agent's directory, so a restarted agent finds the processes of the previous run.
    */
   public ProcessGroup(String mark) {
     this.mark = Objects.requireNonNull(mark);
   }
 
-  /** The mark for a folder's processes. */
+  /** The mark for the processes of a folder. */
   public static String markOf(Path directory) {
     return directory.toAbsolutePath().normalize() + "/";
   }
@@ -41,9 +40,10 @@ public final class ProcessGroup {
     return mark;
   }
 
-  /** Ends all processes of the group at once, and those that they start meanwhile. */
+  /** Kills all processes of the group, including those started meanwhile. */
   public void kill() {
-    // A cancelled build's thread may be interrupted, and then reads no file.
+    // The thread of a cancelled build may be interrupted, and an interrupted thread cannot read
+    // files.
     boolean interrupted = Thread.interrupted();
     List<ProcessHandle> members = members();
     for (int round = 0; round < MAX_ROUNDS && !members.isEmpty(); round++) {
@@ -60,7 +60,7 @@ public final class ProcessGroup {
     List<ProcessHandle> members = new ArrayList<>();
     try (DirectoryStream<Path> processes = Files.newDirectoryStream(PROC, "[0-9]*")) {
       for (Path process : processes) {
-        if (holds(process.resolve("environ"), wanted)) {
+        if (hasVariable(process.resolve("environ"), wanted)) {
           ProcessHandle.of(Long.parseLong(process.getFileName().toString()))
               .filter(ProcessHandle::isAlive)
               .ifPresent(members::add);
@@ -72,7 +72,7 @@ public final class ProcessGroup {
     return members;
   }
 
-  private static boolean holds(Path environ, byte[] wanted) {
+  private static boolean hasVariable(Path environ, byte[] wanted) {
     try {
       byte[] content = Files.readAllBytes(environ);
       int start = 0;
@@ -88,7 +88,7 @@ public final class ProcessGroup {
       }
       return false;
     } catch (IOException e) {
-      // It ended meanwhile, or is another user's.
+      // The process has ended or belongs to another user.
       return false;
     }
   }

@@ -5,36 +5,36 @@ import java.util.Objects;
 import org.sitaf.agent.sandbox.cgroup.GroupLimits;
 
 /**
- * What a process and all that it starts may use together.
+ * Limits of a process and all that it starts.
  *
- * @param memoryMiB memory of its own, that of its language's runtime included
+ * @param memoryMiB memory, including the language runtime
  * @param processes processes and threads at a time
- * @param fileMiB size of each file that it writes
+ * @param fileMiB size of a single file
  * @param cpu processor time of each process
  */
 public record ProcessLimits(int memoryMiB, int processes, int fileMiB, Duration cpu) {
-  /** What a compiler may use. */
+  /** The limits of a compiler. */
   public static final ProcessLimits TOOL =
       new ProcessLimits(2048, 256, 1024, Duration.ofMinutes(10));
 
   public ProcessLimits {
     Objects.requireNonNull(cpu);
     if (memoryMiB < 1 || processes < 1 || fileMiB < 1 || cpu.isZero() || cpu.isNegative()) {
-      throw new IllegalArgumentException("limits must be above 0");
+      throw new IllegalArgumentException("limits must be positive");
     }
   }
 
   /**
-   * What one process may ask for at all. Runtimes ask for more than they use, so this only stops
-   * what grows faster than {@link MemoryWatch} looks.
+   * Address space limit of a single process ({@code RLIMIT_DATA}). Runtimes reserve more than they
+   * use, so this only stops processes that grow faster than {@link MemoryWatch} measures.
    */
   long dataBytes() {
     return (2L * memoryMiB + 1024) << 20;
   }
 
   /**
-   * The same for a control group, which counts more: the kernel's tables and stacks for the
-   * processes, and bubblewrap's own.
+   * The same limits for a control group, with an allowance for what it counts in addition: kernel
+   * memory of the processes, and bubblewrap itself.
    */
   GroupLimits ofGroup() {
     long bytes = (long) memoryMiB << 20;

@@ -3,44 +3,45 @@ package org.sitaf.agent.sandbox;
 import java.io.IOException;
 import java.time.Duration;
 
-/** A way to start processes of other people's code on this machine. Safe to use from threads. */
+/** Starts processes of untrusted code on this machine. Thread-safe. */
 public sealed interface Sandbox permits NoSandbox, Bubblewrap {
 
-  /** The kind of no sandbox at all. */
+  /** The kind of sandbox if there is none. */
   String NONE = "none";
 
   /**
-   * What it is, for the agent's capabilities, such as {@code bubblewrap 0.8.0} or {@link #NONE}.
+   * Name and version, reported as a capability of the agent, such as {@code bubblewrap 0.8.0} or
+   * {@link #NONE}.
    */
   String kind();
 
-  /** What it is and why, for logs. */
+  /** A description for logs, with the reason for missing features. */
   String description();
 
-  /** Whether nothing of the user's may run outside of one. */
+  /** Whether the user requires a sandbox. */
   boolean isRequired();
 
   /**
-   * Starts a process; its input is at its end unless it is held back, its output and error stream
-   * are the caller's.
+   * Starts a process. Its input is empty unless {@link Confinement#keepsInputOpen}; the caller
+   * reads its output and error stream.
    *
-   * @throws IOException when it cannot be started
+   * @throws IOException if it cannot be started
    */
   ConfinedProcess start(Confinement confinement) throws IOException;
 
   /**
-   * Runs a tool to its end, as compilers are.
+   * Runs a tool, such as a compiler, until it ends.
    *
-   * @param atMost after this time it is killed, with all that it started
-   * @throws IOException when it cannot be started
-   * @throws InterruptedException when nobody waits for it any more; it is gone then
+   * @param atMost timeout after which the tool and all that it started are killed
+   * @throws IOException if it cannot be started
+   * @throws InterruptedException if the thread is interrupted; the tool is killed
    */
-  default ToolEnd run(Confinement confinement, Duration atMost)
+  default ToolResult run(Confinement confinement, Duration atMost)
       throws IOException, InterruptedException {
-    return ToolEnd.of(start(confinement), atMost);
+    return ToolResult.of(start(confinement), atMost);
   }
 
-  /** Processes as they are, with this user's rights. */
+  /** Starts processes without a sandbox, with this user's rights. */
   static Sandbox none() {
     return new NoSandbox("switched off");
   }

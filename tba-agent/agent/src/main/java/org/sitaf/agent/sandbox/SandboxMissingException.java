@@ -2,7 +2,7 @@ package org.sitaf.agent.sandbox;
 
 import java.io.IOException;
 
-/** This machine has no sandbox that works; the message says why and what installs it. */
+/** No sandbox works on this machine; the message says why and what to install. */
 final class SandboxMissingException extends IOException {
   private static final long serialVersionUID = 1L;
 

@@ -3,19 +3,19 @@ package org.sitaf.agent.sandbox;
 import java.io.IOException;
 import java.util.Locale;
 
-/** What a person asks for. */
+/** Value of the option {@code --sandbox}. */
 public enum SandboxMode {
-  /** Nothing of the user's runs outside of a sandbox. */
+  /** Refuse to run without a sandbox. */
   REQUIRED,
-  /** A sandbox where this machine has one. */
+  /** Use a sandbox if this machine has one. */
   AUTO,
-  /** None: components run with this user's rights. */
+  /** Run components with this user's rights. */
   OFF;
 
   /**
    * The sandbox of this machine.
    *
-   * @throws IOException when one is required and there is none, with what installs it
+   * @throws IOException if one is required and missing; the message says what to install
    */
   public Sandbox open() throws IOException {
     if (this == OFF) {
@@ -31,7 +31,7 @@ public enum SandboxMode {
     }
   }
 
-  /** As the option spells it. */
+  /** The value as written in the option. */
   @Override
   public String toString() {
     return name().toLowerCase(Locale.ROOT);

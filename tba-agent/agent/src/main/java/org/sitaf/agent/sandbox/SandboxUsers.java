@@ -15,14 +15,14 @@ import java.util.function.IntPredicate;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The users that confined processes run as where the agent is root: each process has its own, and
- * each agent of a host a range of its own, as the kernel counts the processes of a user over all
- * agents. The range is kept by a lock on a file, so it is free again when this process has ended.
+ * User ids for confined processes if the agent runs as root. Each process gets its own user id, and
+ * each agent of a host its own range, because the kernel counts processes per user. A file lock
+ * reserves the range, so it is free again when the agent's process ends.
  */
 final class SandboxUsers {
   /**
-   * Beyond those that distributions give away, and beyond 847000 to 847999, which releases before
-   * this one use without asking.
+   * Above the ids that distributions assign, and above 847000 to 847999, which earlier releases use
+   * without a lock.
    */
   private static final int FIRST_USER = 848_000;
 
@@ -36,11 +36,11 @@ final class SandboxUsers {
   private final int first;
   private final int count;
 
-  /** Keeps the claim. */
+  /** Holds the reserved range. */
   @SuppressWarnings("unused")
   private final FileLock claim;
 
-  private final Set<Integer> taken = new HashSet<>();
+  private final Set<Integer> inUse = new HashSet<>();
   private int next;
 
   private SandboxUsers(int first, int count, FileLock claim) {
@@ -49,7 +49,7 @@ final class SandboxUsers {
     this.claim = claim;
   }
 
-  /** Those of this process; claimed when they are needed for the first time. */
+  /** The range of this process, reserved at the first call. */
   static synchronized SandboxUsers ofThisProcess() throws IOException {
     if (ofThisProcess == null) {
       ofThisProcess = claim(CLAIMS, FIRST_USER, RANGE, RANGES);
@@ -58,9 +58,9 @@ final class SandboxUsers {
   }
 
   /**
-   * Claims the first range that nobody has.
+   * Reserves the first free range.
    *
-   * @param folder for the claims, the same one for all agents of the host
+   * @param folder folder of the lock files, shared by all agents of the host
    */
   static SandboxUsers claim(Path folder, int firstUser, int range, int ranges) throws IOException {
     Files.createDirectories(folder);
@@ -74,7 +74,7 @@ final class SandboxUsers {
       FileLock lock = lock(channel);
       if (lock != null) {
         SandboxUsers users = new SandboxUsers(first, range, lock);
-        users.endProcessesOf(user -> users.owns(user));
+        users.killProcessesOf(user -> users.owns(user));
         return users;
       }
       channel.close();
@@ -91,7 +91,7 @@ final class SandboxUsers {
     try {
       return channel.tryLock();
     } catch (OverlappingFileLockException e) {
-      // Somebody in this process has it.
+      // Another object of this process holds it.
       return null;
     }
   }
@@ -104,32 +104,32 @@ final class SandboxUsers {
     return first + count - 1;
   }
 
-  /** A user of which no process runs. */
-  synchronized int take() throws IOException {
+  /** Returns a user id that no process uses. */
+  synchronized int acquire() throws IOException {
     for (int i = 0; i <= count; i++) {
       if (next == count) {
-        // From here on they are used again: nothing of those before may be left.
+        // Ids are reused from here on: kill processes that may be left.
         next = 0;
-        endProcessesOf(user -> owns(user) && !taken.contains(user));
+        killProcessesOf(user -> owns(user) && !inUse.contains(user));
       }
       int user = first + next++;
-      if (taken.add(user)) {
+      if (inUse.add(user)) {
         return user;
       }
     }
     throw new IOException("more than " + count + " confined processes at a time");
   }
 
-  /** Gives back a user whose process has ended. */
+  /** Releases the id of a process that has ended. */
   synchronized void release(int user) {
-    taken.remove(user);
+    inUse.remove(user);
   }
 
   private boolean owns(int user) {
     return user >= first && user <= last();
   }
 
-  private void endProcessesOf(IntPredicate users) throws IOException {
+  private void killProcessesOf(IntPredicate users) throws IOException {
     try (DirectoryStream<Path> processes = Files.newDirectoryStream(PROC, "[0-9]*")) {
       for (Path process : processes) {
         if (users.test(userOf(process))) {
@@ -146,7 +146,7 @@ final class SandboxUsers {
     try {
       return (Integer) Files.getAttribute(process, "unix:uid");
     } catch (IOException e) {
-      // It ended meanwhile.
+      // The process has ended.
       return -1;
     }
   }

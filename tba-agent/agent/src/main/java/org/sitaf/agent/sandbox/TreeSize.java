@@ -15,20 +15,20 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * How much lies in folders that somebody changes meanwhile. Each folder is opened below the one
- * that holds it, never through a link, so that a tree of any shape cannot lead elsewhere.
+ * Size of folders that other processes may change during the measurement. Each folder is opened
+ * relative to its parent and never through a link, so the traversal cannot leave the tree.
  */
 final class TreeSize {
-  /** Each level takes a descriptor while it is looked at. */
-  static final int DEEPEST = 512;
+  /** Each level holds an open descriptor during the measurement. */
+  static final int MAX_DEPTH = 512;
 
   private final DiskLimits limits;
-  private final List<Path> closed = new ArrayList<>();
+  private final List<Path> unreadable = new ArrayList<>();
   private long bytes;
   private int files;
   private boolean tooDeep;
 
-  /** Nothing yet; counting ends where the limits are exceeded. */
+  /** An empty measurement; it stops where the limits are exceeded. */
   TreeSize(DiskLimits limits) {
     this.limits = limits;
   }
@@ -46,14 +46,14 @@ final class TreeSize {
     return files;
   }
 
-  /** Whether folders are nested so deep that not all could be looked at. */
+  /** Whether folders are nested too deep to be measured completely. */
   boolean isTooDeep() {
     return tooDeep;
   }
 
-  /** Folders that this user may not look into. */
-  List<Path> closed() {
-    return closed;
+  /** Folders that this user may not read. */
+  List<Path> unreadable() {
+    return unreadable;
   }
 
   private void add(Path root) {
@@ -65,19 +65,19 @@ final class TreeSize {
         return;
       }
       try (DirectoryStream<Path> stream = Files.newDirectoryStream(root)) {
-        // Other systems than Linux may not have it; components are confined on Linux only.
+        // Other systems than Linux may not support this; components are confined on Linux only.
         if (stream instanceof SecureDirectoryStream<Path> folder) {
-          addAllOf(folder, root, 1);
+          addEntries(folder, root, 1);
         }
       }
     } catch (AccessDeniedException e) {
-      closed.add(root);
+      unreadable.add(root);
     } catch (IOException | DirectoryIteratorException e) {
-      // It is gone.
+      // The folder is gone.
     }
   }
 
-  private void addAllOf(SecureDirectoryStream<Path> folder, Path where, int depth) {
+  private void addEntries(SecureDirectoryStream<Path> folder, Path where, int depth) {
     try {
       for (Path entry : folder) {
         if (files > limits.files() || bytes > limits.bytes()) {
@@ -86,7 +86,7 @@ final class TreeSize {
         addEntry(folder, where, entry.getFileName(), depth);
       }
     } catch (DirectoryIteratorException e) {
-      // It goes away while it is looked at.
+      // The folder is deleted at this moment.
     }
   }
 
@@ -99,20 +99,20 @@ final class TreeSize {
               .readAttributes();
       if (!attributes.isDirectory()) {
         bytes += attributes.size();
-      } else if (depth == DEEPEST) {
+      } else if (depth == MAX_DEPTH) {
         tooDeep = true;
       } else {
         try (SecureDirectoryStream<Path> inner =
             folder.newDirectoryStream(name, LinkOption.NOFOLLOW_LINKS)) {
-          addAllOf(inner, where.resolve(name), depth + 1);
+          addEntries(inner, where.resolve(name), depth + 1);
         }
       }
     } catch (AccessDeniedException e) {
-      closed.add(where.resolve(name));
+      unreadable.add(where.resolve(name));
     } catch (FileSystemException e) {
       tooDeep |= String.valueOf(e.getReason()).contains("Too many open files");
     } catch (IOException e) {
-      // It is gone.
+      // The entry is gone.
     }
   }
 }

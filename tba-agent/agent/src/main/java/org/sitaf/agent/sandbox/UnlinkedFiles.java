@@ -15,18 +15,17 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /**
- * Files that processes have open or mapped after they deleted them: they take room on the disk, and
- * no folder shows them.
+ * Files that are deleted but still open or mapped: they occupy disk space and no folder lists them.
  */
 final class UnlinkedFiles {
   private static final String DELETED = " (deleted)";
 
-  /** Begin and end in hexadecimal, rights, offset, device, inode, path. */
+  /** Start and end in hexadecimal, permissions, offset, device, inode, path. */
   private static final Pattern MAPPING =
       Pattern.compile("([0-9a-f]+)-([0-9a-f]+) \\S+ \\S+ (\\S+ \\d+)\\s+(/.*)");
 
-  /** Of a process; one that has more open than this has nothing good in mind. */
-  private static final int MOST = 10_000;
+  /** Entries to read per process. */
+  private static final int MAX_ENTRIES = 10_000;
 
   private final List<Path> folders;
   private final Map<Object, Long> sizes = new HashMap<>();
@@ -36,7 +35,7 @@ final class UnlinkedFiles {
     this.folders = folders;
   }
 
-  /** Those that lay below these folders. */
+  /** Finds those that were in these folders. */
   static UnlinkedFiles of(Stream<ProcessHandle> processes, List<Path> folders) {
     UnlinkedFiles found = new UnlinkedFiles(folders);
     processes.forEach(
@@ -52,7 +51,7 @@ final class UnlinkedFiles {
     return sizes.values().stream().mapToLong(size -> size).sum();
   }
 
-  /** Whether a process lets this user not see what it has open. */
+  /** Whether a process prevents this user from listing its open files. */
   boolean areHidden() {
     return hidden;
   }
@@ -61,7 +60,7 @@ final class UnlinkedFiles {
     int count = 0;
     try (DirectoryStream<Path> links = Files.newDirectoryStream(descriptors)) {
       for (Path link : links) {
-        if (++count > MOST) {
+        if (++count > MAX_ENTRIES) {
           return;
         }
         addOpenFile(link);
@@ -75,28 +74,28 @@ final class UnlinkedFiles {
 
   private void addOpenFile(Path link) {
     try {
-      if (isOurs(Files.readSymbolicLink(link).toString())) {
+      if (isDeletedFile(Files.readSymbolicLink(link).toString())) {
         Map<String, Object> file = Files.readAttributes(link, "unix:dev,ino,size,isRegularFile");
         if (Boolean.TRUE.equals(file.get("isRegularFile"))) {
           sizes.merge(file.get("ino"), (Long) file.get("size"), Math::max);
         }
       }
     } catch (IOException e) {
-      // Closed meanwhile.
+      // The descriptor was closed.
     }
   }
 
   private void addMapped(Path maps) {
     try (Stream<String> lines = Files.lines(maps, StandardCharsets.ISO_8859_1)) {
-      lines.limit(MOST).filter(line -> line.endsWith(DELETED)).forEach(this::addMapping);
+      lines.limit(MAX_ENTRIES).filter(line -> line.endsWith(DELETED)).forEach(this::addMapping);
     } catch (IOException | java.io.UncheckedIOException e) {
-      // As above.
+      // The process has ended.
     }
   }
 
   private void addMapping(String line) {
     Matcher mapping = MAPPING.matcher(line);
-    if (mapping.matches() && isOurs(mapping.group(4))) {
+    if (mapping.matches() && isDeletedFile(mapping.group(4))) {
       String device = mapping.group(3);
       Object inode = Long.parseLong(device.substring(device.indexOf(' ') + 1));
       long size =
@@ -106,7 +105,7 @@ final class UnlinkedFiles {
     }
   }
 
-  private boolean isOurs(String path) {
+  private boolean isDeletedFile(String path) {
     return path.endsWith(DELETED)
         && folders.stream().anyMatch(folder -> path.startsWith(folder + "/"));
   }

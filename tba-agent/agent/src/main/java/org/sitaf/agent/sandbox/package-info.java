@@ -1,4 +1,4 @@
-/** Starts processes of other people's code with no more than they need. */
+/** Runs processes of untrusted code with the least privileges that they need. */
 @NullMarked
 package org.sitaf.agent.sandbox;
 

@@ -11,7 +11,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
 import org.sitaf.agent.sandbox.Sandbox;
 
-/** Which files a bridge reads: its Python's, and those of the packages that it is made of. */
+/** The files that a bridge reads: the Python installation and the installed packages. */
 final class BridgeFiles {
   private static final long PROBE_S = 20;
   private static final String MODULE = "-m";
@@ -22,15 +22,15 @@ final class BridgeFiles {
           + " *filter(None, sys.path)] if os.path.exists(p)}, sep='\\n"
           + "')";
 
-  /** By command; what is installed does not move while an agent runs. */
+  /** By command; an installation does not move while the agent runs. */
   private static final Map<List<String>, List<Path>> KNOWN = new ConcurrentHashMap<>();
 
   private BridgeFiles() {}
 
   /**
-   * Folders and files, absolute, for the sandbox to show.
+   * Absolute paths that the sandbox must make readable.
    *
-   * @throws IOException when the command's program cannot be started
+   * @throws IOException if the program cannot be started
    */
   static List<Path> of(List<String> command, Sandbox sandbox)
       throws IOException, InterruptedException {
@@ -39,7 +39,7 @@ final class BridgeFiles {
     }
     List<Path> known = KNOWN.get(command);
     if (known == null) {
-      known = command.contains(MODULE) ? ofPython(command) : named(command);
+      known = command.contains(MODULE) ? ofPython(command) : pathsOf(command);
       KNOWN.put(List.copyOf(command), known);
     }
     return known;
@@ -49,7 +49,7 @@ final class BridgeFiles {
       throws IOException, InterruptedException {
     List<String> probe = new ArrayList<>(command.subList(0, command.indexOf(MODULE)));
     probe.addAll(List.of("-c", PROBE));
-    // From a folder without modules: the current one would be searched first.
+    // Run in a folder without modules, because Python searches the current folder first.
     Process process =
         new ProcessBuilder(probe)
             .directory(Path.of("/").toFile())
@@ -57,13 +57,14 @@ final class BridgeFiles {
             .start();
     try {
       process.getOutputStream().close();
-      String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+      String output = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
       if (!process.waitFor(PROBE_S, TimeUnit.SECONDS) || process.exitValue() != 0) {
-        // What is wrong the bridge itself says when it starts.
-        return named(command);
+        // The bridge will fail in the same way and report the reason.
+        return pathsOf(command);
       }
       List<Path> folders =
-          said.lines()
+          output
+              .lines()
               .map(Path::of)
               .filter(path -> path.isAbsolute() && path.getNameCount() > 1)
               .distinct()
@@ -76,8 +77,8 @@ final class BridgeFiles {
     }
   }
 
-  /** Files that the command's words name. */
-  private static List<Path> named(List<String> command) {
+  /** The arguments that are paths of files. */
+  private static List<Path> pathsOf(List<String> command) {
     return command.stream()
         .filter(word -> word.startsWith("/"))
         .map(Path::of)

@@ -4,10 +4,10 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 
-/** The end of what a bridge writes to its error stream, which is read so that it never waits. */
+/** Reads the error stream of a bridge and keeps its end, so that the bridge never blocks on it. */
 final class BridgeOutput {
   private static final int KEPT = 4096;
-  private static final long LAST_MS = 500;
+  private static final long JOIN_MS = 500;
 
   private final StringBuilder kept = new StringBuilder();
   private final Thread reader;
@@ -28,14 +28,14 @@ final class BridgeOutput {
         }
       }
     } catch (IOException e) {
-      // The process is gone, and its output with it.
+      // The process has ended.
     }
   }
 
-  /** The last line after the bridge's end, in brackets; empty where it said nothing. */
+  /** The last line in parentheses, after the bridge has ended; empty without output. */
   String lastLine() {
     try {
-      reader.join(LAST_MS);
+      reader.join(JOIN_MS);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }

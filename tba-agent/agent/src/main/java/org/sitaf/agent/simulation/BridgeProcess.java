@@ -25,20 +25,21 @@ import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.agent.spool.Folders;
 
 /**
- * A running {@code sitaf_bridge} in a sandbox, with a folder of its own for its sockets. It ends
- * when its standard input closes.
+ * A running {@code sitaf_bridge} in a sandbox, with its own folder for sockets. It ends when its
+ * standard input is closed.
  */
 final class BridgeProcess {
-  /** For the bridge and the processes that compile its worlds. */
+  /** Shared by the bridge and the processes that compile its worlds. */
   static final ProcessLimits LIMITS = new ProcessLimits(2048, 1024, 16, Duration.ofHours(24));
 
-  private static final Duration START = Duration.ofSeconds(60);
-  private static final Duration DYING = Duration.ofMillis(500);
+  private static final Duration START_TIMEOUT = Duration.ofSeconds(60);
+  private static final Duration EXIT_GRACE = Duration.ofMillis(500);
   private static final String LISTENING = "listening ";
   private static final String CONTROL = "control";
 
   /**
-   * {@code sun_path} holds 108 bytes with its end; names of ours below the directory take a few.
+   * {@code sun_path} holds 108 bytes including the terminator; some are needed for names in the
+   * directory.
    */
   private static final int MAX_DIRECTORY_PATH = 107 - "/b0123456789012345678/w/control".length();
 
@@ -48,8 +49,8 @@ final class BridgeProcess {
   private final String target;
   private final SimulatorClient client;
 
-  /** Why it was ended although it ran; empty where it was not. */
-  private volatile String useless = "";
+  /** Why the agent killed it; empty if it did not. */
+  private volatile String terminationReason = "";
 
   private BridgeProcess(ConfinedProcess process, Path folder, BridgeOutput output, String target) {
     this.process = process;
@@ -60,10 +61,10 @@ final class BridgeProcess {
   }
 
   /**
-   * Starts one and waits until it accepts calls.
+   * Starts a bridge and waits until it accepts calls.
    *
-   * @param directory private to the caller; the bridge's folder is made there, or where temporary
-   *     files are if the path of a socket would be too long
+   * @param directory private to the caller; the bridge's folder is created there, or in the default
+   *     folder for temporary files if the path of a socket would be too long
    */
   static BridgeProcess start(List<String> command, Path directory, Sandbox sandbox)
       throws SimulatorException, InterruptedException {
@@ -83,9 +84,9 @@ final class BridgeProcess {
           sandbox.start(
               Confinement.of(full, working, temporary, LIMITS)
                   .reading(BridgeFiles.of(command, sandbox))
-                  // Sockets of what compiles worlds lie there: a short path.
+                  // Processes that compile worlds create sockets there, so the path must be short.
                   .withEnvironment(Map.of("TMPDIR", "/tmp", "OPENBLAS_NUM_THREADS", "1"))
-                  .heldBackUntilLetGo());
+                  .withInputOpen());
     } catch (IOException e) {
       throw new SimulatorException(
           "the simulator cannot be started with '"
@@ -96,17 +97,17 @@ final class BridgeProcess {
     }
     BridgeOutput output = new BridgeOutput(process.errors());
     CompletableFuture<String> firstLine = new CompletableFuture<>();
-    follow(process, firstLine);
+    readOutput(process, firstLine);
     try {
-      String line = firstLine.get(START.toSeconds(), TimeUnit.SECONDS);
+      String line = firstLine.get(START_TIMEOUT.toSeconds(), TimeUnit.SECONDS);
       if (line.startsWith(LISTENING)) {
         return new BridgeProcess(process, folder, output, target);
       }
-      throw failed(process, folder, output, "its first line is not 'listening ADDRESS': " + line);
+      throw failed(process, folder, output, "expected the line 'listening ADDRESS', got: " + line);
     } catch (ExecutionException e) {
       throw failed(process, folder, output, String.valueOf(e.getCause().getMessage()));
     } catch (TimeoutException e) {
-      throw failed(process, folder, output, "it did not listen within " + START.toSeconds() + " s");
+      throw failed(process, folder, output, "no answer within " + START_TIMEOUT.toSeconds() + " s");
     } catch (InterruptedException e) {
       end(process, folder);
       throw e;
@@ -122,14 +123,15 @@ final class BridgeProcess {
 
   private static Path newFolder(Path directory) throws IOException {
     Path absolute = Files.createDirectories(directory).toAbsolutePath();
-    var onlyMe = PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString("rwx------"));
+    var ownerOnly =
+        PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString("rwx------"));
     return absolute.toString().getBytes(StandardCharsets.UTF_8).length <= MAX_DIRECTORY_PATH
-        ? Files.createTempDirectory(absolute, "b", onlyMe)
-        : Files.createTempDirectory("sitaf-bridge", onlyMe);
+        ? Files.createTempDirectory(absolute, "b", ownerOnly)
+        : Files.createTempDirectory("sitaf-bridge", ownerOnly);
   }
 
   boolean isAlive() {
-    return useless.isEmpty() && !hasExited();
+    return terminationReason.isEmpty() && !hasExited();
   }
 
   private boolean hasExited() {
@@ -155,8 +157,8 @@ final class BridgeProcess {
   }
 
   /**
-   * Gives an endpoint's socket a second name, in a folder that the bridge cannot write: what is
-   * mounted for a component is then the socket and nothing that took its place.
+   * Links an endpoint's socket into a folder that the bridge cannot write, so that the bridge
+   * cannot replace the file that is mounted for a component.
    */
   Path share(String name) throws IOException {
     Path shared = folder.resolve("e").resolve(name);
@@ -164,28 +166,28 @@ final class BridgeProcess {
     BasicFileAttributes attributes =
         Files.readAttributes(shared, BasicFileAttributes.class, LinkOption.NOFOLLOW_LINKS);
     if (!attributes.isOther()) {
-      throw new IOException("the simulator's endpoint " + name + " is no socket");
+      throw new IOException("the simulator's endpoint " + name + " is not a socket");
     }
     return shared;
   }
 
-  /** Closes an endpoint. A bridge that does not stop what it was asked to do is of no more use. */
-  void withdraw(String name) {
+  /** Closes an endpoint. A bridge that does not stop the endpoint's calls is killed. */
+  void closeEndpoint(String name) {
     boolean interrupted = Thread.interrupted();
     if (isAlive() && !client.closesEndpoint(name)) {
-      endAs("it went on with a call whose test application had ended");
+      terminate("it continued a call after the test application had ended");
     }
     try {
       Files.deleteIfExists(folder.resolve("e").resolve(name));
     } catch (IOException e) {
-      // It goes with the folder.
+      // The file is deleted with its folder.
     }
     if (interrupted) {
       Thread.currentThread().interrupt();
     }
   }
 
-  /** Why it does not answer; empty while it does. */
+  /** Why it does not answer; empty if it does. */
   Optional<SimulatorEnd> end() throws InterruptedException {
     if (process.awaitEnd(Duration.ZERO)) {
       return Optional.of(ended());
@@ -194,25 +196,25 @@ final class BridgeProcess {
       client.requireAnswer();
       return Optional.empty();
     } catch (SimulatorException e) {
-      // The socket closes a moment before the process is gone.
-      if (process.awaitEnd(DYING)) {
+      // The socket closes shortly before the process ends.
+      if (process.awaitEnd(EXIT_GRACE)) {
         return Optional.of(ended());
       }
-      endAs(String.valueOf(e.getMessage()));
+      terminate(String.valueOf(e.getMessage()));
       return Optional.of(ended());
     }
   }
 
-  private void endAs(String reason) {
-    useless = reason;
+  private void terminate(String reason) {
+    terminationReason = reason;
     process.close();
   }
 
   private SimulatorEnd ended() {
-    if (!useless.isEmpty()) {
-      return new SimulatorEnd(useless, false);
+    if (!terminationReason.isEmpty()) {
+      return new SimulatorEnd(terminationReason, false);
     }
-    Optional<String> limit = process.brokenLimit();
+    Optional<String> limit = process.exceededLimit();
     return limit.isPresent()
         ? new SimulatorEnd(limit.get(), true)
         : new SimulatorEnd(
@@ -234,15 +236,15 @@ final class BridgeProcess {
     try {
       Folders.delete(folder);
     } catch (IOException e) {
-      // What is left behind is harmless: the next bridge has a folder of its own.
+      // Harmless: the next bridge uses another folder.
     }
     if (interrupted) {
       Thread.currentThread().interrupt();
     }
   }
 
-  /** Takes the first line, and reads on so that the bridge never waits for a full pipe. */
-  private static void follow(ConfinedProcess process, CompletableFuture<String> firstLine) {
+  /** Reads the first line, and discards the rest so that the bridge never blocks on a full pipe. */
+  private static void readOutput(ConfinedProcess process, CompletableFuture<String> firstLine) {
     Thread thread =
         new Thread(
             () -> {
@@ -251,7 +253,7 @@ final class BridgeProcess {
                       new InputStreamReader(process.output(), StandardCharsets.UTF_8))) {
                 String line = reader.readLine();
                 if (line == null) {
-                  process.awaitEnd(DYING);
+                  process.awaitEnd(EXIT_GRACE);
                   firstLine.completeExceptionally(
                       new IOException("it ended with exit code " + process.exitCode()));
                   return;

@@ -2,43 +2,41 @@ package org.sitaf.agent.simulation;
 
 import java.util.Map;
 
-/**
- * The robot simulator as one build has it, until it is closed. Safe to use from several threads.
- */
+/** The robot simulator of one build, until it is closed. Thread-safe. */
 public sealed interface BuildSimulator extends AutoCloseable permits OwnSimulator, SharedSimulator {
 
-  /** Whose it is and what bounds it, for the build's log. */
+  /** Who uses it and its limits, for the build log. */
   String description();
 
   /**
    * Name and version, such as {@code sitaf-bridge 0.1.0 (MuJoCo 4.0.0)}.
    *
-   * @throws SimulatorException when it does not answer
+   * @throws SimulatorException if it does not answer
    */
   String version() throws SimulatorException, InterruptedException;
 
   /**
-   * Lets the simulator compile the build's world, the only one that its endpoints offer.
+   * Compiles the build's world, the only one that its endpoints offer.
    *
    * @param description name of the world description among the files
    * @param files of the world's folder, by relative path
-   * @throws WorldException when the simulator refuses it, or does not survive it
-   * @throws SimulatorException when it does not answer
+   * @throws WorldException if the simulator rejects it or crashes
+   * @throws SimulatorException if it does not answer
    */
   void check(String description, Map<String, byte[]> files)
       throws WorldException, SimulatorException, InterruptedException;
 
   /**
-   * Opens what one process of a test application reaches; {@link #check} comes before.
+   * Opens an endpoint for one process of a test application; call {@link #check} first.
    *
-   * @throws SimulatorException when no simulator answers and none can be started
+   * @throws SimulatorException if no simulator answers and none can be started
    */
   SimulatorEndpoint open() throws SimulatorException, InterruptedException;
 
   /**
-   * A gRPC target that offers everything; no test application is given it.
+   * The gRPC target with full access, for the agent only.
    *
-   * @throws SimulatorException when no simulator answers and none can be started
+   * @throws SimulatorException if no simulator answers and none can be started
    */
   String target() throws SimulatorException, InterruptedException;
 

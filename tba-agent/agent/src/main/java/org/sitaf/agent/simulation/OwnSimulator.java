@@ -9,27 +9,27 @@ import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.sandbox.Sandbox;
 
-/** A bridge that serves one build; one that died is followed by a fresh one. */
+/** A bridge that serves one build; replaced by a new one if it dies. */
 final class OwnSimulator implements BuildSimulator {
-  private static final int STARTS = 2;
+  private static final int MAX_ATTEMPTS = 2;
 
-  private final StartedSimulator bridges;
+  private final BridgePool bridges;
   private @Nullable BridgeProcess bridge;
   private @Nullable World world;
   private int endpoints;
   private boolean closed;
 
-  /** The build's world: its files, and their digest as bridges compute it. */
+  /** The files of the build's world, and their digest as computed by bridges. */
   private record World(String description, Map<String, byte[]> files, String digest) {}
 
-  OwnSimulator(StartedSimulator bridges) {
+  OwnSimulator(BridgePool bridges) {
     this.bridges = bridges;
   }
 
   @Override
   public String description() {
     Sandbox sandbox = bridges.sandbox();
-    return "the simulator is this build's alone"
+    return "the simulator serves this build only"
         + (sandbox.kind().equals(Sandbox.NONE)
             ? ""
             : ", in a sandbox with at most " + BridgeProcess.LIMITS.memoryMiB() + " MiB of memory");
@@ -37,12 +37,12 @@ final class OwnSimulator implements BuildSimulator {
 
   @Override
   public synchronized String version() throws SimulatorException, InterruptedException {
-    return living().client().version();
+    return runningBridge().client().version();
   }
 
   @Override
   public synchronized String target() throws SimulatorException, InterruptedException {
-    return living().target();
+    return runningBridge().target();
   }
 
   @Override
@@ -52,27 +52,27 @@ final class OwnSimulator implements BuildSimulator {
     Optional<String> known = bridges.digestOf(key);
     if (known.isPresent()) {
       world = new World(description, Map.copyOf(files), known.get());
-      compileMeanwhile(living(), world);
+      compileInBackground(runningBridge(), world);
       return;
     }
-    String digest = compiled(description, files);
-    bridges.accepted(key, digest);
+    String digest = compile(description, files);
+    bridges.addAccepted(key, digest);
     world = new World(description, Map.copyOf(files), digest);
   }
 
-  /** A world that ends the bridge each time is at fault; once may be bad luck of the machine. */
-  private String compiled(String description, Map<String, byte[]> files)
+  /** Retries once: a world that ends the bridge every time is at fault. */
+  private String compile(String description, Map<String, byte[]> files)
       throws WorldException, SimulatorException, InterruptedException {
-    for (int start = 1; ; start++) {
-      BridgeProcess used = living();
+    for (int attempt = 1; ; attempt++) {
+      BridgeProcess current = runningBridge();
       try {
-        return used.client().check(description, files);
+        return current.client().check(description, files);
       } catch (SimulatorException e) {
-        Optional<SimulatorEnd> end = used.end();
+        Optional<SimulatorEnd> end = current.end();
         if (end.isEmpty()) {
           throw e;
         }
-        if (end.get().byLimit() || start == STARTS) {
+        if (end.get().byLimit() || attempt == MAX_ATTEMPTS) {
           throw new WorldException(
               "compiling it ended the simulator: "
                   + end.get().reason()
@@ -82,15 +82,15 @@ final class OwnSimulator implements BuildSimulator {
     }
   }
 
-  /** The world is known to compile: the bridge does it while the application is compiled. */
-  private static void compileMeanwhile(BridgeProcess bridge, World world) {
+  /** Lets the bridge compile a known world while the test application is compiled. */
+  private static void compileInBackground(BridgeProcess bridge, World world) {
     Thread thread =
         new Thread(
             () -> {
               try {
                 bridge.client().check(world.description(), world.files());
               } catch (WorldException | SimulatorException e) {
-                // The session that needs it meets the same trouble, and reports it.
+                // The session that needs the world reports the error.
               }
             },
             "sitaf-world");
@@ -104,25 +104,26 @@ final class OwnSimulator implements BuildSimulator {
     if (offered == null) {
       throw new IllegalStateException("the world was not checked");
     }
-    for (int start = 1; ; start++) {
-      BridgeProcess used = living();
+    for (int attempt = 1; ; attempt++) {
+      BridgeProcess current = runningBridge();
       String name = "e" + ++endpoints;
       try {
-        used.client().openEndpoint(name, offered.digest());
-        return new Endpoint(used, name, used.share(name));
+        current.client().openEndpoint(name, offered.digest());
+        return new Endpoint(current, name, current.share(name));
       } catch (IOException e) {
-        boolean gone = used.end().isPresent();
-        if (!gone || start == STARTS) {
-          throw new SimulatorException("the simulator opens no endpoint: " + e.getMessage(), e);
+        boolean ended = current.end().isPresent();
+        if (!ended || attempt == MAX_ATTEMPTS) {
+          throw new SimulatorException(
+              "the simulator cannot open an endpoint: " + e.getMessage(), e);
         }
       }
     }
   }
 
-  /** The bridge, or a fresh one where it died. */
-  private BridgeProcess living() throws SimulatorException, InterruptedException {
+  /** The bridge, or a new one if it has died. */
+  private BridgeProcess runningBridge() throws SimulatorException, InterruptedException {
     if (closed) {
-      throw new SimulatorException("the build is over");
+      throw new SimulatorException("the build has ended");
     }
     BridgeProcess current = bridge;
     if (current != null && current.isAlive()) {
@@ -163,7 +164,7 @@ final class OwnSimulator implements BuildSimulator {
     }
   }
 
-  /** A socket of the bridge that one process of the test application is given. */
+  /** A socket of the bridge for one process of the test application. */
   private record Endpoint(BridgeProcess bridge, String name, Path socket)
       implements SimulatorEndpoint {
     @Override
@@ -188,7 +189,7 @@ final class OwnSimulator implements BuildSimulator {
 
     @Override
     public void close() {
-      bridge.withdraw(name);
+      bridge.closeEndpoint(name);
     }
   }
 }

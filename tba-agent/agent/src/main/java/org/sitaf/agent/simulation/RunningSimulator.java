@@ -2,7 +2,7 @@ package org.sitaf.agent.simulation;
 
 import java.util.Objects;
 
-/** A simulator that somebody else runs. */
+/** A simulator that is not managed by the agent. */
 record RunningSimulator(String target) implements Simulator {
   RunningSimulator {
     Objects.requireNonNull(target);

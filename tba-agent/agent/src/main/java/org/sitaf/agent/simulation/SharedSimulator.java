@@ -3,7 +3,7 @@ package org.sitaf.agent.simulation;
 import java.util.Map;
 import java.util.Optional;
 
-/** A simulator that other builds use too. */
+/** A simulator that other builds use, too. */
 final class SharedSimulator implements BuildSimulator {
   private final String target;
   private final SimulatorClient client;

@@ -21,14 +21,14 @@ import org.sitaf.sim.v1.SimulationControlGrpc;
 import org.sitaf.sim.v1.SimulatorAdministrationGrpc;
 import org.sitaf.sim.v1.WorldSource;
 
-/** Asks a simulator what it is and whether it accepts a world, before anything is built. */
+/** Queries a simulator and lets it check a world before a build. */
 public final class SimulatorClient implements AutoCloseable {
   private static final int DEADLINE_S = 90;
-  private static final int ALIVE_S = 5;
+  private static final int SHORT_DEADLINE_S = 5;
 
   /**
-   * Netty warns of an option that Unix sockets do not have; nobody can do anything about it. Held,
-   * or its level is forgotten.
+   * Netty warns about an option that Unix sockets do not have. A field keeps the logger, whose
+   * level would be garbage collected otherwise.
    */
   private static final Logger SOCKET_OPTIONS =
       Logger.getLogger("io.grpc.netty.shaded.io.netty.bootstrap.Bootstrap");
@@ -36,15 +36,15 @@ public final class SimulatorClient implements AutoCloseable {
   private final ManagedChannel channel;
   private final String target;
 
-  /** Of the simulator at this gRPC target. */
+  /** Connects to a gRPC target. */
   public SimulatorClient(String target) {
     this.target = target;
     SOCKET_OPTIONS.setLevel(Level.SEVERE);
-    // Through the registry, which finds the transport that a Unix socket needs.
+    // The registry finds the transport for Unix sockets.
     ManagedChannelBuilder<?> builder =
         Grpc.newChannelBuilder(target, InsecureChannelCredentials.create());
     if (target.startsWith("unix:")) {
-      // A socket's path is no host name, and servers refuse it as one.
+      // A socket path is not a valid host name for servers.
       builder.overrideAuthority("localhost");
     }
     this.channel = builder.build();
@@ -53,7 +53,7 @@ public final class SimulatorClient implements AutoCloseable {
   /**
    * Name and version, such as {@code sitaf-bridge 0.1.0 (MuJoCo 4.0.0)}.
    *
-   * @throws SimulatorException when it does not answer
+   * @throws SimulatorException if it does not answer
    */
   public String version() throws SimulatorException {
     try {
@@ -67,31 +67,31 @@ public final class SimulatorClient implements AutoCloseable {
           + features.getEngineVersion()
           + ")";
     } catch (StatusRuntimeException e) {
-      throw notThere(e);
+      throw noAnswer(e);
     }
   }
 
   /**
-   * Asks for anything at all.
+   * Checks that the simulator answers.
    *
-   * @throws SimulatorException when it does not answer
+   * @throws SimulatorException if it does not
    */
   void requireAnswer() throws SimulatorException {
     try {
       GetSimulatorFeaturesResponse unused =
           stub()
-              .withDeadlineAfter(ALIVE_S, TimeUnit.SECONDS)
+              .withDeadlineAfter(SHORT_DEADLINE_S, TimeUnit.SECONDS)
               .getSimulatorFeatures(GetSimulatorFeaturesRequest.getDefaultInstance());
     } catch (StatusRuntimeException e) {
-      throw notThere(e);
+      throw noAnswer(e);
     }
   }
 
   /**
    * Opens an endpoint of a bridge that serves one build.
    *
-   * @param worldDigest of the only world that it offers
-   * @throws SimulatorException when it does not
+   * @param worldDigest digest of the only world that the endpoint offers
+   * @throws SimulatorException if the bridge refuses
    */
   void openEndpoint(String name, String worldDigest) throws SimulatorException {
     try {
@@ -103,11 +103,14 @@ public final class SimulatorClient implements AutoCloseable {
                       .setWorldDigest(worldDigest)
                       .build());
     } catch (StatusRuntimeException e) {
-      throw notThere(e);
+      throw noAnswer(e);
     }
   }
 
-  /** Closes an endpoint; whether all calls in it have ended, as far as the bridge can say. */
+  /**
+   * Closes an endpoint; returns whether all its calls have ended, false if the bridge does not
+   * answer.
+   */
   boolean closesEndpoint(String name) {
     try {
       return administration()
@@ -119,12 +122,12 @@ public final class SimulatorClient implements AutoCloseable {
   }
 
   /**
-   * Lets the simulator compile a world; its digest.
+   * Lets the simulator compile a world and returns the world's digest.
    *
    * @param description name of the world description among the files
    * @param files of the world's folder, by relative path
-   * @throws WorldException when the simulator refuses it
-   * @throws SimulatorException when it does not answer
+   * @throws WorldException if the simulator rejects it
+   * @throws SimulatorException if it does not answer
    */
   public String check(String description, Map<String, byte[]> files)
       throws WorldException, SimulatorException {
@@ -142,7 +145,7 @@ public final class SimulatorClient implements AutoCloseable {
           || code == Status.Code.RESOURCE_EXHAUSTED) {
         throw new WorldException(String.valueOf(e.getStatus().getDescription()));
       }
-      throw notThere(e);
+      throw noAnswer(e);
     }
   }
 
@@ -153,10 +156,10 @@ public final class SimulatorClient implements AutoCloseable {
 
   private SimulatorAdministrationGrpc.SimulatorAdministrationBlockingStub administration() {
     return SimulatorAdministrationGrpc.newBlockingStub(channel)
-        .withDeadlineAfter(ALIVE_S, TimeUnit.SECONDS);
+        .withDeadlineAfter(SHORT_DEADLINE_S, TimeUnit.SECONDS);
   }
 
-  private SimulatorException notThere(StatusRuntimeException e) {
+  private SimulatorException noAnswer(StatusRuntimeException e) {
     return new SimulatorException(
         "the simulator at " + target + " does not answer: " + e.getStatus(), e);
   }

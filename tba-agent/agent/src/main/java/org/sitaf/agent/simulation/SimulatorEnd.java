@@ -5,8 +5,8 @@ import java.util.Objects;
 /**
  * How a simulator ended.
  *
- * @param reason for a person
- * @param byLimit whether it used more than it may, which its world or its component made it do
+ * @param reason text for the log
+ * @param byLimit whether it exceeded a limit, because of its world or the component's calls
  */
 public record SimulatorEnd(String reason, boolean byLimit) {
   public SimulatorEnd {

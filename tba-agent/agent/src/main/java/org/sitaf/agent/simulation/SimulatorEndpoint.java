@@ -2,21 +2,21 @@ package org.sitaf.agent.simulation;
 
 import java.util.Optional;
 
-/** What one process of a test application reaches of a simulator. */
+/** The access of one process of a test application to a simulator. */
 public interface SimulatorEndpoint extends AutoCloseable {
   /** A gRPC target. */
   String target();
 
-  /** Whether builds of others use the same simulator, so that nobody here knows how it fares. */
+  /** Whether other users' builds share the simulator, so that its state is unknown here. */
   boolean isShared();
 
-  /** Whether the simulator's process has ended; does not ask it anything. */
+  /** Whether the simulator's process has ended; makes no call. */
   boolean hasEnded();
 
-  /** Asks the simulator whether it still answers; why it does not, or empty. */
+  /** Calls the simulator; returns why it does not answer, or empty if it does. */
   Optional<SimulatorEnd> end() throws InterruptedException;
 
-  /** Frees the session. A simulator that cannot stop what it was asked to do ends with it. */
+  /** Closes the session. A simulator that does not stop the session's calls is killed. */
   @Override
   void close();
 }

@@ -2,7 +2,7 @@ package org.sitaf.agent.simulation;
 
 import java.io.IOException;
 
-/** No simulator answers; not the fault of a test. */
+/** The simulator does not answer. Never the fault of a test. */
 public final class SimulatorException extends IOException {
   private static final long serialVersionUID = 1L;
 

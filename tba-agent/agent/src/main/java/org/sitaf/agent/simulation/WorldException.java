@@ -1,8 +1,6 @@
 package org.sitaf.agent.simulation;
 
-/**
- * The simulator refuses a world; the message is the simulator's, and trying again gives the same.
- */
+/** The simulator rejects a world. The message is the simulator's; a retry gives the same result. */
 public final class WorldException extends Exception {
   private static final long serialVersionUID = 1L;
 

@@ -1,6 +1,4 @@
-/**
- * The robot simulator as an agent uses it: a bridge of its own, one that runs elsewhere, or none.
- */
+/** Robot simulators of an agent: bridges that it starts, an existing simulator, or none. */
 @NullMarked
 package org.sitaf.agent.simulation;
 

@@ -12,7 +12,7 @@ import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
-/** An agent's private folder; one agent at a time uses it. */
+/** The private folder of an agent; locked against use by a second agent. */
 public final class AgentDirectory implements AutoCloseable {
   private static final System.Logger LOGGER = System.getLogger("org.sitaf.agent");
   private static final Set<PosixFilePermission> PRIVATE =
@@ -29,16 +29,16 @@ public final class AgentDirectory implements AutoCloseable {
   }
 
   /**
-   * Opens the folder, and makes it where there is none.
+   * Opens the folder and creates it if it does not exist.
    *
-   * @throws IOException when another agent uses it
+   * @throws IOException if another agent uses it
    */
   public static AgentDirectory open(Path path) throws IOException {
     Path directory = path.toAbsolutePath().normalize();
     if (!Files.isDirectory(directory)) {
       Files.createDirectories(directory, PosixFilePermissions.asFileAttribute(PRIVATE));
     }
-    keepPrivate(directory);
+    restrictPermissions(directory);
     FileChannel file =
         FileChannel.open(
             directory.resolve("lock"), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
@@ -46,13 +46,13 @@ public final class AgentDirectory implements AutoCloseable {
     if (lock == null) {
       file.close();
       throw new IOException(
-          directory + " is used by another agent; give each agent a --directory of its own");
+          directory + " is used by another agent; give each agent its own --directory");
     }
     return new AgentDirectory(directory, file, lock);
   }
 
-  /** A key lies in it, and other people's files; somebody may have made it for all to read. */
-  private static void keepPrivate(Path directory) {
+  /** Restricts the permissions: the folder holds the agent's key and the files of users. */
+  private static void restrictPermissions(Path directory) {
     try {
       if (!Files.getPosixFilePermissions(directory).equals(PRIVATE)) {
         Files.setPosixFilePermissions(directory, PRIVATE);
@@ -60,7 +60,7 @@ public final class AgentDirectory implements AutoCloseable {
     } catch (IOException e) {
       LOGGER.log(
           System.Logger.Level.WARNING,
-          directory + " can be read by others: " + e + "; please run: chmod 700 " + directory);
+          directory + " is readable by other users: " + e + "; please run: chmod 700 " + directory);
     }
   }
 
@@ -72,30 +72,30 @@ public final class AgentDirectory implements AutoCloseable {
     }
   }
 
-  /** Absolute. */
+  /** The absolute path. */
   public Path path() {
     return directory;
   }
 
-  /** Results that are owed to the server. */
+  /** Results that the server has not accepted yet. */
   public Spool spool() throws IOException {
     return Spool.open(directory.resolve("spool"));
   }
 
-  /** Files of test applications by their digest. */
+  /** Files of test applications, by digest. */
   public FileCache fileCache() throws IOException {
     return FileCache.open(directory.resolve("files"));
   }
 
-  /** Takes what is to be deleted. */
+  /** Folders that are to be deleted. */
   public Trash trash() throws IOException {
     return Trash.open(directory.resolve("trash"));
   }
 
-  /** The builds' own folders; see {@link BuildFolders#open}. */
-  public BuildFolders builds(Trash trash, String bounded, int mebibytes, int files)
+  /** The folders of builds; see {@link BuildFolders#open}. */
+  public BuildFolders builds(Trash trash, String limitedFolder, int mebibytes, int files)
       throws IOException {
-    return BuildFolders.open(directory.resolve("builds"), trash, bounded, mebibytes, files);
+    return BuildFolders.open(directory.resolve("builds"), trash, limitedFolder, mebibytes, files);
   }
 
   @Override

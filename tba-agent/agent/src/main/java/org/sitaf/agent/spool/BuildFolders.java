@@ -13,80 +13,81 @@ import java.util.Collections;
 import java.util.List;
 
 /**
- * A folder for each build. Where the agent may mount, what test applications write lies in a file
- * system in memory, of a size and a number of files that cannot be exceeded, and that vanishes as a
- * whole.
+ * One folder per build. If the agent may mount, test applications write to a tmpfs of limited size
+ * and number of files, which is removed as a whole.
  */
 public final class BuildFolders {
   private static final System.Logger LOGGER = System.getLogger("org.sitaf.agent");
   private static final Path MOUNTS = Path.of("/proc/self/mountinfo");
-  private static final int MOUNT_POINT = 4;
-  private static final Duration MOUNTING = Duration.ofSeconds(10);
+  private static final int MOUNT_POINT_FIELD = 4;
+  private static final Duration MOUNT_TIMEOUT = Duration.ofSeconds(10);
 
   private final Path directory;
   private final Trash trash;
-  private final String bounded;
+  private final String limitedFolder;
   private final String size;
   private volatile boolean mounts;
 
-  private BuildFolders(Path directory, Trash trash, String bounded, String size, boolean mounts) {
+  private BuildFolders(
+      Path directory, Trash trash, String limitedFolder, String size, boolean mounts) {
     this.directory = directory;
     this.trash = trash;
-    this.bounded = bounded;
+    this.limitedFolder = limitedFolder;
     this.size = size;
     this.mounts = mounts;
   }
 
   /**
-   * Opens it, and takes away what an agent before left there. Neither waits for a large tree nor
-   * fails because of an odd one.
+   * Opens the folder and moves the folders of previous builds to the trash, which takes the same
+   * time for trees of any size and shape.
    *
-   * @param bounded name of the folder in that of a build which test applications write to
-   * @param mebibytes that it may hold, where the agent may mount
-   * @param files that it may hold, likewise
+   * @param limitedFolder subfolder of a build's folder that test applications write to
+   * @param mebibytes limit of its size if the agent may mount
+   * @param files limit of its number of files, likewise
    */
-  static BuildFolders open(Path directory, Trash trash, String bounded, int mebibytes, int files)
+  static BuildFolders open(
+      Path directory, Trash trash, String limitedFolder, int mebibytes, int files)
       throws IOException {
     Files.createDirectories(directory);
     unmountAllBelow(directory);
-    try (DirectoryStream<Path> left = Files.newDirectoryStream(directory)) {
-      for (Path path : left) {
-        trash.take(path);
+    try (DirectoryStream<Path> previous = Files.newDirectoryStream(directory)) {
+      for (Path path : previous) {
+        trash.add(path);
       }
     } catch (DirectoryIteratorException e) {
       throw e.getCause();
     }
     boolean root = Integer.valueOf(0).equals(Files.getAttribute(Path.of("/proc/self"), "unix:uid"));
     String size = "size=" + mebibytes + "m,nr_inodes=" + files + ",mode=0755,nosuid,nodev";
-    return new BuildFolders(directory, trash, bounded, size, root);
+    return new BuildFolders(directory, trash, limitedFolder, size, root);
   }
 
-  /** Where the folder of a build is, or would be. */
+  /** The path of a build's folder, whether or not it exists. */
   public Path of(String build) {
     return directory.resolve(build);
   }
 
-  /** Makes the folder of a build. */
-  public Path begin(String build) throws IOException, InterruptedException {
+  /** Creates the folder of a build. */
+  public Path create(String build) throws IOException, InterruptedException {
     Path folder = Files.createDirectories(of(build));
     if (mounts) {
-      Path inside = Files.createDirectories(folder.resolve(bounded));
+      Path inside = Files.createDirectories(folder.resolve(limitedFolder));
       try {
         SystemTool.run(
-            List.of("mount", "-t", "tmpfs", "-o", size, "sitaf", inside.toString()), MOUNTING);
+            List.of("mount", "-t", "tmpfs", "-o", size, "sitaf", inside.toString()), MOUNT_TIMEOUT);
       } catch (IOException e) {
         mounts = false;
         LOGGER.log(
             System.Logger.Level.INFO,
-            "what components write lies on the disk, as this agent may not mount: "
+            "test applications write to the disk, because this agent may not mount a tmpfs: "
                 + e.getMessage());
       }
     }
     return folder;
   }
 
-  /** Takes the folder of a build away; one that is not there is away already. */
-  public void end(String build) throws IOException {
+  /** Moves the folder of a build to the trash, if it exists. */
+  public void remove(String build) throws IOException {
     Path folder = of(build);
     if (!Files.isDirectory(folder, LinkOption.NOFOLLOW_LINKS)) {
       return;
@@ -94,7 +95,7 @@ public final class BuildFolders {
     boolean interrupted = Thread.interrupted();
     try {
       unmountAllBelow(folder);
-      trash.take(folder);
+      trash.add(folder);
     } finally {
       if (interrupted) {
         Thread.currentThread().interrupt();
@@ -102,14 +103,14 @@ public final class BuildFolders {
     }
   }
 
-  /** At once, whether or not a file there is still open; it goes with the last of them. */
+  /** Detaches the mounts at once, even if files are open. */
   private static void unmountAllBelow(Path folder) throws IOException {
     List<String> points = new ArrayList<>();
     if (!Files.isReadable(MOUNTS)) {
       return;
     }
     for (String line : Files.readAllLines(MOUNTS, StandardCharsets.ISO_8859_1)) {
-      String point = unescaped(line.split(" ")[MOUNT_POINT]);
+      String point = unescape(line.split(" ")[MOUNT_POINT_FIELD]);
       if (point.startsWith(folder + "/")) {
         points.add(point);
       }
@@ -117,7 +118,7 @@ public final class BuildFolders {
     Collections.reverse(points);
     for (String point : points) {
       try {
-        SystemTool.run(List.of("umount", "-l", "--", point), MOUNTING);
+        SystemTool.run(List.of("umount", "-l", "--", point), MOUNT_TIMEOUT);
       } catch (IOException e) {
         LOGGER.log(System.Logger.Level.WARNING, point + " cannot be unmounted: " + e.getMessage());
       } catch (InterruptedException e) {
@@ -127,8 +128,8 @@ public final class BuildFolders {
     }
   }
 
-  /** The kernel writes blanks and the like as octal numbers. */
-  private static String unescaped(String path) {
+  /** The kernel writes spaces and special characters as octal numbers. */
+  private static String unescape(String path) {
     StringBuilder plain = new StringBuilder();
     for (int i = 0; i < path.length(); i++) {
       if (path.charAt(i) == '\\' && i + 3 < path.length()) {

@@ -17,7 +17,7 @@ import java.util.Optional;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
-/** Files by the SHA-256 of their content; a file is there whole or not at all. */
+/** Files by the SHA-256 of their content. Files appear in the cache by an atomic rename. */
 public final class FileCache {
   private static final Pattern SHA256 = Pattern.compile("[0-9a-f]{64}");
   private static final long LIMIT_BYTES = 1L << 30;
@@ -28,12 +28,12 @@ public final class FileCache {
     this.directory = directory;
   }
 
-  /** Opens a cache, and removes what was used longest ago until it holds at most 1 GiB. */
+  /** Opens a cache, and removes the least recently used files until it holds at most 1 GiB. */
   static FileCache open(Path directory) throws IOException {
     Files.createDirectories(directory);
     List<Path> newestFirst;
     try (Stream<Path> files = Files.list(directory)) {
-      newestFirst = files.sorted(Comparator.comparing(FileCache::used).reversed()).toList();
+      newestFirst = files.sorted(Comparator.comparing(FileCache::lastUsed).reversed()).toList();
     }
     long size = 0;
     for (Path file : newestFirst) {
@@ -45,7 +45,7 @@ public final class FileCache {
     return new FileCache(directory);
   }
 
-  private static FileTime used(Path file) {
+  private static FileTime lastUsed(Path file) {
     try {
       return Files.getLastModifiedTime(file);
     } catch (IOException e) {
@@ -53,14 +53,14 @@ public final class FileCache {
     }
   }
 
-  /** Writes the content of a file. */
+  /** Provides the content of a file. */
   @FunctionalInterface
   public interface Source {
-    /** Writes all of it. */
+    /** Writes the whole content. */
     void writeTo(OutputStream out) throws IOException;
   }
 
-  /** A file's content, when it is here and still what its name says. */
+  /** The content of a file, if it is cached and matches its digest. */
   public Optional<byte[]> find(String sha256) throws IOException {
     Path file = path(sha256);
     if (!Files.isRegularFile(file)) {
@@ -76,9 +76,9 @@ public final class FileCache {
   }
 
   /**
-   * Takes a file in.
+   * Adds a file.
    *
-   * @throws IOException when its content is not what the digest says
+   * @throws IOException if the content does not match the digest
    */
   public void add(String sha256, Source source) throws IOException {
     Path file = path(sha256);
@@ -101,7 +101,7 @@ public final class FileCache {
   private Path path(String sha256) {
     if (!SHA256.matcher(sha256).matches()) {
       throw new IllegalArgumentException(
-          "'" + sha256 + "' is no SHA-256 in lower-case hexadecimal");
+          "'" + sha256 + "' is not a SHA-256 digest in lower-case hexadecimal");
     }
     return directory.resolve(sha256);
   }

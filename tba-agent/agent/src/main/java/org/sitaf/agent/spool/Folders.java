@@ -13,20 +13,20 @@ import java.util.EnumSet;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
-/** Folders as a whole. */
+/** Operations on folder trees. */
 public final class Folders {
-  /** Deeper trees are left to a tool that needs no path and no descriptor for each level. */
-  private static final int DEPTH = 60;
+  /** Deeper trees are deleted by {@code rm}, which needs no descriptor per level. */
+  private static final int MAX_DEPTH = 60;
 
-  private static final Duration PATIENCE = Duration.ofMinutes(5);
+  private static final Duration DELETE_TIMEOUT = Duration.ofMinutes(5);
 
   private Folders() {}
 
   /**
-   * Deletes a folder with all that is in it, whatever its depth and the rights of what it holds;
-   * links are deleted, not followed. One that is not there is deleted already.
+   * Deletes a folder tree of any depth and with any permissions. Links are deleted, not followed. A
+   * missing folder is not an error.
    *
-   * @throws IOException when something is left after all
+   * @throws IOException if something could not be deleted
    */
   public static void delete(Path root) throws IOException {
     try {
@@ -44,7 +44,7 @@ public final class Folders {
     Files.walkFileTree(
         root,
         EnumSet.noneOf(java.nio.file.FileVisitOption.class),
-        DEPTH,
+        MAX_DEPTH,
         new SimpleFileVisitor<>() {
           @Override
           public FileVisitResult visitFile(Path file, BasicFileAttributes attributes)
@@ -65,11 +65,11 @@ public final class Folders {
         });
   }
 
-  /** A cancelled build deletes as well: an interrupt waits until that is done. */
+  /** Runs to its end even in an interrupted thread, because cancelled builds delete, too. */
   private static void deleteByTool(Path root) throws IOException {
     boolean interrupted = Thread.interrupted();
     try {
-      deleteByTool(root, PATIENCE);
+      deleteByTool(root, DELETE_TIMEOUT);
     } catch (InterruptedException e) {
       interrupted = true;
       throw (InterruptedIOException) new InterruptedIOException("interrupted").initCause(e);
@@ -81,9 +81,9 @@ public final class Folders {
   }
 
   /**
-   * As {@link #delete}, by programs of the system alone.
+   * Like {@link #delete}, with system programs only.
    *
-   * @param atMost of each program
+   * @param atMost timeout of each program
    */
   static void deleteByTool(Path root, Duration atMost) throws IOException, InterruptedException {
     List<String> remove =
@@ -91,7 +91,7 @@ public final class Folders {
     try {
       SystemTool.run(remove, atMost);
     } catch (IOException e) {
-      // Folders of this user that lack rights; none of its processes is left to put a link there.
+      // Folders without permissions. No process is left that could replace one by a link.
       SystemTool.run(
           List.of("chmod", "-Rf", "u+rwx", "--", root.toAbsolutePath().toString()), atMost);
       SystemTool.run(remove, atMost);

@@ -5,43 +5,43 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /**
- * Whether a folder's disk has room.
+ * Checks the free space of the disk that holds a folder.
  *
- * @param minFreeBytes with less than this it is full
+ * @param minFreeBytes below this the disk counts as full
  */
 public record FreeSpace(Path directory, long minFreeBytes) {
   private static final long MIB = 1 << 20;
 
   /**
-   * Of a build at work: what fails on a disk with less room than this fails for want of it, and
-   * says nothing about the user's files.
+   * The check for a running build: if less is free, a failure is blamed on the disk and not on the
+   * user's files.
    */
   public static FreeSpace ofBuild(Path directory) {
     return new FreeSpace(directory, MIB);
   }
 
-  /** Why the disk takes nothing more; empty when it does. */
+  /** A message if the disk is full; empty if it is not. */
   public String whyFull() {
     try {
       long free = Files.getFileStore(directory).getUsableSpace();
       return free >= minFreeBytes
           ? ""
-          : "its disk has only %d MiB left, %d are needed"
+          : "its disk has only %d MiB left, but %d MiB are needed"
               .formatted(free / MIB, minFreeBytes / MIB);
     } catch (IOException e) {
-      return "its disk cannot be asked for room: " + e.getMessage();
+      return "the free space of its disk is unknown: " + e.getMessage();
     }
   }
 
   /**
-   * Makes sure that there is room.
+   * Requires free space.
    *
-   * @throws IOException when there is none
+   * @throws IOException if the disk is full
    */
   public void require() throws IOException {
     String full = whyFull();
     if (!full.isEmpty()) {
-      throw new IOException("this machine cannot go on: " + full);
+      throw new IOException("this machine cannot continue: " + full);
     }
   }
 }

@@ -17,42 +17,43 @@ import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Files in a folder that other people's code wrote to, once none of its processes is left: only
- * regular ones, found without following links, of a bounded depth, number and size.
+ * Files that untrusted code wrote, read after all its processes have ended: only regular files,
+ * without following links, limited in depth, number and size.
  */
 public final class LeftFiles {
-  private static final int DEPTH = 40;
-  private static final int MOST_LOOKED_AT = 100_000;
+  private static final int MAX_DEPTH = 40;
+  private static final int MAX_VISITED = 100_000;
 
   private LeftFiles() {}
 
   /**
-   * The files of a folder and those below it, in the order of their paths.
+   * The files of a folder tree, sorted by path.
    *
-   * @param wanted which ones
-   * @param most so many at most
-   * @throws IOException when there are more, or none because the folder cannot be looked through
+   * @param wanted which files to return
+   * @param maxFiles limit for the number of returned files
+   * @throws IOException if there are more, or if none is found because the folder cannot be read
    */
-  public static List<Path> in(Path folder, Predicate<Path> wanted, int most) throws IOException {
+  public static List<Path> in(Path folder, Predicate<Path> wanted, int maxFiles)
+      throws IOException {
     List<Path> found = new ArrayList<>();
     List<IOException> problems = new ArrayList<>();
     Files.walkFileTree(
         folder,
         EnumSet.noneOf(FileVisitOption.class),
-        DEPTH,
+        MAX_DEPTH,
         new SimpleFileVisitor<>() {
           private int seen;
 
           @Override
           public FileVisitResult visitFile(Path file, BasicFileAttributes attributes)
               throws IOException {
-            if (++seen > MOST_LOOKED_AT) {
-              throw new IOException("there are more than " + MOST_LOOKED_AT + " files");
+            if (++seen > MAX_VISITED) {
+              throw new IOException("there are more than " + MAX_VISITED + " files");
             }
             if (attributes.isRegularFile() && wanted.test(file)) {
               found.add(file);
-              if (found.size() > most) {
-                throw new IOException("there are more than " + most + " files of its kind");
+              if (found.size() > maxFiles) {
+                throw new IOException("there are more than " + maxFiles + " files of this kind");
               }
             }
             return FileVisitResult.CONTINUE;
@@ -65,7 +66,7 @@ public final class LeftFiles {
           }
 
           @Override
-          public FileVisitResult postVisitDirectory(Path passed, @Nullable IOException problem) {
+          public FileVisitResult postVisitDirectory(Path directory, @Nullable IOException problem) {
             if (problem != null) {
               problems.add(problem);
             }
@@ -80,21 +81,21 @@ public final class LeftFiles {
   }
 
   /**
-   * A file's content.
+   * Reads a file.
    *
-   * @throws IOException when it is no regular file, or longer
+   * @throws IOException if it is not a regular file or too long
    */
-  public static byte[] read(Path file, int mostBytes) throws IOException {
+  public static byte[] read(Path file, int maxBytes) throws IOException {
     BasicFileAttributes attributes =
         Files.readAttributes(file, BasicFileAttributes.class, LinkOption.NOFOLLOW_LINKS);
     if (!attributes.isRegularFile()) {
-      throw new IOException(file.getFileName() + " is no regular file");
+      throw new IOException(file.getFileName() + " is not a regular file");
     }
     try (InputStream in =
         Files.newInputStream(file, StandardOpenOption.READ, LinkOption.NOFOLLOW_LINKS)) {
-      byte[] content = in.readNBytes(mostBytes);
+      byte[] content = in.readNBytes(maxBytes);
       if (in.read() >= 0) {
-        throw new IOException(file.getFileName() + " has more than " + mostBytes + " bytes");
+        throw new IOException(file.getFileName() + " has more than " + maxBytes + " bytes");
       }
       return content;
     }

@@ -11,71 +11,71 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * Folders by name, which several agents and commands share without locks: an entry is made aside
- * and comes by renaming, and goes by renaming, so that it is there whole or not at all.
+ * Folders by name, shared by several agents and commands without locks: entries appear and
+ * disappear by an atomic rename.
  *
- * @param directory created when it is needed
+ * @param directory created when needed
  */
 public record SharedCache(Path directory) {
-  private static final String COMES = "new";
-  private static final String GOES = "old";
+  private static final String DRAFT_PREFIX = "new";
+  private static final String REMOVED_PREFIX = "old";
 
   /**
-   * Who makes or deletes an entry is done within minutes, since compilers and installers have a
-   * limit of two. What has been aside for longer than this was left by a process that was killed.
-   * Age decides, not a lock, because this must hold between processes of several users as well.
+   * Creating or deleting an entry takes minutes at most, because compilers and installers have
+   * timeouts. Older temporary folders were left by killed processes. A lock would not work between
+   * processes of several users.
    */
-  private static final Duration ABANDONED = Duration.ofHours(1);
+  private static final Duration MAX_AGE = Duration.ofHours(1);
 
-  /** Where the entry of a name lies, or would. */
+  /** The path of an entry, whether or not it exists. */
   public Path entry(String name) {
     return directory.resolve(name);
   }
 
   /**
-   * An empty folder aside, to be filled. Whoever begins one deletes what killed processes left
-   * first: only who begins one can leave one, so that what is left does not grow.
+   * Creates an empty draft of an entry. Deletes temporary folders of killed processes first, so
+   * that they cannot accumulate.
    */
   public Draft draft() throws IOException {
     Files.createDirectories(directory);
     deleteAbandoned();
-    return new Draft(Files.createTempDirectory(directory, COMES));
+    return new Draft(Files.createTempDirectory(directory, DRAFT_PREFIX));
   }
 
-  /** Removes an entry, whoever else may be about to. */
+  /** Removes an entry. Other processes may remove the same entry at the same time. */
   public void remove(String name) throws IOException {
-    Path aside = Files.createTempDirectory(directory, GOES);
+    Path temporary = Files.createTempDirectory(directory, REMOVED_PREFIX);
     try {
-      Files.move(entry(name), aside.resolve("entry"), StandardCopyOption.ATOMIC_MOVE);
+      Files.move(entry(name), temporary.resolve("entry"), StandardCopyOption.ATOMIC_MOVE);
     } catch (IOException e) {
-      // Somebody else was faster.
+      // Another process was faster.
     }
-    Folders.delete(aside);
+    Folders.delete(temporary);
   }
 
   private void deleteAbandoned() throws IOException {
-    Instant before = Instant.now().minus(ABANDONED);
-    List<Path> aside;
+    Instant before = Instant.now().minus(MAX_AGE);
+    List<Path> temporary;
     try (Stream<Path> all = Files.list(directory)) {
-      aside = all.filter(SharedCache::isAside).toList();
+      temporary = all.filter(SharedCache::isTemporary).toList();
     }
-    for (Path folder : aside) {
+    for (Path folder : temporary) {
       try {
         if (Files.getLastModifiedTime(folder).toInstant().isBefore(before)) {
           Folders.delete(folder);
         }
       } catch (IOException e) {
-        // Another user's, or somebody else is deleting it.
+        // It belongs to another user, or another process is deleting it.
       }
     }
   }
 
-  private static boolean isAside(Path folder) {
+  private static boolean isTemporary(Path folder) {
     String name = folder.getFileName().toString();
-    return name.startsWith(COMES) || name.startsWith(GOES);
+    return name.startsWith(DRAFT_PREFIX) || name.startsWith(REMOVED_PREFIX);
   }
 
-  /** An entry in the making; what has not become one is deleted. */
+  /** An entry in preparation; deleted on close unless it was added. */
   public final class Draft implements AutoCloseable {
     private final Path folder;
 
@@ -83,12 +83,12 @@ public record SharedCache(Path directory) {
       this.folder = folder;
     }
 
-    /** Where what the entry is to hold is put. */
+    /** The folder for the content of the entry. */
     public Path folder() {
       return folder;
     }
 
-    /** Makes it the entry of a name, unless somebody else has added the same meanwhile. */
+    /** Adds the entry under a name, unless another process has added it meanwhile. */
     public void addAs(String name) throws IOException {
       try {
         Files.move(folder, entry(name), StandardCopyOption.ATOMIC_MOVE);

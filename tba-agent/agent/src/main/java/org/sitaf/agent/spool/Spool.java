@@ -15,14 +15,14 @@ import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Results on their way to the server. An entry is whole and on the disk when {@link #put} returns,
- * and stays until {@link #delete}: nothing is lost when the agent or the machine dies in between.
- * Entries appear and disappear by renaming their folder.
+ * Results that wait for the upload to the server. When {@link #put} returns, an entry is complete
+ * and on disk, and stays there until {@link #delete}, even if the agent or the machine crashes.
+ * Entries appear and disappear by an atomic rename.
  */
 public final class Spool {
   private static final System.Logger LOGGER = System.getLogger("org.sitaf.agent");
   private static final Pattern NAME = Pattern.compile("[A-Za-z0-9_-]{1,120}");
-  private static final String IN_WORK = "tmp.";
+  private static final String TEMPORARY = "tmp.";
   private static final String REJECTED = "rejected.";
   private static final String MESSAGE = "message";
   private static final String ATTACHMENTS = "attachments";
@@ -33,10 +33,10 @@ public final class Spool {
     this.directory = directory;
   }
 
-  /** Opens a spool; what an earlier agent did not finish to write is removed. */
+  /** Opens a spool and removes incomplete entries of a previous agent. */
   static Spool open(Path directory) throws IOException {
     Files.createDirectories(directory);
-    try (DirectoryStream<Path> unfinished = Files.newDirectoryStream(directory, IN_WORK + "*")) {
+    try (DirectoryStream<Path> unfinished = Files.newDirectoryStream(directory, TEMPORARY + "*")) {
       for (Path path : unfinished) {
         Folders.delete(path);
       }
@@ -44,39 +44,38 @@ public final class Spool {
     return new Spool(directory);
   }
 
-  /** Something that the server shall have. */
+  /** A result for the server. */
   public record Entry(String name, Path directory) {
-    /** What was put. */
+    /** The message as it was put. */
     public byte[] message() throws IOException {
       return Files.readAllBytes(directory.resolve(MESSAGE));
     }
 
-    /** The build's log; may be empty. */
+    /** The build log; may be empty. */
     public Path log() {
       return directory.resolve("log");
     }
 
-    /** What else goes with it, by its name. */
+    /** Attached files, sorted by name. */
     public List<Path> attachments() throws IOException {
       return files(directory.resolve(ATTACHMENTS));
     }
   }
 
   /**
-   * Puts an entry on the disk, and waits until it is there (fsync). One of the same name is
-   * replaced.
+   * Writes an entry and waits until it is on disk (fsync). Replaces an entry of the same name.
    *
    * @param name letters, digits, '_' and '-'
-   * @param log copied; null where there is none
-   * @param attachments a folder whose files are copied; null where there is none
+   * @param log copied; null for none
+   * @param attachments folder whose files are copied; null for none
    */
   public synchronized Entry put(
       String name, byte[] message, @Nullable Path log, @Nullable Path attachments)
       throws IOException {
     if (!NAME.matcher(name).matches()) {
-      throw new IllegalArgumentException("'" + name + "' is no name of a spool entry");
+      throw new IllegalArgumentException("'" + name + "' is not a valid name of a spool entry");
     }
-    Path work = directory.resolve(IN_WORK + name);
+    Path work = directory.resolve(TEMPORARY + name);
     Folders.delete(work);
     Files.createDirectories(work);
     Files.write(work.resolve(MESSAGE), message);
@@ -117,8 +116,8 @@ public final class Spool {
   }
 
   /**
-   * All entries, in the order of their names. What has no message is none, and is put aside: the
-   * others must not wait for it.
+   * All entries, sorted by name. An invalid entry without a message is set aside, so that it does
+   * not block the others.
    */
   public synchronized List<Entry> entries() throws IOException {
     List<Entry> entries = new ArrayList<>();
@@ -132,9 +131,9 @@ public final class Spool {
         if (Files.isRegularFile(folder.resolve(MESSAGE), LinkOption.NOFOLLOW_LINKS)) {
           entries.add(entry);
         } else {
-          Path aside = reject(entry);
+          Path rejected = reject(entry);
           LOGGER.log(
-              System.Logger.Level.WARNING, name + " in the spool has no message; see " + aside);
+              System.Logger.Level.WARNING, name + " in the spool has no message; see " + rejected);
         }
       }
     }
@@ -142,19 +141,19 @@ public final class Spool {
     return entries;
   }
 
-  /** Forgets an entry that the server has, or will never want. */
+  /** Deletes an entry that the server has accepted or will never accept. */
   public synchronized void delete(Entry entry) throws IOException {
-    Path work = directory.resolve(IN_WORK + "deleted." + entry.name());
+    Path work = directory.resolve(TEMPORARY + "deleted." + entry.name());
     Folders.delete(work);
     Files.move(entry.directory(), work, StandardCopyOption.ATOMIC_MOVE);
     Folders.delete(work);
   }
 
-  /** Puts aside an entry that the server refuses, for a person to look at. */
+  /** Sets aside an entry that the server rejected, for inspection by the administrator. */
   public synchronized Path reject(Entry entry) throws IOException {
-    Path aside = directory.resolve(REJECTED + entry.name());
-    Folders.delete(aside);
-    return Files.move(entry.directory(), aside, StandardCopyOption.ATOMIC_MOVE);
+    Path rejected = directory.resolve(REJECTED + entry.name());
+    Folders.delete(rejected);
+    return Files.move(entry.directory(), rejected, StandardCopyOption.ATOMIC_MOVE);
   }
 
   private static void sync(Path path) throws IOException {

@@ -7,19 +7,20 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Programs of the system that walk through trees of any depth and shape, by descriptors and without
- * following links, as Java does not.
+ * Runs system programs that handle trees of any depth and shape by descriptors, without following
+ * links. Java cannot do that.
  */
 public final class SystemTool {
-  private static final int MOST_SAID = 2000;
+  private static final int MAX_OUTPUT = 2000;
 
   private SystemTool() {}
 
   /**
-   * Runs one to its end.
+   * Runs a program until it ends.
    *
-   * @throws IOException when it fails or takes longer, with what it says; it is gone then
-   * @throws InterruptedException when nobody waits for it any more; it is gone then
+   * @throws IOException if it fails or exceeds its time, with its first line of output; it is
+   *     killed
+   * @throws InterruptedException if the thread is interrupted; the program is killed
    */
   public static void run(List<String> command, Duration atMost)
       throws IOException, InterruptedException {
@@ -30,20 +31,20 @@ public final class SystemTool {
             .start();
     try {
       process.getOutputStream().close();
-      // Reads on, or a tool with many complaints would wait for ever.
-      StringBuilder said = new StringBuilder();
-      Thread reader = new Thread(() -> read(process, said), "sitaf-system-tool");
+      // Read all output, so that the program never blocks on a full pipe.
+      StringBuilder output = new StringBuilder();
+      Thread reader = new Thread(() -> read(process, output), "sitaf-system-tool");
       reader.setDaemon(true);
       reader.start();
       if (!process.waitFor(atMost.toMillis(), TimeUnit.MILLISECONDS)) {
         throw new IOException(
-            command.get(0) + " takes longer than " + atMost.toSeconds() + " s and was given up");
+            command.get(0) + " did not end within " + atMost.toSeconds() + " s and was killed");
       }
       reader.join(atMost.toMillis());
       if (process.exitValue() != 0) {
-        synchronized (said) {
+        synchronized (output) {
           throw new IOException(
-              said.toString().lines().findFirst().orElse(command.get(0) + " failed"));
+              output.toString().lines().findFirst().orElse(command.get(0) + " failed"));
         }
       }
     } finally {
@@ -51,18 +52,18 @@ public final class SystemTool {
     }
   }
 
-  private static void read(Process process, StringBuilder said) {
+  private static void read(Process process, StringBuilder output) {
     byte[] buffer = new byte[4096];
     try (var in = process.getInputStream()) {
       for (int n = in.read(buffer); n >= 0; n = in.read(buffer)) {
-        synchronized (said) {
-          if (said.length() < MOST_SAID) {
-            said.append(new String(buffer, 0, n, StandardCharsets.UTF_8));
+        synchronized (output) {
+          if (output.length() < MAX_OUTPUT) {
+            output.append(new String(buffer, 0, n, StandardCharsets.UTF_8));
           }
         }
       }
     } catch (IOException e) {
-      // It is gone.
+      // The program has ended.
     }
   }
 }

@@ -12,18 +12,18 @@ import java.util.Set;
 import java.util.UUID;
 
 /**
- * Takes folders out of the way by one rename, however large or odd they are, and deletes them later
- * in a thread of its own. What an agent did not come to delete, the next one does.
+ * Moves folders away with one rename and deletes them later in a background thread. The next agent
+ * deletes what is left.
  */
 public final class Trash implements AutoCloseable {
   private static final System.Logger LOGGER = System.getLogger("org.sitaf.agent");
-  private static final Duration PATIENCE = Duration.ofMinutes(30);
-  private static final Duration END = Duration.ofSeconds(3);
+  private static final Duration DELETE_TIMEOUT = Duration.ofMinutes(30);
+  private static final Duration CLOSE_TIMEOUT = Duration.ofSeconds(3);
 
   private final Path folder;
-  private final Set<Path> hopeless = new HashSet<>();
+  private final Set<Path> undeletable = new HashSet<>();
   private final Thread thread = new Thread(this::work, "sitaf-trash");
-  private boolean news = true;
+  private boolean pending = true;
   private boolean working;
 
   private Trash(Path folder) {
@@ -31,7 +31,7 @@ public final class Trash implements AutoCloseable {
     thread.setDaemon(true);
   }
 
-  /** Opens it, and begins to delete what is in it already. */
+  /** Opens the folder and starts to delete its content. */
   static Trash open(Path folder) throws IOException {
     Files.createDirectories(folder);
     Trash trash = new Trash(folder);
@@ -40,14 +40,14 @@ public final class Trash implements AutoCloseable {
   }
 
   /**
-   * Moves a folder away; its path is free when this returns.
+   * Moves a folder into the trash; its path is free when this returns.
    *
-   * @param path on the same disk as this
+   * @param path on the same file system as the trash
    */
-  public void take(Path path) throws IOException {
+  public void add(Path path) throws IOException {
     Files.move(path, folder.resolve(UUID.randomUUID().toString()), StandardCopyOption.ATOMIC_MOVE);
     synchronized (this) {
-      news = true;
+      pending = true;
       notifyAll();
     }
   }
@@ -58,10 +58,10 @@ public final class Trash implements AutoCloseable {
         synchronized (this) {
           working = false;
           notifyAll();
-          while (!news) {
+          while (!pending) {
             wait();
           }
-          news = false;
+          pending = false;
           working = true;
         }
         deleteAll();
@@ -79,7 +79,7 @@ public final class Trash implements AutoCloseable {
   private void deleteAll() throws InterruptedException {
     try (DirectoryStream<Path> all = Files.newDirectoryStream(folder)) {
       for (Path path : all) {
-        if (!hopeless.contains(path)) {
+        if (!undeletable.contains(path)) {
           delete(path);
         }
       }
@@ -90,24 +90,24 @@ public final class Trash implements AutoCloseable {
 
   private void delete(Path path) throws InterruptedException {
     try {
-      Folders.deleteByTool(path, PATIENCE);
+      Folders.deleteByTool(path, DELETE_TIMEOUT);
     } catch (IOException e) {
-      hopeless.add(path);
+      undeletable.add(path);
       LOGGER.log(
           System.Logger.Level.WARNING,
-          path + " cannot be deleted: " + e.getMessage() + "; please delete it");
+          path + " cannot be deleted: " + e.getMessage() + "; please delete it manually");
     }
   }
 
-  /** Ends; what is small is deleted before, the rest stays for the next agent. */
+  /** Stops the thread; small folders are deleted before, the rest by the next agent. */
   @Override
   public void close() {
-    long end = System.nanoTime() + END.toNanos();
+    long end = System.nanoTime() + CLOSE_TIMEOUT.toNanos();
     boolean interrupted = false;
     try {
       synchronized (this) {
-        for (long left = END.toMillis();
-            (news || working) && left > 0;
+        for (long left = CLOSE_TIMEOUT.toMillis();
+            (pending || working) && left > 0;
             left = (end - System.nanoTime()) / 1_000_000) {
           wait(left);
         }
@@ -117,7 +117,7 @@ public final class Trash implements AutoCloseable {
     }
     thread.interrupt();
     try {
-      thread.join(END.toMillis());
+      thread.join(CLOSE_TIMEOUT.toMillis());
     } catch (InterruptedException e) {
       interrupted = true;
     }

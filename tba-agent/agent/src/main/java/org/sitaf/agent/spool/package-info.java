@@ -1,7 +1,4 @@
-/**
- * What an agent keeps on disk: results that it still owes its server, and what it need not fetch or
- * make again.
- */
+/** An agent's files: results that wait for upload, and caches. */
 @NullMarked
 package org.sitaf.agent.spool;
 

@@ -7,15 +7,16 @@ import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.core.harness.TestApplication;
 
 /**
- * What a toolchain is asked for.
+ * Input of a toolchain.
  *
- * @param sources where the application's files lie, in the layout of {@link TestApplication};
- *     absolute, not to be written
- * @param output an empty folder for what is compiled, absolute; may be moved when it is complete,
- *     so nothing in it may hold its own path; a process that was started early may see it already,
- *     so that the folder itself stays
- * @param scratch a folder for what nobody needs afterwards, absolute
- * @param atMost a compilation that takes longer is given up
+ * @param sources absolute folder of the application's files, in the layout of {@link
+ *     TestApplication}; read-only
+ * @param output absolute, empty folder for the result. The folder may be moved when it is complete,
+ *     so no file in it may contain its path. A process that was started early may already see it,
+ *     so it must not be replaced
+ * @param scratch absolute folder for temporary files
+ * @param atMost timeout of the compilation
+ * @param coverage whether processes record which lines of the component they execute
  * @param coverage whether processes are to record which lines of the component they reach
  * @param sandbox in which tools run
  */
@@ -36,12 +37,12 @@ public record Compilation(
     Objects.requireNonNull(sandbox);
   }
 
-  /** Where the user's activity lies. */
+  /** The folder of the user's activity. */
   public Path activity() {
     return sources.resolve("activity");
   }
 
-  /** Where the generated sources lie. */
+  /** The folder of the generated sources. */
   public Path harness() {
     return sources.resolve("harness");
   }

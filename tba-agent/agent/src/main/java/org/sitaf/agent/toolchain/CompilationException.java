@@ -2,19 +2,19 @@ package org.sitaf.agent.toolchain;
 
 import java.util.List;
 
-/** The user's files do not compile or do not fit; trying again gives the same. */
+/** The user's files do not compile. A retry gives the same result. */
 public final class CompilationException extends Exception {
   private static final long serialVersionUID = 1L;
 
   private final transient List<SourceDiagnostic> diagnostics;
 
-  /** The message is one sentence; the diagnostics say where. */
+  /** The message is one sentence; the diagnostics hold the locations. */
   public CompilationException(String message, List<SourceDiagnostic> diagnostics) {
     super(message);
     this.diagnostics = List.copyOf(diagnostics);
   }
 
-  /** What is wrong, in the order of the compiler's finding; may be empty. */
+  /** The errors in the order of the compiler's output; may be empty. */
   public List<SourceDiagnostic> diagnostics() {
     return diagnostics;
   }

@@ -7,41 +7,39 @@ import java.util.Map;
 import java.util.Optional;
 import org.sitaf.core.verdict.Coverage;
 
-/** A test application that can be started, as often as needed and in several processes at once. */
+/** A compiled test application, which can be started many times, also in parallel. */
 public interface CompiledApplication {
-  /** What starts it; the arguments of a test application are appended. */
+  /** The command that starts it; the arguments of a test application are appended. */
   List<String> command(ProcessPlace place);
 
-  /** Variables that its process needs. */
+  /** Environment variables of its process. */
   default Map<String, String> environment(ProcessPlace place) {
     return Map.of();
   }
 
-  /** Files and folders beyond the system's that its process reads, absolute. */
+  /** Absolute paths that its process reads, in addition to the system's folders. */
   List<Path> readable();
 
-  /**
-   * Where a process hangs, in one line, out of what it printed when it was asked for its stacks.
-   */
-  default Optional<String> whereItHangs(String stacks) {
+  /** One line that tells where a process hangs, from the stack traces that it printed. */
+  default Optional<String> hangLocation(String stacks) {
     return Optional.empty();
   }
 
-  /** Whether its processes record which lines of the component they reach. */
+  /** Whether its processes record which lines of the component they execute. */
   default boolean recordsCoverage() {
     return false;
   }
 
   /**
-   * What the processes of an execution reached, together.
+   * The merged coverage of all processes of an execution.
    *
-   * @param data holds a folder a process, each the {@link ProcessPlace#coverage()} of one
+   * @param data holds one folder per process, its {@link ProcessPlace#coverage()}
    */
   default Optional<Coverage> coverage(Path data) throws IOException, InterruptedException {
     return Optional.empty();
   }
 
-  /** What its runtime takes of memory beyond what the profile grants the component. */
+  /** Memory of the language runtime, in addition to the limit of the component. */
   default int overheadMiB() {
     return 64;
   }

@@ -5,12 +5,12 @@ import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where one process of a test application works.
+ * Folders and memory of one process of a test application.
  *
- * @param temporary for temporary files, writable, absolute
- * @param coverage for what the process records of the lines that it reaches, writable, absolute, of
- *     this process alone; null where nobody wants to know
- * @param memoryMiB what the profile grants the component
+ * @param temporary absolute, writable folder for temporary files
+ * @param coverage absolute, writable folder for the coverage data of this process only; null if
+ *     coverage is off
+ * @param memoryMiB memory limit of the component
  */
 public record ProcessPlace(Path temporary, @Nullable Path coverage, int memoryMiB) {
   public ProcessPlace {

@@ -3,13 +3,13 @@ package org.sitaf.agent.toolchain;
 import java.util.Objects;
 
 /**
- * What a compiler says of a file of the test application.
+ * An error message of a compiler.
  *
  * @param file path in the layout of the application, such as {@code activity/component/Foo.java};
- *     empty where no file is concerned
- * @param line from 1; 0 where it is unknown
- * @param column from 1; 0 where it is unknown
- * @param generated in a file that SITAF generated, not in one of the user
+ *     empty if it concerns no file
+ * @param line from 1; 0 if unknown
+ * @param column from 1; 0 if unknown
+ * @param generated whether SITAF generated the file
  */
 public record SourceDiagnostic(
     String file, int line, int column, String message, boolean generated) {
@@ -21,12 +21,12 @@ public record SourceDiagnostic(
     }
   }
 
-  /** Says something of a whole file of the user. */
+  /** An error that concerns a whole file of the user. */
   public static SourceDiagnostic ofFile(String file, String message) {
     return new SourceDiagnostic(file, 0, 0, message, false);
   }
 
-  /** As compilers print it: {@code file:line:column: error: message}. */
+  /** The format of compilers: {@code file:line:column: error: message}. */
   @Override
   public String toString() {
     StringBuilder text = new StringBuilder();

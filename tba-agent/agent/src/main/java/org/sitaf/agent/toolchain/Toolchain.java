@@ -6,58 +6,58 @@ import java.util.Optional;
 import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.core.activity.ActivityProfile.Language;
 
-/** A language that this machine can compile and run. Safe to use from several threads. */
+/** A language that this machine can compile and run. Thread-safe. */
 public interface Toolchain {
   Language language();
 
-  /** Of the compiler or interpreter, such as {@code javac 17.0.15}. */
+  /** Version of the compiler or interpreter, such as {@code javac 17.0.15}. */
   String version();
 
   /**
-   * Whatever decides, beside the sources, what {@link #compile} brings: compiler, options, runtime.
-   * What was compiled under another identity is never used.
+   * Everything except the sources that determines the result of {@link #compile}: compiler,
+   * options, runtime. Results of another identity are never reused.
    */
   String identity() throws IOException, InterruptedException;
 
-  /** Starts what the next compilation would wait for otherwise; nothing of a user's is in it. */
+  /** Starts a process ahead for the next compilation; it runs no code of users. */
   default void startAhead(Sandbox sandbox) throws IOException, InterruptedException {}
 
-  /** Ends what was started ahead. */
+  /** Ends the processes that were started ahead. */
   default void stop() {}
 
   /**
-   * Whether {@link #compile} may read any file of the activity, not only those that the profile
-   * names for the component.
+   * Whether {@link #compile} may read any file of the activity, not only those of the component in
+   * the profile.
    */
   default boolean readsWholeActivity() {
     return false;
   }
 
   /**
-   * Whether what {@link #compile} has left in a folder is what it would bring now, as far as files
-   * of this machine decide that {@link #identity} does not stand for.
+   * Whether an earlier result of {@link #compile} is still valid, given the files of this machine
+   * that {@link #identity} does not cover.
    *
-   * @param compiled the output folder, or a copy of it
+   * @param compiled the earlier output folder, or a copy of it
    */
   default boolean isCurrent(Compilation compilation, Path compiled) throws IOException {
     return true;
   }
 
   /**
-   * Compiles component, adapter and harness. Is not called when the same was compiled before; then
-   * the output folder holds already what an earlier call has left there.
+   * Compiles component, adapter and harness. Not called if a valid result is cached; then the
+   * output folder holds that result.
    *
-   * @throws CompilationException when the user's files are at fault
-   * @throws InterruptedException when the build was cancelled meanwhile
-   * @throws IOException when this machine is at fault
+   * @throws CompilationException if the user's files have errors
+   * @throws InterruptedException if the build was cancelled
+   * @throws IOException if this machine fails
    */
   void compile(Compilation compilation)
       throws CompilationException, InterruptedException, IOException;
 
   /**
-   * What starts a process of the application before it is compiled, which waits for a line on its
-   * input until it is; the arguments of a test application are appended here too. Empty where
-   * nothing can be started without what the compiler brings.
+   * The command for a process that starts before the application is compiled and waits for a line
+   * on its input; the arguments of a test application are appended. Empty if nothing can start
+   * without the compiled files.
    */
   default Optional<CompiledApplication> openEarly(Compilation compilation)
       throws CompilationException, InterruptedException, IOException {
@@ -65,8 +65,8 @@ public interface Toolchain {
   }
 
   /**
-   * What starts the application out of the output folder; also fetches packages that it needs at
-   * run time. Called for each build, after {@link #compile} or instead of it.
+   * The command that starts the application from the output folder. Also downloads packages that it
+   * needs at run time. Called for each build, after {@link #compile} or instead of it.
    */
   CompiledApplication open(Compilation compilation)
       throws CompilationException, InterruptedException, IOException;

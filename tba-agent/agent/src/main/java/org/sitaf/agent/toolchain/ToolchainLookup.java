@@ -2,9 +2,9 @@ package org.sitaf.agent.toolchain;
 
 import java.util.Objects;
 
-/** What looking for a toolchain on this machine brought. */
+/** Result of the search for a toolchain on this machine. */
 public sealed interface ToolchainLookup {
-  /** It is there. */
+  /** The toolchain is installed. */
   record Found(Toolchain toolchain) implements ToolchainLookup {
     public Found {
       Objects.requireNonNull(toolchain);
@@ -12,10 +12,10 @@ public sealed interface ToolchainLookup {
   }
 
   /**
-   * It is not there, or not whole.
+   * The toolchain is missing or incomplete.
    *
-   * @param reason what is missing, such as {@code g++ is there, gRPC's headers are not}
-   * @param remedy the one command that installs it, or what else helps
+   * @param reason what is missing, such as {@code g++ is installed, but gRPC's headers are missing}
+   * @param remedy the command that installs it, or other advice
    */
   record Missing(String reason, String remedy) implements ToolchainLookup {
     public Missing {

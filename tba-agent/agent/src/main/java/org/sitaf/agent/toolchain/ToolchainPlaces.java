@@ -4,12 +4,12 @@ import java.nio.file.Path;
 import java.util.List;
 
 /**
- * Where toolchains find what is SITAF's.
+ * Folders and files of toolchains.
  *
  * @param runtimes holds {@code runtime-java}, {@code runtime-cpp} and {@code runtime-python}
- * @param cache private to the agent, kept from build to build; created when it is needed
- * @param annotationProcessors jars of the annotation processors and plugins that Java's compiler
- *     may run; an administrator names them
+ * @param cache private to the agent and kept between builds; created when needed
+ * @param annotationProcessors jars of the annotation processors and compiler plugins that the
+ *     administrator allows
  */
 public record ToolchainPlaces(Path runtimes, Path cache, List<Path> annotationProcessors) {
   public ToolchainPlaces {

@@ -16,19 +16,19 @@ import org.sitaf.agent.toolchain.java.JavaToolchain;
 import org.sitaf.agent.toolchain.python.PythonToolchain;
 import org.sitaf.core.activity.ActivityProfile.Language;
 
-/** The toolchains of this machine; each is looked for when it is first asked for. */
+/** The toolchains of this machine; each is searched at its first use. */
 public final class Toolchains {
   private static final System.Logger LOGGER = System.getLogger("org.sitaf.agent");
 
   private final ToolchainPlaces places;
-  private final Map<Language, ToolchainLookup> looked = new EnumMap<>(Language.class);
+  private final Map<Language, ToolchainLookup> lookups = new EnumMap<>(Language.class);
 
   public Toolchains(ToolchainPlaces places) {
     this.places = places;
   }
 
-  /** Where a language is looked for; the one place that knows them all. */
-  private ToolchainLookup look(Language language) {
+  /** Searches the toolchain of a language. The only place that lists all of them. */
+  private ToolchainLookup search(Language language) {
     return switch (language) {
       case JAVA -> JavaToolchain.find(places);
       case CPP -> CppToolchain.find(places);
@@ -37,10 +37,10 @@ public final class Toolchains {
   }
 
   private synchronized ToolchainLookup lookup(Language language) {
-    return looked.computeIfAbsent(language, this::look);
+    return lookups.computeIfAbsent(language, this::search);
   }
 
-  /** Where what was compiled is kept for the next builds. */
+  /** The cache of compiled applications. */
   public Path compiled() {
     return places.cache().resolve("compiled");
   }
@@ -52,7 +52,7 @@ public final class Toolchains {
         : Optional.empty();
   }
 
-  /** All that are there. */
+  /** All installed toolchains. */
   public List<Toolchain> found() {
     List<Toolchain> found = new ArrayList<>();
     for (Language language : Language.values()) {
@@ -62,8 +62,8 @@ public final class Toolchains {
   }
 
   /**
-   * Starts what the next build in a language would wait for otherwise. What cannot be started is
-   * reported by the build that needs it.
+   * Starts a process ahead for the next build in a language. A failure is reported by the build
+   * that needs the process.
    */
   public void startAhead(Language language, Sandbox sandbox) {
     of(language)
@@ -72,23 +72,23 @@ public final class Toolchains {
               try {
                 toolchain.startAhead(sandbox);
               } catch (IOException e) {
-                LOGGER.log(System.Logger.Level.WARNING, "nothing is started ahead: " + e);
+                LOGGER.log(System.Logger.Level.WARNING, "cannot start a compiler ahead: " + e);
               } catch (InterruptedException e) {
                 Thread.currentThread().interrupt();
               }
             });
   }
 
-  /** Ends what was started ahead. */
+  /** Ends the processes that were started ahead. */
   public synchronized void stop() {
-    for (ToolchainLookup lookup : looked.values()) {
+    for (ToolchainLookup lookup : lookups.values()) {
       if (lookup instanceof Found found) {
         found.toolchain().stop();
       }
     }
   }
 
-  /** Why a language that an agent knows is not among them, one sentence each. */
+  /** One sentence for each missing toolchain. */
   public List<String> missing() {
     List<String> sentences = new ArrayList<>();
     for (Language language : Language.values()) {
@@ -99,8 +99,8 @@ public final class Toolchains {
     return List.copyOf(sentences);
   }
 
-  /** Says that a language is not offered, why, and what is. */
-  public String lackOf(Language language) {
+  /** A message that a language is not available, with the reason and the available languages. */
+  public String missingMessage(Language language) {
     String why =
         lookup(language) instanceof Missing missing
             ? " (" + missing.reason() + "; " + missing.remedy() + ")"

@@ -1,4 +1,4 @@
-/** What this machine can compile and run, by language. */
+/** The compilers and interpreters of this machine, by language. */
 @NullMarked
 package org.sitaf.agent.toolchain;
 

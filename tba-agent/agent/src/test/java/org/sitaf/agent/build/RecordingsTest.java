@@ -101,7 +101,7 @@ class RecordingsTest {
     assertThat(from("1.glb")).doesNotExist();
     assertThat(remarks).hasSize(2);
     assertThat(remarks.get(0)).startsWith("recordings: 2 cases, 0.0 MiB");
-    assertThat(remarks.get(1)).contains("some recordings are lost", "is no regular file");
+    assertThat(remarks.get(1)).contains("some recordings are lost", "is not a regular file");
   }
 
   @Test

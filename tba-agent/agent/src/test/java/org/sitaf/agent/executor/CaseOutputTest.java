@@ -40,7 +40,7 @@ class CaseOutputTest {
   private static void isThere(Language language) {
     assumeTrue(
         EchoActivity.toolchains().of(language).isPresent(),
-        () -> "skipped: " + EchoActivity.toolchains().lackOf(language));
+        () -> "skipped: " + EchoActivity.toolchains().missingMessage(language));
   }
 
   @Test

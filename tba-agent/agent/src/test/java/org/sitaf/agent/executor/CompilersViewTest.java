@@ -50,7 +50,7 @@ class CompilersViewTest {
   private EchoActivity inCpp(String statement) {
     assumeTrue(
         EchoActivity.toolchains().of(Language.CPP).isPresent(),
-        () -> "skipped: " + EchoActivity.toolchains().lackOf(Language.CPP));
+        () -> "skipped: " + EchoActivity.toolchains().missingMessage(Language.CPP));
     return EchoActivity.inCpp("demo::Component")
         .file(
             "component/component.hpp",

@@ -52,7 +52,7 @@ class ForgedResultsTest {
   private TestResult result(Language language, String inCaseTwo) throws IOException {
     assumeTrue(
         EchoActivity.toolchains().of(language).isPresent(),
-        () -> "skipped: " + EchoActivity.toolchains().lackOf(language));
+        () -> "skipped: " + EchoActivity.toolchains().missingMessage(language));
     return result(component(language, inCaseTwo).caseWallSeconds(30).generated());
   }
 

@@ -89,7 +89,7 @@ class HostileLanguagesTest {
   private static void isThere(Language language) {
     assumeTrue(
         EchoActivity.toolchains().of(language).isPresent(),
-        () -> "skipped: " + EchoActivity.toolchains().lackOf(language));
+        () -> "skipped: " + EchoActivity.toolchains().missingMessage(language));
   }
 
   /** Case 2 hangs, case 3 ends the process, and the others have their results. */

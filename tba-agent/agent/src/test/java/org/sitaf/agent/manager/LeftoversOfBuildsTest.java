@@ -22,7 +22,7 @@ import org.sitaf.core.verdict.TestResult;
 import org.sitaf.core.verdict.Verdict;
 import org.sitaf.core.verdict.document.TestResultXml;
 
-/** An agent takes builds as before, whatever the last one left. */
+/** An agent continues to run builds, whatever a build left. */
 @Tag("slow")
 @Timeout(180)
 class LeftoversOfBuildsTest {
@@ -83,7 +83,7 @@ class LeftoversOfBuildsTest {
   }
 
   @Test
-  void whatIsTooMuchCostsItsCaseAndNothingStays() throws Exception {
+  void exceedingALimitFailsTheCaseAndLeavesNothing() throws Exception {
     start();
 
     onlyThirdIsError(
@@ -93,7 +93,7 @@ class LeftoversOfBuildsTest {
                 "import time\nfor i in range(15):\n    try: open(f'f{i}', 'wb').write(bytes(200 << 20))\n"
                     + "    except OSError: pass\ntime.sleep(60)")),
         "it wrote more than 512 MiB of files",
-        // As root its files lie in memory, which a control group counts as its own.
+        // If the agent is root, the files are in a tmpfs, which the control group counts as memory.
         "it used more than 384 MiB of memory");
     onlyThirdIsError(
         result(

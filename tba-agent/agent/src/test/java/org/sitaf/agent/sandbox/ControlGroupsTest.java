@@ -21,7 +21,7 @@ import org.sitaf.agent.sandbox.Escapes.End;
 import org.sitaf.agent.sandbox.cgroup.ControlGroup;
 import org.sitaf.agent.sandbox.cgroup.ControlGroups;
 
-/** A confined process has a group of its own, which goes with it. */
+/** Each confined process has a control group, which is removed after its end. */
 @Tag("slow")
 @Timeout(60)
 class ControlGroupsTest {
@@ -31,9 +31,10 @@ class ControlGroupsTest {
 
   private static List<Path> groupsOf(long process) throws Exception {
     ControlGroups groups = ControlGroups.ofThisMachine();
-    ControlGroup any = groups.make(new org.sitaf.agent.sandbox.cgroup.GroupLimits(64 << 20, 8));
+    ControlGroup sample =
+        groups.create(new org.sitaf.agent.sandbox.cgroup.GroupLimits(64 << 20, 8));
     List<Path> found = new ArrayList<>();
-    for (Path entrance : any.entrances()) {
+    for (Path entrance : sample.entrances()) {
       try (Stream<Path> siblings = Files.list(entrance.getParent().getParent())) {
         siblings
             .filter(p -> p.getFileName().toString().matches("sitaf-\\d+-" + process + "-.*"))
@@ -41,7 +42,7 @@ class ControlGroupsTest {
             .forEach(found::add);
       }
     }
-    any.remove();
+    sample.remove();
     return found;
   }
 
@@ -50,21 +51,21 @@ class ControlGroupsTest {
   }
 
   @Test
-  void nothingOfItIsLeft() throws Exception {
+  void removesTheGroupAfterTheEnd() throws Exception {
     Sandbox sandbox = Bound.GROUPS.sandbox();
     Confinement confinement =
         Escapes.confinement(
             folder, LIMITS, List.of("sh", "-c", "setsid sleep 100 & sleep 0.1; echo out"));
     ConfinedProcess process = sandbox.start(confinement);
     assertThat(groupsOf(self())).isNotEmpty();
-    ToolEnd end = ToolEnd.of(process, Duration.ofSeconds(20));
+    ToolResult end = ToolResult.of(process, Duration.ofSeconds(20));
 
     assertThat(end.output()).isEqualTo("out\n");
     assertThat(groupsOf(self())).isEmpty();
   }
 
   @Test
-  void oneThatIsKilledLeavesNothingEither() throws Exception {
+  void removesTheGroupOfAKilledProcess() throws Exception {
     ConfinedProcess process =
         Bound.GROUPS.sandbox().start(Escapes.confinement(folder, LIMITS, List.of("sleep", "100")));
     process.kill();
@@ -74,7 +75,7 @@ class ControlGroupsTest {
   }
 
   @Test
-  void processesAreCountedTogether() throws Exception {
+  void limitsTheNumberOfProcessesOfTheWholeTree() throws Exception {
     End end =
         Escapes.run(
             Bound.GROUPS.sandbox(),
@@ -100,24 +101,24 @@ class ControlGroupsTest {
   }
 
   @Test
-  void whatAKilledAgentLeavesIsRemovedByTheNext() throws Exception {
-    assumeTrue(Bound.GROUPS.groups().bindMemory(), Bound.GROUPS.groups().description());
-    Process agent = another("sleep", "100");
+  void removesGroupsOfAKilledAgent() throws Exception {
+    assumeTrue(Bound.GROUPS.groups().limitsMemory(), Bound.GROUPS.groups().description());
+    Process agent = startAgent("sleep", "100");
     long id = agent.pid();
-    BufferedReader said = new BufferedReader(new InputStreamReader(agent.getInputStream()));
-    assertThat(said.readLine()).contains("control groups");
+    BufferedReader output = new BufferedReader(new InputStreamReader(agent.getInputStream()));
+    assertThat(output.readLine()).contains("control groups");
     while (groupsOf(id).isEmpty()) {
       Thread.sleep(20);
     }
     agent.destroyForcibly().waitFor();
     assertThat(groupsOf(id)).isNotEmpty();
-    Process next = another("true");
+    Process next = startAgent("true");
     assertThat(new String(next.getInputStream().readAllBytes())).contains("ended 0");
 
     assertThat(groupsOf(id)).isEmpty();
   }
 
-  private Process another(String... command) throws Exception {
+  private Process startAgent(String... command) throws Exception {
     List<String> words = new ArrayList<>(SandboxProgram.command());
     words.addAll(List.of(folder.toString(), "/usr"));
     words.addAll(List.of(command));
@@ -125,16 +126,16 @@ class ControlGroupsTest {
   }
 
   @Test
-  void whatThisMachineLacksIsSaid() throws Exception {
-    ControlGroups none = ControlGroups.none("nobody delegates any");
+  void describesMissingFeatures() throws Exception {
+    ControlGroups none = ControlGroups.none("no group is delegated");
     assumeTrue(!SandboxMode.AUTO.open().kind().equals(Sandbox.NONE), "skipped: no bubblewrap");
 
     assertThat(Bubblewrap.find(true, none, true).description())
-        .contains("memory is watched from outside: nobody delegates any");
+        .contains("the agent polls the memory in use: no group is delegated");
     assertThat(Bubblewrap.find(false, none, false).description())
-        .contains("MEMORY IS NOT BOUNDED: nobody delegates any", "SYSTEM CALLS ARE NOT FILTERED");
+        .contains("MEMORY IS NOT LIMITED: no group is delegated", "SYSTEM CALLS ARE NOT FILTERED");
     assertThatThrownBy(() -> Bubblewrap.find(true, none, false))
         .isInstanceOf(SandboxMissingException.class)
-        .hasMessageContaining("the memory of components cannot be bounded: nobody delegates any");
+        .hasMessageContaining("the memory of components cannot be limited: no group is delegated");
   }
 }

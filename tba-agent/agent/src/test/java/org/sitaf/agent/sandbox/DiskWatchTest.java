@@ -14,41 +14,41 @@ import org.junit.jupiter.api.io.TempDir;
 import org.sitaf.agent.spool.Folders;
 import org.sitaf.agent.testing.OrdinaryUser;
 
-/** Who writes more than it may is ended for it, whatever the shape of what it writes. */
+/** Kills processes that write more than allowed, whatever kind of files they write. */
 @Tag("slow")
 @Timeout(120)
 class DiskWatchTest {
-  /** Of a file 16 MiB, so of all 32. */
+  /** 16 MiB for each file, so 32 MiB for all files. */
   private static final ProcessLimits LIMITS = new ProcessLimits(256, 50, 16, Duration.ofMinutes(1));
 
   private static final String PYTHON_LIMIT = "it wrote more than 32 MiB of files";
 
   @TempDir private Path directory;
 
-  private static String brokenLimit(Path folder, String program) throws Exception {
+  private static String exceededLimit(Path folder, String program) throws Exception {
     Path working = Files.createDirectories(folder.resolve("run"));
     Path temporary = Files.createDirectories(folder.resolve("tmp"));
     Path more = Files.createDirectories(folder.resolve("more"));
-    // What was there before is not its own doing.
+    // Files that exist before the start do not count.
     Files.write(more.resolve("before"), new byte[40 << 20]);
     Confinement confinement =
         Confinement.of(java.util.List.of("python3", "-c", program), working, temporary, LIMITS)
             .writing(java.util.List.of(more));
     try (ConfinedProcess process = SandboxMode.REQUIRED.open().start(confinement)) {
       boolean ended = process.awaitEnd(Duration.ofSeconds(20));
-      if (process.brokenLimit().isPresent()) {
-        return process.brokenLimit().get();
+      if (process.exceededLimit().isPresent()) {
+        return process.exceededLimit().get();
       }
-      return ended ? "none " + new String(process.errors().readAllBytes()) : "it goes on";
+      return ended ? "none " + new String(process.errors().readAllBytes()) : "still running";
     } finally {
       Folders.delete(folder);
     }
   }
 
-  /** Once as the user of the tests, once as one without rights. */
-  private void endsWith(String expected, String program) throws Exception {
-    assumeTrue(isSandboxThere(), "skipped for want of bubblewrap");
-    assertThat(brokenLimit(directory.resolve("own"), program)).startsWith(expected);
+  /** Runs the program as the user of the tests and as an unprivileged user. */
+  private void assertKilled(String expected, String program) throws Exception {
+    assumeTrue(isSandboxThere(), "skipped: bubblewrap is not installed");
+    assertThat(exceededLimit(directory.resolve("own"), program)).startsWith(expected);
     if (OrdinaryUser.isRoot()) {
       Path folder = OrdinaryUser.folder(directory);
       assertThat(OrdinaryUser.run(Confined.class, folder.toString(), program)).startsWith(expected);
@@ -64,40 +64,40 @@ class DiskWatchTest {
     }
   }
 
-  /** As an ordinary user. */
+  /** Main program for an unprivileged user. */
   static final class Confined {
     public static void main(String[] arguments) throws Exception {
-      System.out.println(brokenLimit(Path.of(arguments[0], "own"), arguments[1]));
+      System.out.println(exceededLimit(Path.of(arguments[0], "own"), arguments[1]));
     }
   }
 
   @Test
-  void bytesInManyFiles() throws Exception {
-    endsWith(
+  void countsManyFiles() throws Exception {
+    assertKilled(
         PYTHON_LIMIT,
         "import time\nfor i in range(10):\n"
             + "    open(f'f{i}', 'wb').write(bytes(15 << 20))\ntime.sleep(30)");
   }
 
   @Test
-  void sparseFilesCountAsLongAsTheySayTheyAre() throws Exception {
-    endsWith(
+  void countsSparseFilesWithTheirFullLength() throws Exception {
+    assertKilled(
         PYTHON_LIMIT,
         "import time\nfor i in range(10):\n"
             + "    open(f'f{i}', 'wb').truncate(15 << 20)\ntime.sleep(30)");
   }
 
   @Test
-  void bytesInAFolderBesideItsOwn() throws Exception {
-    endsWith(
+  void countsSharedWritableFolders() throws Exception {
+    assertKilled(
         PYTHON_LIMIT,
         "import time\nfor i in range(10):\n"
             + "    open(f'../more/f{i}', 'wb').write(bytes(15 << 20))\ntime.sleep(30)");
   }
 
   @Test
-  void filesThatNoFolderShows() throws Exception {
-    endsWith(
+  void countsDeletedFilesThatAreOpen() throws Exception {
+    assertKilled(
         PYTHON_LIMIT,
         "import os, time\nkept = []\nfor i in range(4):\n"
             + "    kept.append(open('f', 'wb'))\n    os.unlink('f')\n"
@@ -105,8 +105,8 @@ class DiskWatchTest {
   }
 
   @Test
-  void anOrdinaryAgentSeesWhatItsProcessesHaveOpen() throws Exception {
-    assumeTrue(isSandboxThere(), "skipped for want of bubblewrap");
+  void killsAProcessThatHidesItsOpenFilesFromAnUnprivilegedAgent() throws Exception {
+    assumeTrue(isSandboxThere(), "skipped: bubblewrap is not installed");
     Path folder = OrdinaryUser.folder(directory);
 
     assertThat(
@@ -114,12 +114,12 @@ class DiskWatchTest {
                 Confined.class,
                 folder.toString(),
                 "import ctypes, time\nctypes.CDLL(None).prctl(4, 0, 0, 0, 0)\ntime.sleep(30)"))
-        .startsWith("it hides from the agent which files it has open");
+        .startsWith("it prevents the agent from listing its open files");
   }
 
   @Test
-  void filesThatAreOnlyMapped() throws Exception {
-    endsWith(
+  void countsDeletedFilesThatAreMapped() throws Exception {
+    assertKilled(
         PYTHON_LIMIT,
         "import mmap, os, time\nkept = []\nfor i in range(4):\n"
             + "    f = open('f', 'w+b')\n    os.unlink('f')\n    f.truncate(15 << 20)\n"
@@ -127,39 +127,39 @@ class DiskWatchTest {
   }
 
   @Test
-  void tooManyFiles() throws Exception {
-    endsWith(
+  void limitsTheNumberOfFiles() throws Exception {
+    assertKilled(
         "it wrote more than 20000 files",
         "import os, time\nfor i in range(200000):\n    os.mknod(f'{i}')\ntime.sleep(30)");
   }
 
   @Test
-  void bytesBehindAFolderThatIsClosed() throws Exception {
-    endsWith(
+  void countsFilesInAnUnreadableFolder() throws Exception {
+    assertKilled(
         PYTHON_LIMIT,
         "import os, time\nos.mkdir('d')\nf = [open(f'd/{i}', 'wb') for i in range(4)]\n"
             + "os.chmod('d', 0)\n[x.write(bytes(15 << 20)) for x in f]\ntime.sleep(30)");
   }
 
   @Test
-  void bytesBelowManyFolders() throws Exception {
-    endsWith(
+  void countsFilesInDeeplyNestedFolders() throws Exception {
+    assertKilled(
         PYTHON_LIMIT,
         "import os, time\nfor i in range(400):\n    os.mkdir('d' * 200)\n    os.chdir('d' * 200)\n"
             + "for i in range(4):\n    open(f'{i}', 'wb').write(bytes(15 << 20))\ntime.sleep(30)");
   }
 
   @Test
-  void foldersWithoutEnd() throws Exception {
-    endsWith(
+  void limitsTheDepthOfFolders() throws Exception {
+    assertKilled(
         "it nested folders more than 512 deep",
         "import os, time\nfor i in range(2000):\n    os.mkdir('d')\n    os.chdir('d')\n"
             + "time.sleep(30)");
   }
 
   @Test
-  void whoKeepsToItIsLeftAlone() throws Exception {
-    endsWith(
+  void leavesAProcessWithinItsLimitsRunning() throws Exception {
+    assertKilled(
         "none",
         "import os, time\nos.symlink('/', 'root')\nos.mkfifo('pipe')\n"
             + "for i in range(300):\n    os.mkdir('d')\n    os.chdir('d')\n"

@@ -14,20 +14,20 @@ import java.util.Objects;
 import java.util.Optional;
 import org.sitaf.agent.sandbox.cgroup.ControlGroups;
 
-/** Programs in C that try to leave a sandbox, and sandboxes to try them in. */
+/** Compiles C programs that try to escape, and runs them in sandboxes. */
 final class Escapes {
-  static final Duration PATIENCE = Duration.ofSeconds(60);
+  static final Duration TIMEOUT = Duration.ofSeconds(60);
 
   private Escapes() {}
 
-  /** How a program ended, and for which limit. */
-  record End(int code, String output, String errors, Optional<String> broken) {}
+  /** How a program ended, and the limit that it exceeded. */
+  record End(int code, String output, String errors, Optional<String> exceededLimit) {}
 
-  /** What bounds the memory of a sandbox. */
+  /** How the memory of a sandbox is limited. */
   enum Bound {
-    /** As this machine gives them, which may be none. */
+    /** By control groups; the test is skipped on machines without them. */
     GROUPS,
-    /** As where a machine gives none. */
+    /** By measuring the processes, as on machines without control groups. */
     WATCH;
 
     ControlGroups groups() {
@@ -38,7 +38,7 @@ final class Escapes {
 
     Sandbox sandbox() throws IOException {
       ControlGroups groups = groups();
-      assumeTrue(this == WATCH || groups.bindMemory(), () -> "skipped: " + groups.description());
+      assumeTrue(this == WATCH || groups.limitsMemory(), () -> "skipped: " + groups.description());
       try {
         return Bubblewrap.find(true, groups, true);
       } catch (SandboxMissingException e) {
@@ -62,9 +62,9 @@ final class Escapes {
     command.addAll(List.of(source.toString(), "-lpthread", "-lrt"));
     try {
       Process gcc = new ProcessBuilder(command).redirectErrorStream(true).start();
-      String said = new String(gcc.getInputStream().readAllBytes());
+      String output = new String(gcc.getInputStream().readAllBytes());
       if (gcc.waitFor() != 0) {
-        throw new IOException(said);
+        throw new IOException(output);
       }
     } catch (IOException e) {
       assumeTrue(
@@ -75,10 +75,10 @@ final class Escapes {
     return program;
   }
 
-  /** A confinement of that command, in folders of its own. */
+  /** A confinement of the command in new folders. */
   static Confinement confinement(Path folder, ProcessLimits limits, List<String> command)
       throws IOException {
-    // Another user than this one must pass it.
+    // The sandbox user must be able to enter it.
     Files.setPosixFilePermissions(folder, PosixFilePermissions.fromString("rwxr-xr-x"));
     Path working = Files.createDirectories(folder.resolve("run"));
     Path temporary = Files.createDirectories(folder.resolve("tmp"));
@@ -90,7 +90,7 @@ final class Escapes {
   static End run(Sandbox sandbox, Confinement confinement)
       throws IOException, InterruptedException {
     ConfinedProcess process = sandbox.start(confinement);
-    ToolEnd end = ToolEnd.of(process, PATIENCE);
-    return new End(end.code(), end.output(), end.errors(), process.brokenLimit());
+    ToolResult end = ToolResult.of(process, TIMEOUT);
+    return new End(end.code(), end.output(), end.errors(), process.exceededLimit());
   }
 }

@@ -19,8 +19,9 @@ import org.sitaf.agent.sandbox.Escapes.Bound;
 import org.sitaf.agent.sandbox.cgroup.AutomaticGroups;
 
 /**
- * A component that burns all processors leaves another its share. What counts is the processor time
- * that the kernel gave to each over the same while, so that other work on the machine does not.
+ * A component that uses all processors does not starve another one. The test compares the processor
+ * time that the kernel gave to both in the same period, so that other load on the machine does not
+ * matter.
  */
 @Tag("slow")
 @Timeout(60)
@@ -28,7 +29,7 @@ class FairnessTest {
   private static final ProcessLimits LIMITS =
       new ProcessLimits(256, 600, 64, Duration.ofMinutes(5));
 
-  /** Of the time of the one that burns; an even share would be 1. */
+  /** Ratio to the time of the hostile component; an even share is 1. */
   private static final double LEAST_SHARE = 0.34;
 
   @TempDir Path folder;
@@ -40,19 +41,17 @@ class FairnessTest {
     "WATCH,threads,512",
     "WATCH,processes,100"
   })
-  void anotherHasItsShare(Bound bound, String kind, String number) throws Exception {
+  void anotherComponentGetsItsShare(Bound bound, String kind, String number) throws Exception {
     assumeTrue(
-        bound == Bound.GROUPS
-            ? bound.groups().shareProcessors()
-            : AutomaticGroups.shareProcessors(),
-        "skipped: nothing shares the processors out here");
+        bound == Bound.GROUPS ? bound.groups().sharesCpu() : AutomaticGroups.sharesCpu(),
+        "skipped: processor time is not shared on this machine");
     String program = Escapes.compiled("burn", folder).toString();
     int processors = Runtime.getRuntime().availableProcessors();
     Sandbox sandbox = bound.sandbox();
     try (ConfinedProcess hostile = start(sandbox, "hostile", program, kind, number);
         ConfinedProcess other =
             start(sandbox, "other", program, "threads", Integer.toString(processors))) {
-      // Both have begun with all that they start.
+      // Both have started all their threads and processes.
       Thread.sleep(2000);
       long hostileBefore = ticks(hostile);
       long otherBefore = ticks(other);
@@ -69,7 +68,7 @@ class FairnessTest {
         Escapes.confinement(own, LIMITS, List.of(command)).reading(List.of(Path.of(command[0]))));
   }
 
-  /** Processor time of all that a process started, in ticks. */
+  /** Processor time of a process and its descendants, in clock ticks. */
   private static long ticks(ConfinedProcess process) throws Exception {
     long sum = 0;
     Set<Long> all = new TreeSet<>();

@@ -18,13 +18,13 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.sitaf.agent.sandbox.Escapes.Bound;
 import org.sitaf.agent.sandbox.Escapes.End;
 
-/** 3 GB, in whatever way they are asked for, are not to be had with 512 MiB. */
+/** A process with a limit of 512 MiB cannot get 3 GB by any way of allocating memory. */
 @Tag("slow")
 @Timeout(120)
 class MemoryLimitsTest {
   private static final ProcessLimits LIMITS =
       new ProcessLimits(512, 64, 256, Duration.ofMinutes(1));
-  private static final String BROKEN = "it used more than 512 MiB of memory";
+  private static final String EXCEEDED = "it used more than 512 MiB of memory";
 
   @TempDir static Path programs;
   @TempDir Path folder;
@@ -48,7 +48,7 @@ class MemoryLimitsTest {
               "files /tmp",
               "files /",
               "files /run")) {
-        // Where /tmp is on the disk, other limits bind it.
+        // If /tmp is on the disk, the limits of the disk apply.
         if (bound == Bound.GROUPS || !way.equals("files /tmp")) {
           ways.add(Arguments.of(bound, way));
         }
@@ -60,30 +60,30 @@ class MemoryLimitsTest {
 
   @ParameterizedTest(name = "{0} {1}")
   @MethodSource("ways")
-  void itIsStopped(Bound bound, String way) throws Exception {
+  void stopsTheProcess(Bound bound, String way) throws Exception {
     End end = run(bound, way.split(" "));
 
     assertThat(end.output()).doesNotContain("TAKEN");
-    assertThat(end.broken().isPresent() || end.output().contains("refused"))
+    assertThat(end.exceededLimit().isPresent() || end.output().contains("refused"))
         .as(end.toString())
         .isTrue();
   }
 
   @ParameterizedTest(name = "{0}")
   @EnumSource(Bound.class)
-  void theReasonIsSaid(Bound bound) throws Exception {
-    assertThat(run(bound, "children").broken()).contains(BROKEN);
-    assertThat(run(bound, "shared").broken()).contains(BROKEN);
+  void reportsTheExceededLimit(Bound bound) throws Exception {
+    assertThat(run(bound, "children").exceededLimit()).contains(EXCEEDED);
+    assertThat(run(bound, "shared").exceededLimit()).contains(EXCEEDED);
   }
 
   @Test
-  void theKernelsOwnCountIsTheReasonToo() throws Exception {
-    assertThat(run(Bound.GROUPS, "memfd-written").broken()).contains(BROKEN);
-    assertThat(run(Bound.GROUPS, "sockets").broken()).contains(BROKEN);
+  void reportsTheLimitIfTheKernelKilledTheProcess() throws Exception {
+    assertThat(run(Bound.GROUPS, "memfd-written").exceededLimit()).contains(EXCEEDED);
+    assertThat(run(Bound.GROUPS, "sockets").exceededLimit()).contains(EXCEEDED);
   }
 
   @Test
-  void withoutAGroupNoFileIsInMemory() throws Exception {
+  void mountsNoTmpfsWithoutControlGroups() throws Exception {
     Path outside = Path.of("/var/tmp/sitaf-test-" + ProcessHandle.current().pid());
     java.nio.file.Files.createDirectories(outside);
     try {

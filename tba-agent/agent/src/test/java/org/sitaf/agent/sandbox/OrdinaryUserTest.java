@@ -16,11 +16,11 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What holds for root holds for an agent that is started by an ordinary user. */
+/** The sandbox works for an agent that an unprivileged user started. */
 @Tag("slow")
 @Timeout(120)
 class OrdinaryUserTest {
-  /** Nobody, as Debian numbers it. */
+  /** The user id of {@code nobody} in Debian. */
   private static final int USER = 65534;
 
   private Path programs = Path.of("");
@@ -36,11 +36,10 @@ class OrdinaryUserTest {
     Files.setPosixFilePermissions(programs, PosixFilePermissions.fromString("rwxr-xr-x"));
     Files.setAttribute(folder, "unix:uid", USER);
     assumeTrue(
-        ended(List.of("test", "-r", SandboxProgram.folderOf(Sandbox.class).toString()))
-            .endsWith("0"),
+        run(List.of("test", "-r", SandboxProgram.folderOf(Sandbox.class).toString())).endsWith("0"),
         "skipped: the classes are not readable for others");
     assumeTrue(
-        ended(List.of("bwrap", "--unshare-user", "--ro-bind", "/", "/", "true")).endsWith("0"),
+        run(List.of("bwrap", "--unshare-user", "--ro-bind", "/", "/", "true")).endsWith("0"),
         "skipped: bubblewrap does not work for an ordinary user here");
   }
 
@@ -53,7 +52,7 @@ class OrdinaryUserTest {
     }
   }
 
-  private static String ended(List<String> command) throws Exception {
+  private static String run(List<String> command) throws Exception {
     List<String> words =
         new ArrayList<>(
             List.of("setpriv", "--reuid=" + USER, "--regid=" + USER, "--clear-groups", "--"));
@@ -63,8 +62,8 @@ class OrdinaryUserTest {
             .directory(new java.io.File("/"))
             .redirectErrorStream(true)
             .start();
-    String said = new String(process.getInputStream().readAllBytes());
-    return said + process.waitFor();
+    String output = new String(process.getInputStream().readAllBytes());
+    return output + process.waitFor();
   }
 
   private String confined(String... command) throws Exception {
@@ -75,7 +74,7 @@ class OrdinaryUserTest {
     List<String> words = new ArrayList<>(SandboxProgram.command(unfiltered));
     words.addAll(List.of(folder.toString(), programs.toString()));
     words.addAll(List.of(command));
-    return ended(words);
+    return run(words);
   }
 
   @ParameterizedTest
@@ -94,45 +93,45 @@ class OrdinaryUserTest {
         "files /",
         "files /run"
       })
-  void memoryIsBounded(String way) throws Exception {
+  void limitsMemory(String way) throws Exception {
     List<String> command =
         new ArrayList<>(List.of(Escapes.compiled("memory", programs).toString()));
     command.addAll(List.of(way.split(" ")));
-    String said = confined(command.toArray(String[]::new));
+    String output = confined(command.toArray(String[]::new));
 
-    assertThat(said).contains("ended ").doesNotContain("TAKEN");
-    assertThat(said).containsAnyOf("refused", "it used more than 512 MiB of memory");
+    assertThat(output).contains("ended ").doesNotContain("TAKEN");
+    assertThat(output).containsAnyOf("refused", "it used more than 512 MiB of memory");
   }
 
   @Test
-  void systemCallsAreRefused() throws Exception {
-    String said = confined(Escapes.compiled("calls", programs).toString());
+  void blocksSystemCalls() throws Exception {
+    String output = confined(Escapes.compiled("calls", programs).toString());
 
-    assertThat(said)
+    assertThat(output)
         .contains(
             "\nclone:user 1\n", "\nunshare 1\n", "\nio_uring_setup 38\n", "\nuserfaultfd 38\n")
         .contains("\nclone3 38\n", "\nclone:plain ok\n", "\nthread ok\n")
         .contains("ended 0 within its limits");
   }
 
-  /** What bubblewrap itself closes, where there is no filter. */
+  /** Without the filter, bubblewrap itself blocks user namespaces. */
   @Test
-  void userNamespacesAreClosedWithoutTheFilterToo() throws Exception {
+  void blocksUserNamespacesWithoutTheFilter() throws Exception {
     assumeTrue(
-        ended(List.of("bwrap", "--help")).contains("--disable-userns"),
-        "skipped: this bubblewrap cannot");
-    String said = confined(true, Escapes.compiled("calls", programs).toString());
+        run(List.of("bwrap", "--help")).contains("--disable-userns"),
+        "skipped: this bubblewrap has no --disable-userns");
+    String output = confined(true, Escapes.compiled("calls", programs).toString());
 
-    assertThat(said)
+    assertThat(output)
         .contains("SYSTEM CALLS ARE NOT FILTERED")
         .contains("\nclone:user 28\n", "\nunshare 28\n")
         .contains("ended 0");
   }
 
   @Test
-  void theHostsLackIsSaid() throws Exception {
+  void describesTheFeaturesOfTheHost() throws Exception {
     assertThat(confined("true"))
-        .containsAnyOf("memory is watched from outside: ", "control groups (v2) for ")
+        .containsAnyOf("the agent polls the memory in use: ", "control groups (v2) for ")
         .contains("ended 0");
   }
 }

@@ -8,14 +8,14 @@ import java.util.List;
 import org.sitaf.agent.sandbox.Escapes.End;
 import org.sitaf.agent.sandbox.cgroup.ControlGroups;
 
-/** A process of its own that confines a command; prints what it says and how it ends. */
+/** Main program that confines a command and prints its output and exit code. */
 final class SandboxProgram {
-  /** Property: without the filter of system calls. */
+  /** System property that disables the system call filter. */
   static final String UNFILTERED = "unfiltered";
 
   private SandboxProgram() {}
 
-  /** FOLDER READABLE COMMAND...; prints "started" before the command's end is awaited. */
+  /** Arguments: FOLDER READABLE COMMAND...; prints "started" before it waits for the command. */
   public static void main(String[] arguments) throws Exception {
     Sandbox sandbox =
         Boolean.getBoolean(UNFILTERED)
@@ -30,10 +30,11 @@ final class SandboxProgram {
     End end = Escapes.run(sandbox, confinement);
     System.out.println(end.output());
     System.out.println(end.errors());
-    System.out.println("ended " + end.code() + " " + end.broken().orElse("within its limits"));
+    System.out.println(
+        "ended " + end.code() + " " + end.exceededLimit().orElse("within its limits"));
   }
 
-  /** The words of a command that runs it. */
+  /** The command line that starts this program. */
   static List<String> command() throws URISyntaxException {
     return command(false);
   }
@@ -43,7 +44,7 @@ final class SandboxProgram {
         Path.of(System.getProperty("java.home"), "bin", "java").toString(),
         "-D" + UNFILTERED + "=" + unfiltered,
         "-cp",
-        // The folders of classes alone; an ordinary user may not read the libraries.
+        // Without the libraries, which an unprivileged user may not be able to read.
         folderOf(Sandbox.class) + ":" + folderOf(SandboxProgram.class),
         SandboxProgram.class.getName());
   }

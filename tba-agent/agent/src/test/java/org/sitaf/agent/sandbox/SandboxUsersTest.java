@@ -12,17 +12,17 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Two agents of one host never run anything as the same user. */
+/** Two agents of one host never use the same user id. */
 @Tag("slow")
 @Timeout(60)
 class SandboxUsersTest {
-  /** None that an agent uses, as claims end processes. */
+  /** Ids that no agent uses: claiming a range kills the processes of its users. */
   private static final int FIRST = 990_000;
 
   @TempDir Path claims;
 
   @Test
-  void eachClaimHasARangeOfItsOwn() throws IOException {
+  void eachClaimGetsItsOwnRange() throws IOException {
     SandboxUsers one = SandboxUsers.claim(claims, FIRST, 10, 2);
     SandboxUsers two = SandboxUsers.claim(claims, FIRST, 10, 2);
 
@@ -60,34 +60,34 @@ class SandboxUsersTest {
   }
 
   @Test
-  void aUserIsNotGivenTwiceAtATime() throws IOException {
+  void doesNotAssignAUserTwice() throws IOException {
     SandboxUsers users = SandboxUsers.claim(claims, FIRST, 3, 1);
-    int first = users.take();
-    int second = users.take();
-    int third = users.take();
-    assertThatThrownBy(users::take).hasMessageContaining("more than 3 confined processes");
+    int first = users.acquire();
+    int second = users.acquire();
+    int third = users.acquire();
+    assertThatThrownBy(users::acquire).hasMessageContaining("more than 3 confined processes");
     users.release(second);
 
-    assertThat(users.take()).isEqualTo(second);
+    assertThat(users.acquire()).isEqualTo(second);
     assertThat(first).isNotEqualTo(third);
   }
 
   @Test
-  void nothingOfAUserIsLeftWhenItIsUsedAgain() throws Exception {
+  void killsProcessesOfAUserBeforeItIsReused() throws Exception {
     assumeTrue(isRoot(), "skipped: this user cannot become another");
     SandboxUsers users = SandboxUsers.claim(claims, FIRST + 20, 2, 1);
-    int user = users.take();
+    int user = users.acquire();
     Process left =
         new ProcessBuilder("setpriv", "--reuid=" + user, "--clear-groups", "sleep", "50").start();
-    waitUntilItIsOf(left, user);
-    int kept = users.take();
+    waitForUser(left, user);
+    int kept = users.acquire();
     Process busy =
         new ProcessBuilder("setpriv", "--reuid=" + kept, "--clear-groups", "sleep", "50").start();
-    waitUntilItIsOf(busy, kept);
+    waitForUser(busy, kept);
     try {
       users.release(user);
 
-      assertThat(users.take()).isEqualTo(user);
+      assertThat(users.acquire()).isEqualTo(user);
       assertThat(left.waitFor(10, TimeUnit.SECONDS)).isTrue();
       assertThat(busy.isAlive()).isTrue();
     } finally {
@@ -96,7 +96,7 @@ class SandboxUsersTest {
     }
   }
 
-  private static void waitUntilItIsOf(Process process, int user) throws Exception {
+  private static void waitForUser(Process process, int user) throws Exception {
     Path status = Path.of("/proc", Long.toString(process.pid()));
     while (!java.nio.file.Files.getAttribute(status, "unix:uid").equals(user)) {
       Thread.sleep(5);

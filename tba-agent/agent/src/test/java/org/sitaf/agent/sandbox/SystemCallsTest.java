@@ -18,7 +18,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.sitaf.agent.sandbox.Escapes.Bound;
 import org.sitaf.agent.sandbox.Escapes.End;
 
-/** System calls that lead out of a sandbox fail in one, and those that programs need do not. */
+/** The filter blocks system calls that help to escape and allows those that programs need. */
 @Tag("slow")
 @Timeout(60)
 class SystemCallsTest {
@@ -33,7 +33,7 @@ class SystemCallsTest {
           "socket:inet6",
           "socketpair:unix");
 
-  /** They need a control group that counts what they take. */
+  /** Allowed only if a control group counts their memory. */
   private static final Set<String> COUNTED = Set.of("memfd_create", "shmget");
 
   private static final String EPERM = "1";
@@ -58,7 +58,7 @@ class SystemCallsTest {
 
   @ParameterizedTest(name = "{0}")
   @EnumSource(Bound.class)
-  void whatLeadsOutIsRefused(Bound bound) throws Exception {
+  void blocksDangerousCalls(Bound bound) throws Exception {
     Map<String, String> answers = answers(bound);
     Set<String> open = new TreeSet<>();
     answers.forEach(
@@ -85,7 +85,7 @@ class SystemCallsTest {
   }
 
   @Test
-  void theFilterIsOnEveryThreadAndForGood() throws Exception {
+  void filterCannotBeRemoved() throws Exception {
     End end =
         run(Bound.WATCH, List.of("grep", "-E", "^(Seccomp|NoNewPrivs):", "/proc/self/status"));
 
@@ -102,9 +102,9 @@ class SystemCallsTest {
         .allMatch(line -> line.contains("pipe:"));
   }
 
-  /** A library of the component must not be loaded by what prepares its process. */
+  /** Programs that set up the sandbox must not load a library of the component. */
   @Test
-  void variablesOfTheComponentAreForItAlone() throws Exception {
+  void onlyTheComponentSeesItsVariables() throws Exception {
     Path libraries = Files.createDirectories(folder.resolve("libraries"));
     Path library = Escapes.compiled("library", folder, "-shared", "-fPIC");
     for (String name : List.of("libcap.so.2", "libselinux.so.1", "libcap-ng.so.0")) {

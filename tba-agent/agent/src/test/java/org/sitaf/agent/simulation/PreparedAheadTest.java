@@ -37,15 +37,15 @@ import org.sitaf.sim.v1.OperationStatistics;
 import org.sitaf.sim.v1.SimulationControlGrpc;
 
 /**
- * What the runtime of Java test applications prepares ahead in the real simulation is what it
- * prepares case by case.
+ * The runtime of Java test applications prepares several cases at once in the simulation; the
+ * results must equal those of cases that are prepared one by one.
  */
 @Tag("slow")
 @Timeout(120)
 class PreparedAheadTest {
   private static final Duration SETTLE = Duration.ofMillis(25);
 
-  /** All numbers of a device, by the word for its kind. */
+  /** All readings of a device, by the name of its kind. */
   private static final Map<String, BiFunction<Hardware, String, List<?>>> KINDS =
       Map.of(
           "range",
@@ -86,7 +86,7 @@ class PreparedAheadTest {
 
   private static Path example(String file) {
     Path world = Path.of(System.getProperty("sitaf.examples", ""), file);
-    assumeTrue(Files.exists(world), "skipped for want of " + world);
+    assumeTrue(Files.exists(world), "skipped: missing " + world);
     return world;
   }
 
@@ -107,12 +107,12 @@ class PreparedAheadTest {
     return values;
   }
 
-  /** What a component does in a case, and gives back to be compared. */
+  /** The calls of a component in a case; returns what is compared. */
   private interface Component {
     void act(Simulation simulation, TestCase testCase);
   }
 
-  /** Everything that is seen in each of the cases, or why it was refused. */
+  /** The result of each case, or the reason why the simulator rejected it. */
   private static List<String> run(
       String target,
       Path world,
@@ -156,14 +156,14 @@ class PreparedAheadTest {
             try {
               all.put(device + " " + kind, read.apply(hardware, device));
             } catch (IllegalArgumentException e) {
-              // Of another kind.
+              // The device is of another kind.
             }
           });
     }
     return all;
   }
 
-  /** Compares both ways; returns how many cases the one that looks ahead prepared alone. */
+  /** Compares both ways; returns how many cases were still prepared one by one. */
   private long isTheSame(
       String file,
       Map<String, List<String>> columns,
@@ -187,7 +187,7 @@ class PreparedAheadTest {
     }
   }
 
-  /** How many cases the simulator has prepared one by one. */
+  /** The number of cases that the simulator prepared one by one. */
   private static long preparedAlone(String target) {
     ManagedChannel channel =
         Grpc.newChannelBuilder(target, InsecureChannelCredentials.create()).build();
@@ -211,7 +211,7 @@ class PreparedAheadTest {
   }
 
   @Test
-  void allSensorsOfARobotReadTheSame() throws Exception {
+  void allSensorsOfARobotHaveTheSameReadings() throws Exception {
     long alone =
         isTheSame(
             "worlds/maze/maze.world.yaml",
@@ -228,7 +228,7 @@ class PreparedAheadTest {
   }
 
   @Test
-  void casesOfTheSameValuesFindTheSameWorldAgain() throws Exception {
+  void casesWithEqualValuesGetTheSameWorld() throws Exception {
     List<TestCase> cases =
         cases(
             Map.of(
@@ -252,7 +252,7 @@ class PreparedAheadTest {
   }
 
   @Test
-  void aRefusedCaseAmongTheOthersIsToldInTheSameWords() throws Exception {
+  void aRejectedCaseHasTheSameMessage() throws Exception {
     List<String> distances = new ArrayList<>(evenly(-0.5, 15, 400));
     distances.set(5, "20.5");
     distances.set(50, "21.5");
@@ -269,7 +269,7 @@ class PreparedAheadTest {
   }
 
   @Test
-  void aComponentThatActsInOneOfItsCasesFindsALiveSession() throws Exception {
+  void aComponentThatUsesActuatorsGetsALiveSession() throws Exception {
     long alone =
         isTheSame(
             "worlds/maze/maze.world.yaml",
@@ -287,7 +287,7 @@ class PreparedAheadTest {
   }
 
   @Test
-  void timeThatPassesAfterTheCallPassesFromWhereTheCaseWasPrepared() throws Exception {
+  void simulationContinuesFromThePreparedState() throws Exception {
     long alone =
         isTheSame(
             "worlds/maze/maze.world.yaml",
@@ -300,7 +300,7 @@ class PreparedAheadTest {
   }
 
   @Test
-  void aCommandThatTheDeviceDoesNotTakeIsTheComponentsDoing() throws Exception {
+  void anInvalidCommandIsAnErrorOfTheComponent() throws Exception {
     List<TestCase> cases = cases(Map.of("StartX", evenly(-1, 1, 10)), 10);
     try (Simulator simulators =
             Simulator.started(RealBridge.command(), directory, Sandbox.none(), 0);

@@ -8,13 +8,13 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The project's own simulation bridge, where it is set up; tests that need it say that they are
- * skipped for want of it.
+ * The simulation bridge of this source tree. Tests that need it are skipped with a message if it is
+ * not set up.
  */
 public final class RealBridge {
   private RealBridge() {}
 
-  /** What starts it. */
+  /** The command that starts it. */
   public static List<String> command() {
     @Nullable String python = System.getProperty("sitaf.bridge.python");
     assumeTrue(

@@ -52,7 +52,7 @@ class SimulatorTest {
   }
 
   @Test
-  void eachBuildHasABridgeOfItsOwnWhichEndsWithIt() throws Exception {
+  void eachBuildHasItsOwnBridge() throws Exception {
     try (Simulator simulators = started(3)) {
       String first;
       try (BuildSimulator simulator = simulators.forBuild()) {
@@ -74,7 +74,7 @@ class SimulatorTest {
   }
 
   @Test
-  void whereABuildIsExpectedABridgeWaitsForIt() throws Exception {
+  void startsABridgeAheadForAnExpectedBuild() throws Exception {
     try (Simulator simulators = started(1)) {
       awaitBridges();
       int waiting = bridges().size();
@@ -87,7 +87,7 @@ class SimulatorTest {
   }
 
   @Test
-  void aSpareThatDiedIsReplaced() throws Exception {
+  void replacesAnIdleBridgeThatDied() throws Exception {
     try (Simulator simulators = started(1)) {
       awaitBridges();
       bridges().forEach(SimulatorTest::killAndWait);
@@ -98,7 +98,7 @@ class SimulatorTest {
   }
 
   @Test
-  void anEndpointOffersTheWorldOfTheBuildAndNothingMore() throws Exception {
+  void anEndpointOffersOnlyTheWorldOfTheBuild() throws Exception {
     try (Simulator simulators = started(1);
         BuildSimulator simulator = simulators.forBuild()) {
       check(simulator);
@@ -121,7 +121,7 @@ class SimulatorTest {
   }
 
   @Test
-  void aCameraSeesInTheSandboxWhatItSeesOutside() throws Exception {
+  void aCameraRendersTheSameImageInTheSandbox() throws Exception {
     byte[] mjcf =
         ("<mujoco><worldbody><light pos=\"0 0 3\"/><geom type=\"plane\" size=\"1 1 1\"/>"
                 + "<camera name=\"c\" pos=\"0 0 2\"/></worldbody></mujoco>")
@@ -142,7 +142,7 @@ class SimulatorTest {
     }
   }
 
-  /** Digest of what the camera sees, or the code of the refusal where this machine renders none. */
+  /** Digest of the camera image, or the status code if this machine cannot render. */
   private static String picture(BuildSimulator simulator, Map<String, byte[]> files)
       throws Exception {
     simulator.check("w.world.yaml", files);
@@ -177,7 +177,7 @@ class SimulatorTest {
   }
 
   @Test
-  void aBridgeThatDiedIsFollowedByAnotherWithTheSameWorld() throws Exception {
+  void replacesABridgeThatDiedWithTheSameWorld() throws Exception {
     try (Simulator simulators = started(1);
         BuildSimulator simulator = simulators.forBuild()) {
       check(simulator);
@@ -197,7 +197,7 @@ class SimulatorTest {
   }
 
   @Test
-  void aWorldThatWasAcceptedIsCompiledMeanwhile() throws Exception {
+  void compilesAKnownWorldInTheBackground() throws Exception {
     try (Simulator simulators = started(2)) {
       for (int build = 0; build < 2; build++) {
         try (BuildSimulator simulator = simulators.forBuild()) {
@@ -212,7 +212,7 @@ class SimulatorTest {
   }
 
   @Test
-  void aWorldThatTheSimulatorRefusesIsReportedWithItsMessage() throws Exception {
+  void reportsTheMessageOfARejectedWorld() throws Exception {
     byte[] oops = "<mujoco><oops/></mujoco>".getBytes(UTF_8);
     try (Simulator simulators = started(0);
         BuildSimulator simulator = simulators.forBuild()) {
@@ -225,7 +225,7 @@ class SimulatorTest {
   }
 
   @Test
-  void aFolderWithALongPathGetsASocketElsewhere() throws Exception {
+  void createsTheSocketElsewhereIfThePathIsTooLong() throws Exception {
     Path deep = directory.resolve("d".repeat(100));
     try (Simulator simulators =
             Simulator.started(RealBridge.command(), deep, SandboxMode.AUTO.open(), 0);
@@ -236,7 +236,7 @@ class SimulatorTest {
   }
 
   @Test
-  void aCommandThatDoesNotExistIsReported() throws Exception {
+  void reportsAMissingCommand() throws Exception {
     try (Simulator simulators =
             Simulator.started(List.of("/no/such/python"), directory, Sandbox.none(), 1);
         BuildSimulator simulator = simulators.forBuild()) {
@@ -247,7 +247,7 @@ class SimulatorTest {
   }
 
   @Test
-  void aCommandThatEndsAtOnceIsReportedWithItsLastLine() throws Exception {
+  void reportsTheLastLineOfACommandThatEnds() throws Exception {
     Path script = Files.writeString(directory.resolve("s.sh"), "echo no module >&2; exit 4\n");
     try (Simulator simulators =
             Simulator.started(
@@ -264,7 +264,7 @@ class SimulatorTest {
   }
 
   @Test
-  void aSimulatorThatIsNotThereIsNoFaultOfTheWorld() {
+  void anUnreachableSimulatorIsNotAnErrorOfTheWorld() {
     try (SimulatorClient client = new SimulatorClient("unix:" + directory.resolve("nobody"))) {
       assertThatThrownBy(client::version)
           .isInstanceOf(SimulatorException.class)
@@ -273,7 +273,7 @@ class SimulatorTest {
   }
 
   @Test
-  void aSimulatorOfSomebodyElseIsSaidToBeShared() throws Exception {
+  void describesAnExistingSimulatorAsShared() throws Exception {
     try (Simulator running = Simulator.running("127.0.0.1:1");
         BuildSimulator simulator = running.forBuild();
         SimulatorEndpoint endpoint = simulator.open()) {
@@ -285,7 +285,7 @@ class SimulatorTest {
   }
 
   @Test
-  void withoutASimulatorTheMessageSaysWhatToDo() {
+  void tellsHowToConfigureASimulator() {
     try (Simulator none = Simulator.none()) {
       assertThatThrownBy(none::forBuild)
           .isInstanceOf(SimulatorException.class)

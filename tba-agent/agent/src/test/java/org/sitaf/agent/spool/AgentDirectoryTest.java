@@ -15,7 +15,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.sitaf.agent.testing.OddTrees;
 import org.sitaf.agent.testing.OrdinaryUser;
 
-/** Whatever builds left, an agent starts with an empty folder for builds. */
+/** An agent starts with an empty folder for builds, whatever the previous one left. */
 @Timeout(120)
 class AgentDirectoryTest {
   @TempDir private Path temporary;
@@ -37,7 +37,7 @@ class AgentDirectoryTest {
     assertThat(countIn(folder)).isZero();
   }
 
-  /** Starts twice, with what a build left in between. */
+  /** Starts an agent, leaves files of a build, and starts it again. */
   static void startAfterLeftovers(Path path) throws Exception {
     Path run = Files.createDirectories(path.resolve("builds/1-1/execution/run"));
     OddTrees.nest(run, 400);
@@ -52,18 +52,18 @@ class AgentDirectoryTest {
   }
 
   @Test
-  void oddTreesOfBuildsDoNotKeepAnAgentFromStarting() throws Exception {
+  void startsDespiteOddTreesOfBuilds() throws Exception {
     startAfterLeftovers(temporary.resolve("agent"));
   }
 
   @Test
-  void norDoTheyForAnOrdinaryUser() throws Exception {
+  void startsDespiteOddTreesAsAnUnprivilegedUser() throws Exception {
     Path folder = OrdinaryUser.folder(temporary);
 
     assertThat(OrdinaryUser.run(Starting.class, folder.toString())).contains("started");
   }
 
-  /** As an ordinary user, who has no more than the classes of the agent. */
+  /** Main program for an unprivileged user, who can read the classes of the agent only. */
   static final class Starting {
     public static void main(String[] arguments) throws Exception {
       Path path = Path.of(arguments[0], "agent");
@@ -84,23 +84,23 @@ class AgentDirectoryTest {
   }
 
   @Test
-  void whatRootsBuildsWriteHasABoundThatNobodyExceeds() throws Exception {
+  void limitsTheSizeOfABuildsFilesIfTheAgentIsRoot() throws Exception {
     assumeTrue(OrdinaryUser.isRoot(), "skipped: only root can mount");
     try (AgentDirectory directory = AgentDirectory.open(temporary.resolve("agent"));
         Trash trash = directory.trash()) {
       BuildFolders builds = builds(directory, trash);
-      Path written = builds.begin("1-1").resolve("written");
+      Path written = builds.create("1-1").resolve("written");
       assumeTrue(
           Files.getFileStore(written).type().equals("tmpfs"), "skipped: this root may not mount");
 
       assertThatThrownBy(() -> Files.write(written.resolve("large"), new byte[17 << 20]))
           .hasMessageContaining("No space left");
       assertThatThrownBy(() -> OddTrees.fill(written, 101)).isInstanceOf(IOException.class);
-      builds.end("1-1");
+      builds.remove("1-1");
       assertThat(builds.of("1-1")).doesNotExist();
 
-      // An agent that is killed ends nothing.
-      builds.begin("1-2");
+      // A killed agent removes nothing.
+      builds.create("1-2");
       builds(directory, trash);
       assertThat(builds.of("1-2")).doesNotExist();
       assertThat(Files.readString(Path.of("/proc/self/mountinfo")))
@@ -110,7 +110,7 @@ class AgentDirectoryTest {
   }
 
   @Test
-  void theFolderIsForNobodyElse() throws IOException {
+  void theFolderIsPrivate() throws IOException {
     Path path = Files.createDirectory(temporary.resolve("agent"));
     Files.setPosixFilePermissions(path, PosixFilePermissions.fromString("rwxrwxr-x"));
 

@@ -10,14 +10,14 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 class FileCacheTest {
-  /** Of "abc", from the standard (FIPS 180-4). */
+  /** Digest of "abc", from FIPS 180-4. */
   private static final String ABC =
       "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
 
   @TempDir private Path directory;
 
   @Test
-  void aFileIsFoundByTheDigestOfItsContent() throws Exception {
+  void findsAFileByItsDigest() throws Exception {
     FileCache cache = FileCache.open(directory);
     assertThat(cache.find(ABC)).isEmpty();
     cache.add(ABC, out -> out.write(new byte[] {'a', 'b', 'c'}));
@@ -26,7 +26,7 @@ class FileCacheTest {
   }
 
   @Test
-  void aFileThatIsNotWhatItsDigestSaysIsNotTakenIn() throws Exception {
+  void rejectsAFileThatDoesNotMatchItsDigest() throws Exception {
     FileCache cache = FileCache.open(directory);
 
     assertThatThrownBy(() -> cache.add(ABC, out -> out.write('x')))
@@ -36,7 +36,7 @@ class FileCacheTest {
   }
 
   @Test
-  void aFileThatWasDamagedOnTheDiskIsForgotten() throws Exception {
+  void removesADamagedFile() throws Exception {
     FileCache cache = FileCache.open(directory);
     cache.add(ABC, out -> out.write(new byte[] {'a', 'b', 'c'}));
     Files.writeString(directory.resolve(ABC), "abd");
@@ -45,7 +45,7 @@ class FileCacheTest {
   }
 
   @Test
-  void aDigestThatIsAPathIsRefused() throws Exception {
+  void rejectsAPathAsDigest() throws Exception {
     FileCache cache = FileCache.open(directory);
 
     assertThatThrownBy(() -> cache.find("../" + ABC.substring(3)))

@@ -11,13 +11,13 @@ import org.junit.jupiter.api.io.TempDir;
 import org.sitaf.agent.testing.OddTrees;
 import org.sitaf.agent.testing.OrdinaryUser;
 
-/** No tree withstands its deletion. */
+/** Deletes trees of any shape. */
 @Timeout(120)
 class FoldersTest {
   @TempDir private Path directory;
 
   @Test
-  void deletesFoldersThatAreDeeperThanAnyPath() throws Exception {
+  void deletesFoldersDeeperThanTheLongestPath() throws Exception {
     Path folder = Files.createDirectory(directory.resolve("deep"));
     OddTrees.nest(folder, 3000);
 
@@ -27,7 +27,7 @@ class FoldersTest {
   }
 
   @Test
-  void deletesALinkAndNotWhatItLeadsTo() throws IOException {
+  void deletesALinkAndNotItsTarget() throws IOException {
     Path outside = Files.createDirectory(directory.resolve("outside"));
     Path file = Files.writeString(outside.resolve("file"), "untouched");
     Path folder = Files.createDirectory(directory.resolve("folder"));
@@ -41,13 +41,13 @@ class FoldersTest {
   }
 
   @Test
-  void deletesWhatAnOrdinaryUserMayNotLookInto() throws Exception {
+  void deletesUnreadableFoldersAsAnUnprivilegedUser() throws Exception {
     Path folder = OrdinaryUser.folder(directory);
 
     assertThat(OrdinaryUser.run(Deleting.class, folder.toString())).contains("gone");
   }
 
-  /** As an ordinary user. */
+  /** Main program for an unprivileged user. */
   static final class Deleting {
     public static void main(String[] arguments) throws Exception {
       Path folder = Files.createDirectory(Path.of(arguments[0], "folder"));

@@ -22,7 +22,7 @@ class LeftFilesTest {
   }
 
   @Test
-  void onlyRegularFilesOfBoundedDepthAreFound() throws Exception {
+  void findsRegularFilesUpToALimitedDepth() throws Exception {
     Path secret = Files.writeString(directory.resolve("secret"), "x");
     Path file = Files.writeString(directory.resolve("a.data"), "x");
     Files.createSymbolicLink(directory.resolve("b.data"), secret);
@@ -34,20 +34,20 @@ class LeftFilesTest {
 
     assertThat(data(10)).containsExactly(file);
     assertThatThrownBy(() -> LeftFiles.read(directory.resolve("b.data"), 10))
-        .hasMessage("b.data is no regular file");
+        .hasMessage("b.data is not a regular file");
     assertThatThrownBy(() -> LeftFiles.read(directory.resolve("d.data"), 10))
-        .hasMessage("d.data is no regular file");
+        .hasMessage("d.data is not a regular file");
     Folders.delete(directory);
   }
 
   @Test
-  void tooManyAndTooLongAreRefused() throws Exception {
+  void rejectsTooManyAndTooLongFiles() throws Exception {
     for (int i = 0; i < 3; i++) {
       Files.write(directory.resolve(i + ".data"), new byte[11]);
     }
 
     assertThat(data(3)).hasSize(3);
-    assertThatThrownBy(() -> data(2)).hasMessage("there are more than 2 files of its kind");
+    assertThatThrownBy(() -> data(2)).hasMessage("there are more than 2 files of this kind");
     assertThat(LeftFiles.read(directory.resolve("0.data"), 11)).hasSize(11);
     assertThatThrownBy(() -> LeftFiles.read(directory.resolve("0.data"), 10))
         .hasMessage("0.data has more than 10 bytes");

@@ -13,7 +13,7 @@ class SpoolTest {
   @TempDir private Path directory;
 
   @Test
-  void anEntryIsThereWithItsLogAfterTheSpoolIsOpenedAgain() throws Exception {
+  void keepsAnEntryAndItsLogAcrossRestarts() throws Exception {
     Path log = Files.writeString(directory.resolve("build.log"), "lines");
     Spool.open(directory.resolve("spool")).put("a", "result".getBytes(UTF_8), log, null);
     Files.delete(log);
@@ -25,7 +25,7 @@ class SpoolTest {
   }
 
   @Test
-  void whatIsAttachedToAnEntryStaysWithIt() throws Exception {
+  void keepsTheAttachmentsOfAnEntry() throws Exception {
     Path folder = Files.createDirectory(directory.resolve("recordings"));
     Files.writeString(folder.resolve("7.glb"), "seven");
     Spool spool = Spool.open(directory.resolve("spool"));
@@ -40,7 +40,7 @@ class SpoolTest {
   }
 
   @Test
-  void anEntryThatWasNotWrittenToItsEndIsNoEntry() throws Exception {
+  void ignoresAnIncompleteEntry() throws Exception {
     Path spool = directory.resolve("spool");
     Files.createDirectories(spool.resolve("tmp.half"));
     Files.writeString(spool.resolve("tmp.half/message"), "ha");
@@ -50,7 +50,7 @@ class SpoolTest {
   }
 
   @Test
-  void aDeletedEntryIsGone() throws Exception {
+  void deletesAnEntry() throws Exception {
     Spool spool = Spool.open(directory);
     spool.delete(spool.put("a", new byte[] {1}, null, null));
 
@@ -59,7 +59,7 @@ class SpoolTest {
   }
 
   @Test
-  void aRejectedEntryIsKeptForAPersonAndNotSentAgain() throws Exception {
+  void keepsARejectedEntryOutOfTheEntries() throws Exception {
     Spool spool = Spool.open(directory);
     Path aside = spool.reject(spool.put("a", new byte[] {1}, null, null));
 
@@ -70,7 +70,7 @@ class SpoolTest {
   }
 
   @Test
-  void anEntryWithoutAMessageIsPutAsideAndTheOthersAreThere() throws Exception {
+  void setsAnEntryWithoutAMessageAside() throws Exception {
     Spool spool = Spool.open(directory);
     spool.put("b", new byte[] {1}, null, null);
     Files.createDirectory(directory.resolve("a"));
@@ -84,7 +84,7 @@ class SpoolTest {
   }
 
   @Test
-  void aLaterEntryOfTheSameNameReplacesTheFirst() throws Exception {
+  void replacesAnEntryOfTheSameName() throws Exception {
     Spool spool = Spool.open(directory);
     spool.put("a", new byte[] {1}, null, null);
     spool.put("a", new byte[] {2}, null, null);
@@ -94,7 +94,7 @@ class SpoolTest {
   }
 
   @Test
-  void aNameThatIsAPathIsRefused() throws Exception {
+  void rejectsAPathAsName() throws Exception {
     Spool spool = Spool.open(directory);
 
     assertThatThrownBy(() -> spool.put("../a", new byte[0], null, null))

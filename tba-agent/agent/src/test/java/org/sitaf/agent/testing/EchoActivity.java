@@ -23,9 +23,9 @@ import org.sitaf.core.suite.GenerationOptions;
 import org.sitaf.core.suite.TestCaseGenerator;
 
 /**
- * A test application of a component that should return what it is given, with the cases 1, 2, 3 and
- * so on. Its driver is written by hand and keeps the contract with the executor, so that the
- * component may do what it likes.
+ * A test application of a component that should return its argument, with the cases 1, 2, 3 and so
+ * on. Its driver is written by hand and follows the protocol of the executor, so that the component
+ * may do anything.
  */
 public final class EchoActivity {
   private final Map<String, byte[]> files = new HashMap<>();
@@ -37,7 +37,7 @@ public final class EchoActivity {
   private String postConditions = "";
   private final String harness = resource("ScriptedHarness.java");
 
-  /** The component's class with this body of {@code int echo(int value) throws Exception}. */
+  /** The component's class with the given body of {@code int echo(int value) throws Exception}. */
   public static EchoActivity doing(String body) {
     return withComponent(
         """
@@ -52,7 +52,7 @@ public final class EchoActivity {
             .formatted(body));
   }
 
-  /** The component's source as it stands. */
+  /** The complete source of the component. */
   public static EchoActivity withComponent(String source) {
     EchoActivity activity = new EchoActivity();
     activity.file("component/demo/Component.java", source);
@@ -95,7 +95,7 @@ public final class EchoActivity {
     return this;
   }
 
-  /** With a condition in CEL on every case; without characters that XML would escape. */
+  /** Adds a CEL condition to every case; must not contain characters that XML escapes. */
   public EchoActivity postCondition(String condition) {
     postConditions += "<post_condition>" + condition + "</post_condition>";
     return this;
@@ -110,7 +110,7 @@ public final class EchoActivity {
     return this;
   }
 
-  /** With the driver that SITAF generates, on the real runtime. */
+  /** Uses the driver that SITAF generates, with the real runtime. */
   public TestApplication generated() {
     TestApplication scripted = application();
     return InterfaceTestApplicationGenerator.generate(
@@ -175,12 +175,12 @@ public final class EchoActivity {
     }
   }
 
-  /** The toolchains of this machine, on the runtimes that the build copied. */
+  /** The toolchains of this machine, with the runtimes that the Maven build copied. */
   public static Toolchains toolchains() {
     return new Toolchains(places());
   }
 
-  /** The runtimes that the build copied, and a cache of all tests. */
+  /** The runtimes that the Maven build copied, and a cache shared by all tests. */
   public static ToolchainPlaces places() {
     Path runtimes =
         Path.of(

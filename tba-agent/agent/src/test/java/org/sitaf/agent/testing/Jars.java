@@ -15,7 +15,7 @@ import java.util.jar.Manifest;
 import java.util.stream.Stream;
 import javax.tools.ToolProvider;
 
-/** Jars as users bring them, compiled in the test. */
+/** Creates the jars of users, compiled in the test. */
 public final class Jars {
   private Jars() {}
 
@@ -23,7 +23,7 @@ public final class Jars {
    * A jar of classes and other entries.
    *
    * @param sources by path
-   * @param entries what else it holds, by name
+   * @param entries other files by name
    */
   public static Path of(Path folder, Map<String, String> sources, Map<String, String> entries)
       throws IOException {
@@ -51,7 +51,7 @@ public final class Jars {
     return write(folder.resolve("made.jar"), new Manifest(), all);
   }
 
-  /** A jar whose manifest names others. */
+  /** A jar whose manifest has a class path. */
   public static Path naming(Path file, String classPath) throws IOException {
     Manifest manifest = new Manifest();
     manifest.getMainAttributes().put(Attributes.Name.MANIFEST_VERSION, "1.0");
@@ -59,7 +59,7 @@ public final class Jars {
     return write(file, manifest, Map.of());
   }
 
-  /** A small jar with an entry of so many MiB. */
+  /** A small jar with an entry of the given size in MiB. */
   public static Path bomb(Path file, String entry, int mib) throws IOException {
     byte[] zeros = new byte[1 << 20];
     try (OutputStream output = Files.newOutputStream(file);

@@ -8,13 +8,13 @@ import java.time.Duration;
 import java.util.List;
 import org.sitaf.agent.spool.SystemTool;
 
-/** Trees that a component may leave, and that Java has no paths for. */
+/** Creates trees that a component may leave and that Java's file API cannot handle. */
 public final class OddTrees {
   private static final Duration PATIENCE = Duration.ofSeconds(60);
 
   private OddTrees() {}
 
-  /** Folders in each other, with names of 200 characters. */
+  /** Nested folders with names of 200 characters. */
   public static void nest(Path folder, int depth) throws IOException, InterruptedException {
     python(
         "import os, sys\n"
@@ -37,7 +37,7 @@ public final class OddTrees {
         Integer.toString(files));
   }
 
-  /** A folder with something in it, which nobody without further rights may look into. */
+  /** A non-empty folder without permissions. */
   public static Path lock(Path folder) throws IOException {
     Path locked = Files.createDirectories(folder.resolve("locked/inner")).getParent();
     Files.writeString(locked.resolve("file"), "x");

@@ -11,13 +11,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 
-/** Runs what a test needs done as a user without rights, where the test itself runs as root. */
+/** Runs a class as an unprivileged user if the tests run as root. */
 public final class OrdinaryUser {
   private static final String NOBODY = "65534";
 
   private OrdinaryUser() {}
 
-  /** A folder that this user may write to. */
+  /** A folder that the unprivileged user may write. */
   public static Path folder(Path parent) throws IOException {
     assumeTrue(isRoot(), "skipped: only root can become another user");
     for (Path on = parent; on != null && !on.equals(Path.of("/tmp")); on = on.getParent()) {
@@ -33,7 +33,7 @@ public final class OrdinaryUser {
     return Integer.valueOf(0).equals(Files.getAttribute(Path.of("/proc/self"), "unix:uid"));
   }
 
-  /** Runs the main method of a class of these tests; returns what it printed. */
+  /** Runs the main method of a test class and returns its output. */
   public static String run(Class<?> main, String... arguments)
       throws IOException, InterruptedException {
     List<String> command =

@@ -9,7 +9,7 @@ import org.sitaf.agent.build.BuildListener;
 import org.sitaf.agent.build.BuildStage;
 import org.sitaf.core.verdict.CaseResult;
 
-/** Remembers what a build told. */
+/** Records the events of a build. */
 public class Recording implements BuildListener {
   private final List<BuildStage> stages = new ArrayList<>();
   private final List<CaseResult> cases = new ArrayList<>();
@@ -55,7 +55,7 @@ public class Recording implements BuildListener {
     return log.toString(StandardCharsets.UTF_8);
   }
 
-  /** Waits until so many cases have a result. */
+  /** Waits until the given number of cases have a result. */
   public synchronized void awaitCases(int number) throws InterruptedException {
     while (cases.size() < number) {
       wait();

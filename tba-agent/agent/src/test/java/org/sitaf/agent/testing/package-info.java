@@ -1,4 +1,4 @@
-/** What the tests of several packages need: a small activity, and a server at the rim. */
+/** Shared fixtures of the agent's tests, such as a small activity. */
 @NullMarked
 package org.sitaf.agent.testing;
 

@@ -6,8 +6,8 @@ import java.nio.file.Path;
 import java.util.List;
 
 /**
- * The kernel's own groups, one for each session, which share the processors out where they are
- * switched on and the processes are in no control group that does.
+ * The scheduler's autogroup feature, which gives each session the same share of the processors
+ * unless the processes are in a control group of the {@code cpu} controller.
  */
 public final class AutomaticGroups {
   private static final Path SWITCH = Path.of("/proc/sys/kernel/sched_autogroup_enabled");
@@ -16,8 +16,8 @@ public final class AutomaticGroups {
 
   private AutomaticGroups() {}
 
-  /** Whether what this process starts has its share by session. */
-  public static boolean shareProcessors() {
+  /** Whether the sessions that this process starts get equal shares. */
+  public static boolean sharesCpu() {
     try {
       return Files.readString(SWITCH).strip().equals("1")
           && isInNoGroupFor("cpu", Files.readAllLines(OWN));
@@ -26,7 +26,7 @@ public final class AutomaticGroups {
     }
   }
 
-  /** With version 2 alone, systemd shares the processors out between the groups below its root. */
+  /** In a system with version 2 only, systemd distributes processor time among its groups. */
   static boolean isInNoGroupFor(String controller, List<String> memberships) {
     for (String membership : memberships) {
       String[] parts = membership.split(":", 3);

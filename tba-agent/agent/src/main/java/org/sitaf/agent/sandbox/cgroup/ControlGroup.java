@@ -6,12 +6,12 @@ import java.util.List;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
-/** The group of one confined process: a folder in each hierarchy that this machine has for it. */
+/** The control group of one confined process: one folder per hierarchy. */
 public final class ControlGroup {
-  /** Who writes here enters the group; who reads learns its processes. */
+  /** Writing a process id moves the process into the group; reading lists its processes. */
   static final String MEMBERS = "cgroup.procs";
 
-  /** No group at all. */
+  /** No control group. */
   public static final ControlGroup NONE = new ControlGroup(new GroupFiles(), List.of(), null);
 
   private static final String KILL = "cgroup.kill";
@@ -28,8 +28,8 @@ public final class ControlGroup {
   /**
    * A group that exists.
    *
-   * @param memoryEvents file in which the kernel counts what it killed for want of memory; null
-   *     where it counts no memory
+   * @param memoryEvents file in which the kernel counts out-of-memory kills; null if memory is not
+   *     counted
    */
   ControlGroup(GroupFiles files, List<Path> folders, @Nullable Path memoryEvents) {
     this.files = Objects.requireNonNull(files);
@@ -37,17 +37,17 @@ public final class ControlGroup {
     this.memoryEvents = memoryEvents;
   }
 
-  /** Files into which a process writes 0 to enter, with all that it will start. */
+  /** Files into which a process writes 0 to enter the group. */
   public List<Path> entrances() {
     return folders.stream().map(folder -> folder.resolve(MEMBERS)).toList();
   }
 
-  /** Whether the kernel bounds the memory of the group. */
-  public boolean bindsMemory() {
+  /** Whether the kernel limits the memory of the group. */
+  public boolean limitsMemory() {
     return memoryEvents != null;
   }
 
-  /** Whether the kernel ended a process because the group needed more memory than it may. */
+  /** Whether the kernel killed a process because the group exceeded its memory. */
   public synchronized boolean exceededMemory() {
     if (!removed && memoryEvents != null) {
       exceeded |= files.number(memoryEvents, KILLED) > 0;
@@ -55,7 +55,7 @@ public final class ControlGroup {
     return exceeded;
   }
 
-  /** Ends all its processes, and those that they start meanwhile. */
+  /** Kills all processes of the group, including those started meanwhile. */
   public synchronized void kill() {
     for (int round = 0; round < MAX_ROUNDS && !removed; round++) {
       boolean empty = true;
@@ -74,7 +74,7 @@ public final class ControlGroup {
     }
   }
 
-  /** Removes it with all that is still in it; what it said of its memory stays known. */
+  /** Removes the group and kills its processes; {@link #exceededMemory} stays valid. */
   public synchronized void remove() {
     exceededMemory();
     kill();
@@ -84,7 +84,7 @@ public final class ControlGroup {
         try {
           files.remove(folder);
         } catch (IOException e) {
-          // What was killed is still leaving.
+          // A killed process has not left the group yet.
           gone = false;
         }
       }
@@ -95,7 +95,7 @@ public final class ControlGroup {
     }
   }
 
-  /** Whether to go on; the thread of a cancelled build may be interrupted, and waits no longer. */
+  /** Returns whether to continue; false if the thread is interrupted (cancelled build). */
   private static boolean pause() {
     try {
       Thread.sleep(ROUND_MILLIS);

@@ -2,32 +2,32 @@ package org.sitaf.agent.sandbox.cgroup;
 
 import java.io.IOException;
 
-/** Makes groups for confined processes, as far as this machine allows it. Safe for threads. */
+/** Creates control groups for confined processes, as far as this machine allows it. Thread-safe. */
 public sealed interface ControlGroups permits VersionOne, VersionTwo, NoControlGroups {
-  /** The controllers that are used, in this order of importance. */
+  /** The controllers in use, the most important first. */
   java.util.List<String> CONTROLLERS = java.util.List.of("memory", "pids", "cpu");
 
-  /** What they bind, for logs; or why there are none. */
+  /** The controllers in use, for logs; or the reason why there are none. */
   String description();
 
-  /** Whether the kernel counts and bounds all memory of a group. */
-  boolean bindMemory();
+  /** Whether the kernel counts and limits all memory of a group. */
+  boolean limitsMemory();
 
-  /** Whether the kernel shares the processors out by groups. */
-  boolean shareProcessors();
+  /** Whether the kernel distributes processor time among the groups. */
+  boolean sharesCpu();
 
-  /** Makes a group; {@link ControlGroup#NONE} where this machine has none. */
-  ControlGroup make(GroupLimits limits) throws IOException;
+  /** Creates a group; {@link ControlGroup#NONE} if this machine has none. */
+  ControlGroup create(GroupLimits limits) throws IOException;
 
   /**
-   * Those of this machine, tried out; what agents left that are gone is removed. The same ones for
-   * the whole life of this process.
+   * The control groups of this machine, probed once per process. Groups of agents that no longer
+   * run are removed.
    */
   static ControlGroups ofThisMachine() {
-    return ThisMachine.groups();
+    return ControlGroupProbe.groups();
   }
 
-  /** None. */
+  /** No control groups. */
   static ControlGroups none(String reason) {
     return new NoControlGroups(reason);
   }

@@ -10,9 +10,11 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The kernel's files of control groups. Making and removing a folder makes and removes a group. */
+/**
+ * The kernel's files of control groups. Creating or removing a folder creates or removes a group.
+ */
 class GroupFiles {
-  void make(Path group) throws IOException {
+  void create(Path group) throws IOException {
     Files.createDirectory(group);
   }
 
@@ -28,7 +30,7 @@ class GroupFiles {
     return Files.readAllLines(file, StandardCharsets.UTF_8);
   }
 
-  /** Writes what not every kernel has; whether it could be written. */
+  /** Writes a file that some kernels lack; returns whether it was written. */
   final boolean tryWrite(Path file, String value) {
     try {
       if (Files.exists(file)) {
@@ -36,12 +38,12 @@ class GroupFiles {
         return true;
       }
     } catch (IOException e) {
-      // As if it were not there.
+      // Treated like a missing file.
     }
     return false;
   }
 
-  /** The number behind a name in a file of {@code NAME NUMBER} lines; 0 without such a line. */
+  /** The number in the line {@code NAME NUMBER}; 0 without such a line. */
   final long number(Path file, String name) {
     try {
       for (String line : lines(file)) {
@@ -50,12 +52,12 @@ class GroupFiles {
         }
       }
     } catch (IOException | NumberFormatException e) {
-      // The group is gone.
+      // The group no longer exists.
     }
     return 0;
   }
 
-  /** The processes of a group alone, without the groups in it. */
+  /** The processes of a group, without those of its subgroups. */
   final List<Long> members(Path group) {
     try {
       List<Long> members = new ArrayList<>();
@@ -68,8 +70,8 @@ class GroupFiles {
     }
   }
 
-  /** The groups in a group. */
-  final List<Path> groupsIn(Path group) {
+  /** The subgroups of a group. */
+  final List<Path> subgroups(Path group) {
     List<Path> found = new ArrayList<>();
     try (DirectoryStream<Path> entries = Files.newDirectoryStream(group)) {
       for (Path entry : entries) {

@@ -1,16 +1,16 @@
 package org.sitaf.agent.sandbox.cgroup;
 
 /**
- * What the processes of a group may use together.
+ * Limits of all processes of a group.
  *
- * @param memoryBytes memory of any kind, the kernel's for them included; what can be dropped (files
- *     that were read) is dropped before it counts
+ * @param memoryBytes all memory, including kernel memory; the kernel reclaims its file cache before
+ *     the limit takes effect
  * @param processes processes and threads at a time
  */
 public record GroupLimits(long memoryBytes, int processes) {
   public GroupLimits {
     if (memoryBytes < 1 || processes < 1) {
-      throw new IllegalArgumentException("limits must be above 0");
+      throw new IllegalArgumentException("limits must be positive");
     }
   }
 }

@@ -11,10 +11,10 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * Where the groups of this process are: {@code /proc/self/cgroup} says which they are, {@code
- * /proc/self/mountinfo} where they are seen.
+ * The control groups of this process ({@code /proc/self/cgroup}) and where they are mounted ({@code
+ * /proc/self/mountinfo}).
  *
- * @param unified folder of this process in the hierarchy of version 2
+ * @param unified folder of this process in the version 2 hierarchy
  * @param controllers folder of this process for each controller of version 1
  */
 record Hierarchies(Optional<Path> unified, Map<String, Path> controllers) {
@@ -74,7 +74,7 @@ record Hierarchies(Optional<Path> unified, Map<String, Path> controllers) {
     return Optional.empty();
   }
 
-  /** The folders of these controllers of version 1, as far as groups can be made in them. */
+  /** Those of the given version 1 controllers whose folder this process may write. */
   List<String> writable(List<String> names) {
     List<String> writable = new ArrayList<>();
     for (String name : names) {

@@ -1,9 +1,9 @@
 package org.sitaf.agent.sandbox.cgroup;
 
 /**
- * A machine that gives this user none.
+ * A machine on which this user may not create control groups.
  *
- * @param reason why
+ * @param reason why not
  */
 record NoControlGroups(String reason) implements ControlGroups {
   @Override
@@ -12,17 +12,17 @@ record NoControlGroups(String reason) implements ControlGroups {
   }
 
   @Override
-  public boolean bindMemory() {
+  public boolean limitsMemory() {
     return false;
   }
 
   @Override
-  public boolean shareProcessors() {
+  public boolean sharesCpu() {
     return false;
   }
 
   @Override
-  public ControlGroup make(GroupLimits limits) {
+  public ControlGroup create(GroupLimits limits) {
     return ControlGroup.NONE;
   }
 }

@@ -10,28 +10,28 @@ import java.util.TreeMap;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.jspecify.annotations.Nullable;
 
-/** Control groups of version 1: a hierarchy for each controller, which root alone may write. */
+/** Control groups of version 1: one hierarchy per controller, writable for root only. */
 final class VersionOne implements ControlGroups {
   private static final String MEMORY = "memory";
 
   private final GroupFiles files;
   private final Map<String, Path> parents;
-  private final Owner owner;
+  private final GroupOwner owner;
   private final AtomicInteger next = new AtomicInteger();
 
-  private VersionOne(GroupFiles files, Map<String, Path> parents, Owner owner) {
+  private VersionOne(GroupFiles files, Map<String, Path> parents, GroupOwner owner) {
     this.files = files;
     this.parents = parents;
     this.owner = owner;
   }
 
-  static Optional<ControlGroups> find(GroupFiles files, Hierarchies hierarchies, Owner owner)
+  static Optional<ControlGroups> find(GroupFiles files, Hierarchies hierarchies, GroupOwner owner)
       throws IOException {
     Map<String, Path> parents = new TreeMap<>();
     for (String controller : hierarchies.writable(CONTROLLERS)) {
       Path parent = hierarchies.controllers().get(controller);
       parents.put(controller, parent);
-      Leftovers.sweep(files, parent);
+      StaleGroups.removeAll(files, parent);
     }
     return parents.isEmpty()
         ? Optional.empty()
@@ -44,25 +44,25 @@ final class VersionOne implements ControlGroups {
   }
 
   @Override
-  public boolean bindMemory() {
+  public boolean limitsMemory() {
     return parents.containsKey(MEMORY);
   }
 
   @Override
-  public boolean shareProcessors() {
+  public boolean sharesCpu() {
     return parents.containsKey("cpu");
   }
 
   @Override
-  public ControlGroup make(GroupLimits limits) throws IOException {
+  public ControlGroup create(GroupLimits limits) throws IOException {
     String name = owner.nameOf(next.getAndIncrement());
-    List<Path> made = new ArrayList<>();
+    List<Path> created = new ArrayList<>();
     @Nullable Path events = null;
     try {
       for (Map.Entry<String, Path> parent : parents.entrySet()) {
         Path folder = parent.getValue().resolve(name);
-        files.make(folder);
-        made.add(folder);
+        files.create(folder);
+        created.add(folder);
         switch (parent.getKey()) {
           case MEMORY -> {
             limitMemory(folder, limits.memoryBytes());
@@ -71,21 +71,21 @@ final class VersionOne implements ControlGroups {
           case "pids" ->
               files.write(folder.resolve("pids.max"), Integer.toString(limits.processes()));
           default -> {
-            // Each group has the same share of the processors.
+            // cpu: all groups have the same default weight.
           }
         }
       }
     } catch (IOException e) {
-      new ControlGroup(files, made, null).remove();
+      new ControlGroup(files, created, null).remove();
       throw e;
     }
-    return new ControlGroup(files, made, events);
+    return new ControlGroup(files, created, events);
   }
 
   private void limitMemory(Path folder, long bytes) throws IOException {
     String value = Long.toString(bytes);
     files.write(folder.resolve("memory.limit_in_bytes"), value);
-    // Memory and swap together are no more than memory; without such a count nothing is swapped.
+    // Limit memory and swap together; if the kernel does not count swap, disable swapping.
     if (!files.tryWrite(folder.resolve("memory.memsw.limit_in_bytes"), value)) {
       files.tryWrite(folder.resolve("memory.swappiness"), "0");
     }

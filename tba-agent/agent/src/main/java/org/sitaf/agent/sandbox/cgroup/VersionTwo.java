@@ -13,30 +13,30 @@ import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Control groups of version 2 in a subtree that is this process's own, as systemd delegates it. A
- * group that has groups in it has no processes, so this process moves into one itself.
+ * Control groups of version 2 in a subtree that systemd delegated to this process. A group with
+ * subgroups must not have processes, so this process moves into a subgroup.
  */
 final class VersionTwo implements ControlGroups {
-  /** The group of this process and of what it starts unconfined. */
+  /** The group of this process and of its unconfined children. */
   static final String SELF = "sitaf-self";
 
-  /** How systemd marks what it has delegated. */
+  /** Extended attribute by which systemd marks delegated groups. */
   private static final String DELEGATED = "delegate";
 
   private final GroupFiles files;
   private final Path parent;
   private final List<String> controllers;
-  private final Owner owner;
+  private final GroupOwner owner;
   private final AtomicInteger next = new AtomicInteger();
 
-  private VersionTwo(GroupFiles files, Path parent, List<String> controllers, Owner owner) {
+  private VersionTwo(GroupFiles files, Path parent, List<String> controllers, GroupOwner owner) {
     this.files = files;
     this.parent = parent;
     this.controllers = List.copyOf(controllers);
     this.owner = owner;
   }
 
-  static Optional<ControlGroups> find(GroupFiles files, Hierarchies hierarchies, Owner owner)
+  static Optional<ControlGroups> find(GroupFiles files, Hierarchies hierarchies, GroupOwner owner)
       throws IOException {
     Optional<Path> own = hierarchies.unified();
     if (own.isEmpty()) {
@@ -44,11 +44,12 @@ final class VersionTwo implements ControlGroups {
     }
     boolean moved = String.valueOf(own.get().getFileName()).equals(SELF);
     Path parent = moved ? own.get().getParent() : own.get();
-    return moved || isOurs(files, parent) ? in(files, parent, owner) : Optional.empty();
+    return moved || isOurs(files, parent) ? takeOver(files, parent, owner) : Optional.empty();
   }
 
-  /** Takes a delegated group; empty where it has none of the controllers. */
-  static Optional<ControlGroups> in(GroupFiles files, Path parent, Owner owner) throws IOException {
+  /** Takes over a delegated group; empty if it has no usable controller. */
+  static Optional<ControlGroups> takeOver(GroupFiles files, Path parent, GroupOwner owner)
+      throws IOException {
     if (!Hierarchies.isWritable(parent)) {
       return Optional.empty();
     }
@@ -60,10 +61,10 @@ final class VersionTwo implements ControlGroups {
     if (available.isEmpty()) {
       return Optional.empty();
     }
-    Leftovers.sweep(files, parent);
+    StaleGroups.removeAll(files, parent);
     Path self = parent.resolve(SELF);
     if (!Files.isDirectory(self)) {
-      files.make(self);
+      files.create(self);
     }
     for (long member : files.members(parent)) {
       files.tryWrite(self.resolve(ControlGroup.MEMBERS), Long.toString(member));
@@ -80,8 +81,9 @@ final class VersionTwo implements ControlGroups {
   }
 
   /**
-   * Whether nobody else manages this group: it is marked as delegated, or nothing is in it but this
-   * process and what it started. Root could write any group, and would move others' processes.
+   * Whether nobody else manages this group: systemd marked it as delegated, or it holds only this
+   * process and its children. Root can write any group, and would otherwise move processes of
+   * others.
    */
   private static boolean isOurs(GroupFiles files, Path group) {
     UserDefinedFileAttributeView marks =
@@ -91,7 +93,7 @@ final class VersionTwo implements ControlGroups {
         return true;
       }
     } catch (IOException e) {
-      // Kernels before 5.7 keep no marks there.
+      // Kernels before 5.7 have no attributes there.
     }
     Set<Long> own =
         ProcessHandle.current().descendants().map(ProcessHandle::pid).collect(Collectors.toSet());
@@ -105,22 +107,22 @@ final class VersionTwo implements ControlGroups {
   }
 
   @Override
-  public boolean bindMemory() {
+  public boolean limitsMemory() {
     return controllers.contains("memory");
   }
 
   @Override
-  public boolean shareProcessors() {
+  public boolean sharesCpu() {
     return controllers.contains("cpu");
   }
 
   @Override
-  public ControlGroup make(GroupLimits limits) throws IOException {
+  public ControlGroup create(GroupLimits limits) throws IOException {
     Path folder = parent.resolve(owner.nameOf(next.getAndIncrement()));
-    files.make(folder);
+    files.create(folder);
     @Nullable Path events = null;
     try {
-      if (bindMemory()) {
+      if (limitsMemory()) {
         files.write(folder.resolve("memory.max"), Long.toString(limits.memoryBytes()));
         files.tryWrite(folder.resolve("memory.swap.max"), "0");
         files.tryWrite(folder.resolve("memory.oom.group"), "1");
@@ -129,7 +131,7 @@ final class VersionTwo implements ControlGroups {
       if (controllers.contains("pids")) {
         files.write(folder.resolve("pids.max"), Integer.toString(limits.processes()));
       }
-      // Each group has the same share of the processors: cpu.weight is 100 from the beginning.
+      // cpu: all groups have the same default weight.
     } catch (IOException e) {
       new ControlGroup(files, List.of(folder), null).remove();
       throw e;

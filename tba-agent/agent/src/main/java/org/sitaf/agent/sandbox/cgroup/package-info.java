@@ -1,4 +1,4 @@
-/** Control groups of the kernel: one for each confined process and all that it starts. */
+/** Linux control groups: one group per confined process and its children. */
 @NullMarked
 package org.sitaf.agent.sandbox.cgroup;
 

@@ -2,7 +2,7 @@ package org.sitaf.agent.sandbox.seccomp;
 
 import java.util.Optional;
 
-/** Processors whose numbers of system calls the table has. */
+/** Processor architectures with known system call numbers. */
 enum Architecture {
   X86_64(0xC000003E, "amd64"),
   AARCH64(0xC00000B7, "aarch64");
@@ -15,12 +15,12 @@ enum Architecture {
     this.name = name;
   }
 
-  /** What the kernel calls it, {@code AUDIT_ARCH_*} of {@code linux/audit.h}. */
+  /** The kernel's constant, {@code AUDIT_ARCH_*} of {@code linux/audit.h}. */
   int audit() {
     return audit;
   }
 
-  /** This machine's; empty where the table does not have it. */
+  /** The architecture of this machine; empty if it is not supported. */
   static Optional<Architecture> ofThisMachine() {
     String machine = System.getProperty("os.arch", "");
     for (Architecture architecture : values()) {

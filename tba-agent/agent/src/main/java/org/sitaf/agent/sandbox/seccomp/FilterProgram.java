@@ -4,13 +4,13 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.ArrayList;
 import java.util.List;
-import org.sitaf.agent.sandbox.seccomp.Refusal.AnyBit;
-import org.sitaf.agent.sandbox.seccomp.Refusal.Condition;
-import org.sitaf.agent.sandbox.seccomp.Refusal.NoneOf;
-import org.sitaf.agent.sandbox.seccomp.Refusal.OneOf;
+import org.sitaf.agent.sandbox.seccomp.SystemCallRule.AnyBit;
+import org.sitaf.agent.sandbox.seccomp.SystemCallRule.Condition;
+import org.sitaf.agent.sandbox.seccomp.SystemCallRule.NoneOf;
+import org.sitaf.agent.sandbox.seccomp.SystemCallRule.OneOf;
 
 /**
- * A table as classic BPF, see {@code linux/filter.h} and {@code linux/seccomp.h}. Both
+ * Encodes rules as classic BPF, see {@code linux/filter.h} and {@code linux/seccomp.h}. Both
  * architectures are little-endian.
  */
 final class FilterProgram {
@@ -40,34 +40,35 @@ final class FilterProgram {
   private FilterProgram() {}
 
   /**
-   * The program that refuses these calls and allows the others. Calls of another architecture (as
-   * 32-bit programs make them), of x32, and calls that are newer than the table are unknown.
+   * The program that blocks the calls of the rules and allows all others. Calls of another
+   * architecture (such as 32-bit programs), of x32, and calls newer than the table fail with {@code
+   * ENOSYS}.
    */
-  static byte[] of(Architecture architecture, List<Refusal> refusals) {
+  static byte[] of(Architecture architecture, List<SystemCallRule> rules) {
     FilterProgram program = new FilterProgram();
     program.add(LOAD, 0, 0, ARCHITECTURE);
     program.add(JUMP_IF_EQUAL, 1, 0, architecture.audit());
-    program.fail(Refusal.ENOSYS);
+    program.fail(SystemCallRule.ENOSYS);
     program.add(LOAD, 0, 0, NUMBER);
-    // The numbers of x32 have bit 30 and are above too.
-    program.add(JUMP_IF_ABOVE, 0, 1, Refusals.NEWEST);
-    program.fail(Refusal.ENOSYS);
-    for (Refusal refusal : refusals) {
-      int number = refusal.number(architecture);
-      if (number != Refusal.NONE) {
-        program.refuse(number, refusal);
+    // x32 call numbers have bit 30 set and are covered too.
+    program.add(JUMP_IF_ABOVE, 0, 1, SystemCallRules.NEWEST);
+    program.fail(SystemCallRule.ENOSYS);
+    for (SystemCallRule rule : rules) {
+      int number = rule.number(architecture);
+      if (number != SystemCallRule.NONE) {
+        program.block(number, rule);
       }
     }
     program.add(RETURN, 0, 0, ALLOW);
     return program.bytes();
   }
 
-  private void refuse(int number, Refusal refusal) {
+  private void block(int number, SystemCallRule rule) {
     FilterProgram body = new FilterProgram();
-    refusal.when().forEach(body::require);
-    body.fail(refusal.errno());
-    if (!refusal.when().isEmpty()) {
-      // Where a condition does not hold: the next refusal looks at the number again.
+    rule.when().forEach(body::require);
+    body.fail(rule.errno());
+    if (!rule.when().isEmpty()) {
+      // A condition does not hold: load the number again for the next rule.
       body.add(LOAD, 0, 0, NUMBER);
     }
     add(JUMP_IF_EQUAL, 0, body.instructions.size(), number);
@@ -80,7 +81,7 @@ final class FilterProgram {
     }
   }
 
-  /** Goes on where the condition holds; else {@link #JUMP}, whose end is set by the caller. */
+  /** Continues if the condition holds; otherwise {@link #JUMP}, whose target the caller sets. */
   private void require(Condition condition) {
     add(LOAD, 0, 0, ARGUMENTS + 8 * condition.argument());
     if (condition instanceof AnyBit any) {

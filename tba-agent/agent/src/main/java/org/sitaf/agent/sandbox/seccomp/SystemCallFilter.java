@@ -14,16 +14,16 @@ import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 
 /**
- * A filter of system calls, as a file that another process can open. The file has no name in any
- * folder: nobody can change it, nobody tidies it away, and it goes with this process.
+ * A system call filter in a file that another process can open. The file is deleted but kept open,
+ * so nobody can change or remove it, and it disappears with this process.
  */
 public final class SystemCallFilter {
   private static final Path OWN_FILES = Path.of("/proc/self/fd");
-  private static final Map<List<Boolean>, SystemCallFilter> MADE = new ConcurrentHashMap<>();
+  private static final Map<List<Boolean>, SystemCallFilter> FILTERS = new ConcurrentHashMap<>();
 
   private final Path path;
 
-  /** Keeps the file open, and so alive. */
+  /** Keeps the deleted file readable. */
   @SuppressWarnings("unused")
   private final FileChannel open;
 
@@ -33,42 +33,42 @@ public final class SystemCallFilter {
   }
 
   /**
-   * The filter for this machine; empty where its architecture is not in the table.
+   * The filter for this machine; empty if its architecture is not supported.
    *
-   * @param memoryIsCounted whether a control group counts all memory, so that memory of no process
-   *     may exist
-   * @param processorsAreShared whether a control group shares the processors out, so that sessions
-   *     may be opened
-   * @throws IOException when it cannot be written
+   * @param memoryIsCounted whether a control group counts all memory; otherwise shared memory that
+   *     belongs to no process is blocked
+   * @param cpuIsShared whether a control group distributes processor time; otherwise new sessions
+   *     are blocked
+   * @throws IOException if the filter cannot be written
    */
   public static synchronized Optional<SystemCallFilter> of(
-      boolean memoryIsCounted, boolean processorsAreShared) throws IOException {
+      boolean memoryIsCounted, boolean cpuIsShared) throws IOException {
     Optional<Architecture> architecture = Architecture.ofThisMachine();
     if (architecture.isEmpty()) {
       return Optional.empty();
     }
-    List<Boolean> kind = List.of(memoryIsCounted, processorsAreShared);
-    SystemCallFilter filter = MADE.get(kind);
+    List<Boolean> kind = List.of(memoryIsCounted, cpuIsShared);
+    SystemCallFilter filter = FILTERS.get(kind);
     if (filter == null) {
-      List<Refusal> refusals = new ArrayList<>(Refusals.ALWAYS);
+      List<SystemCallRule> rules = new ArrayList<>(SystemCallRules.ALWAYS);
       if (!memoryIsCounted) {
-        refusals.addAll(Refusals.WHERE_MEMORY_IS_WATCHED);
+        rules.addAll(SystemCallRules.WITHOUT_MEMORY_GROUP);
       }
-      if (!processorsAreShared) {
-        refusals.addAll(Refusals.WHERE_SESSIONS_SHARE_PROCESSORS);
+      if (!cpuIsShared) {
+        rules.addAll(SystemCallRules.WITHOUT_CPU_GROUP);
       }
-      filter = written(FilterProgram.of(architecture.get(), refusals));
-      MADE.put(kind, filter);
+      filter = write(FilterProgram.of(architecture.get(), rules));
+      FILTERS.put(kind, filter);
     }
     return Optional.of(filter);
   }
 
-  /** Where processes of this user find it. */
+  /** Path by which processes of this user can open the filter. */
   public Path path() {
     return path;
   }
 
-  private static SystemCallFilter written(byte[] program) throws IOException {
+  private static SystemCallFilter write(byte[] program) throws IOException {
     Path file = Files.createTempFile("sitaf", ".bpf").toRealPath();
     try {
       FileChannel channel =
@@ -92,14 +92,14 @@ public final class SystemCallFilter {
         }
       }
     }
-    throw new IOException("the filter of system calls is not in " + OWN_FILES);
+    throw new IOException("the system call filter is not listed in " + OWN_FILES);
   }
 
   private static boolean isLinkTo(Path descriptor, Path file) {
     try {
       return Files.readSymbolicLink(descriptor).equals(file);
     } catch (IOException e) {
-      // Closed meanwhile.
+      // The descriptor was closed.
       return false;
     }
   }

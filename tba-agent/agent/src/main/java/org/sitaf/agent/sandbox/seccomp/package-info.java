@@ -1,4 +1,4 @@
-/** Which system calls a confined process may not make, as a program for the kernel's filter. */
+/** System calls that confined processes may not make, as a seccomp filter. */
 @NullMarked
 package org.sitaf.agent.sandbox.seccomp;
 

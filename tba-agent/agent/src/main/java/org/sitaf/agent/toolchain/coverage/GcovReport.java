@@ -14,66 +14,68 @@ import java.util.Map;
 import org.sitaf.agent.sandbox.Confinement;
 import org.sitaf.agent.sandbox.ProcessLimits;
 import org.sitaf.agent.sandbox.Sandbox;
-import org.sitaf.agent.sandbox.ToolEnd;
+import org.sitaf.agent.sandbox.ToolResult;
 import org.sitaf.agent.spool.LeftFiles;
 import org.sitaf.core.verdict.Coverage;
 
-/** What gcov says of a program that g++ instrumented. */
+/** Reads gcov's report of an instrumented program. */
 public final class GcovReport {
-  private static final Duration LIMIT = Duration.ofMinutes(1);
-  private static final Duration LIMIT_OF_ALL = Duration.ofMinutes(5);
-  private static final int MOST_FILES = 10_000;
-  private static final int MOST_BYTES = 32 << 20;
+  private static final Duration UNIT_TIMEOUT = Duration.ofMinutes(1);
+  private static final Duration TOTAL_TIMEOUT = Duration.ofMinutes(5);
+  private static final int MAX_FILES = 10_000;
+  private static final int MAX_BYTES = 32 << 20;
   private static final String DATA = ".gcda";
   private static final String NOTES = ".gcno";
 
   private GcovReport() {}
 
   /**
-   * Reads what processes have recorded; gcov, whose input they made, runs in the sandbox.
+   * Reads the recorded data. gcov runs in the sandbox, because its input comes from untrusted
+   * processes.
    *
-   * @param data holds a folder a process, with {@code *.gcda} somewhere below
-   * @param notes the {@code *.gcno} of the compilation, with the same names
-   * @param scratch a folder for what nobody needs afterwards, absolute
-   * @param activity how the compiler knew the folder of the activity, such as {@code activity/}
-   * @param sources folder of the component's sources within the activity; others are left out
+   * @param data holds one folder per process, with {@code *.gcda} files at any depth
+   * @param notes the {@code *.gcno} files of the compilation, with the same names
+   * @param scratch absolute folder for temporary files
+   * @param activity prefix of the activity's paths in the report, such as {@code activity/}
+   * @param sources folder of the component's sources in the activity; other files are ignored
    */
   public static Coverage read(
       Path data, Path notes, Path scratch, Sandbox sandbox, String activity, String sources)
       throws IOException, InterruptedException {
     LineCounts counts = new LineCounts();
     Map<String, Path> units = new HashMap<>();
-    for (Path note : LeftFiles.in(notes, file -> file.toString().endsWith(NOTES), MOST_FILES)) {
+    for (Path note : LeftFiles.in(notes, file -> file.toString().endsWith(NOTES), MAX_FILES)) {
       units.put(note.getFileName().toString().replace(NOTES, ""), note);
     }
-    List<Path> recorded = LeftFiles.in(data, file -> file.toString().endsWith(DATA), MOST_FILES);
-    long last = System.nanoTime() + LIMIT_OF_ALL.toNanos();
+    List<Path> recorded = LeftFiles.in(data, file -> file.toString().endsWith(DATA), MAX_FILES);
+    long deadline = System.nanoTime() + TOTAL_TIMEOUT.toNanos();
     for (Path file : recorded) {
       String unit = file.getFileName().toString().replace(DATA, "");
       Path note = units.get(unit);
       if (note == null) {
         continue;
       }
-      if (System.nanoTime() - last > 0) {
-        throw new IOException("gcov takes longer than " + LIMIT_OF_ALL.toMinutes() + " minutes");
+      if (System.nanoTime() - deadline > 0) {
+        throw new IOException(
+            "gcov did not finish within " + TOTAL_TIMEOUT.toMinutes() + " minutes");
       }
       Path work = Files.createTempDirectory(Files.createDirectories(scratch), "gcov");
-      Files.write(work.resolve(unit + DATA), LeftFiles.read(file, MOST_BYTES));
-      Files.write(work.resolve(unit + NOTES), LeftFiles.read(note, MOST_BYTES));
-      ToolEnd end =
+      Files.write(work.resolve(unit + DATA), LeftFiles.read(file, MAX_BYTES));
+      Files.write(work.resolve(unit + NOTES), LeftFiles.read(note, MAX_BYTES));
+      ToolResult end =
           sandbox.run(
               Confinement.of(
                   List.of("gcov", "-j", "-t", "-b", unit + DATA), work, work, ProcessLimits.TOOL),
-              LIMIT);
+              UNIT_TIMEOUT);
       if (end.code() != 0) {
-        throw new IOException("gcov: " + end.errors().lines().findFirst().orElse("no answer"));
+        throw new IOException("gcov: " + end.errors().lines().findFirst().orElse("no output"));
       }
       addTo(counts, end.output(), activity, sources);
     }
     return counts.coverage();
   }
 
-  /** Adds what {@code gcov --json-format} prints of one unit. */
+  /** Adds the output of {@code gcov --json-format} for one unit. */
   static void addTo(LineCounts counts, String json, String activity, String sources)
       throws IOException {
     try {
@@ -91,7 +93,7 @@ public final class GcovReport {
         | UnsupportedOperationException
         | NumberFormatException
         | NullPointerException e) {
-      throw new IOException("gcov's answer is not understood: " + e.getMessage(), e);
+      throw new IOException("gcov's output cannot be read: " + e.getMessage(), e);
     }
   }
 
@@ -101,7 +103,7 @@ public final class GcovReport {
     int index = 0;
     for (JsonElement element : line.getAsJsonArray("branches")) {
       JsonObject branch = element.getAsJsonObject();
-      // Ways that only an exception takes are nothing that a test case could be asked for.
+      // Exception branches are ignored: a test case cannot be expected to cover them.
       if (!branch.get("throw").getAsBoolean()) {
         counts.branch(path, number, Integer.toString(index), branch.get("count").getAsLong() > 0);
       }
@@ -109,7 +111,7 @@ public final class GcovReport {
     }
   }
 
-  /** The path within the activity; empty where it is no source of the component. */
+  /** The path in the activity; empty if it is not a source of the component. */
   private static String ofComponent(String source, String activity, String sources) {
     String path = source.startsWith("./") ? source.substring(2) : source;
     if (!path.startsWith(activity)) {

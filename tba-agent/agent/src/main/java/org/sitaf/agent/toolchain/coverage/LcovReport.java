@@ -2,17 +2,16 @@ package org.sitaf.agent.toolchain.coverage;
 
 import org.sitaf.core.verdict.Coverage;
 
-/** A report in the format of lcov, which coverage.py writes too. */
+/** Reads a report in lcov format, which coverage.py writes, too. */
 public final class LcovReport {
   private LcovReport() {}
 
   /**
    * Reads a report.
    *
-   * @param activity path of the activity's folder as the report has it; files elsewhere are left
-   *     out
-   * @param sources folder of the component's sources within the activity; others are left out
-   * @throws IllegalArgumentException when it is no such report
+   * @param activity path of the activity's folder in the report; other files are ignored
+   * @param sources folder of the component's sources in the activity; other files are ignored
+   * @throws IllegalArgumentException if the report is not in this format
    */
   public static Coverage read(String report, String activity, String sources) {
     String folder = activity.isEmpty() || activity.endsWith("/") ? activity : activity + "/";
@@ -29,7 +28,7 @@ public final class LcovReport {
         }
         case "DA" -> {
           if (!file.isEmpty()) {
-            counts.line(file, Integer.parseInt(fields[0]), isAboveZero(fields[1]));
+            counts.line(file, Integer.parseInt(fields[0]), isPositive(fields[1]));
           }
         }
         case "BRDA" -> {
@@ -38,18 +37,18 @@ public final class LcovReport {
                 file,
                 Integer.parseInt(fields[0]),
                 fields[1] + "," + fields[2],
-                isAboveZero(fields[3]));
+                isPositive(fields[3]));
           }
         }
         default -> {
-          // Functions and sums, which the lines tell too.
+          // Functions and totals are computed from the lines.
         }
       }
     }
     return counts.coverage();
   }
 
-  private static boolean isAboveZero(String count) {
+  private static boolean isPositive(String count) {
     return !count.equals("-") && !count.equals("0");
   }
 }

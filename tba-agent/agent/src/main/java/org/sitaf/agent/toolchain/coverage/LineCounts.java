@@ -6,7 +6,9 @@ import java.util.Map;
 import java.util.TreeMap;
 import org.sitaf.core.verdict.Coverage;
 
-/** Adds up what several processes reached: a line or branch counts when any of them did. */
+/**
+ * Merges the coverage of several processes: a line or branch is covered if any of them executed it.
+ */
 final class LineCounts {
   private final Map<String, TreeMap<Integer, Line>> files = new TreeMap<>();
 
@@ -20,7 +22,7 @@ final class LineCounts {
     line.reached |= reached;
   }
 
-  /** A way on from a line that {@link #line} knows. */
+  /** Adds a branch of a line that was added by {@link #line}. */
   void branch(String file, int number, String name, boolean taken) {
     at(file, number).branches.merge(name, taken, Boolean::logicalOr);
   }
@@ -35,16 +37,16 @@ final class LineCounts {
     List<Coverage.File> all = new ArrayList<>();
     files.forEach(
         (path, lines) -> {
-          List<Coverage.Line> told = new ArrayList<>();
-          lines.forEach((number, line) -> told.add(told(number, line)));
-          all.add(new Coverage.File(path, told));
+          List<Coverage.Line> merged = new ArrayList<>();
+          lines.forEach((number, line) -> merged.add(merge(number, line)));
+          all.add(new Coverage.File(path, merged));
         });
     return new Coverage(all);
   }
 
-  private static Coverage.Line told(int number, Line line) {
+  private static Coverage.Line merge(int number, Line line) {
     int branches = line.branches.size() > 1 ? line.branches.size() : 0;
-    int taken = (int) line.branches.values().stream().filter(gone -> gone).count();
+    int taken = (int) line.branches.values().stream().filter(covered -> covered).count();
     return new Coverage.Line(number, line.reached, branches, branches == 0 ? 0 : taken);
   }
 }

@@ -1,4 +1,4 @@
-/** Reads what the coverage tools of several languages print. */
+/** Readers for the reports of coverage tools. */
 @NullMarked
 package org.sitaf.agent.toolchain.coverage;
 

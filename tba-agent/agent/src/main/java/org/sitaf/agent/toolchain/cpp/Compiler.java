@@ -18,10 +18,7 @@ import org.jspecify.annotations.Nullable;
  * @param version such as {@code g++ 12.2.0}
  */
 record Compiler(Path program, String version) {
-  /**
-   * How everything is compiled: with names and lines for what a crash says, without what a
-   * component's warnings would drown.
-   */
+  /** Options of all compilations: line numbers for stack traces of crashes, no warnings. */
   static final List<String> OPTIONS =
       List.of("-std=c++17", "-O1", "-g1", "-fPIC", "-pthread", "-w");
 
@@ -30,26 +27,22 @@ record Compiler(Path program, String version) {
   private static final Pattern MISSING_FOLDER =
       Pattern.compile("(?m)^ignoring nonexistent directory \"([^\"]+)\"$");
 
-  /**
-   * What compilers of this machine say of themselves, which does not change while they are there.
-   */
+  /** Output of compilers about themselves, which does not change while they are installed. */
   private static final Map<List<String>, String> ANSWERS = new ConcurrentHashMap<>();
 
-  /** Diagnostics in one line each, without colours. */
+  /** Options for diagnostics of one line without colors. */
   List<String> plainDiagnostics() {
     return List.of(
         "-fdiagnostics-color=never",
         isClang() ? "-fno-caret-diagnostics" : "-fno-diagnostics-show-caret");
   }
 
-  /**
-   * Whether what it notes of coverage is what gcov reads: clang's has the form of an older gcov.
-   */
+  /** Whether gcov can read its coverage notes; clang writes those of an older gcov. */
   boolean isMeasuredByGcov() {
     return !isClang();
   }
 
-  /** Whether it hands assembly to a program of its own, which notes itself what it opens. */
+  /** Whether it runs a separate assembler, which can list its inputs. */
   boolean hasAssembler() {
     return !isClang();
   }
@@ -59,13 +52,13 @@ record Compiler(Path program, String version) {
   }
 
   /**
-   * Names the programs that compile, assemble and link, as they are installed now: a package that
-   * is upgraded may keep its version.
+   * The programs that compile, assemble and link, with size and modification time, because an
+   * upgraded package may keep its version.
    */
   String identity() throws IOException {
     StringBuilder identity = new StringBuilder(program + " " + version);
     List<Path> programs = new ArrayList<>(List.of(program));
-    said()
+    searchPaths()
         .lines()
         .map(line -> line.strip().split(" ", 2)[0].replace("\"", ""))
         .filter(word -> word.startsWith("/") && !word.contains("//"))
@@ -88,15 +81,15 @@ record Compiler(Path program, String version) {
     return identity.toString();
   }
 
-  /** Where it looks for headers by default. */
+  /** The default search path for headers. */
   List<Path> headerFolders() throws IOException {
     List<Path> folders = new ArrayList<>();
-    // One that is not there may come.
-    Matcher missing = MISSING_FOLDER.matcher(said());
+    // A missing folder may be created later.
+    Matcher missing = MISSING_FOLDER.matcher(searchPaths());
     while (missing.find()) {
       folders.add(Path.of(missing.group(1)));
     }
-    said()
+    searchPaths()
         .lines()
         .dropWhile(line -> !line.startsWith("#include <...>"))
         .skip(1)
@@ -105,7 +98,7 @@ record Compiler(Path program, String version) {
     return folders;
   }
 
-  /** Where its linker may look for libraries. */
+  /** The default search path of the linker. */
   List<String> libraryFolders() throws IOException {
     List<String> folders = new ArrayList<>();
     Matcher ofLinker = LIBRARY_FOLDER.matcher(answer(List.of("ld", "--verbose"), false));
@@ -120,7 +113,7 @@ record Compiler(Path program, String version) {
     return folders;
   }
 
-  private String said() throws IOException {
+  private String searchPaths() throws IOException {
     return answer(
         List.of(program.toString(), OPTIONS.get(0), "-v", "-E", "-x", "c++", "/dev/null"), true);
   }
@@ -129,10 +122,10 @@ record Compiler(Path program, String version) {
     List<String> known = new ArrayList<>(question);
     known.add(Files.getLastModifiedTime(program).toString());
     return ANSWERS.computeIfAbsent(
-        known, k -> (errors ? Tools.askForErrors(question) : Tools.ask(question)).orElse(""));
+        known, k -> (errors ? Tools.errorsOf(question) : Tools.outputOf(question)).orElse(""));
   }
 
-  /** The compiler that is named, or else the first of this machine; empty where there is none. */
+  /** The named compiler, or the first one of this machine; empty if there is none. */
   static Optional<Path> find(@Nullable String named) {
     return named == null || named.isBlank()
         ? Tools.find("g++", "clang++")
@@ -142,8 +135,8 @@ record Compiler(Path program, String version) {
   static Compiler of(Path program) {
     String name = program.getFileName().toString();
     String number =
-        Tools.ask(List.of(program.toString(), "-dumpfullversion", "-dumpversion"))
-            .or(() -> Tools.ask(List.of(program.toString(), "-dumpversion")))
+        Tools.outputOf(List.of(program.toString(), "-dumpfullversion", "-dumpversion"))
+            .or(() -> Tools.outputOf(List.of(program.toString(), "-dumpversion")))
             .orElse("of unknown version");
     return new Compiler(program, name + " " + number);
   }

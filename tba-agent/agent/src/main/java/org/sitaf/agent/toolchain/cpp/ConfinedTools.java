@@ -13,37 +13,37 @@ import java.util.Map;
 import java.util.Optional;
 import org.sitaf.agent.sandbox.Confinement;
 import org.sitaf.agent.sandbox.ProcessLimits;
-import org.sitaf.agent.sandbox.ToolEnd;
+import org.sitaf.agent.sandbox.ToolResult;
 import org.sitaf.agent.toolchain.Compilation;
 
 /**
- * Runs compiler and linker, each in a folder of its own, since all that works in the folder ends
- * with it, and only that folder is the tool's to write. What is in it afterwards is not trusted.
+ * Runs compiler and linker in the sandbox, each in its own writable folder, because the end of a
+ * tool also ends other processes of its folder. The files that a tool leaves are not trusted.
  *
- * @param readable folders beyond those of the compilation
+ * @param readable folders in addition to those of the compilation
  */
 record ConfinedTools(Compilation compilation, List<Path> readable) {
-  private static final long MOST_NOTED_BYTES = 8L << 20;
+  private static final long MAX_TEXT_BYTES = 8L << 20;
 
   ConfinedTools {
     readable = List.copyOf(readable);
   }
 
-  /** A tool that has ended, and the folder in which it worked. */
-  record Run(ToolEnd end, Path folder) {
+  /** A tool that has ended, with its working folder. */
+  record Run(ToolResult end, Path folder) {
     boolean succeeded() {
       return end.code() == 0;
     }
 
-    /** Moves a file to where it is used from now on. */
+    /** Moves an output file to its destination. */
     void move(String name, Path file) throws IOException {
       requireFile(name);
       Files.move(folder.resolve(name), file, StandardCopyOption.REPLACE_EXISTING);
     }
 
-    /** What the tool has noted in a file; empty where it is too much to be true. */
+    /** The content of an output file; empty if it is implausibly large. */
     Optional<String> text(String name) throws IOException {
-      if (requireFile(name).size() > MOST_NOTED_BYTES) {
+      if (requireFile(name).size() > MAX_TEXT_BYTES) {
         return Optional.empty();
       }
       return Optional.of(
@@ -55,31 +55,34 @@ record ConfinedTools(Compilation compilation, List<Path> readable) {
           Files.readAttributes(
               folder.resolve(name), BasicFileAttributes.class, LinkOption.NOFOLLOW_LINKS);
       if (!attributes.isRegularFile()) {
-        throw new IOException("a compiler left something else than a file as " + name);
+        throw new IOException("the compiler's output " + name + " is not a regular file");
       }
       return attributes;
     }
   }
 
   /**
-   * Runs a tool to its end.
+   * Runs a tool until it ends.
    *
-   * @param noting options that name files in the folder, in which it stands as {@code @}
+   * @param outputOptions options with names of output files, in which {@code @} stands for the
+   *     folder
    */
-  Run run(List<String> command, List<String> noting) throws IOException, InterruptedException {
+  Run run(List<String> command, List<String> outputOptions)
+      throws IOException, InterruptedException {
     Path working = Files.createTempDirectory(compilation.scratch(), "tool");
     List<String> whole = new ArrayList<>(command);
-    noting.forEach(word -> whole.add(word.replace("@", working.toString())));
+    outputOptions.forEach(word -> whole.add(word.replace("@", working.toString())));
     List<Path> all = new ArrayList<>(readable);
     all.addAll(
         List.of(
             compilation.sources(), compilation.output(), compilation.scratch().resolve("objects")));
-    ToolEnd end =
+    ToolResult end =
         compilation
             .sandbox()
             .run(
                 Confinement.of(whole, working, working, ProcessLimits.TOOL)
-                    // For __DATE__ and __TIME__: the same sources give the same program.
+                    // Defines __DATE__ and __TIME__, so that the same sources give the same
+                    // program.
                     .withEnvironment(Map.of("SOURCE_DATE_EPOCH", Long.toString(CppSources.TIME)))
                     .reading(all),
                 compilation.atMost());

@@ -12,26 +12,24 @@ import org.sitaf.agent.toolchain.ProcessPlace;
 import org.sitaf.core.verdict.Coverage;
 
 /**
- * A test application as a program.
+ * A compiled C++ test application.
  *
- * @param folder holds the program, and the component's libraries in {@code lib}
- * @param runtime folder of the runtime's library
- * @param recording null where nothing is recorded
+ * @param folder folder of the program and of the component's libraries, in {@code lib}
+ * @param runtime folder of the runtime library
+ * @param recording null if coverage is off
  */
 record CppApplication(Path folder, String program, Path runtime, @Nullable CppCoverage recording)
     implements CompiledApplication {
-  /** What the runtime says last when it is asked where it is. */
-  private static final String HANGS = "hangs in ";
+  /** Last line that the runtime prints when it gets SIGQUIT. */
+  private static final String HANG_PREFIX = "hangs in ";
 
-  /**
-   * Folder of what gcov needs of the compilation, one {@code unitN.gcno} for each measured unit.
-   */
+  /** Folder of the coverage notes, one {@code unitN.gcno} per instrumented unit. */
   static final String NOTES = "coverage";
 
-  /** Folder of the shared libraries that the component brings. */
+  /** Folder of the component's shared libraries. */
   static final String LIBRARIES = "lib";
 
-  /** gRPC's own. */
+  /** Memory of gRPC. */
   private static final int OVERHEAD_MIB = 96;
 
   @Override
@@ -42,7 +40,7 @@ record CppApplication(Path folder, String program, Path runtime, @Nullable CppCo
   @Override
   public Map<String, String> environment(ProcessPlace place) {
     Map<String, String> environment = new HashMap<>();
-    // What the component brings may itself need another library of it.
+    // A library of the component may need another one of its libraries.
     environment.put("LD_LIBRARY_PATH", runtime + ":" + folder.resolve(LIBRARIES));
     Path coverage = place.coverage();
     if (coverage != null) {
@@ -57,11 +55,11 @@ record CppApplication(Path folder, String program, Path runtime, @Nullable CppCo
   }
 
   @Override
-  public Optional<String> whereItHangs(String stacks) {
+  public Optional<String> hangLocation(String stacks) {
     return stacks
         .lines()
-        .filter(line -> line.startsWith(HANGS))
-        .map(line -> line.substring(HANGS.length()))
+        .filter(line -> line.startsWith(HANG_PREFIX))
+        .map(line -> line.substring(HANG_PREFIX.length()))
         .findFirst();
   }
 

@@ -12,14 +12,14 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
 import org.jspecify.annotations.Nullable;
-import org.sitaf.agent.sandbox.ToolEnd;
+import org.sitaf.agent.sandbox.ToolResult;
 import org.sitaf.agent.toolchain.Compilation;
 import org.sitaf.agent.toolchain.CompilationException;
 import org.sitaf.agent.toolchain.SourceDiagnostic;
 import org.sitaf.agent.toolchain.cpp.inputs.InputCheck;
 import org.sitaf.agent.toolchain.cpp.inputs.Inputs;
 
-/** One compilation of a test application: translation units side by side, then the program. */
+/** Compiles the translation units of a test application in parallel and links the program. */
 final class CppCompilation {
   private static final System.Logger LOGGER = System.getLogger("org.sitaf.agent.toolchain");
 
@@ -34,7 +34,7 @@ final class CppCompilation {
   private final ConfinedTools tools;
   private final Path objects;
 
-  /** What went into the objects that are linked; one fewer for each whose inputs are uncertain. */
+  /** Inputs of the linked objects; incomplete if the inputs of an object are uncertain. */
   private final List<Inputs> inputs = new ArrayList<>();
 
   CppCompilation(
@@ -50,7 +50,7 @@ final class CppCompilation {
     List<Path> folders = new ArrayList<>(List.of(runtime.include()));
     folders.addAll(libraries.headerFolders());
     folders.addAll(compiler.headerFolders());
-    // Their files decide what the runtime's folder is called, and that is part of each command.
+    // Their content determines the name of the runtime's folder, which is part of each command.
     List<Path> known = List.of(runtime.include(), runtime.precompiled());
     this.check = sources.inputCheck(folders, known);
     this.tools =
@@ -61,10 +61,10 @@ final class CppCompilation {
 
   void run() throws CompilationException, IOException, InterruptedException {
     Files.createDirectories(objects);
-    if (measures()) {
+    if (coverageEnabled()) {
       Files.createDirectories(notes());
     }
-    sources.settleTimes();
+    sources.setTimes();
     List<TranslationUnit> all = new ArrayList<>();
     List<TranslationUnit> changed = new ArrayList<>();
     for (CppSources.Unit source : sources.units()) {
@@ -78,7 +78,7 @@ final class CppCompilation {
       }
     }
     Map<TranslationUnit, TranslationUnit.Compiled> compiled = new ConcurrentHashMap<>();
-    List<ToolEnd> ends =
+    List<ToolResult> ends =
         Parallel.run(
             changed,
             unit -> {
@@ -86,27 +86,27 @@ final class CppCompilation {
               compiled.put(unit, done);
               return done.end();
             });
-    for (ToolEnd end : ends) {
-      judge(end);
+    for (ToolResult end : ends) {
+      collectErrors(end);
     }
-    // Reading what was read takes about as long as linking.
-    FutureTask<Void> keeping =
+    // Computing digests of all inputs takes about as long as linking, so do both in parallel.
+    FutureTask<Void> cacheTask =
         new FutureTask<>(
             () -> {
               for (TranslationUnit unit : changed) {
-                keep(unit, compiled.get(unit));
+                addToCache(unit, compiled.get(unit));
               }
               cache.shrink();
               return null;
             });
-    Thread thread = new Thread(keeping, "sitaf-keep-objects");
+    Thread thread = new Thread(cacheTask, "sitaf-object-cache");
     thread.setDaemon(true);
     thread.start();
     try {
-      throwIfErrors("the sources do not compile", ends);
-      link(all, keeping);
+      requireSuccess("the sources do not compile", ends);
+      link(all, cacheTask);
     } finally {
-      await(keeping);
+      await(cacheTask);
     }
   }
 
@@ -119,10 +119,10 @@ final class CppCompilation {
         sources.includeFolders(),
         libraries,
         compilation,
-        measures() && !source.ofHarness());
+        coverageEnabled() && !source.ofHarness());
   }
 
-  private boolean measures() {
+  private boolean coverageEnabled() {
     return compilation.coverage() && compiler.isMeasuredByGcov();
   }
 
@@ -130,7 +130,7 @@ final class CppCompilation {
     return compilation.output().resolve(CppApplication.NOTES);
   }
 
-  /** Where the files of a unit go, by kind. */
+  /** The destinations of a unit's files, by kind. */
   private Map<String, Path> files(TranslationUnit unit) {
     Map<String, Path> files = new TreeMap<>();
     files.put(TranslationUnit.OBJECT, objects.resolve(unit.name() + TranslationUnit.OBJECT));
@@ -144,11 +144,11 @@ final class CppCompilation {
     for (Map.Entry<String, Path> file : files(unit).entrySet()) {
       Files.write(file.getValue(), entry.files().get(file.getKey()));
     }
-    LOGGER.log(System.Logger.Level.DEBUG, "{0}: kept", unit.source().path());
+    LOGGER.log(System.Logger.Level.DEBUG, "{0}: from cache", unit.source().path());
     inputs.add(entry.inputs());
   }
 
-  private void keep(TranslationUnit unit, TranslationUnit.@Nullable Compiled compiled)
+  private void addToCache(TranslationUnit unit, TranslationUnit.@Nullable Compiled compiled)
       throws IOException {
     if (compiled == null || compiled.end().code() != 0) {
       return;
@@ -156,7 +156,7 @@ final class CppCompilation {
     Optional<Inputs> read = unit.inputs(compiled, check);
     LOGGER.log(
         System.Logger.Level.DEBUG,
-        read.isPresent() ? "{0}: compiled" : "{0}: compiled; what it reads is not certain",
+        read.isPresent() ? "{0}: compiled" : "{0}: compiled; its inputs are uncertain",
         unit.source().path());
     if (read.isPresent()) {
       cache.keep(unit.key(), read.get(), files(unit));
@@ -164,32 +164,32 @@ final class CppCompilation {
     }
   }
 
-  private void link(List<TranslationUnit> units, FutureTask<Void> keeping)
+  private void link(List<TranslationUnit> units, FutureTask<Void> cacheTask)
       throws CompilationException, IOException, InterruptedException {
     Linking linking = new Linking(compilation, compiler, runtime, libraries, tools);
     List<Path> linked =
         units.stream().map(unit -> objects.resolve(unit.name() + TranslationUnit.OBJECT)).toList();
-    ToolEnd end = linking.link(linked, measures());
-    judge(end);
-    throwIfErrors("the test application cannot be linked", List.of(end));
-    await(keeping);
+    ToolResult end = linking.link(linked, coverageEnabled());
+    collectErrors(end);
+    requireSuccess("the test application cannot be linked", List.of(end));
+    await(cacheTask);
     if (inputs.size() == units.size()) {
       linking.note(inputs);
     }
   }
 
-  private static void await(FutureTask<Void> keeping) throws IOException, InterruptedException {
+  private static void await(FutureTask<Void> cacheTask) throws IOException, InterruptedException {
     try {
-      keeping.get();
+      cacheTask.get();
     } catch (ExecutionException e) {
-      throw new IOException("what was compiled cannot be kept: " + e.getCause(), e.getCause());
+      throw new IOException("the compiled objects cannot be cached: " + e.getCause(), e.getCause());
     }
   }
 
-  private void judge(ToolEnd end) throws CompilationException {
-    if (end.gaveUp()) {
+  private void collectErrors(ToolResult end) throws CompilationException {
+    if (end.timedOut()) {
       throw new CompilationException(
-          "the compilation was given up after " + compilation.atMost().toSeconds() + " s",
+          "the compilation did not finish within " + compilation.atMost().toSeconds() + " s",
           List.of());
     }
     if (end.code() != 0) {
@@ -197,20 +197,20 @@ final class CppCompilation {
     }
   }
 
-  private void throwIfErrors(String what, List<ToolEnd> ends) throws CompilationException {
+  private void requireSuccess(String what, List<ToolResult> ends) throws CompilationException {
     if (ends.stream().allMatch(end -> end.code() == 0)) {
       return;
     }
     List<SourceDiagnostic> errors = output.errors();
     if (errors.isEmpty()) {
-      String said =
+      String text =
           ends.stream()
               .filter(end -> end.code() != 0)
               .map(end -> end.errors().strip())
-              .filter(text -> !text.isEmpty())
+              .filter(message -> !message.isEmpty())
               .findFirst()
-              .orElse("the compiler ended without a word");
-      throw new CompilationException(what + ": " + said, List.of());
+              .orElse("the compiler failed without a message");
+      throw new CompilationException(what + ": " + text, List.of());
     }
     boolean allGenerated = errors.stream().allMatch(SourceDiagnostic::generated);
     String number = errors.size() == 1 ? "1 error" : errors.size() + " errors";

@@ -9,19 +9,19 @@ import org.sitaf.agent.toolchain.coverage.GcovReport;
 import org.sitaf.core.verdict.Coverage;
 
 /**
- * Which lines of a C++ component are reached, by gcov.
+ * Line coverage of a C++ component, measured by gcov.
  *
- * @param notes what gcov needs of the compilation
- * @param scratch a folder for what nobody needs afterwards, absolute
- * @param sources folder of the component's sources within the activity, with a slash at its end
+ * @param notes folder of the coverage notes
+ * @param scratch absolute folder for temporary files
+ * @param sources folder of the component's sources in the activity, with a trailing slash
  */
 record CppCoverage(Path notes, Path scratch, Sandbox sandbox, String sources) {
-  /** How the compiler knew the folder of the activity. */
+  /** Prefix of the activity's paths in the report. */
   private static final String ACTIVITY = "activity/";
 
   /**
-   * Empty where nobody asks for it, the component has no sources, this machine has no gcov, or the
-   * compiler is not one that it understands.
+   * Empty if coverage is off, the component has no sources, gcov is not installed, or it does not
+   * support the compiler.
    */
   static Optional<CppCoverage> of(Compilation compilation, Compiler compiler) {
     String sources = compilation.application().activity().profile().component().sources();
@@ -36,13 +36,13 @@ record CppCoverage(Path notes, Path scratch, Sandbox sandbox, String sources) {
             compilation.output().resolve(CppApplication.NOTES),
             compilation.scratch().resolve("coverage"),
             compilation.sandbox(),
-            CppSources.withSlash(sources)));
+            CppSources.withTrailingSlash(sources)));
   }
 
   /**
-   * Reads what processes have recorded.
+   * Reads the recorded data.
    *
-   * @param data holds a folder a process
+   * @param data holds one folder per process
    */
   Coverage read(Path data) throws IOException, InterruptedException {
     return GcovReport.read(data, notes, scratch, sandbox, ACTIVITY, sources);

@@ -12,18 +12,17 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.sitaf.agent.sandbox.Confinement;
 import org.sitaf.agent.sandbox.ProcessLimits;
-import org.sitaf.agent.sandbox.ToolEnd;
+import org.sitaf.agent.sandbox.ToolResult;
 import org.sitaf.agent.toolchain.Compilation;
 import org.sitaf.agent.toolchain.CompilationException;
 import org.sitaf.agent.toolchain.SourceDiagnostic;
 import org.sitaf.core.activity.ActivityProfile;
 
 /**
- * What a component comes with beyond sources: its own library, external ones, and packages of the
- * system that pkg-config knows.
+ * Libraries of a component: its own, external ones, and system packages known to pkg-config.
  *
- * @param compileFlags for every translation unit
- * @param linkFlags behind the object files
+ * @param compileFlags options for every translation unit
+ * @param linkFlags options after the object files
  */
 record CppLibraries(List<String> compileFlags, List<String> linkFlags) {
   private static final Pattern PACKAGE =
@@ -35,7 +34,7 @@ record CppLibraries(List<String> compileFlags, List<String> linkFlags) {
     linkFlags = List.copyOf(linkFlags);
   }
 
-  /** Checks the libraries, and puts shared ones beside the program. */
+  /** Checks the libraries and copies shared ones next to the program. */
   static CppLibraries of(Compilation compilation)
       throws CompilationException, IOException, InterruptedException {
     ActivityProfile profile = compilation.application().activity().profile();
@@ -57,7 +56,7 @@ record CppLibraries(List<String> compileFlags, List<String> linkFlags) {
       } else if (file.endsWith(".a")) {
         link.add(path.toString());
       } else {
-        link.add(beside(compilation, path).toString());
+        link.add(copyToOutput(compilation, path).toString());
       }
     }
     addPackage(profile, compile, link, problems);
@@ -67,7 +66,7 @@ record CppLibraries(List<String> compileFlags, List<String> linkFlags) {
     return new CppLibraries(compile, link);
   }
 
-  /** What this machine says of the component's package now; empty where it has none. */
+  /** The current flags of the component's package; empty if it has none. */
   static String packageFlags(ActivityProfile profile) {
     List<String> compile = new ArrayList<>();
     List<String> link = new ArrayList<>();
@@ -96,12 +95,12 @@ record CppLibraries(List<String> compileFlags, List<String> linkFlags) {
     Optional<String> known =
         List.of(parts.group(1), parts.group(1).replace('-', '_'), parts.group(1).replace('_', '-'))
             .stream()
-            .filter(name -> Tools.ask(List.of("pkg-config", "--exists", name)).isPresent())
+            .filter(name -> Tools.outputOf(List.of("pkg-config", "--exists", name)).isPresent())
             .findFirst();
     if (known.isEmpty()) {
       problems.add(
           inProfile(
-              "package: pkg-config of this machine does not know "
+              "package: pkg-config on this machine does not know "
                   + parts.group(1)
                   + "; install the Debian package that holds "
                   + parts.group(1)
@@ -110,7 +109,7 @@ record CppLibraries(List<String> compileFlags, List<String> linkFlags) {
                   + "-dev)"));
       return;
     }
-    String version = Tools.ask(List.of("pkg-config", "--modversion", known.get())).orElse("");
+    String version = Tools.outputOf(List.of("pkg-config", "--modversion", known.get())).orElse("");
     if (parts.group(2) != null && !parts.group(2).equals(version)) {
       problems.add(
           inProfile(
@@ -122,11 +121,11 @@ record CppLibraries(List<String> compileFlags, List<String> linkFlags) {
                   + parts.group(2)));
       return;
     }
-    compile.addAll(words(known.get(), "--cflags"));
-    link.addAll(words(known.get(), "--libs"));
+    compile.addAll(flags(known.get(), "--cflags"));
+    link.addAll(flags(known.get(), "--libs"));
   }
 
-  /** Folders of headers among the flags. */
+  /** Header folders in the flags. */
   List<Path> headerFolders() {
     List<Path> folders = new ArrayList<>();
     for (int i = 0; i < compileFlags.size(); i++) {
@@ -142,20 +141,21 @@ record CppLibraries(List<String> compileFlags, List<String> linkFlags) {
     return folders;
   }
 
-  private static List<String> words(String name, String which) {
-    return Arrays.stream(Tools.ask(List.of("pkg-config", which, name)).orElse("").split("\\s+"))
+  private static List<String> flags(String name, String which) {
+    return Arrays.stream(
+            Tools.outputOf(List.of("pkg-config", which, name)).orElse("").split("\\s+"))
         .filter(word -> !word.isEmpty())
         .toList();
   }
 
-  /** Copies a shared library to where the program finds it: under its name, and the one it says. */
-  private static Path beside(Compilation compilation, Path library)
+  /** Copies a shared library next to the program, under its file name and its SONAME. */
+  private static Path copyToOutput(Compilation compilation, Path library)
       throws IOException, InterruptedException {
     Path folder = Files.createDirectories(compilation.output().resolve(CppApplication.LIBRARIES));
     Path copy = folder.resolve(library.getFileName());
     Files.copy(library, copy, StandardCopyOption.REPLACE_EXISTING);
     Path working = Files.createTempDirectory(compilation.scratch(), "tool");
-    ToolEnd end =
+    ToolResult end =
         compilation
             .sandbox()
             .run(

@@ -25,32 +25,30 @@ import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.sandbox.Confinement;
 import org.sitaf.agent.sandbox.ProcessLimits;
 import org.sitaf.agent.sandbox.Sandbox;
-import org.sitaf.agent.sandbox.ToolEnd;
+import org.sitaf.agent.sandbox.ToolResult;
 import org.sitaf.agent.spool.Folders;
 import org.sitaf.agent.toolchain.cpp.inputs.DependencyFile;
 import org.sitaf.agent.toolchain.cpp.inputs.InputCheck;
 import org.sitaf.agent.toolchain.cpp.inputs.Inputs;
 
 /**
- * The runtime of C++ test applications: kept as sources, compiled once for a machine and a compiler
- * into a shared library and a precompiled header, in a folder named after all that decides: also
- * after the machine's headers, which may change while no version does.
+ * The runtime of C++ test applications, compiled from sources once per machine and compiler into a
+ * shared library and a precompiled header. The name of its folder is a digest of all inputs,
+ * including the machine's headers, which may change without a new version.
  */
 final class CppRuntime {
-  /** What it is made of, as pkg-config names it. */
+  /** Its libraries, as pkg-config names them. */
   static final List<String> LIBRARIES = List.of("grpc++", "protobuf", "expat");
 
-  /** What every generated source needs. */
+  /** The header that every generated source includes. */
   static final String PRECOMPILED = "sitaf/runtime/test_application.hpp";
 
-  private static final Duration PATIENCE = Duration.ofMinutes(15);
+  private static final Duration TOOL_TIMEOUT = Duration.ofMinutes(15);
 
-  /** How long what was found to be current is taken to be so. */
-  private static final Duration LASTS = Duration.ofSeconds(2);
+  /** Time during which a result is reused without checks. */
+  private static final Duration REUSE_PERIOD = Duration.ofSeconds(2);
 
-  /**
-   * What an {@link InputCheck} allows for; here a header may have come with the compiler just now.
-   */
+  /** Allows for headers that were installed just before, together with the compiler. */
   private static final Duration CLOCK_STEP = Duration.ofSeconds(2);
 
   private static final String INPUTS = ".inputs";
@@ -63,7 +61,7 @@ final class CppRuntime {
   private long builtNanos;
 
   /**
-   * A runtime that may have been compiled already.
+   * Creates a runtime, which may have been compiled earlier.
    *
    * @param sources holds {@code include}, {@code src} and {@code proto}
    */
@@ -81,35 +79,38 @@ final class CppRuntime {
    * @param library folder of the shared library
    */
   record Built(Path include, Path precompiled, Path library) {
-    /** Stands for all that decides about it. */
+    /** A digest of everything that determines the result. */
     String name() {
       return library.getParent().getFileName().toString();
     }
   }
 
-  /** Of what is known before anything is compiled: sources, compiler and libraries' versions. */
+  /**
+   * Digest of the inputs that are known before the compilation: sources, compiler, library
+   * versions.
+   */
   private String base() throws IOException {
     Digest digest = new Digest();
     digest.add(compiler.identity() + " " + Compiler.OPTIONS);
     List<String> question = new ArrayList<>(List.of("pkg-config", "--modversion"));
     question.addAll(LIBRARIES);
-    digest.add(Tools.ask(question).orElse("none"));
+    digest.add(Tools.outputOf(question).orElse("none"));
     digest.addFolder(sources);
     return digest.hexadecimal();
   }
 
-  /** The compiled runtime; compiles it where nobody has done so yet. */
+  /** The compiled runtime; compiles it if necessary. */
   synchronized Built build() throws IOException, InterruptedException {
     Built last = built;
-    // A build asks several times.
-    if (last != null && System.nanoTime() - builtNanos < LASTS.toNanos()) {
+    // A build calls this several times.
+    if (last != null && System.nanoTime() - builtNanos < REUSE_PERIOD.toNanos()) {
       return last;
     }
     String base = base();
     Path folder = current(base);
     if (folder == null) {
       Files.createDirectories(cache);
-      // Agents and commands of one machine may share the cache.
+      // Agents and commands on one machine may share the cache.
       try (FileChannel channel =
               FileChannel.open(
                   cache.resolve("lock"), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
@@ -117,7 +118,7 @@ final class CppRuntime {
         folder = current(base);
         if (lock.isValid() && folder == null) {
           folder = add(base);
-          deleteAllBut(folder);
+          deleteOthers(folder);
         }
       }
     }
@@ -128,7 +129,7 @@ final class CppRuntime {
     return built;
   }
 
-  /** The folder of what was compiled, where all headers are still those of then; null without. */
+  /** The folder of an earlier result, if all headers are unchanged; otherwise null. */
   private @Nullable Path current(String base) throws IOException {
     try (DataInputStream in =
         new DataInputStream(
@@ -171,9 +172,9 @@ final class CppRuntime {
     return folder;
   }
 
-  /** Compiles it, and says what of this machine went into it. */
+  /** Compiles the runtime and returns the inputs of this machine. */
   private Inputs compile(Path fresh) throws IOException, InterruptedException {
-    long begunMillis = System.currentTimeMillis();
+    long startMillis = System.currentTimeMillis();
     Path generated = Files.createDirectories(fresh.resolve("generated"));
     Path objects = Files.createDirectories(fresh.resolve("objects"));
     Path library = Files.createDirectories(fresh.resolve("lib"));
@@ -192,25 +193,25 @@ final class CppRuntime {
     List<List<String>> commands = new ArrayList<>();
     for (Path folder : List.of(sources.resolve("src"), generated)) {
       for (Path source : sourcesIn(folder)) {
-        List<String> command = compiling();
+        List<String> command = compilerCommand();
         command.addAll(
             List.of("-I", sources.resolve("src").toString(), "-I", generated.toString()));
         command.addAll(flags("--cflags"));
         command.addAll(List.of("-c", source.toString()));
         command.addAll(List.of("-o", objects.resolve(commands.size() + ".o").toString()));
-        command.addAll(noting(objects, commands.size()));
+        command.addAll(dependencyOptions(objects, commands.size()));
         commands.add(command);
       }
     }
     Path precompiled = fresh.resolve("precompiled").resolve(PRECOMPILED + ".gch");
     Files.createDirectories(precompiled.getParent());
-    List<String> header = compiling();
+    List<String> header = compilerCommand();
     header.addAll(
         List.of("-x", "c++-header", sources.resolve("include").resolve(PRECOMPILED).toString()));
     header.addAll(List.of("-o", precompiled.toString()));
-    header.addAll(noting(objects, commands.size()));
+    header.addAll(dependencyOptions(objects, commands.size()));
     commands.add(header);
-    List<ToolEnd> ends = Parallel.run(commands, command -> end(fresh, command));
+    List<ToolResult> ends = Parallel.run(commands, command -> end(fresh, command));
     for (int i = 0; i < ends.size(); i++) {
       require(ends.get(i), String.join(" ", commands.get(i)));
     }
@@ -223,25 +224,25 @@ final class CppRuntime {
     link.addAll(flags("--libs"));
     link.add("-ldl");
     run(fresh, link);
-    Inputs inputs = inputs(objects, commands.size(), fresh, begunMillis);
+    Inputs inputs = inputs(objects, commands.size(), fresh, startMillis);
     Folders.delete(objects);
     Folders.delete(generated);
     return inputs;
   }
 
-  private static List<String> noting(Path objects, int number) {
+  private static List<String> dependencyOptions(Path objects, int number) {
     return List.of("-MD", "-MT", RULE, "-MF", objects.resolve(number + ".d").toString());
   }
 
-  private Inputs inputs(Path objects, int count, Path fresh, long begunMillis) throws IOException {
+  private Inputs inputs(Path objects, int count, Path fresh, long startMillis) throws IOException {
     Set<String> opened = new TreeSet<>();
     for (int i = 0; i < count; i++) {
       opened.addAll(
           DependencyFile.rule(RULE, Files.readString(objects.resolve(i + ".d")))
-              .orElseThrow(() -> new IOException("the compiler does not say what it has read")));
+              .orElseThrow(() -> new IOException("the compiler does not list its inputs")));
     }
     opened.removeIf(path -> path.startsWith(fresh + "/") || path.startsWith(sources + "/"));
-    return InputCheck.ofMachine(opened, begunMillis + CLOCK_STEP.toMillis())
+    return InputCheck.ofMachine(opened, startMillis + CLOCK_STEP.toMillis())
         .orElseThrow(
             () ->
                 new IOException(
@@ -249,7 +250,7 @@ final class CppRuntime {
                         + " was compiled; start the build again"));
   }
 
-  private List<String> compiling() {
+  private List<String> compilerCommand() {
     List<String> command = new ArrayList<>(List.of(compiler.program().toString()));
     command.addAll(Compiler.OPTIONS);
     command.addAll(List.of("-I", sources.resolve("include").toString()));
@@ -260,7 +261,7 @@ final class CppRuntime {
     List<String> question = new ArrayList<>(List.of("pkg-config", which));
     question.addAll(LIBRARIES);
     String answer =
-        Tools.ask(question)
+        Tools.outputOf(question)
             .orElseThrow(() -> new IOException("pkg-config does not know all of " + LIBRARIES));
     return Arrays.stream(answer.split("\\s+")).filter(word -> !word.isEmpty()).toList();
   }
@@ -279,34 +280,35 @@ final class CppRuntime {
     require(end(fresh, command), String.join(" ", command));
   }
 
-  /** Outside of any sandbox: the runtime is SITAF's own, and nothing of a user's is in it. */
-  private static ToolEnd end(Path fresh, List<String> command)
+  /** Runs without a sandbox: the runtime is part of SITAF and has no code of users. */
+  private static ToolResult end(Path fresh, List<String> command)
       throws IOException, InterruptedException {
-    // A folder of its own: when a tool ends, all that works in its folder ends with it.
+    // A separate folder, because the end of a tool also ends other processes of its folder.
     Path working = Files.createTempDirectory(fresh, "tool");
-    ToolEnd end =
-        Sandbox.none().run(Confinement.of(command, working, working, ProcessLimits.TOOL), PATIENCE);
+    ToolResult end =
+        Sandbox.none()
+            .run(Confinement.of(command, working, working, ProcessLimits.TOOL), TOOL_TIMEOUT);
     Folders.delete(working);
     return end;
   }
 
-  private static void require(ToolEnd end, String what) throws IOException {
+  private static void require(ToolResult end, String what) throws IOException {
     if (end.code() != 0) {
       throw new IOException(
           "the runtime of C++ test applications cannot be compiled here: "
               + what
               + ": "
-              + (end.gaveUp()
-                  ? "it took too long"
+              + (end.timedOut()
+                  ? "timeout"
                   : "exit code " + end.code() + " " + end.errors().strip()));
     }
   }
 
-  private void deleteAllBut(Path kept) throws IOException {
+  private void deleteOthers(Path current) throws IOException {
     try (Stream<Path> folders = Files.list(cache)) {
-      for (Path other : folders.filter(Files::isDirectory).filter(f -> !f.equals(kept)).toList()) {
-        // A process that runs on it has its files open; what it has not opened yet it would miss,
-        // so that a day passes first.
+      for (Path other :
+          folders.filter(Files::isDirectory).filter(f -> !f.equals(current)).toList()) {
+        // A running process may still open files in it, so it is deleted after a day.
         if (Files.getLastModifiedTime(other).toMillis()
             < System.currentTimeMillis() - Duration.ofDays(1).toMillis()) {
           Folders.delete(other);

@@ -20,7 +20,7 @@ import org.sitaf.core.harness.TestApplication;
 
 /** The sources of a C++ test application: component, adapter and harness. */
 final class CppSources {
-  /** When everything is compiled, in seconds since 1970: the beginning of 1980. */
+  /** Modification time of all sources, in seconds since 1970: the beginning of 1980. */
   static final long TIME = 315_532_800;
 
   private static final Set<String> UNITS = Set.of("cpp", "cc", "cxx", "c++", "C");
@@ -40,7 +40,7 @@ final class CppSources {
    */
   record Unit(String path, Path file, boolean ofHarness) {}
 
-  /** All translation units: the harness's first, since they take the longest. */
+  /** All translation units; the harness first, because it takes longest. */
   List<Unit> units() {
     List<Unit> units = new ArrayList<>();
     for (String path : application.harness().paths()) {
@@ -52,7 +52,7 @@ final class CppSources {
     for (String folder : userFolders()) {
       for (String path : files.below(folder).paths()) {
         if (isUnit(path)) {
-          units.add(unit("activity/" + withSlash(folder) + path, false));
+          units.add(unit("activity/" + withTrailingSlash(folder) + path, false));
         }
       }
     }
@@ -63,13 +63,13 @@ final class CppSources {
     return new Unit(path, root.resolve(path), ofHarness);
   }
 
-  /** Folders of the activity with the user's sources. */
+  /** The user's source folders in the activity. */
   private List<String> userFolders() {
     Component component = application.activity().profile().component();
     return Stream.of(component.adapter(), component.sources()).filter(Objects::nonNull).toList();
   }
 
-  /** Where includes are looked for. */
+  /** The include path. */
   List<Path> includeFolders() {
     List<Path> folders = new ArrayList<>();
     String entry = application.entryPoint();
@@ -85,7 +85,7 @@ final class CppSources {
     return folders;
   }
 
-  /** The files of the application that are here, and where the compiler looks for others. */
+  /** Checks inputs against the files of the application and the given search path. */
   InputCheck inputCheck(List<Path> folders, List<Path> known) {
     List<Path> all = new ArrayList<>(includeFolders());
     all.addAll(folders);
@@ -93,11 +93,11 @@ final class CppSources {
   }
 
   /**
-   * Gives each file a time that only its path decides: compilers write it for {@code
-   * __TIMESTAMP__}, and take two files of the same content and time for one where these ask to be
-   * included once.
+   * Sets the modification time of each file to a value derived from its path. The time appears in
+   * {@code __TIMESTAMP__}, and compilers treat two files of equal content and time as the same one
+   * for {@code #pragma once}.
    */
-  void settleTimes() throws IOException {
+  void setTimes() throws IOException {
     for (Map.Entry<String, FileTree> tree :
         Map.of("harness", application.harness(), "activity", application.activity().files())
             .entrySet()) {
@@ -112,7 +112,7 @@ final class CppSources {
     }
   }
 
-  /** What a path of the compiler's means to the user. */
+  /** Maps a path in compiler output to the user's view. */
   CompilerOutput.Place place(String printed) {
     Path path = Path.of(printed);
     Path absolute = path.isAbsolute() ? path.normalize() : root.resolve(path).normalize();
@@ -123,7 +123,7 @@ final class CppSources {
     if (!inLayout.startsWith("harness/")) {
       return new CompilerOutput.Place(inLayout, false);
     }
-    // The concrete test driver may be the user's own, kept in the activity.
+    // The concrete test driver may be the user's own file in the activity.
     String kept =
         InterfaceTestApplicationGenerator.keptDriver(application.activity(), application.model());
     String editable =
@@ -139,7 +139,7 @@ final class CppSources {
     return UNITS.contains(path.substring(path.lastIndexOf('.') + 1));
   }
 
-  static String withSlash(String folder) {
+  static String withTrailingSlash(String folder) {
     return folder.isEmpty() || folder.endsWith("/") ? folder : folder + "/";
   }
 }

@@ -17,13 +17,13 @@ import org.sitaf.agent.toolchain.ToolchainPlaces;
 import org.sitaf.core.activity.ActivityProfile.Language;
 
 /**
- * Compiles C++ test applications with this machine's compiler. The runtime, which alone knows gRPC,
- * is compiled once for a machine and a compiler, and shared by all applications.
+ * Compiles C++ test applications with this machine's compiler. The runtime, the only part that uses
+ * gRPC, is compiled once per machine and compiler and shared by all applications.
  */
 public final class CppToolchain implements Toolchain {
   private static final String REMEDY = "./sitaf doctor --install cpp";
 
-  /** The environment's word for which compiler to take, as with make and CMake. */
+  /** Environment variable that selects the compiler, as for make and CMake. */
   private static final String CHOICE = "CXX";
 
   private final Compiler compiler;
@@ -36,16 +36,16 @@ public final class CppToolchain implements Toolchain {
     this.objects = objects;
   }
 
-  /** Looks for the compiler and for what the runtime is made of. */
+  /** Searches the compiler and the libraries of the runtime. */
   public static ToolchainLookup find(ToolchainPlaces places) {
     String named = System.getenv(CHOICE);
     Optional<Path> program = Compiler.find(named);
     if (program.isEmpty()) {
       return named == null || named.isBlank()
-          ? new Missing("neither g++ nor clang++ is there", REMEDY)
+          ? new Missing("neither g++ nor clang++ is installed", REMEDY)
           : new Missing(
-              CHOICE + " names '" + named + "', and there is no such program",
-              "let " + CHOICE + " name a C++ compiler, or unset it");
+              CHOICE + " names '" + named + "', which is not an executable program",
+              "set " + CHOICE + " to a C++ compiler, or unset it");
     }
     List<String> missing = new ArrayList<>();
     for (String tool : List.of("pkg-config", "protoc", "grpc_cpp_plugin")) {
@@ -55,7 +55,7 @@ public final class CppToolchain implements Toolchain {
     }
     if (missing.isEmpty()) {
       for (String library : CppRuntime.LIBRARIES) {
-        if (Tools.ask(List.of("pkg-config", "--modversion", library)).isEmpty()) {
+        if (Tools.outputOf(List.of("pkg-config", "--modversion", library)).isEmpty()) {
           missing.add("the library " + library);
         }
       }
@@ -72,7 +72,7 @@ public final class CppToolchain implements Toolchain {
     if (!Files.isDirectory(sources.resolve("src"))) {
       return new Missing(
           sources + " does not hold the runtime of C++ test applications",
-          "install the agent with its runtime folders beside it");
+          "install the agent with its runtime folders next to it");
     }
     Compiler compiler = Compiler.of(program.get());
     Path cache = places.cache().resolve("cpp");
@@ -100,7 +100,7 @@ public final class CppToolchain implements Toolchain {
 
   @Override
   public boolean readsWholeActivity() {
-    // Sources may include, and linkers take in, whatever lies there.
+    // Sources may include, and linkers may read, any file there.
     return true;
   }
 

@@ -11,15 +11,15 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
-import org.sitaf.agent.sandbox.ToolEnd;
+import org.sitaf.agent.sandbox.ToolResult;
 import org.sitaf.agent.toolchain.Compilation;
 import org.sitaf.agent.toolchain.cpp.inputs.DependencyFile;
 import org.sitaf.agent.toolchain.cpp.inputs.InputCheck;
 import org.sitaf.agent.toolchain.cpp.inputs.Inputs;
 
-/** Makes the program of objects and libraries, and notes what of this machine went into it. */
+/** Links the program and records which files of this machine the linker read. */
 final class Linking {
-  /** In the folder of what is compiled; without it, the program counts for one build alone. */
+  /** File in the output folder; without it, the program is used for one build only. */
   private static final String INPUTS = "inputs";
 
   private static final String OPENED = "linked.d";
@@ -29,7 +29,7 @@ final class Linking {
   private final CppRuntime.Built runtime;
   private final CppLibraries libraries;
   private final ConfinedTools tools;
-  private long begunMillis;
+  private long startMillis;
   private @Nullable List<String> opened;
 
   Linking(
@@ -45,7 +45,7 @@ final class Linking {
     this.tools = tools;
   }
 
-  ToolEnd link(List<Path> objects, boolean measured) throws IOException, InterruptedException {
+  ToolResult link(List<Path> objects, boolean measured) throws IOException, InterruptedException {
     List<String> command =
         new ArrayList<>(List.of(compiler.program().toString(), "-pthread", "-rdynamic"));
     if (measured) {
@@ -54,14 +54,14 @@ final class Linking {
     objects.forEach(object -> command.add(object.toString()));
     command.addAll(List.of("-L" + runtime.library(), "-lsitaf_runtime"));
     command.addAll(libraries.linkFlags());
-    // What the component brings lies next to the program, wherever that is.
-    Path brought = compilation.output().resolve(CppApplication.LIBRARIES);
+    // The component's libraries are next to the program, wherever it is moved.
+    Path ownLibraries = compilation.output().resolve(CppApplication.LIBRARIES);
     command.addAll(
         List.of(
             "-Wl,-rpath,$ORIGIN/" + CppApplication.LIBRARIES,
-            "-Wl,-rpath-link," + runtime.library() + ":" + brought));
+            "-Wl,-rpath-link," + runtime.library() + ":" + ownLibraries));
     String program = compilation.application().entryPoint();
-    begunMillis = System.currentTimeMillis();
+    startMillis = System.currentTimeMillis();
     ConfinedTools.Run run =
         tools.run(command, List.of("-Wl,--dependency-file=" + OPENED, "-o", program));
     if (run.succeeded()) {
@@ -71,17 +71,17 @@ final class Linking {
     return run.end();
   }
 
-  /** Notes what went into the program, where that is certain. */
+  /** Records the inputs of the program, if they are certain. */
   void note(List<Inputs> units) throws IOException {
     List<String> all = opened;
     if (all == null) {
       return;
     }
-    // What is left out is of the application, or named by the toolchain.
+    // The other files belong to the application or are covered by the toolchain's identity.
     List<String> ofMachine =
-        all.stream().filter(path -> givenFolders().noneMatch(path::startsWith)).toList();
+        all.stream().filter(path -> applicationFolders().noneMatch(path::startsWith)).toList();
     Optional<Inputs> inputs =
-        InputCheck.ofLinker(ofMachine, compiler.libraryFolders(), begunMillis);
+        InputCheck.ofLinker(ofMachine, compiler.libraryFolders(), startMillis);
     if (inputs.isEmpty()) {
       return;
     }
@@ -98,7 +98,7 @@ final class Linking {
     }
   }
 
-  private Stream<String> givenFolders() {
+  private Stream<String> applicationFolders() {
     return Stream.of(
             compilation.scratch().resolve("objects"),
             compilation.output().resolve(CppApplication.LIBRARIES),
@@ -107,7 +107,7 @@ final class Linking {
         .map(folder -> folder + "/");
   }
 
-  /** Whether a program in a folder is the one that would be made now. */
+  /** Whether a program in a folder equals the result of linking now. */
   static boolean isCurrent(Compilation compilation, Path folder) throws IOException {
     try (DataInputStream in =
         new DataInputStream(

@@ -7,19 +7,20 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
-import org.sitaf.agent.sandbox.ToolEnd;
+import org.sitaf.agent.sandbox.ToolResult;
 
-/** Runs tools side by side, one for each processor. */
+/** Runs tools in parallel, one per processor. */
 final class Parallel {
   private Parallel() {}
 
-  /** How one of them is run. */
+  /** Runs one of them. */
   interface Run<T> {
-    ToolEnd of(T work) throws IOException, InterruptedException;
+    ToolResult of(T work) throws IOException, InterruptedException;
   }
 
-  /** Runs all, and gives their ends in the same order. */
-  static <T> List<ToolEnd> run(List<T> works, Run<T> run) throws IOException, InterruptedException {
+  /** Runs all of them and returns the results in the same order. */
+  static <T> List<ToolResult> run(List<T> works, Run<T> run)
+      throws IOException, InterruptedException {
     int atOnce = Math.max(1, Math.min(works.size(), Runtime.getRuntime().availableProcessors()));
     ExecutorService threads =
         Executors.newFixedThreadPool(
@@ -30,12 +31,12 @@ final class Parallel {
               return thread;
             });
     try {
-      List<Future<ToolEnd>> pending = new ArrayList<>();
+      List<Future<ToolResult>> pending = new ArrayList<>();
       for (T work : works) {
         pending.add(threads.submit(() -> run.of(work)));
       }
-      List<ToolEnd> ends = new ArrayList<>();
-      for (Future<ToolEnd> one : pending) {
+      List<ToolResult> ends = new ArrayList<>();
+      for (Future<ToolResult> one : pending) {
         ends.add(one.get());
       }
       return ends;
@@ -45,7 +46,7 @@ final class Parallel {
       }
       throw new IOException(e.getCause());
     } finally {
-      // Those at work are interrupted, and their processes end with them.
+      // Interrupts running tasks, which end their processes.
       threads.shutdownNow();
     }
   }

@@ -10,13 +10,13 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 
-/** Programs of this machine, asked for what they are; nothing of a user's is in it. */
+/** Queries programs of this machine; passes no files of users. */
 final class Tools {
-  private static final long PATIENCE_S = 20;
+  private static final long TIMEOUT_S = 20;
 
   private Tools() {}
 
-  /** The first of these programs that the search path has; an absolute path is taken as it is. */
+  /** The first of these programs in the search path; absolute paths are allowed. */
   static Optional<Path> find(String... names) {
     for (String name : names) {
       for (String folder :
@@ -30,25 +30,27 @@ final class Tools {
     return Optional.empty();
   }
 
-  /** What a program says on its output; empty when it fails. */
-  static Optional<String> ask(List<String> command) {
-    return ask(new ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.DISCARD), false);
+  /** The output of a program; empty if it fails. */
+  static Optional<String> outputOf(List<String> command) {
+    return outputOf(
+        new ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.DISCARD), false);
   }
 
-  /** What a program says on its error stream; empty when it fails. */
-  static Optional<String> askForErrors(List<String> command) {
-    return ask(new ProcessBuilder(command).redirectOutput(ProcessBuilder.Redirect.DISCARD), true);
+  /** The error stream of a program; empty if it fails. */
+  static Optional<String> errorsOf(List<String> command) {
+    return outputOf(
+        new ProcessBuilder(command).redirectOutput(ProcessBuilder.Redirect.DISCARD), true);
   }
 
-  private static Optional<String> ask(ProcessBuilder command, boolean errors) {
+  private static Optional<String> outputOf(ProcessBuilder command, boolean errors) {
     try {
-      // What it says is read by programs.
+      // Untranslated output, because it is parsed.
       command.environment().put("LC_ALL", "C");
       Process process = command.start();
       process.getOutputStream().close();
       InputStream stream = errors ? process.getErrorStream() : process.getInputStream();
       String output = new String(stream.readAllBytes(), StandardCharsets.UTF_8);
-      boolean ended = process.waitFor(PATIENCE_S, TimeUnit.SECONDS);
+      boolean ended = process.waitFor(TIMEOUT_S, TimeUnit.SECONDS);
       if (!ended) {
         process.destroyForcibly();
       }

@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
-import org.sitaf.agent.sandbox.ToolEnd;
+import org.sitaf.agent.sandbox.ToolResult;
 import org.sitaf.agent.toolchain.Compilation;
 import org.sitaf.agent.toolchain.cpp.inputs.DependencyFile;
 import org.sitaf.agent.toolchain.cpp.inputs.InputCheck;
@@ -17,14 +17,14 @@ import org.sitaf.agent.toolchain.cpp.inputs.Inputs;
 import org.sitaf.core.harness.TestApplication;
 
 /**
- * A translation unit and how it is compiled.
+ * A translation unit and its compiler command.
  *
- * @param name of its files
- * @param command without what it writes
- * @param measured whether it is to record which lines are reached
- * @param key stands for the command and the source itself, but not for what that includes
- * @param noting options that let compiler and assembler note what they open
- * @param assemblyNoted whether the assembler does
+ * @param name base name of its output files
+ * @param command without the output options
+ * @param measured whether it is instrumented for coverage
+ * @param key digest of the command and the source, but not of included files
+ * @param outputOptions options for the output files, including the dependency files
+ * @param assemblerListsInputs whether the assembler writes a dependency file
  */
 record TranslationUnit(
     CppSources.Unit source,
@@ -32,11 +32,11 @@ record TranslationUnit(
     List<String> command,
     boolean measured,
     String key,
-    List<String> noting,
-    boolean assemblyNoted) {
+    List<String> outputOptions,
+    boolean assemblerListsInputs) {
   static final String OBJECT = ".o";
 
-  /** What gcov needs of the compilation. */
+  /** Coverage notes. */
   static final String NOTES = ".gcno";
 
   private static final String INCLUDED = ".d";
@@ -45,7 +45,7 @@ record TranslationUnit(
 
   TranslationUnit {
     command = List.copyOf(command);
-    noting = List.copyOf(noting);
+    outputOptions = List.copyOf(outputOptions);
   }
 
   static TranslationUnit of(
@@ -66,7 +66,7 @@ record TranslationUnit(
       command.add("--coverage");
     }
     if (source.ofHarness()) {
-      // The precompiled header counts only where it is the first.
+      // A precompiled header is used only if it is included first.
       command.addAll(List.of("-I", runtime.precompiled().toString()));
       command.addAll(List.of("-include", CppRuntime.PRECOMPILED));
     }
@@ -76,7 +76,7 @@ record TranslationUnit(
     command.addAll(List.of("-I", runtime.include().toString()));
     command.addAll(libraries.compileFlags());
     Digest digest = new Digest();
-    // Where the application lies does not matter to an object file.
+    // Object files do not depend on the location of the application.
     command.forEach(word -> digest.add(word.replace(compilation.sources().toString(), "")));
     digest.add(compiler.identity());
     digest.add(runtime.library().toString());
@@ -85,15 +85,21 @@ record TranslationUnit(
     digest.add(content(source, compilation));
     command.addAll(List.of("-c", source.file().toString()));
     String name = "unit" + number;
-    List<String> noting =
+    List<String> outputOptions =
         new ArrayList<>(
             List.of("-ffile-prefix-map=@=.", "-MD", "-MT", RULE, "-MF", name + INCLUDED));
     if (compiler.hasAssembler()) {
-      noting.add("-Wa,--MD," + name + ASSEMBLED);
+      outputOptions.add("-Wa,--MD," + name + ASSEMBLED);
     }
-    noting.addAll(List.of("-o", name + OBJECT));
+    outputOptions.addAll(List.of("-o", name + OBJECT));
     return new TranslationUnit(
-        source, name, command, measured, digest.hexadecimal(), noting, compiler.hasAssembler());
+        source,
+        name,
+        command,
+        measured,
+        digest.hexadecimal(),
+        outputOptions,
+        compiler.hasAssembler());
   }
 
   private static byte[] content(CppSources.Unit source, Compilation compilation) {
@@ -105,47 +111,48 @@ record TranslationUnit(
   }
 
   /**
-   * How the compilation of a unit went.
+   * Result of the compilation of a unit.
    *
-   * @param begunMillis when it was started, in milliseconds since 1970
-   * @param included what the compiler noted; null where it is not understood
-   * @param assembled what the assembler noted; null where it is not understood
+   * @param startMillis start time in milliseconds since 1970
+   * @param included files that the compiler opened; null if unknown
+   * @param assembled files that the assembler opened; null if unknown
    */
   record Compiled(
-      ToolEnd end,
-      long begunMillis,
+      ToolResult end,
+      long startMillis,
       @Nullable List<String> included,
       @Nullable List<String> assembled) {}
 
   /**
-   * Compiles it.
+   * Compiles the unit.
    *
-   * @param files where what is compiled goes, by kind
+   * @param files destinations of the output files, by kind
    */
   Compiled compile(ConfinedTools tools, Map<String, Path> files)
       throws IOException, InterruptedException {
-    long begunMillis = System.currentTimeMillis();
-    ConfinedTools.Run run = tools.run(command, noting);
+    long startMillis = System.currentTimeMillis();
+    ConfinedTools.Run run = tools.run(command, outputOptions);
     if (!run.succeeded()) {
-      return new Compiled(run.end(), begunMillis, null, null);
+      return new Compiled(run.end(), startMillis, null, null);
     }
-    List<String> included = noted(run, INCLUDED, RULE);
-    List<String> assembled = assemblyNoted ? noted(run, ASSEMBLED, name + OBJECT) : List.of();
+    List<String> included = dependencies(run, INCLUDED, RULE);
+    List<String> assembled =
+        assemblerListsInputs ? dependencies(run, ASSEMBLED, name + OBJECT) : List.of();
     List<String> opened = assembled == null ? null : openedByAssembler(assembled, run.folder());
     for (Map.Entry<String, Path> file : files.entrySet()) {
       run.move(name + file.getKey(), file.getValue());
     }
-    return new Compiled(run.end(), begunMillis, included, opened);
+    return new Compiled(run.end(), startMillis, included, opened);
   }
 
-  private @Nullable List<String> noted(ConfinedTools.Run run, String kind, String rule)
+  private @Nullable List<String> dependencies(ConfinedTools.Run run, String kind, String rule)
       throws IOException {
     return run.text(name + kind).flatMap(text -> DependencyFile.rule(rule, text)).orElse(null);
   }
 
   /**
-   * Leaves out what the compiler hands to the assembler, and names that line directives and debug
-   * information invent; null where something of the working folder was opened.
+   * Drops the compiler's temporary output and names that come from line directives or debug
+   * information; null if the assembler opened a file of the working folder.
    */
   private static @Nullable List<String> openedByAssembler(List<String> noted, Path working) {
     List<String> opened = new ArrayList<>();
@@ -160,12 +167,14 @@ record TranslationUnit(
     return opened;
   }
 
-  /** What went into it; empty where that is not certain, so that it must not be kept. */
+  /**
+   * The inputs of the result; empty if they are uncertain, so that the result must not be cached.
+   */
   Optional<Inputs> inputs(Compiled compiled, InputCheck check) {
     List<String> included = compiled.included();
     List<String> assembled = compiled.assembled();
     return included == null || assembled == null
         ? Optional.empty()
-        : check.of(included, assembled, assemblyNoted, compiled.begunMillis());
+        : check.of(included, assembled, assemblerListsInputs, compiled.startMillis());
   }
 }

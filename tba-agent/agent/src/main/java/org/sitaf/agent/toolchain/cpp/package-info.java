@@ -1,4 +1,4 @@
-/** C++: the system's compiler in the sandbox, a runtime that is compiled once and kept. */
+/** The C++ toolchain: the system's compiler in the sandbox, and a runtime that is compiled once. */
 @NullMarked
 package org.sitaf.agent.toolchain.cpp;
 

@@ -58,7 +58,7 @@ final class CompilerProcess implements AutoCloseable {
       Confinement confinement =
           Confinement.of(setup.command(folder), folder, folder, LIMITS)
               .reading(setup.readable())
-              .heldBackUntilLetGo();
+              .withInputOpen();
       return new CompilerProcess(sandbox, folder, sandbox.start(confinement));
     } catch (IOException e) {
       delete(folder);
@@ -118,7 +118,8 @@ final class CompilerProcess implements AutoCloseable {
               + (complaint.text().isEmpty() ? failure.getMessage() : complaint.text()),
           failure);
     }
-    if (process.brokenLimit().isPresent() || (ended && process.exitCode() == Wire.OUT_OF_MEMORY)) {
+    if (process.exceededLimit().isPresent()
+        || (ended && process.exitCode() == Wire.OUT_OF_MEMORY)) {
       throw new CompilationException(
           "the compiler used more than "
               + CompilerSetup.MEMORY_MIB

@@ -14,7 +14,7 @@ import java.util.stream.Collectors;
 import org.sitaf.agent.sandbox.Confinement;
 import org.sitaf.agent.sandbox.ProcessLimits;
 import org.sitaf.agent.sandbox.Sandbox;
-import org.sitaf.agent.sandbox.ToolEnd;
+import org.sitaf.agent.sandbox.ToolResult;
 
 /**
  * JaCoCo. Classes and records are the component's, so that they are read in the sandbox.
@@ -55,7 +55,7 @@ record CoverageTool(Path recorder, List<Path> reader) {
             MAIN,
             classes.toString(),
             records.toString()));
-    ToolEnd end =
+    ToolResult end =
         sandbox.run(
             Confinement.of(command, work, work, LIMITS)
                 .reading(List.of(CompilerSetup.JAVA_HOME, classes))
@@ -64,7 +64,7 @@ record CoverageTool(Path recorder, List<Path> reader) {
     if (end.code() != 0) {
       throw new IOException(
           "JaCoCo's reader "
-              + (end.gaveUp() ? "was given up after " + LIMIT.toSeconds() + " s" : "failed: ")
+              + (end.timedOut() ? "was given up after " + LIMIT.toSeconds() + " s" : "failed: ")
               + end.errors().lines().findFirst().orElse(""));
     }
     return end.output().lines().toList();

@@ -90,7 +90,7 @@ record JavaApplication(
   }
 
   @Override
-  public Optional<String> whereItHangs(String stacks) {
+  public Optional<String> hangLocation(String stacks) {
     return ThreadDump.componentStack(stacks);
   }
 

@@ -37,7 +37,7 @@ final class JavaSource {
   /**
    * The sources of component, adapter and harness, in the order of their paths.
    *
-   * @throws CompilationException when one is not text in UTF-8
+   * @throws CompilationException if one is not text in UTF-8
    */
   static List<JavaSource> of(TestApplication application) throws CompilationException {
     NavigableMap<String, JavaSource> sources = new TreeMap<>();

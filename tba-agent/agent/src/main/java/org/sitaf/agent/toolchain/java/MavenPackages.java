@@ -18,7 +18,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.sitaf.agent.sandbox.Confinement;
 import org.sitaf.agent.sandbox.ProcessLimits;
-import org.sitaf.agent.sandbox.ToolEnd;
+import org.sitaf.agent.sandbox.ToolResult;
 import org.sitaf.agent.toolchain.Compilation;
 import org.sitaf.agent.toolchain.CompilationException;
 
@@ -65,7 +65,7 @@ final class MavenPackages {
    * The jars of a package, fetched when they are asked for first.
    *
    * @param wanted such as {@code org.apache.commons:commons-math3:3.6.1}
-   * @throws CompilationException when it is spelled otherwise or cannot be fetched
+   * @throws CompilationException if it is spelled otherwise or cannot be fetched
    */
   List<Path> jars(String wanted, Compilation compilation)
       throws CompilationException, IOException, InterruptedException {
@@ -137,7 +137,7 @@ final class MavenPackages {
             "-DincludeScope=runtime",
             "-DoutputDirectory=" + jars,
             PLUGIN);
-    ToolEnd end;
+    ToolResult end;
     try {
       end =
           compilation
@@ -224,8 +224,8 @@ final class MavenPackages {
     return found;
   }
 
-  private static String complaint(ToolEnd end, Compilation compilation) {
-    if (end.gaveUp()) {
+  private static String complaint(ToolResult end, Compilation compilation) {
+    if (end.timedOut()) {
       return "Maven was given up after " + compilation.atMost().toSeconds() + " s";
     }
     if (end.code() == NOT_FOUND) {

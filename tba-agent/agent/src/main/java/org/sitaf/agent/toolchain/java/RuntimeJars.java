@@ -16,7 +16,7 @@ final class RuntimeJars {
    * The jars of a folder that holds the runtime of Java test applications, in the order of their
    * names.
    *
-   * @throws IOException when it does not hold the runtime
+   * @throws IOException if it does not hold the runtime
    */
   static List<Path> in(Path directory) throws IOException {
     if (Files.isDirectory(directory)) {

@@ -21,7 +21,7 @@ import java.util.concurrent.locks.Lock;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.stream.Stream;
 import org.sitaf.agent.sandbox.Sandbox;
-import org.sitaf.agent.sandbox.ToolEnd;
+import org.sitaf.agent.sandbox.ToolResult;
 import org.sitaf.agent.spool.SharedCache;
 import org.sitaf.agent.toolchain.CompilationException;
 import org.sitaf.agent.toolchain.SourceDiagnostic;
@@ -83,8 +83,8 @@ final class Environments {
   /**
    * The environment of these packages, made when it is asked for first.
    *
-   * @throws CompilationException when pip cannot fetch or build what the component needs
-   * @throws IOException when not even an environment without them can be made
+   * @throws CompilationException if pip cannot fetch or build what the component needs
+   * @throws IOException if not even an environment without them can be made
    */
   Path with(Requirements requirements, Path scratch, Duration atMost, Sandbox sandbox)
       throws CompilationException, IOException, InterruptedException {
@@ -125,7 +125,7 @@ final class Environments {
 
   private void make(Path fresh, Requirements requirements, PackageTools tools)
       throws CompilationException, IOException, InterruptedException {
-    ToolEnd made = tools.venv(fresh);
+    ToolResult made = tools.venv(fresh);
     if (made.code() != 0) {
       throw new IOException("python -m venv: " + tools.complaint(made));
     }
@@ -144,7 +144,7 @@ final class Environments {
     } catch (WheelCollection.PackageException e) {
       throw refused(requirements, String.valueOf(e.getMessage()));
     }
-    ToolEnd installed = SourceBuild.install(tools, fresh, wheels);
+    ToolResult installed = SourceBuild.install(tools, fresh, wheels);
     if (installed.code() != 0) {
       String reason = tools.complaint(installed);
       if (requirements.isEmpty()) {
@@ -167,7 +167,7 @@ final class Environments {
       Files.createDirectories(copy.getParent());
       Files.copy(file, copy);
     }
-    ToolEnd compiled =
+    ToolResult compiled =
         tools.module(fresh, "sitaf_runtime.compiling", packages.resolve("sitaf_runtime"), fresh);
     if (compiled.code() != 0) {
       throw new IOException("the runtime of Python tests cannot be compiled: " + compiled.output());
@@ -183,7 +183,7 @@ final class Environments {
     Path known = cache.entry(name);
     if (!Files.isDirectory(known)) {
       Path folder = tools.folder();
-      ToolEnd fetched = new WheelCollection(tools, fresh, BASE).fetch(folder);
+      ToolResult fetched = new WheelCollection(tools, fresh, BASE).fetch(folder);
       if (fetched.code() != 0) {
         throw new IOException(
             "pip cannot fetch what test applications need: " + tools.complaint(fetched));

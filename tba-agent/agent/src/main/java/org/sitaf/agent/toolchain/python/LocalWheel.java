@@ -12,7 +12,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
-import org.sitaf.agent.sandbox.ToolEnd;
+import org.sitaf.agent.sandbox.ToolResult;
 import org.sitaf.agent.toolchain.python.WheelCollection.PackageException;
 
 /**
@@ -36,12 +36,12 @@ record LocalWheel(Path file, String name, String version, List<String> requires)
   /**
    * Reads what a wheel says of itself, in the sandbox.
    *
-   * @throws PackageException when it is none, or requires what is not a package of the index
+   * @throws PackageException if it is none, or requires what is not a package of the index
    */
   static LocalWheel read(Path file, Path environment, PackageTools tools)
       throws IOException, InterruptedException, PackageException {
     String title = file.getFileName().toString();
-    ToolEnd answer =
+    ToolResult answer =
         tools.ask(environment, tools.folder(), false, List.of(file), "wheel", file.toString());
     if (answer.code() != 0) {
       throw new PackageException(title + ": " + tools.complaint(answer));

@@ -16,7 +16,7 @@ import java.util.TreeMap;
 import org.sitaf.agent.sandbox.Confinement;
 import org.sitaf.agent.sandbox.ProcessLimits;
 import org.sitaf.agent.sandbox.Sandbox;
-import org.sitaf.agent.sandbox.ToolEnd;
+import org.sitaf.agent.sandbox.ToolResult;
 
 /**
  * The processes that make one environment. Those with the network run no code of a package; those
@@ -39,7 +39,7 @@ record PackageTools(
   }
 
   /** Makes a virtual environment; only Python's own library is in it. */
-  ToolEnd venv(Path environment) throws IOException, InterruptedException {
+  ToolResult venv(Path environment) throws IOException, InterruptedException {
     return run(
         List.of(
             interpreter.executable().toString(),
@@ -55,7 +55,7 @@ record PackageTools(
   }
 
   /** Runs pip of an environment that no package is in yet. */
-  ToolEnd pip(
+  ToolResult pip(
       Path environment,
       Path folder,
       List<String> arguments,
@@ -75,7 +75,7 @@ record PackageTools(
   }
 
   /** Asks the agent's own script; see there. */
-  ToolEnd ask(
+  ToolResult ask(
       Path environment, Path folder, boolean network, List<Path> readable, String... arguments)
       throws IOException, InterruptedException {
     List<String> command =
@@ -87,7 +87,7 @@ record PackageTools(
   }
 
   /** Runs a module of the environment on a folder that it may write. */
-  ToolEnd module(Path environment, String module, Path folder, Path written)
+  ToolResult module(Path environment, String module, Path folder, Path written)
       throws IOException, InterruptedException {
     return run(
         List.of(Environments.python(environment).toString(), "-I", "-m", module, folder.toString()),
@@ -97,7 +97,7 @@ record PackageTools(
         false);
   }
 
-  private ToolEnd run(
+  private ToolResult run(
       List<String> command, Path folder, List<Path> readable, List<Path> writable, boolean network)
       throws IOException, InterruptedException {
     Confinement confinement =
@@ -124,8 +124,8 @@ record PackageTools(
   }
 
   /** What a tool complains of, in one line. */
-  String complaint(ToolEnd end) {
-    if (end.gaveUp()) {
+  String complaint(ToolResult end) {
+    if (end.timedOut()) {
       return "it was given up because making the environment takes too long";
     }
     String text = (end.errors().isBlank() ? end.output() : end.errors()).strip();

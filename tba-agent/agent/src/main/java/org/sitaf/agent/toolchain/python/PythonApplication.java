@@ -82,7 +82,7 @@ record PythonApplication(
   }
 
   @Override
-  public Optional<String> whereItHangs(String stacks) {
+  public Optional<String> hangLocation(String stacks) {
     List<String> frames = new ArrayList<>();
     for (String line : stacks.lines().toList()) {
       Matcher frame = FRAME.matcher(line);

@@ -11,7 +11,7 @@ import java.util.Map;
 import org.sitaf.agent.sandbox.Confinement;
 import org.sitaf.agent.sandbox.ProcessLimits;
 import org.sitaf.agent.sandbox.Sandbox;
-import org.sitaf.agent.sandbox.ToolEnd;
+import org.sitaf.agent.sandbox.ToolResult;
 import org.sitaf.agent.spool.LeftFiles;
 import org.sitaf.agent.toolchain.coverage.LcovReport;
 import org.sitaf.core.verdict.Coverage;
@@ -82,7 +82,7 @@ record PythonCoverage(
   private void run(Path work, List<String> arguments) throws IOException, InterruptedException {
     List<String> command = new ArrayList<>(List.of(python.toString(), "-I", "-m", "coverage"));
     command.addAll(arguments);
-    ToolEnd end =
+    ToolResult end =
         sandbox.run(
             Confinement.of(command, work, work, ProcessLimits.TOOL)
                 .withEnvironment(Map.of("PYTHONUTF8", "1"))

@@ -13,7 +13,7 @@ import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.sandbox.Confinement;
 import org.sitaf.agent.sandbox.ProcessLimits;
-import org.sitaf.agent.sandbox.ToolEnd;
+import org.sitaf.agent.sandbox.ToolResult;
 import org.sitaf.agent.toolchain.Compilation;
 import org.sitaf.agent.toolchain.CompilationException;
 import org.sitaf.agent.toolchain.CompiledApplication;
@@ -108,7 +108,7 @@ public final class PythonToolchain implements Toolchain {
 
     // Without the component's packages, which would run code of theirs as the interpreter starts.
     Path temporary = Files.createTempDirectory(compilation.scratch(), "compile-");
-    ToolEnd end =
+    ToolResult end =
         compilation
             .sandbox()
             .run(
@@ -127,7 +127,7 @@ public final class PythonToolchain implements Toolchain {
                     .reading(List.of(interpreter.executable(), environments.compiler()))
                     .writing(List.of(compilation.output())),
                 compilation.atMost());
-    if (end.gaveUp()) {
+    if (end.timedOut()) {
       throw new CompilationException(
           "the compilation was given up after " + compilation.atMost().toSeconds() + " s",
           List.of());

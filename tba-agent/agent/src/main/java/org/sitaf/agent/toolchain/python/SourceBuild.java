@@ -8,7 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.regex.Pattern;
-import org.sitaf.agent.sandbox.ToolEnd;
+import org.sitaf.agent.sandbox.ToolResult;
 import org.sitaf.agent.toolchain.python.WheelCollection.PackageException;
 
 /**
@@ -34,7 +34,7 @@ record SourceBuild(PackageTools tools, Path environment, Fetch buildTools) {
   Optional<LocalWheel> build(String name, String specifier)
       throws IOException, InterruptedException, PackageException {
     Path fetch = tools.folder();
-    ToolEnd fetched = tools.ask(environment, fetch, true, List.of(), "source", name, specifier);
+    ToolResult fetched = tools.ask(environment, fetch, true, List.of(), "source", name, specifier);
     if (fetched.code() != 0) {
       if (fetched.errors().contains("the index has no source archive")) {
         return Optional.empty();
@@ -51,7 +51,7 @@ record SourceBuild(PackageTools tools, Path environment, Fetch buildTools) {
     Path build = environment(name, archive);
     Path folder = tools.folder();
     Path into = Files.createDirectories(folder.resolve("wheels"));
-    ToolEnd built =
+    ToolResult built =
         tools.pip(
             build,
             folder,
@@ -92,7 +92,7 @@ record SourceBuild(PackageTools tools, Path environment, Fetch buildTools) {
   /** An environment with what the package is built with. */
   private Path environment(String name, Path archive)
       throws IOException, InterruptedException, PackageException {
-    ToolEnd answer =
+    ToolResult answer =
         tools.ask(
             environment, tools.folder(), false, List.of(archive), "build", archive.toString());
     if (answer.code() != 0) {
@@ -104,11 +104,11 @@ record SourceBuild(PackageTools tools, Path environment, Fetch buildTools) {
     }
     List<Path> wheels = buildTools.wheels(wanted);
     Path build = Files.createDirectories(tools.folder().resolve("environment"));
-    ToolEnd made = tools.venv(build);
+    ToolResult made = tools.venv(build);
     if (made.code() != 0) {
       throw new IOException("python -m venv: " + tools.complaint(made));
     }
-    ToolEnd installed = install(tools, build, wheels);
+    ToolResult installed = install(tools, build, wheels);
     if (installed.code() != 0) {
       throw new PackageException(name + ": " + tools.complaint(installed));
     }
@@ -116,7 +116,7 @@ record SourceBuild(PackageTools tools, Path environment, Fetch buildTools) {
   }
 
   /** Installs wheels, and nothing else, without the network. */
-  static ToolEnd install(PackageTools tools, Path environment, List<Path> wheels)
+  static ToolResult install(PackageTools tools, Path environment, List<Path> wheels)
       throws IOException, InterruptedException {
     List<String> arguments =
         new ArrayList<>(
@@ -130,7 +130,7 @@ record SourceBuild(PackageTools tools, Path environment, Fetch buildTools) {
     return tools.pip(environment, tools.folder(), arguments, wheels, List.of(environment), false);
   }
 
-  private static String value(ToolEnd answer, String word) throws PackageException {
+  private static String value(ToolResult answer, String word) throws PackageException {
     return answer
         .output()
         .lines()

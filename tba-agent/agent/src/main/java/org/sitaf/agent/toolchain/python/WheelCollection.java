@@ -9,7 +9,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.sitaf.agent.sandbox.ToolEnd;
+import org.sitaf.agent.sandbox.ToolResult;
 
 /**
  * All wheels that an environment needs. Wheels of the index are fetched with the network, by pip,
@@ -77,7 +77,7 @@ final class WheelCollection {
   List<Path> collect(Path known) throws IOException, InterruptedException, PackageException {
     for (int round = 0; ; round++) {
       Path folder = tools.folder();
-      ToolEnd fetched = fetch(folder, lines, known);
+      ToolResult fetched = fetch(folder, lines, known);
       if (fetched.code() == 0) {
         return all(folder);
       }
@@ -100,7 +100,7 @@ final class WheelCollection {
     }
   }
 
-  private static @org.jspecify.annotations.Nullable Matcher missing(ToolEnd fetched) {
+  private static @org.jspecify.annotations.Nullable Matcher missing(ToolResult fetched) {
     for (String line : fetched.errors().lines().toList()) {
       Matcher missing = MISSING.matcher(line.strip());
       if (missing.matches()) {
@@ -114,14 +114,14 @@ final class WheelCollection {
   private List<Path> fetchBuildTools(List<String> wanted)
       throws IOException, InterruptedException, PackageException {
     Path folder = tools.folder();
-    ToolEnd fetched = fetchAlone(folder, wanted, List.of());
+    ToolResult fetched = fetchAlone(folder, wanted, List.of());
     if (fetched.code() != 0) {
       throw new PackageException("what it is built with: " + tools.complaint(fetched));
     }
     return wheels(folder);
   }
 
-  private ToolEnd fetch(Path folder, List<String> wanted, Path known)
+  private ToolResult fetch(Path folder, List<String> wanted, Path known)
       throws IOException, InterruptedException {
     Path stubs = tools.folder();
     for (LocalWheel wheel : local) {
@@ -130,7 +130,7 @@ final class WheelCollection {
     return fetchAlone(folder, wanted, List.of(known, stubs));
   }
 
-  private ToolEnd fetchAlone(Path folder, List<String> wanted, List<Path> links)
+  private ToolResult fetchAlone(Path folder, List<String> wanted, List<Path> links)
       throws IOException, InterruptedException {
     for (String line : wanted) {
       // The line was checked when it was made; nothing else may reach pip.
@@ -160,7 +160,7 @@ final class WheelCollection {
   }
 
   /** Fetches packages of the index that have wheels, into a folder; says how it ended. */
-  ToolEnd fetch(Path folder) throws IOException, InterruptedException {
+  ToolResult fetch(Path folder) throws IOException, InterruptedException {
     return fetchAlone(folder, lines, List.of());
   }
 

@@ -11,7 +11,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.stream.Stream;
 
-/** A folder that behaves as the kernel's hierarchy of version 2 does, as far as it is used. */
+/** A folder that behaves like a version 2 hierarchy of the kernel, as far as the agent uses it. */
 final class FakeGroupFiles extends GroupFiles {
   private static final Map<String, String> FILES =
       Map.of(
@@ -34,8 +34,8 @@ final class FakeGroupFiles extends GroupFiles {
   }
 
   @Override
-  void make(Path group) throws IOException {
-    super.make(group);
+  void create(Path group) throws IOException {
+    super.create(group);
     Set<String> controllers = new LinkedHashSet<>(lines(root.resolve("cgroup.subtree_control")));
     for (Map.Entry<String, String> file : FILES.entrySet()) {
       String controller = file.getKey().substring(0, file.getKey().indexOf('.'));

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Groups in a subtree that systemd has delegated. */
+/** Control groups in a subtree that systemd delegated. */
 @Timeout(60)
 class VersionTwoTest {
   private static final GroupLimits LIMITS = new GroupLimits(512L << 20, 64);
@@ -31,14 +31,15 @@ class VersionTwoTest {
   }
 
   @Test
-  void aGroupHasItsLimits() throws IOException {
+  void setsTheLimitsOfAGroup() throws IOException {
     FakeGroupFiles files = new FakeGroupFiles(folder, "cpuset cpu io memory pids");
-    ControlGroups groups = VersionTwo.in(files, folder, Owner.thisProcess()).orElseThrow();
-    Path group = only(groups.make(LIMITS));
+    ControlGroups groups =
+        VersionTwo.takeOver(files, folder, GroupOwner.thisProcess()).orElseThrow();
+    Path group = only(groups.create(LIMITS));
 
     assertThat(groups.description()).isEqualTo("control groups (v2) for cpu, memory, pids");
-    assertThat(groups.bindMemory()).isTrue();
-    assertThat(groups.shareProcessors()).isTrue();
+    assertThat(groups.limitsMemory()).isTrue();
+    assertThat(groups.sharesCpu()).isTrue();
     assertThat(content(group, "memory.max")).isEqualTo("536870912");
     assertThat(content(group, "memory.swap.max")).isEqualTo("0");
     assertThat(content(group, "memory.oom.group")).isEqualTo("1");
@@ -47,74 +48,74 @@ class VersionTwoTest {
   }
 
   @Test
-  void theAgentMovesOutOfTheWay() throws IOException {
+  void movesTheAgentIntoASubgroup() throws IOException {
     FakeGroupFiles files = new FakeGroupFiles(folder, "memory pids");
     Files.writeString(folder.resolve("cgroup.procs"), "11\n12\n");
-    assertThat(VersionTwo.in(files, folder, Owner.thisProcess())).isPresent();
+    assertThat(VersionTwo.takeOver(files, folder, GroupOwner.thisProcess())).isPresent();
 
     assertThat(files.members(folder)).isEmpty();
     assertThat(files.members(folder.resolve(VersionTwo.SELF))).containsExactly(11L, 12L);
   }
 
   @Test
-  void aSecondAgentThereUsesTheSameSubtree() throws IOException {
+  void aSecondAgentSharesTheSubtree() throws IOException {
     FakeGroupFiles files = new FakeGroupFiles(folder, "memory pids");
-    assertThat(VersionTwo.in(files, folder, Owner.thisProcess())).isPresent();
+    assertThat(VersionTwo.takeOver(files, folder, GroupOwner.thisProcess())).isPresent();
     Hierarchies moved = new Hierarchies(Optional.of(folder.resolve(VersionTwo.SELF)), Map.of());
 
-    assertThat(VersionTwo.find(files, moved, Owner.thisProcess())).isPresent();
+    assertThat(VersionTwo.find(files, moved, GroupOwner.thisProcess())).isPresent();
   }
 
   @Test
-  void withoutControllersThereAreNone() throws IOException {
+  void findsNoGroupsWithoutControllers() throws IOException {
     FakeGroupFiles files = new FakeGroupFiles(folder, "cpuset");
 
-    assertThat(VersionTwo.in(files, folder, Owner.thisProcess())).isEmpty();
+    assertThat(VersionTwo.takeOver(files, folder, GroupOwner.thisProcess())).isEmpty();
   }
 
   @Test
-  void whatTheKernelKilledForIsKnownAfterTheGroup() throws IOException {
+  void remembersAnOutOfMemoryKillAfterRemoval() throws IOException {
     FakeGroupFiles files = new FakeGroupFiles(folder, "memory");
     ControlGroup group =
-        VersionTwo.in(files, folder, Owner.thisProcess()).orElseThrow().make(LIMITS);
-    Path made = only(group);
+        VersionTwo.takeOver(files, folder, GroupOwner.thisProcess()).orElseThrow().create(LIMITS);
+    Path created = only(group);
     assertThat(group.exceededMemory()).isFalse();
-    Files.writeString(made.resolve("memory.events"), "oom 1\noom_kill 2\noom_group_kill 1\n");
-    Files.writeString(made.resolve("cgroup.procs"), "2147483000\n");
+    Files.writeString(created.resolve("memory.events"), "oom 1\noom_kill 2\noom_group_kill 1\n");
+    Files.writeString(created.resolve("cgroup.procs"), "2147483000\n");
     group.remove();
 
     assertThat(group.exceededMemory()).isTrue();
-    assertThat(made).doesNotExist();
+    assertThat(created).doesNotExist();
   }
 
   @Test
-  void groupsOfAgentsThatAreGoneAreRemoved() throws IOException {
+  void removesGroupsOfAgentsThatHaveEnded() throws IOException {
     FakeGroupFiles files = new FakeGroupFiles(folder, "memory");
-    Owner self = Owner.thisProcess();
-    Path gone = folder.resolve(new Owner(self.namespace(), self.id(), "1").nameOf(3));
-    Path elsewhere = folder.resolve(new Owner("1", 1, "1").nameOf(3));
+    GroupOwner self = GroupOwner.thisProcess();
+    Path gone = folder.resolve(new GroupOwner(self.namespace(), self.id(), "1").nameOf(3));
+    Path elsewhere = folder.resolve(new GroupOwner("1", 1, "1").nameOf(3));
     Path own = folder.resolve(self.nameOf(7));
     for (Path group : List.of(gone, elsewhere, own)) {
-      files.make(group);
+      files.create(group);
     }
     Files.writeString(gone.resolve("cgroup.procs"), "2147483000\n");
-    assertThat(VersionTwo.in(files, folder, self)).isPresent();
+    assertThat(VersionTwo.takeOver(files, folder, self)).isPresent();
 
     assertThat(gone).doesNotExist();
     assertThat(elsewhere).exists();
     assertThat(own).exists();
   }
 
-  /** The kernel's own files, as far as a hierarchy without controllers has them. */
+  /** Uses the kernel's files, in a hierarchy without controllers. */
   @Test
-  void theKernelEndsWhateverIsInAGroup() throws Exception {
+  void killsAllProcessesOfAGroup() throws Exception {
     Path hierarchy = Path.of("/sys/fs/cgroup/unified");
     assumeTrue(
         Files.isDirectory(hierarchy) && Hierarchies.isWritable(hierarchy),
-        "skipped: no hierarchy of version 2 that may be written");
-    Path made = hierarchy.resolve(Owner.thisProcess().nameOf(999_999));
-    Files.createDirectory(made);
-    ControlGroup group = new ControlGroup(new GroupFiles(), List.of(made), null);
+        "skipped: no writable version 2 hierarchy");
+    Path created = hierarchy.resolve(GroupOwner.thisProcess().nameOf(999_999));
+    Files.createDirectory(created);
+    ControlGroup group = new ControlGroup(new GroupFiles(), List.of(created), null);
     Process process =
         new ProcessBuilder(
                 "/bin/sh",
@@ -127,14 +128,14 @@ class VersionTwoTest {
       group.remove();
 
       assertThat(process.waitFor(10, TimeUnit.SECONDS)).isTrue();
-      assertThat(made).doesNotExist();
+      assertThat(created).doesNotExist();
     } finally {
       process.destroyForcibly();
     }
   }
 
   @Test
-  void theOwnGroupIsFoundWhereItIsMounted() {
+  void findsTheMountedGroupOfThisProcess() {
     Hierarchies hierarchies =
         Hierarchies.of(
             List.of("5:cpu,cpuacct:/a", "4:memory:/docker/b/c", "0::/system.slice/x.service"),
@@ -152,7 +153,7 @@ class VersionTwoTest {
   }
 
   @Test
-  void sessionsShareNothingInAGroupThatDoes() {
+  void autogroupsHaveNoEffectInACpuGroup() {
     assertThat(AutomaticGroups.isInNoGroupFor("cpu", List.of("1:cpu,cpuacct:/", "0::/a"))).isTrue();
     assertThat(AutomaticGroups.isInNoGroupFor("cpu", List.of("1:cpu:/a", "0::/"))).isFalse();
     assertThat(AutomaticGroups.isInNoGroupFor("cpu", List.of("0::/"))).isTrue();

@@ -10,21 +10,21 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** The program decides as the table says, on architectures that this machine is not as well. */
+/** The filter implements the rules, for each architecture. */
 class FilterProgramTest {
   private static final int ALLOW = 0x7FFF0000;
   private static final int FAIL = 0x00050000;
   private static final int UNSHARE_OF_AARCH64 = 97;
   private static final int READ_OF_AARCH64 = 63;
 
-  private static List<Refusal> all() {
-    List<Refusal> all = new ArrayList<>(Refusals.ALWAYS);
-    all.addAll(Refusals.WHERE_MEMORY_IS_WATCHED);
-    all.addAll(Refusals.WHERE_SESSIONS_SHARE_PROCESSORS);
+  private static List<SystemCallRule> all() {
+    List<SystemCallRule> all = new ArrayList<>(SystemCallRules.ALWAYS);
+    all.addAll(SystemCallRules.WITHOUT_MEMORY_GROUP);
+    all.addAll(SystemCallRules.WITHOUT_CPU_GROUP);
     return all;
   }
 
-  /** Runs a program as the kernel does. */
+  /** Interprets a program like the kernel. */
   private static int verdict(byte[] program, int audit, int number, int... arguments) {
     ByteBuffer data = ByteBuffer.allocate(64).order(ByteOrder.LITTLE_ENDIAN);
     data.putInt(0, number).putInt(4, audit);
@@ -54,21 +54,21 @@ class FilterProgramTest {
 
   @ParameterizedTest
   @EnumSource(Architecture.class)
-  void eachCallOfTheTableFailsAsItSays(Architecture architecture) {
+  void blocksEachCallOfTheTable(Architecture architecture) {
     byte[] program = FilterProgram.of(architecture, all());
-    for (Refusal refusal : all()) {
-      int number = refusal.number(architecture);
-      if (number != Refusal.NONE && refusal.when().isEmpty()) {
+    for (SystemCallRule rule : all()) {
+      int number = rule.number(architecture);
+      if (number != SystemCallRule.NONE && rule.when().isEmpty()) {
         assertThat(verdict(program, architecture.audit(), number))
-            .as(refusal.name())
-            .isEqualTo(FAIL | refusal.errno());
+            .as(rule.name())
+            .isEqualTo(FAIL | rule.errno());
       }
     }
   }
 
   @ParameterizedTest
   @EnumSource(Architecture.class)
-  void argumentsDecideWhereTheTableSaysSo(Architecture architecture) {
+  void evaluatesConditionsOnArguments(Architecture architecture) {
     byte[] program = FilterProgram.of(architecture, all());
     int audit = architecture.audit();
     int clone = number("clone", architecture);
@@ -76,39 +76,43 @@ class FilterProgramTest {
     int personality = number("personality", architecture);
 
     assertThat(verdict(program, audit, clone, 0x003d0f00)).isEqualTo(ALLOW);
-    assertThat(verdict(program, audit, clone, 0x10000011)).isEqualTo(FAIL | Refusal.EPERM);
+    assertThat(verdict(program, audit, clone, 0x10000011)).isEqualTo(FAIL | SystemCallRule.EPERM);
     assertThat(verdict(program, audit, socket, 2, 1, 0)).isEqualTo(ALLOW);
-    assertThat(verdict(program, audit, socket, 40, 1, 0)).isEqualTo(FAIL | Refusal.EAFNOSUPPORT);
+    assertThat(verdict(program, audit, socket, 40, 1, 0))
+        .isEqualTo(FAIL | SystemCallRule.EAFNOSUPPORT);
     assertThat(verdict(program, audit, socket, 16, 3, 0)).isEqualTo(ALLOW);
-    assertThat(verdict(program, audit, socket, 16, 3, 12)).isEqualTo(FAIL | Refusal.EAFNOSUPPORT);
+    assertThat(verdict(program, audit, socket, 16, 3, 12))
+        .isEqualTo(FAIL | SystemCallRule.EAFNOSUPPORT);
     assertThat(verdict(program, audit, personality, -1)).isEqualTo(ALLOW);
-    assertThat(verdict(program, audit, personality, 0x40000)).isEqualTo(FAIL | Refusal.EPERM);
+    assertThat(verdict(program, audit, personality, 0x40000))
+        .isEqualTo(FAIL | SystemCallRule.EPERM);
   }
 
   @Test
-  void otherArchitecturesAndNewerCallsAreUnknown() {
+  void rejectsOtherArchitecturesAndNewerCalls() {
     byte[] program = FilterProgram.of(Architecture.X86_64, all());
     int audit = Architecture.X86_64.audit();
 
     assertThat(verdict(program, audit, 0)).isEqualTo(ALLOW);
-    assertThat(verdict(program, 0x40000003, 0)).isEqualTo(FAIL | Refusal.ENOSYS);
-    assertThat(verdict(program, audit, 0x40000000)).isEqualTo(FAIL | Refusal.ENOSYS);
-    assertThat(verdict(program, audit, Refusals.NEWEST)).isEqualTo(ALLOW);
-    assertThat(verdict(program, audit, Refusals.NEWEST + 1)).isEqualTo(FAIL | Refusal.ENOSYS);
+    assertThat(verdict(program, 0x40000003, 0)).isEqualTo(FAIL | SystemCallRule.ENOSYS);
+    assertThat(verdict(program, audit, 0x40000000)).isEqualTo(FAIL | SystemCallRule.ENOSYS);
+    assertThat(verdict(program, audit, SystemCallRules.NEWEST)).isEqualTo(ALLOW);
+    assertThat(verdict(program, audit, SystemCallRules.NEWEST + 1))
+        .isEqualTo(FAIL | SystemCallRule.ENOSYS);
   }
 
   @Test
-  void eachArchitectureHasItsOwnNumbers() {
+  void usesTheNumbersOfEachArchitecture() {
     byte[] program = FilterProgram.of(Architecture.AARCH64, all());
     int audit = Architecture.AARCH64.audit();
 
-    assertThat(verdict(program, audit, UNSHARE_OF_AARCH64)).isEqualTo(FAIL | Refusal.EPERM);
+    assertThat(verdict(program, audit, UNSHARE_OF_AARCH64)).isEqualTo(FAIL | SystemCallRule.EPERM);
     assertThat(verdict(program, audit, READ_OF_AARCH64)).isEqualTo(ALLOW);
   }
 
   private static int number(String name, Architecture architecture) {
     return all().stream()
-        .filter(refusal -> refusal.name().equals(name))
+        .filter(rule -> rule.name().equals(name))
         .findFirst()
         .orElseThrow()
         .number(architecture);

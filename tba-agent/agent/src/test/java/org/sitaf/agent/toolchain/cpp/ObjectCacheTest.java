@@ -60,7 +60,7 @@ class ObjectCacheTest {
     Toolchains toolchains = new Toolchains(new ToolchainPlaces(runtimes, cache));
     assumeTrue(
         toolchains.of(Language.CPP).isPresent(),
-        () -> "skipped: " + toolchains.lackOf(Language.CPP));
+        () -> "skipped: " + toolchains.missingMessage(Language.CPP));
     toolchain = toolchains.of(Language.CPP).orElseThrow();
     component("value();\n#include \"other.hpp\"\n");
     put("other.hpp", "int value();\n");

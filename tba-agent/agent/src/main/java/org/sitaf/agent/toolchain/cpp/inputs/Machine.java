@@ -42,7 +42,7 @@ final class Machine {
   /**
    * SHA-256 of a header.
    *
-   * @throws IOException when it cannot be said what is in it, as when it changes meanwhile
+   * @throws IOException if it cannot be said what is in it, as when it changes meanwhile
    */
   String sha256(String path) throws IOException {
     return content(path).sha256();

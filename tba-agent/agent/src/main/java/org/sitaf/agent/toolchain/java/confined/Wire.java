@@ -140,7 +140,7 @@ public final class Wire {
      * The next message.
      *
      * @throws EOFException at the end
-     * @throws ProtocolException when it is not a message, or too long
+     * @throws ProtocolException if it is not a message, or too long
      */
     public Message next() throws IOException {
       var head = HEAD.matcher(head());

@@ -1,23 +1,24 @@
 package org.sitaf.agent.sandbox.seccomp;
 
-import static org.sitaf.agent.sandbox.seccomp.Refusal.EAFNOSUPPORT;
-import static org.sitaf.agent.sandbox.seccomp.Refusal.ENOSYS;
-import static org.sitaf.agent.sandbox.seccomp.Refusal.EPERM;
-import static org.sitaf.agent.sandbox.seccomp.Refusal.NONE;
-import static org.sitaf.agent.sandbox.seccomp.Refusal.of;
+import static org.sitaf.agent.sandbox.seccomp.SystemCallRule.EAFNOSUPPORT;
+import static org.sitaf.agent.sandbox.seccomp.SystemCallRule.ENOSYS;
+import static org.sitaf.agent.sandbox.seccomp.SystemCallRule.EPERM;
+import static org.sitaf.agent.sandbox.seccomp.SystemCallRule.NONE;
+import static org.sitaf.agent.sandbox.seccomp.SystemCallRule.of;
 
 import java.util.List;
-import org.sitaf.agent.sandbox.seccomp.Refusal.AnyBit;
-import org.sitaf.agent.sandbox.seccomp.Refusal.NoneOf;
-import org.sitaf.agent.sandbox.seccomp.Refusal.OneOf;
+import org.sitaf.agent.sandbox.seccomp.SystemCallRule.AnyBit;
+import org.sitaf.agent.sandbox.seccomp.SystemCallRule.NoneOf;
+import org.sitaf.agent.sandbox.seccomp.SystemCallRule.OneOf;
 
 /**
- * What is refused: what Docker's default profile keeps from a container without capabilities, and
- * what neither runtimes nor compilers need. Numbers are those of the kernel's {@code unistd_64.h}
- * and {@code asm-generic/unistd.h}. Whatever is newer than the table is unknown.
+ * The blocked calls: those that Docker's default profile blocks in containers without capabilities,
+ * and those that neither runtimes nor compilers need. Numbers are those of the kernel's {@code
+ * unistd_64.h} and {@code asm-generic/unistd.h}. Newer calls are unknown, see {@link
+ * FilterProgram}.
  */
-final class Refusals {
-  /** The newest call that was looked at, {@code removexattrat} of Linux 6.13. */
+final class SystemCallRules {
+  /** The newest known call, {@code removexattrat} of Linux 6.13. */
   static final int NEWEST = 466;
 
   /** CLONE_NEWNS, NEWCGROUP, NEWUTS, NEWIPC, NEWUSER, NEWPID, NEWNET of {@code linux/sched.h}. */
@@ -31,17 +32,17 @@ final class Refusals {
   private static final int TIOCSTI = 0x5412;
   private static final int TIOCLINUX = 0x541C;
 
-  /** PER_LINUX, UNAME26, PER_LINUX32, both, and the question what it is. */
+  /** PER_LINUX, UNAME26, PER_LINUX32, both, and a query. */
   private static final List<Integer> PERSONALITIES = List.of(0, 0x20000, 8, 0x20008, -1);
 
-  /** Everywhere. */
-  static final List<Refusal> ALWAYS =
+  /** Blocked on all machines. */
+  static final List<SystemCallRule> ALWAYS =
       List.of(
-          // What depends on arguments comes first, as the kernel cannot remember its result.
+          // Rules with conditions come first, because the kernel cannot cache their result.
           of("clone", 56, 220, EPERM, new AnyBit(0, NEW_NAMESPACES)),
           of("ioctl", 16, 29, EPERM, new OneOf(1, List.of(TIOCSTI, TIOCLINUX))),
           of("socket", 41, 198, EAFNOSUPPORT, new NoneOf(0, List.of(UNIX, INET, INET6, NETLINK))),
-          // Names of network interfaces come from there, and nothing else.
+          // NETLINK_ROUTE gives the names of network interfaces; other protocols are blocked.
           of(
               "socket",
               41,
@@ -74,7 +75,7 @@ final class Refusals {
           of("quotactl", 179, 60, EPERM),
           of("quotactl_fd", 443, 443, EPERM),
 
-          // Large parts of the kernel in which most of its faults were found.
+          // Large kernel features with a history of vulnerabilities.
           of("io_uring_setup", 425, 425, ENOSYS),
           of("io_uring_enter", 426, 426, ENOSYS),
           of("io_uring_register", 427, 427, ENOSYS),
@@ -93,12 +94,12 @@ final class Refusals {
           of("sysfs", 139, NONE, ENOSYS),
           of("vserver", 236, NONE, ENOSYS),
 
-          // The kernel's keys belong to no namespace.
+          // Kernel keyrings are not part of any namespace.
           of("add_key", 248, 217, EPERM),
           of("request_key", 249, 218, EPERM),
           of("keyctl", 250, 219, EPERM),
 
-          // Other processes; no debugger runs in a build.
+          // Access to other processes; builds run no debugger.
           of("ptrace", 101, 117, EPERM),
           of("process_vm_readv", 310, 270, EPERM),
           of("process_vm_writev", 311, 271, EPERM),
@@ -106,7 +107,7 @@ final class Refusals {
           of("pidfd_getfd", 438, 438, EPERM),
           of("kcmp", 312, 272, EPERM),
 
-          // Where memory lies.
+          // NUMA placement.
           of("mbind", 237, 235, EPERM),
           of("set_mempolicy", 238, 237, EPERM),
           of("set_mempolicy_home_node", 450, 450, EPERM),
@@ -114,7 +115,7 @@ final class Refusals {
           of("migrate_pages", 256, 238, EPERM),
           of("move_pages", 279, 239, EPERM),
 
-          // The machine.
+          // Administration of the machine.
           of("init_module", 175, 105, EPERM),
           of("finit_module", 313, 273, EPERM),
           of("delete_module", 176, 106, EPERM),
@@ -139,10 +140,10 @@ final class Refusals {
           of("setdomainname", 171, 162, EPERM));
 
   /**
-   * Where no control group counts memory: what keeps memory that belongs to no process, so that
-   * nobody who looks at the processes sees it.
+   * Blocked if no control group counts memory: calls that allocate memory outside of any process,
+   * which a measurement of the processes cannot see.
    */
-  static final List<Refusal> WHERE_MEMORY_IS_WATCHED =
+  static final List<SystemCallRule> WITHOUT_MEMORY_GROUP =
       List.of(
           of("memfd_create", 319, 279, ENOSYS),
           of("shmget", 29, 194, ENOSYS),
@@ -151,11 +152,11 @@ final class Refusals {
           of("mq_open", 240, 180, ENOSYS));
 
   /**
-   * Where no control group shares the processors out: the kernel shares them by session, so a
-   * process tree stays in the one that it began in. The call succeeds without effect, as programs
-   * take its failure for an error.
+   * Blocked if no control group distributes processor time: the kernel then distributes it among
+   * sessions, so a process tree must stay in its session. The call succeeds without effect, because
+   * programs treat its failure as an error.
    */
-  static final List<Refusal> WHERE_SESSIONS_SHARE_PROCESSORS = List.of(of("setsid", 112, 157, 0));
+  static final List<SystemCallRule> WITHOUT_CPU_GROUP = List.of(of("setsid", 112, 157, 0));
 
-  private Refusals() {}
+  private SystemCallRules() {}
 }

@@ -11,8 +11,8 @@ import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** The commands before a command that limit what it may use and take its rights away. */
-final class Rights {
+/** Command prefixes that set limits and drop privileges. */
+final class Privileges {
   private static final Path LIMITS = Path.of("/proc/self/limits");
 
   /** A line of {@link #LIMITS}: name, soft limit, hard limit. */
@@ -23,24 +23,24 @@ final class Rights {
   private static final int LOCKED_BYTES = 64 << 10;
   private static final int MESSAGE_BYTES = 800 << 10;
 
-  private final Map<String, Long> highest = new HashMap<>();
+  private final Map<String, Long> hardLimits = new HashMap<>();
 
-  private Rights() {}
+  private Privileges() {}
 
-  /** As this process may give them away: nobody but root raises a limit. */
-  static Rights ofThisProcess() throws IOException {
-    Rights rights = new Rights();
+  /** Reads the limits of this process, which only root could exceed. */
+  static Privileges ofThisProcess() throws IOException {
+    Privileges privileges = new Privileges();
     for (String line : Files.readAllLines(LIMITS)) {
       Matcher matcher = LINE.matcher(line);
       if (matcher.matches() && !matcher.group(3).equals("unlimited")) {
-        rights.highest.put(matcher.group(1), Long.parseLong(matcher.group(3)));
+        privileges.hardLimits.put(matcher.group(1), Long.parseLong(matcher.group(3)));
       }
     }
-    return rights;
+    return privileges;
   }
 
-  /** Limits of the kernel for each process, and for all of its user. */
-  List<String> limit(ProcessLimits limits) {
+  /** Limits of each process; the number of processes counts for the whole user. */
+  List<String> setLimits(ProcessLimits limits) {
     return List.of(
         "prlimit",
         "--core=0",
@@ -56,8 +56,8 @@ final class Rights {
         "--");
   }
 
-  /** Root becomes somebody who owns nothing. */
-  static List<String> become(int user) {
+  /** Switches from root to an unprivileged user. */
+  static List<String> switchTo(int user) {
     return List.of(
         "setpriv",
         "--reuid=" + user,
@@ -70,17 +70,17 @@ final class Rights {
   }
 
   /**
-   * A command with variables that it alone sees. Those before it, bubblewrap among them, have more
-   * rights and must not be made to load its libraries.
+   * Sets variables for the command only. Programs before it, such as bubblewrap, have more
+   * privileges and must not load libraries named by these variables.
    */
-  static List<String> with(Map<String, String> variables, List<String> command) {
+  static List<String> withVariables(Map<String, String> variables, List<String> command) {
     if (variables.isEmpty()) {
       return command;
     }
     List<String> words = new ArrayList<>(List.of("env", "--"));
     variables.forEach((name, value) -> words.add(name + "=" + value));
     if (command.get(0).contains("=")) {
-      // Else it would be taken for a variable.
+      // Otherwise env would take it for a variable.
       words.addAll(List.of("sh", "-c", "exec \"$@\"", "sh"));
     }
     words.addAll(command);
@@ -88,6 +88,6 @@ final class Rights {
   }
 
   private long atMost(String name, long wanted) {
-    return Math.min(wanted, Optional.ofNullable(highest.get(name)).orElse(Long.MAX_VALUE));
+    return Math.min(wanted, Optional.ofNullable(hardLimits.get(name)).orElse(Long.MAX_VALUE));
   }
 }

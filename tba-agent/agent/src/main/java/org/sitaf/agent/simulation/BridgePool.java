@@ -16,9 +16,9 @@ import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.agent.spool.Folders;
 
-/** Bridges of the agent's own, a fresh one for each build. */
-final class StartedSimulator implements Simulator {
-  private static final int REMEMBERED_WORLDS = 100;
+/** Starts the agent's own bridges, a new one for each build. */
+final class BridgePool implements Simulator {
+  private static final int MAX_KNOWN_WORLDS = 100;
 
   private final List<String> command;
   private final Path directory;
@@ -31,13 +31,13 @@ final class StartedSimulator implements Simulator {
 
         @Override
         protected boolean removeEldestEntry(Map.Entry<String, String> eldest) {
-          return size() > REMEMBERED_WORLDS;
+          return size() > MAX_KNOWN_WORLDS;
         }
       };
 
   /**
-   * Starts all bridges: a confined process ends with the thread that started it, and builds'
-   * threads end before a bridge that was started ahead.
+   * Starts all bridges: a confined process ends with the thread that started it, and the thread of
+   * a build ends before a bridge that was started ahead for the next one.
    */
   private final ExecutorService starter =
       Executors.newSingleThreadExecutor(
@@ -47,11 +47,11 @@ final class StartedSimulator implements Simulator {
             return thread;
           });
 
-  private @Nullable Future<BridgeProcess> spare;
+  private @Nullable Future<BridgeProcess> idle;
   private int expected;
   private boolean closed;
 
-  StartedSimulator(List<String> command, Path directory, Sandbox sandbox, int builds) {
+  BridgePool(List<String> command, Path directory, Sandbox sandbox, int builds) {
     if (command.isEmpty()) {
       throw new IllegalArgumentException("the bridge's command is empty");
     }
@@ -59,21 +59,21 @@ final class StartedSimulator implements Simulator {
     this.directory = directory;
     this.sandbox = sandbox;
     this.expected = builds;
-    deleteLeftOvers();
+    deleteStaleFolders();
     synchronized (this) {
       startAhead();
     }
   }
 
-  /** Folders of bridges that ended with an agent that was killed. */
-  private void deleteLeftOvers() {
+  /** Deletes folders that the bridges of a killed agent left. */
+  private void deleteStaleFolders() {
     if (Files.isDirectory(directory)) {
       try (var folders = Files.newDirectoryStream(directory, "b[0-9]*")) {
         for (Path folder : folders) {
           Folders.delete(folder);
         }
       } catch (IOException | DirectoryIteratorException e) {
-        // They are in nobody's way.
+        // They do no harm.
       }
     }
   }
@@ -87,13 +87,13 @@ final class StartedSimulator implements Simulator {
   public void awaitReady() throws InterruptedException {
     Future<BridgeProcess> next;
     synchronized (this) {
-      next = spare;
+      next = idle;
     }
     if (next != null) {
       try {
         next.get();
       } catch (ExecutionException e) {
-        // The build that needs it reports it.
+        // The build that needs the bridge reports the error.
       }
     }
   }
@@ -102,12 +102,12 @@ final class StartedSimulator implements Simulator {
     return sandbox;
   }
 
-  /** A bridge that nobody has used; it is the caller's, who closes it. */
+  /** A bridge that no build has used; the caller closes it. */
   BridgeProcess take() throws SimulatorException, InterruptedException {
     while (true) {
-      Future<BridgeProcess> next = nextSpare();
+      Future<BridgeProcess> next = nextIdle();
       BridgeProcess bridge = started(next);
-      // One that died while it waited is no reason to refuse a build.
+      // A bridge that died while it was idle is replaced.
       if (bridge.isAlive()) {
         return bridge;
       }
@@ -115,11 +115,11 @@ final class StartedSimulator implements Simulator {
     }
   }
 
-  /** Starts one ahead, unless one waits already or no further build is expected. */
+  /** Starts a bridge ahead, unless one is idle or no further build is expected. */
   synchronized void startAhead() {
-    if (!closed && spare == null && expected > 0) {
-      expected -= expected == ALWAYS ? 0 : 1;
-      spare = starter.submit(this::start);
+    if (!closed && idle == null && expected > 0) {
+      expected -= expected == UNLIMITED ? 0 : 1;
+      idle = starter.submit(this::start);
     }
   }
 
@@ -127,16 +127,16 @@ final class StartedSimulator implements Simulator {
     return Optional.ofNullable(accepted.get(world));
   }
 
-  synchronized void accepted(String world, String digest) {
+  synchronized void addAccepted(String world, String digest) {
     accepted.put(world, digest);
   }
 
-  private synchronized Future<BridgeProcess> nextSpare() throws SimulatorException {
+  private synchronized Future<BridgeProcess> nextIdle() throws SimulatorException {
     if (closed) {
-      throw new SimulatorException("the simulator was ended");
+      throw new SimulatorException("the simulator has been closed");
     }
-    Future<BridgeProcess> next = spare == null ? starter.submit(this::start) : spare;
-    spare = null;
+    Future<BridgeProcess> next = idle == null ? starter.submit(this::start) : idle;
+    idle = null;
     return next;
   }
 
@@ -159,28 +159,28 @@ final class StartedSimulator implements Simulator {
     }
   }
 
-  /** A bridge whose build was cancelled while it started belongs to nobody. */
+  /** Closes the bridge of a build that was cancelled during the start. */
   private static void closeWhenStarted(Future<BridgeProcess> future) {
     if (!future.cancel(true) && !future.isCancelled()) {
       try {
         future.get().close();
       } catch (ExecutionException | InterruptedException e) {
-        // It never started, or the thread is interrupted again; it ends with the agent.
+        // The start failed, or the thread was interrupted again; the bridge ends with the agent.
       }
     }
   }
 
   @Override
   public void close() {
-    Future<BridgeProcess> left;
+    Future<BridgeProcess> unused;
     synchronized (this) {
       closed = true;
-      left = spare;
-      spare = null;
+      unused = idle;
+      idle = null;
     }
-    if (left != null) {
+    if (unused != null) {
       boolean interrupted = Thread.interrupted();
-      closeWhenStarted(left);
+      closeWhenStarted(unused);
       if (interrupted) {
         Thread.currentThread().interrupt();
       }

@@ -7,28 +7,28 @@ import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 
 /**
- * How a tool ended, and what it said.
+ * Exit code and output of a tool.
  *
- * @param code its exit code; {@link #GIVEN_UP} when it took too long
- * @param output of its output stream, at most {@link #MAX_BYTES}
- * @param errors of its error stream, at most {@link #MAX_BYTES}; at its end the limit that it was
- *     ended for
+ * @param code exit code; {@link #TIMED_OUT} if the tool exceeded its time
+ * @param output its output stream, at most {@link #MAX_BYTES}
+ * @param errors its error stream, at most {@link #MAX_BYTES}, followed by the exceeded limit if the
+ *     tool was killed for one
  */
-public record ToolEnd(int code, String output, String errors) {
-  /** The code of a tool that took longer than it may. */
-  public static final int GIVEN_UP = -1;
+public record ToolResult(int code, String output, String errors) {
+  /** The code of a tool that exceeded its time. */
+  public static final int TIMED_OUT = -1;
 
-  /** What is kept of each stream; the rest is read and dropped. */
+  /** Limit for each stream; the rest is discarded. */
   public static final int MAX_BYTES = 8 << 20;
 
   private static final Duration OUTPUT_GRACE = Duration.ofSeconds(2);
 
-  /** Whether it took longer than it may. */
-  public boolean gaveUp() {
-    return code == GIVEN_UP;
+  /** Whether the tool exceeded its time. */
+  public boolean timedOut() {
+    return code == TIMED_OUT;
   }
 
-  static ToolEnd of(ConfinedProcess process, Duration atMost) throws InterruptedException {
+  static ToolResult of(ConfinedProcess process, Duration atMost) throws InterruptedException {
     try (process) {
       Stream output = new Stream(process.output());
       Stream errors = new Stream(process.errors());
@@ -36,21 +36,21 @@ public record ToolEnd(int code, String output, String errors) {
       if (!ended) {
         process.kill();
       }
-      process.killRest();
-      String said = errors.text();
-      return new ToolEnd(
-          ended ? process.exitCode() : GIVEN_UP,
+      process.killLeftovers();
+      String errorText = errors.text();
+      return new ToolResult(
+          ended ? process.exitCode() : TIMED_OUT,
           output.text(),
-          process.brokenLimit().map(limit -> withLine(said, limit)).orElse(said));
+          process.exceededLimit().map(limit -> withLine(errorText, limit)).orElse(errorText));
     }
   }
 
-  private static String withLine(String said, String limit) {
-    String lineEnd = said.isEmpty() || said.endsWith("\n") ? "" : "\n";
-    return said + lineEnd + "it was ended: " + limit + "\n";
+  private static String withLine(String text, String limit) {
+    String lineEnd = text.isEmpty() || text.endsWith("\n") ? "" : "\n";
+    return text + lineEnd + "it was killed: " + limit + "\n";
   }
 
-  /** One stream, read to its end so that the tool never waits for a full pipe. */
+  /** Reads a stream to its end, so that the tool never blocks on a full pipe. */
   private static final class Stream {
     private final ByteArrayOutputStream kept = new ByteArrayOutputStream();
     private final Thread reader;
@@ -70,7 +70,7 @@ public record ToolEnd(int code, String output, String errors) {
           }
         }
       } catch (IOException e) {
-        // The tool is gone, and its output with it.
+        // The tool was killed and its output is closed.
       }
     }
 

@@ -9,34 +9,37 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * The process that made a group, as the group's name says it; a process id alone would be given
- * again.
+ * The process that created a group, encoded in the group's name. The start time tells processes
+ * apart that got the same id.
  *
- * @param namespace of process ids, in which the id means that process
- * @param id of the process
- * @param start when it began, in ticks since the machine did
+ * @param namespace process id namespace of the id
+ * @param id process id
+ * @param start start time in clock ticks since boot
  */
-record Owner(String namespace, long id, String start) {
+record GroupOwner(String namespace, long id, String start) {
   private static final Pattern NAME = Pattern.compile("sitaf-([0-9]+)-([0-9]+)-([0-9]+)-[0-9]+");
   private static final Pattern NAMESPACE = Pattern.compile("pid:\\[([0-9]+)]");
 
-  /** Field of {@code /proc/PID/stat} behind the name in parentheses, counted from 0. */
+  /**
+   * Index of the start time in {@code /proc/PID/stat}, counted from 0 after the name in
+   * parentheses.
+   */
   private static final int START_FIELD = 19;
 
-  static Owner thisProcess() throws IOException {
+  static GroupOwner thisProcess() throws IOException {
     long id = ProcessHandle.current().pid();
-    return new Owner(
+    return new GroupOwner(
         namespaceOfThisProcess(),
         id,
         startOf(id).orElseThrow(() -> new IOException("/proc/" + id + "/stat cannot be read")));
   }
 
-  /** The owner of a group; empty where the name is none of ours. */
-  static Optional<Owner> ofGroup(String name) {
+  /** The owner of a group; empty if the name has another form. */
+  static Optional<GroupOwner> ofGroup(String name) {
     Matcher matcher = NAME.matcher(name);
     return matcher.matches()
         ? Optional.of(
-            new Owner(matcher.group(1), Long.parseLong(matcher.group(2)), matcher.group(3)))
+            new GroupOwner(matcher.group(1), Long.parseLong(matcher.group(2)), matcher.group(3)))
         : Optional.empty();
   }
 
@@ -44,7 +47,7 @@ record Owner(String namespace, long id, String start) {
     return "sitaf-" + namespace + "-" + id + "-" + start + "-" + number;
   }
 
-  /** Whether that process is known to have ended. */
+  /** Whether that process has ended; false if that cannot be known. */
   boolean isGone() throws IOException {
     return namespace.equals(namespaceOfThisProcess())
         && startOf(id).filter(start::equals).isEmpty();

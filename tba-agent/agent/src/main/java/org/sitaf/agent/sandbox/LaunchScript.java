@@ -7,13 +7,15 @@ import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.sandbox.cgroup.ControlGroup;
 
 /**
- * What a process does before it becomes bubblewrap, which Java cannot do for it: it enters its
- * control group, so that nothing of it was ever outside, opens the filter of system calls, and
- * offers itself first where the whole machine is out of memory.
+ * Shell prefix of the bubblewrap command, for the steps that Java cannot do between fork and exec:
+ * enter the control group, open the system call filter, and raise the score by which the kernel
+ * picks processes when the machine is out of memory.
  */
-final class Entry {
-  /** Of the filter; bubblewrap closes it. Not one that the process is given for another purpose. */
-  static final int FILTER = 9;
+final class LaunchScript {
+  /**
+   * Descriptor of the filter, closed by bubblewrap. Must differ from {@link Confinement#CHANNEL}.
+   */
+  static final int FILTER_DESCRIPTOR = 9;
 
   private static final String SCRIPT =
       """
@@ -24,11 +26,11 @@ final class Entry {
       [ -z "$filter" ] || exec %d<"$filter"
       exec "$@"
       """
-          .formatted(FILTER);
+          .formatted(FILTER_DESCRIPTOR);
 
-  private Entry() {}
+  private LaunchScript() {}
 
-  static List<String> before(ControlGroup group, @Nullable Path filter) {
+  static List<String> prefix(ControlGroup group, @Nullable Path filter) {
     List<String> words =
         new ArrayList<>(
             List.of("/bin/sh", "-c", SCRIPT, "sitaf", filter == null ? "" : filter.toString()));

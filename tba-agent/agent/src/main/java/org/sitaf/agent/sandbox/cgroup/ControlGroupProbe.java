@@ -7,9 +7,9 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
 
-/** Finds out, once, which control groups this process may make. */
-final class ThisMachine {
-  /** What a user does whose agent has none. */
+/** Probes, once per process, which control groups this process may create. */
+final class ControlGroupProbe {
+  /** Advice for a user whose agent has none. */
   private static final String ADVICE =
       "start the agent by its systemd unit (Delegate=yes), by 'systemd-run --user --scope -p"
           + " Delegate=yes' or, with control groups v1, as root";
@@ -19,7 +19,7 @@ final class ThisMachine {
 
   private static @Nullable ControlGroups found;
 
-  private ThisMachine() {}
+  private ControlGroupProbe() {}
 
   static synchronized ControlGroups groups() {
     if (found == null) {
@@ -32,7 +32,7 @@ final class ThisMachine {
     try {
       Hierarchies hierarchies = Hierarchies.ofThisProcess();
       GroupFiles files = new GroupFiles();
-      Owner owner = Owner.thisProcess();
+      GroupOwner owner = GroupOwner.thisProcess();
       Optional<ControlGroups> groups = VersionOne.find(files, hierarchies, owner);
       if (groups.isEmpty()) {
         groups = VersionTwo.find(files, hierarchies, owner);
@@ -40,16 +40,16 @@ final class ThisMachine {
       if (groups.isEmpty()) {
         return new NoControlGroups("no control group is delegated to this user; " + ADVICE);
       }
-      tryOut(groups.get());
+      probe(groups.get());
       return groups.get();
     } catch (IOException e) {
       return new NoControlGroups("control groups do not work here (" + e + "); " + ADVICE);
     }
   }
 
-  /** Whether a process can enter a group, be counted there, and leave nothing. */
-  private static void tryOut(ControlGroups groups) throws IOException {
-    ControlGroup group = groups.make(PROBE);
+  /** Checks that a process can enter a group and that the group can be removed. */
+  private static void probe(ControlGroups groups) throws IOException {
+    ControlGroup group = groups.create(PROBE);
     try {
       StringBuilder script = new StringBuilder("true");
       for (Path entrance : group.entrances()) {
