@@ -123,7 +123,7 @@ def test_a_world_that_the_simulator_refuses_is_told(sitaf, activity):
     replace(activity / "world" / "ir.xml", "<mujoco", "<mujoko")
     run = sitaf("run", activity)
     assert run.returncode == 2
-    assert "the simulator refuses the world" in run.stderr
+    assert "the simulator rejects the world" in run.stderr
 
 
 def test_an_unknown_method_is_told(sitaf, activity):

@@ -32,7 +32,7 @@ record Builds(Simulator simulator, Toolchains toolchains, Sandbox sandbox, Path 
   /** As the server bounds them. */
   private static final int MOST_RECORDINGS = 500;
 
-  private static final long MOST_BYTES = 64 << 20;
+  private static final long MAX_BYTES = 64 << 20;
 
   /**
    * How a build went.
@@ -77,7 +77,7 @@ record Builds(Simulator simulator, Toolchains toolchains, Sandbox sandbox, Path 
     if (recorded != null) {
       settings =
           settings.recording(
-              new RecordingOrder(folder.resolve("kept"), recorded, MOST_RECORDINGS, MOST_BYTES));
+              new RecordingOrder(folder.resolve("kept"), recorded, MOST_RECORDINGS, MAX_BYTES));
     }
     BuildOutcome outcome =
         new BuildRun(

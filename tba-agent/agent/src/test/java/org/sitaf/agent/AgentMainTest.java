@@ -7,7 +7,7 @@ import org.junit.jupiter.api.Test;
 
 class AgentMainTest {
   @Test
-  void aCommandIsSplitIntoWordsAndQuotesGroupThem() {
+  void splitsACommandAndKeepsQuotedWords() {
     assertThat(AgentMain.words("python -m  sitaf_bridge"))
         .containsExactly("python", "-m", "sitaf_bridge");
     assertThat(AgentMain.words("'/a folder/python' -m \"x y\"'z'"))
@@ -17,7 +17,7 @@ class AgentMainTest {
   }
 
   @Test
-  void aQuoteThatIsNotClosedIsToldAndNotGuessed() {
+  void reportsAnUnclosedQuote() {
     assertThatThrownBy(() -> AgentMain.words("'python"))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("--bridge-command");

@@ -76,7 +76,7 @@ final class StartedProcess implements AutoCloseable {
         return ready.get(LOOK_MS, TimeUnit.MILLISECONDS);
       } catch (ExecutionException e) {
         process.waitFor(1, TimeUnit.SECONDS);
-        throw new IOException("the " + name + " ended before it was ready" + lastWords(), e);
+        throw new IOException("the " + name + " ended before it was ready" + lastLine(), e);
       } catch (TimeoutException e) {
         long now = System.nanoTime();
         Duration waited = Duration.ofNanos(now - began);
@@ -87,14 +87,14 @@ final class StartedProcess implements AutoCloseable {
         }
         if (waited.compareTo(patience.atMost()) > 0) {
           throw new IOException(
-              "the " + name + " was not ready within " + waited.toSeconds() + " s" + lastWords(),
+              "the " + name + " was not ready within " + waited.toSeconds() + " s" + lastLine(),
               e);
         }
         Duration still = Duration.ofNanos(now - cameOn);
         if (still.compareTo(patience.withoutProgress()) > 0) {
           throw new IOException(
               "the %s is not ready after %d s, and did nothing for the last %d s%s"
-                  .formatted(name, waited.toSeconds(), still.toSeconds(), lastWords()),
+                  .formatted(name, waited.toSeconds(), still.toSeconds(), lastLine()),
               e);
         }
         if (waited.compareTo(EXPECTED) > 0) {
@@ -183,7 +183,7 @@ final class StartedProcess implements AutoCloseable {
     ready.completeExceptionally(new IOException("end of output"));
   }
 
-  private String lastWords() {
+  private String lastLine() {
     try {
       List<String> lines = Files.readAllLines(log);
       List<String> last = lines.subList(Math.max(0, lines.size() - LAST_LINES), lines.size());

@@ -3,7 +3,9 @@ package org.sitaf.agent.build;
 import java.nio.file.Path;
 import org.sitaf.core.verdict.CaseResult;
 
-/** Is told what a build does, from the build's own threads; must return soon. */
+/**
+ * Receives the events of a build. Called in the build's threads, so methods must return quickly.
+ */
 public interface BuildListener {
   /** The build entered a stage. */
   void stage(BuildStage stage);
@@ -11,11 +13,11 @@ public interface BuildListener {
   /** The build's log grew by these bytes of UTF-8. */
   void log(byte[] utf8);
 
-  /** A case has its result, judged. */
+  /** A case has a result with its final verdict. */
   void caseFinished(CaseResult result);
 
   /**
-   * It is known what moved in a case that has finished.
+   * The recording of a finished case is available.
    *
    * @param recording binary glTF, the build's own copy
    */

@@ -9,20 +9,19 @@ import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.executor.OutputSink;
 
 /**
- * The log of a build: a file, and a listener. What a component prints is bounded, with the lines
- * that say whose output follows: {@code [sitaf] case NO}. So are the agent's remarks, as a
- * component can cause many; what the agent says at the end of the build has an allowance of its
- * own.
+ * The log of a build: a file and a listener. Limits the output of a component, including the
+ * headers {@code [sitaf] case NO} before it, and the agent's remarks, because a component can cause
+ * many of them. Remarks at the end of the build have a separate limit.
  */
 final class BuildLog implements OutputSink, AutoCloseable {
-  /** What people may still want to read; a component in an endless loop prints more in a second. */
+  /** More output than people read; an endless loop prints more than this in a second. */
   static final long OUTPUT_LIMIT_BYTES = 4L << 20;
 
-  /** Of the remarks while the build runs, and again of those at its end. */
+  /** Limit for the remarks during the build, and the same again for those at its end. */
   static final long REMARKS_LIMIT_BYTES = 1L << 20;
 
-  /** Of one remark. */
-  static final int LONGEST_REMARK = 4000;
+  /** Maximum length of a remark. */
+  static final int MAX_REMARK_LENGTH = 4000;
 
   private final OutputStream file;
   private final BuildListener listener;
@@ -35,7 +34,7 @@ final class BuildLog implements OutputSink, AutoCloseable {
   private @Nullable IOException failure;
 
   BuildLog(Path path, BuildListener listener) throws IOException {
-    // Not a channel: the interrupt of a cancelled build would close it.
+    // Not a channel, which would be closed by the interrupt of a cancelled build.
     this.file = new FileOutputStream(path.toFile());
     this.listener = listener;
   }
@@ -46,7 +45,7 @@ final class BuildLog implements OutputSink, AutoCloseable {
       return;
     }
     if (caseNo != headed) {
-      // Test applications may run side by side: whenever another case prints it is named again.
+      // Test applications may run in parallel: print a header whenever the case changes.
       output += append(line(caseNo == 0 ? "outside of cases" : "case " + caseNo));
       headed = caseNo;
     }
@@ -56,7 +55,7 @@ final class BuildLog implements OutputSink, AutoCloseable {
       cut = true;
       append(
           line(
-              "output of the test application is cut here: it is more than "
+              "the output of the test application is cut here, because it exceeds "
                   + (OUTPUT_LIMIT_BYTES >> 20)
                   + " MiB"));
     } else {
@@ -66,16 +65,16 @@ final class BuildLog implements OutputSink, AutoCloseable {
 
   @Override
   public synchronized void remark(String line) {
-    remarks = bounded(line, remarks);
+    remarks = limited(line, remarks);
   }
 
-  /** As {@link #remark}, of how the build ended: there is room for it, whatever was said before. */
+  /** Like {@link #remark}, at the end of the build; not affected by earlier remarks. */
   synchronized void conclude(String line) {
-    conclusions = bounded(line, conclusions);
+    conclusions = limited(line, conclusions);
   }
 
-  /** Says it, unless too much was said already; returns how much that is now. */
-  private long bounded(String line, long before) {
+  /** Appends a line unless the limit is exceeded; returns the new total. */
+  private long limited(String line, long before) {
     if (before > REMARKS_LIMIT_BYTES) {
       return before;
     }
@@ -83,7 +82,7 @@ final class BuildLog implements OutputSink, AutoCloseable {
     if (after > REMARKS_LIMIT_BYTES) {
       append(
           line(
-              "further remarks are left out: there are more than "
+              "further remarks are omitted, because they exceed "
                   + (REMARKS_LIMIT_BYTES >> 20)
                   + " MiB"));
     }
@@ -92,7 +91,7 @@ final class BuildLog implements OutputSink, AutoCloseable {
 
   private byte[] line(String text) {
     String shown =
-        text.length() <= LONGEST_REMARK ? text : text.substring(0, LONGEST_REMARK) + "...";
+        text.length() <= MAX_REMARK_LENGTH ? text : text.substring(0, MAX_REMARK_LENGTH) + "...";
     return ((atLineStart ? "" : "\n") + "[sitaf] " + shown + "\n").getBytes(StandardCharsets.UTF_8);
   }
 
@@ -112,10 +111,10 @@ final class BuildLog implements OutputSink, AutoCloseable {
   }
 
   /**
-   * Ends the log.
+   * Closes the log.
    *
-   * @throws IOException also when something could not be written before: whoever tells of output
-   *     cannot do anything about it, and must go on, or the test application would wait
+   * @throws IOException also for an earlier write error: callers that write output cannot handle
+   *     errors and must continue, or the test application would block
    */
   @Override
   public synchronized void close() throws IOException {

@@ -5,10 +5,10 @@ import java.util.Objects;
 import org.sitaf.agent.toolchain.SourceDiagnostic;
 import org.sitaf.core.verdict.TestResult;
 
-/** How a build ended. "Could not run" never looks like "test failed". */
+/** How a build ended. A build that could not run never looks like a failed test. */
 public sealed interface BuildOutcome {
 
-  /** Every case has a verdict; DONT where it could not be executed. */
+  /** Every case has a verdict; DONT if it was not executed. */
   record Completed(TestResult result) implements BuildOutcome {
     public Completed {
       Objects.requireNonNull(result);
@@ -16,19 +16,19 @@ public sealed interface BuildOutcome {
   }
 
   /**
-   * The user's files do not compile or do not fit; trying again gives the same. A compiler may find
-   * more to say than anyone reads: what is beyond that is left out.
+   * The user's files do not compile. A retry gives the same result. The number and length of errors
+   * are limited.
    */
   record CompilationFailed(String message, List<SourceDiagnostic> diagnostics)
       implements BuildOutcome {
-    private static final int MOST = 1000;
-    private static final int LONGEST = 8000;
+    private static final int MAX_ERRORS = 1000;
+    private static final int MAX_LENGTH = 8000;
 
     public CompilationFailed {
       message = shortened(message);
       diagnostics =
           diagnostics.stream()
-              .limit(MOST)
+              .limit(MAX_ERRORS)
               .map(
                   d ->
                       new SourceDiagnostic(
@@ -37,18 +37,18 @@ public sealed interface BuildOutcome {
     }
 
     private static String shortened(String text) {
-      return text.length() <= LONGEST ? text : text.substring(0, LONGEST) + "...";
+      return text.length() <= MAX_LENGTH ? text : text.substring(0, MAX_LENGTH) + "...";
     }
   }
 
-  /** This machine or the simulation is at fault; another attempt may succeed. */
+  /** This machine or the simulation failed; a retry may succeed. */
   record InfrastructureFailed(String message) implements BuildOutcome {
     public InfrastructureFailed {
       Objects.requireNonNull(message);
     }
   }
 
-  /** Somebody did not want it any more. */
+  /** The build was cancelled. */
   record Cancelled(String reason) implements BuildOutcome {
     public Cancelled {
       Objects.requireNonNull(reason);

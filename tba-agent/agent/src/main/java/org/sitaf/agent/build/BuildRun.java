@@ -42,8 +42,8 @@ import org.sitaf.core.verdict.ResultAssembler;
 import org.sitaf.core.verdict.TestResult;
 
 /**
- * One build of a test application, without any server: its outcome is the same in an agent and in a
- * person's shell. Runs once, in a thread of its own for which {@link #run()} waits.
+ * One build of a test application without a server; used by agents and by the command line. Runs
+ * once, in its own thread, for which {@link #run()} waits.
  */
 public final class BuildRun {
   private static final System.Logger LOGGER = System.getLogger("org.sitaf.agent");
@@ -55,9 +55,10 @@ public final class BuildRun {
   private final Cancellation cancellation = new Cancellation();
 
   /**
-   * A build that has not begun.
+   * Creates a build.
    *
-   * @param directory for the build's files, {@link #LOG} among them; created; the caller deletes it
+   * @param directory for the build's files, such as {@link #LOG}; created if missing, deleted by
+   *     the caller
    */
   public BuildRun(
       TestApplication application, Path directory, BuildSettings settings, BuildListener listener) {
@@ -67,20 +68,18 @@ public final class BuildRun {
     this.listener = listener;
   }
 
-  /** The log's file in a build's folder. */
+  /** File name of the log in a build's folder. */
   public static final String LOG = "build.log";
 
-  /** The folder in a build's folder that test applications write to; may be there already. */
+  /** Subfolder that test applications write to; may exist before the build. */
   public static final String WRITTEN = "execution";
 
-  /** Ends the build soon, in whatever stage it is; from any thread, also before it begins. */
+  /** Cancels the build in any stage; may be called from any thread, also before the start. */
   public void cancel(String reason) {
     cancellation.request(reason);
   }
 
-  /**
-   * Goes through the stages and says how it ended; no failure of a stage leaves as an exception.
-   */
+  /** Runs all stages and returns the outcome; never throws. */
   public BuildOutcome run() {
     return new BuildThread(cancellation, this::work).run(limit().all());
   }
@@ -106,8 +105,7 @@ public final class BuildRun {
   }
 
   /**
-   * The stages of a test build agent (match, prepare, compile, execute, report); fetching is before
-   * them.
+   * The stages of a test build agent after the download: match, prepare, compile, execute, report.
    */
   private BuildOutcome stages(BuildLog log) throws InterruptedException {
     try {
@@ -133,11 +131,11 @@ public final class BuildRun {
     } catch (IOException | UncheckedIOException e) {
       return new BuildOutcome.InfrastructureFailed(String.valueOf(e.getMessage()));
     } catch (CancellationException e) {
-      // A post-condition that was being evaluated ends with an exception of its own.
+      // A cancelled evaluation of a post-condition throws its own exception.
       throw new InterruptedException(e.getMessage());
     } catch (RuntimeException e) {
-      LOGGER.log(System.Logger.Level.ERROR, "a build failed by a fault of SITAF's own", e);
-      return new BuildOutcome.InfrastructureFailed("a fault of SITAF's own: " + e);
+      LOGGER.log(System.Logger.Level.ERROR, "internal error in a build", e);
+      return new BuildOutcome.InfrastructureFailed("internal error: " + e);
     }
   }
 
@@ -166,7 +164,7 @@ public final class BuildRun {
     }
   }
 
-  /** Whether this machine can do it at all. */
+  /** Checks that this machine can run the build. */
   private void match() throws IOException {
     ActivityProfile profile = application.activity().profile();
     for (Language language : List.of(profile.component().language(), profile.harness())) {
@@ -182,10 +180,10 @@ public final class BuildRun {
   }
 
   /**
-   * What preparing found.
+   * Result of the preparation.
    *
-   * @param simulator this build's, which ends with it; null where the activity has no world
-   * @param bridge version of the simulator; empty where the activity has no world
+   * @param simulator closed with the build; null if the activity has no world
+   * @param bridge version of the simulator; empty if the activity has no world
    */
   private record Prepared(@Nullable World world, @Nullable BuildSimulator simulator, String bridge)
       implements AutoCloseable {
@@ -198,7 +196,8 @@ public final class BuildRun {
   }
 
   /**
-   * Writes the application's files, and asks the simulator for the world before anything is built.
+   * Writes the application's files and lets the simulator check the world before anything is
+   * compiled.
    */
   private Prepared prepare(BuildLog log)
       throws IOException, InterruptedException, CompilationException {
@@ -223,14 +222,14 @@ public final class BuildRun {
       simulator.check(world.substring(slash + 1), worldFiles);
       log.remark("world " + world + " on " + version);
       log.remark(simulator.description());
-      requireWayInto(simulator.target(), log);
+      requireReachable(simulator.target(), log);
       Path description = applicationDirectory().resolve("activity").resolve(world);
       prepared = true;
       return new Prepared(new World(description, simulator::open), simulator, version);
     } catch (WorldException e) {
       String message = String.valueOf(e.getMessage());
       throw new CompilationException(
-          "the simulator refuses the world: " + message,
+          "the simulator rejects the world: " + message,
           List.of(SourceDiagnostic.ofFile("activity/" + world, message)));
     } finally {
       if (!prepared) {
@@ -239,23 +238,23 @@ public final class BuildRun {
     }
   }
 
-  /** A simulator on the network leaves the whole network open to the component. */
-  private void requireWayInto(String target, BuildLog log) throws IOException {
+  /** Access to a simulator over TCP requires network access for the component. */
+  private void requireReachable(String target, BuildLog log) throws IOException {
     Sandbox sandbox = settings.sandbox();
     if (new SimulatorAddress(target).socket().isPresent() || sandbox.kind().equals(Sandbox.NONE)) {
       return;
     }
     String why =
-        "the simulator answers at " + target + "; behind unix:PATH the network would stay closed";
+        "the simulator is at " + target + "; with unix:PATH the component needs no network";
     if (sandbox.isRequired()) {
       throw new IOException("--sandbox=required: " + why);
     }
-    log.remark("the component reaches the network: " + why);
+    log.remark("the component has network access: " + why);
   }
 
   /**
-   * Starts the first process while the application is compiled, where its language can; null where
-   * nothing is started. Not where the cases run in several processes, which would begin apart.
+   * Starts the first process during the compilation if the toolchain supports it; null otherwise,
+   * and if the cases run in several processes.
    */
   private @Nullable EarlyProcess startEarly(
       Toolchain toolchain, Compilation compilation, Prepared prepared, BuildLog log)
@@ -316,8 +315,8 @@ public final class BuildRun {
   }
 
   /**
-   * In how many simulations at once the cases run. A component that lives as long as the suite sees
-   * all of its cases in one.
+   * Number of simulations in which cases run in parallel. A component that lives as long as the
+   * suite needs a single one.
    */
   private int sessions() {
     ActivityProfile profile = application.activity().profile();
@@ -326,7 +325,7 @@ public final class BuildRun {
         : 1;
   }
 
-  /** Tells what was reached of the component; a tool that fails costs only this. */
+  /** Adds the coverage of the component; a failing coverage tool does not fail the build. */
   private TestResult withCoverage(
       TestResult result, CompiledApplication compiled, ExecutionRequest request, BuildLog log)
       throws InterruptedException {
@@ -336,8 +335,8 @@ public final class BuildRun {
     try {
       return compiled.coverage(request.coverage()).map(result::with).orElse(result);
     } catch (IOException | RuntimeException | StackOverflowError | OutOfMemoryError e) {
-      // A component may write there as well, and what it wrote must not cost the verdicts.
-      log.conclude("the coverage of the component is not known: " + e);
+      // The component can write to that folder, too; its files must not affect the verdicts.
+      log.conclude("the coverage of the component is unknown: " + e);
       return result;
     }
   }
@@ -365,7 +364,7 @@ public final class BuildRun {
         .suspected(execution.suspicions());
   }
 
-  /** What the component is made of: its sources or library, adapter and external libraries. */
+  /** The files of the component: sources or library, adapter and external libraries. */
   private FileTree componentFiles() {
     ActivityProfile profile = application.activity().profile();
     Component component = profile.component();

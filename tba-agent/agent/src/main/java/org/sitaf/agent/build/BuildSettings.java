@@ -8,15 +8,14 @@ import org.sitaf.agent.simulation.Simulator;
 import org.sitaf.agent.toolchain.Toolchains;
 
 /**
- * What builds need of the machine that runs them.
+ * The part of an agent's settings that builds need.
  *
- * @param simulator where each build gets its own; the caller closes it
- * @param sandbox in which tools and test applications run
- * @param coverage whether builds say which lines of the component they reached, where the
- *     language's tool is there
- * @param agent name and version of the agent for the provenance; empty for a local run
- * @param recordings what is kept of what moves in the cases; null for nothing
- * @param atMost what a build may take, whatever its cases ask for
+ * @param simulator provides each build with a simulator; closed by the caller
+ * @param sandbox for tools and test applications
+ * @param coverage whether builds measure line coverage, if the coverage tool is installed
+ * @param agent name and version of the agent, for the provenance; empty for a local run
+ * @param recordings which cases are recorded; null for none
+ * @param atMost limit for the duration of a build, regardless of its own limits
  */
 public record BuildSettings(
     Simulator simulator,
@@ -26,8 +25,8 @@ public record BuildSettings(
     String agent,
     @Nullable RecordingOrder recordings,
     Duration atMost) {
-  /** What a build may take where nobody says anything else. */
-  public static final Duration LONGEST = Duration.ofHours(12);
+  /** Default limit for the duration of a build. */
+  public static final Duration DEFAULT_LIMIT = Duration.ofHours(12);
 
   public BuildSettings {
     Objects.requireNonNull(simulator);
@@ -35,22 +34,22 @@ public record BuildSettings(
     Objects.requireNonNull(sandbox);
     Objects.requireNonNull(agent);
     if (atMost.isZero() || atMost.isNegative()) {
-      throw new IllegalArgumentException("a build needs time");
+      throw new IllegalArgumentException("the limit of a build's duration must be positive");
     }
   }
 
-  /** Without recordings, and with the usual limit of time. */
+  /** Without recordings, and with the default limit. */
   public BuildSettings(
       Simulator simulator, Toolchains toolchains, Sandbox sandbox, boolean coverage, String agent) {
-    this(simulator, toolchains, sandbox, coverage, agent, null, LONGEST);
+    this(simulator, toolchains, sandbox, coverage, agent, null, DEFAULT_LIMIT);
   }
 
-  /** The same machine, for a build that is recorded. */
+  /** The same settings with recordings. */
   public BuildSettings recording(RecordingOrder order) {
     return new BuildSettings(simulator, toolchains, sandbox, coverage, agent, order, atMost);
   }
 
-  /** The same machine, with another limit for a build. */
+  /** The same settings with another limit for the duration. */
   public BuildSettings within(Duration limit) {
     return new BuildSettings(simulator, toolchains, sandbox, coverage, agent, recordings, limit);
   }

@@ -1,6 +1,6 @@
 package org.sitaf.agent.build;
 
-/** Where a build is; it only moves forward. */
+/** The stages of a build, in order. */
 public enum BuildStage {
   PREPARING,
   COMPILING,

@@ -6,11 +6,11 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Does the work of a build in a thread that can be left alone: where it waits for something that no
- * interrupt ends, such as a disk that does not answer, a cancelled build is over all the same.
+ * Runs a build in a thread that can be abandoned: if it blocks on something that cannot be
+ * interrupted, such as a failing disk, a cancelled build still ends.
  */
 final class BuildThread {
-  /** What a cancelled build may take to end its processes. */
+  /** Time for a cancelled build to end its processes. */
   private static final Duration GRACE = Duration.ofSeconds(10);
 
   private final Cancellation cancellation;
@@ -35,9 +35,9 @@ final class BuildThread {
   }
 
   /**
-   * How it ended.
+   * Waits for the outcome.
    *
-   * @param atMost after this time it is cancelled
+   * @param atMost timeout after which the build is cancelled
    */
   BuildOutcome run(Duration atMost) {
     thread.start();

@@ -4,13 +4,13 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Lets other threads end a build. The build's thread is interrupted only while it is inside {@link
- * #guard}, so that no interrupt reaches what the thread does afterwards.
+ * Lets other threads cancel a build. The build's thread is interrupted only inside of {@link
+ * #guard}, so that no interrupt affects later work of the thread.
  */
 final class Cancellation {
   private @Nullable String reason;
   private @Nullable Thread worker;
-  private boolean over;
+  private boolean ended;
 
   /** The work of a build. */
   @FunctionalInterface
@@ -33,29 +33,29 @@ final class Cancellation {
   }
 
   synchronized boolean isOver() {
-    return over;
+    return ended;
   }
 
   synchronized Optional<String> reason() {
     return Optional.ofNullable(reason);
   }
 
-  /** The work is over; who waits for it may go on. */
+  /** The work has ended; waiting threads continue. */
   synchronized void workEnded() {
-    over = true;
+    ended = true;
     notifyAll();
   }
 
-  /** Waits for a request or for the end of the work. */
+  /** Waits for a request or the end of the work. */
   synchronized void await(long atMostMs) throws InterruptedException {
-    if (reason == null && !over) {
+    if (reason == null && !ended) {
       wait(atMostMs);
     }
   }
 
   /**
-   * Does the work; a cancellation before, during or because of an interrupt of it is the outcome
-   * then.
+   * Runs the work; if it is cancelled before or during that time, the outcome is {@link
+   * BuildOutcome.Cancelled}.
    */
   BuildOutcome guard(Work work) {
     synchronized (this) {
@@ -74,7 +74,7 @@ final class Cancellation {
     synchronized (this) {
       worker = null;
       if (reason != null) {
-        // The interrupt was ours; whatever failed because of it is not a failure of its own.
+        // The failure was caused by our interrupt.
         Thread.interrupted();
         return outcome instanceof BuildOutcome.Completed
             ? outcome

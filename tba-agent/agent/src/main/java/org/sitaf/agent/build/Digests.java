@@ -6,7 +6,7 @@ import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 import org.sitaf.core.activity.FileTree;
 
-/** SHA-256 of what a build works on, in hexadecimal. */
+/** SHA-256 of files and trees, in hexadecimal. */
 final class Digests {
   private Digests() {}
 
@@ -15,8 +15,8 @@ final class Digests {
   }
 
   /**
-   * Of a tree: over the lines {@code DIGEST␠␠PATH\n} of its files in the order of their paths, as
-   * {@code sha256sum} prints them.
+   * Digest of a tree: of the lines {@code DIGEST␠␠PATH\n} of its files sorted by path, in the
+   * format of {@code sha256sum}.
    */
   static String of(FileTree tree) {
     MessageDigest digest = sha256();

@@ -5,16 +5,16 @@ import java.util.Objects;
 import org.sitaf.core.verdict.Verdict;
 
 /**
- * Of which cases it is kept what moved in the simulation, and how much of it at most.
+ * Which cases of a build are recorded, and how much at most.
  *
- * @param folder where {@code NO.glb} go; created when it is needed
+ * @param folder folder of the files {@code NO.glb}; created when needed
  * @param maxRecordings at least 0
- * @param maxBytes of all recordings together, at least 0
+ * @param maxBytes limit for all recordings together, at least 0
  */
 public record RecordingOrder(Path folder, Cases cases, int maxRecordings, long maxBytes) {
-  /** Which cases. */
+  /** Which cases are recorded. */
   public enum Cases {
-    /** Those that end as FAIL or ERROR. */
+    /** Those with the verdict FAIL or ERROR. */
     FAILED,
     ALL;
 
@@ -27,7 +27,7 @@ public record RecordingOrder(Path folder, Cases cases, int maxRecordings, long m
     Objects.requireNonNull(folder);
     Objects.requireNonNull(cases);
     if (maxRecordings < 0 || maxBytes < 0) {
-      throw new IllegalArgumentException("the bounds of recordings must not be negative");
+      throw new IllegalArgumentException("limits of recordings must not be negative");
     }
   }
 }

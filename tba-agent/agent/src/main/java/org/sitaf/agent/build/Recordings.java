@@ -21,52 +21,52 @@ import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.Verdict;
 
 /**
- * Takes what a test application recorded out of a folder that the component could write to, case by
- * case while they run, from a thread of its own. What is not wanted is deleted, so that the
- * application has room for more. A file counts when it is whole: binary glTF says how long it is.
+ * Collects the recordings of a test application while it runs, in a background thread. The
+ * component can write to the folder, too. Unwanted recordings are deleted to make room for more. A
+ * file is complete if it has the length in its binary glTF header.
  *
- * <p>It is looked at only after it was moved to a folder that the component does not reach, so that
- * nothing else can come in its place while it is opened.
+ * <p>A file is moved to a folder that the component cannot reach before it is opened, so that the
+ * component cannot replace it.
  */
 final class Recordings implements AutoCloseable {
-  /** Of one file. */
-  static final int MOST_BYTES = 32 << 20;
+  /** Size limit of a file. */
+  static final int MAX_BYTES = 32 << 20;
 
   private static final int HEADER_BYTES = 12;
   private static final int MAGIC = 0x46546C67;
   private static final long PAUSE_MS = 200;
 
   private final Path from;
-  private final Path taken;
+  private final Path collected;
   private final RecordingOrder order;
   private final BuildListener listener;
   private final OutputSink log;
   private final Thread thread = new Thread(this::work, "sitaf-recordings");
 
-  /** Cases that have ended, and whose recording was not there yet. */
+  /** Finished cases whose recording has not appeared yet. */
   private final List<Ended> ended = new ArrayList<>();
 
   private boolean closed;
 
-  // What follows belongs to whoever sweeps: the thread, and who closes after its end.
-  /** Cases whose recording was moved, and was not whole yet. */
-  private final Set<Integer> halves = new HashSet<>();
+  // The following fields are used by the collecting thread, and by close() after its end.
+  /** Cases whose recording was moved but is not complete yet. */
+  private final Set<Integer> incomplete = new HashSet<>();
 
   private int kept;
   private long bytes;
-  private int leftOut;
+  private int omitted;
   private @Nullable IOException problem;
 
   private record Ended(int no, Verdict verdict) {}
 
   /**
-   * Begins to take.
+   * Starts to collect.
    *
-   * @param from what the test application fills; need not be there yet
+   * @param from folder of the test application; need not exist yet
    */
   Recordings(Path from, RecordingOrder order, BuildListener listener, OutputSink log) {
     this.from = from;
-    this.taken = from.resolveSibling(from.getFileName() + ".taken");
+    this.collected = from.resolveSibling(from.getFileName() + ".collected");
     this.order = order;
     this.listener = listener;
     this.log = log;
@@ -74,7 +74,7 @@ final class Recordings implements AutoCloseable {
     thread.start();
   }
 
-  /** The recording of this case may be there soon, or never. */
+  /** A case has finished; its recording may follow. */
   synchronized void expect(CaseResult result) {
     ended.add(new Ended(result.no(), result.verdict()));
   }
@@ -82,7 +82,7 @@ final class Recordings implements AutoCloseable {
   private void work() {
     try {
       while (awaitNext()) {
-        sweep();
+        collect();
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
@@ -96,7 +96,7 @@ final class Recordings implements AutoCloseable {
     return !closed;
   }
 
-  private void sweep() {
+  private void collect() {
     List<Ended> some;
     synchronized (this) {
       some = List.copyOf(ended);
@@ -104,7 +104,7 @@ final class Recordings implements AutoCloseable {
     List<Ended> done = new ArrayList<>();
     for (Ended one : some) {
       try {
-        if (take(one)) {
+        if (collect(one)) {
           done.add(one);
         }
       } catch (IOException e) {
@@ -117,29 +117,29 @@ final class Recordings implements AutoCloseable {
     }
   }
 
-  /** False when there is no whole recording of the case yet. */
-  private boolean take(Ended one) throws IOException {
-    Path file = taken.resolve(one.no() + ".glb");
+  /** Returns false if the recording is missing or incomplete. */
+  private boolean collect(Ended one) throws IOException {
+    Path file = collected.resolve(one.no() + ".glb");
     if (move(one.no() + ".glb", file)) {
-      halves.add(one.no());
-    } else if (!halves.contains(one.no())) {
+      incomplete.add(one.no());
+    } else if (!incomplete.contains(one.no())) {
       return false;
     }
     if (!Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS)) {
-      throw new IOException(file.getFileName() + " is no regular file");
+      throw new IOException(file.getFileName() + " is not a regular file");
     }
     Optional<byte[]> gltf = wholeGlb(file);
     if (gltf.isEmpty()) {
       return false;
     }
     Files.delete(file);
-    halves.remove(one.no());
+    incomplete.remove(one.no());
     if (!order.cases().include(one.verdict())) {
       return true;
     }
     byte[] content = gltf.get();
     if (kept >= order.maxRecordings() || bytes + content.length > order.maxBytes()) {
-      leftOut++;
+      omitted++;
       return true;
     }
     kept++;
@@ -151,13 +151,13 @@ final class Recordings implements AutoCloseable {
     return true;
   }
 
-  /** False when it is not there yet. Who writes it writes on, wherever it lies. */
+  /** Returns false if the file is missing. A process that has it open can still write to it. */
   private boolean move(String name, Path to) throws IOException {
     Path file = from.resolve(name);
     if (!Files.exists(file, LinkOption.NOFOLLOW_LINKS)) {
       return false;
     }
-    Files.createDirectories(taken);
+    Files.createDirectories(collected);
     try {
       Files.move(file, to, StandardCopyOption.ATOMIC_MOVE);
       return true;
@@ -169,18 +169,18 @@ final class Recordings implements AutoCloseable {
   private static Optional<byte[]> wholeGlb(Path file) throws IOException {
     try (InputStream in =
         Files.newInputStream(file, StandardOpenOption.READ, LinkOption.NOFOLLOW_LINKS)) {
-      byte[] content = in.readNBytes(MOST_BYTES + 1);
+      byte[] content = in.readNBytes(MAX_BYTES + 1);
       ByteBuffer header = ByteBuffer.wrap(content).order(ByteOrder.LITTLE_ENDIAN);
       boolean whole =
           content.length >= HEADER_BYTES
-              && content.length <= MOST_BYTES
+              && content.length <= MAX_BYTES
               && header.getInt() == MAGIC
               && header.getInt(2 * Integer.BYTES) == content.length;
       return whole ? Optional.of(content) : Optional.empty();
     }
   }
 
-  /** Takes what is left once the test application has ended, and says how much there is. */
+  /** Collects the rest after the end of the test application, and logs the totals. */
   @Override
   public void close() {
     synchronized (this) {
@@ -199,18 +199,18 @@ final class Recordings implements AutoCloseable {
       Thread.currentThread().interrupt();
       return;
     }
-    sweep();
+    collect();
     report();
   }
 
   private void report() {
-    if (kept > 0 || leftOut > 0) {
+    if (kept > 0 || omitted > 0) {
       log.remark(
           "recordings: %d cases, %.1f MiB".formatted(kept, bytes / (double) (1 << 20))
-              + (leftOut == 0
+              + (omitted == 0
                   ? ""
-                  : "; %d more are left out: a build keeps %d of at most %d MiB"
-                      .formatted(leftOut, order.maxRecordings(), order.maxBytes() >> 20)));
+                  : "; %d more are omitted: a build keeps %d of at most %d MiB"
+                      .formatted(omitted, order.maxRecordings(), order.maxBytes() >> 20)));
     }
     if (problem != null) {
       log.remark("some recordings are lost: " + problem);

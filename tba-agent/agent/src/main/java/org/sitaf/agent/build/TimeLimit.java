@@ -4,25 +4,24 @@ import java.time.Duration;
 import org.sitaf.core.activity.ActivityProfile.Limits;
 
 /**
- * What a build may take: as long as its cases may take by their own limits, and no longer than the
- * administrator of the machine grants.
+ * Time limits of a build: the sum of the limits of its cases, up to the limit of the administrator.
  *
- * @param cases for all cases together; the rest is not executed then
- * @param all for the build as a whole; it is cancelled then
+ * @param cases for all cases together; the remaining cases are not executed
+ * @param all for the whole build, which is then cancelled
  */
 record TimeLimit(Duration cases, Duration all) {
-  /** What a process may need for its start, as each case may need one. */
-  private static final Duration START = Duration.ofSeconds(10);
+  /** Time to start a process, which each case may need. */
+  private static final Duration PROCESS_START = Duration.ofSeconds(10);
 
-  /** For starts that fail, and simulators that are started again. */
-  private static final Duration SPARE = Duration.ofMinutes(5);
+  /** Time for failed starts and restarts of the simulator. */
+  private static final Duration RESTARTS = Duration.ofMinutes(5);
 
-  /** Preparing, compiling, and what comes after the cases. */
-  private static final Duration REST = Duration.ofMinutes(30);
+  /** Time for preparation, compilation and the work after the cases. */
+  private static final Duration OTHER_STAGES = Duration.ofMinutes(30);
 
   static TimeLimit of(int cases, Limits limits, Duration atMost) {
-    Duration own = limits.caseWall().plus(START).multipliedBy(cases).plus(SPARE);
+    Duration own = limits.caseWall().plus(PROCESS_START).multipliedBy(cases).plus(RESTARTS);
     Duration granted = own.compareTo(atMost) < 0 ? own : atMost;
-    return new TimeLimit(granted, granted.plus(REST));
+    return new TimeLimit(granted, granted.plus(OTHER_STAGES));
   }
 }

@@ -1,7 +1,4 @@
-/**
- * One build, from a test application to its outcome: the stages of a test build agent, wired in one
- * place.
- */
+/** One build, from a test application to its outcome: the stages of a test build agent. */
 @NullMarked
 package org.sitaf.agent.build;
 

@@ -4,22 +4,22 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Takes the marks out of what a test application prints, by which it says which case prints:
- * U+001E, {@code case NO} and a line feed. For one stream; a mark may come in pieces.
+ * Removes marks from the output of a test application. A mark tells which case prints: U+001E,
+ * {@code case NO} and a line feed. One instance per stream; a mark may be split among reads.
  */
 final class CaseMarks {
   private static final char MARK = '\u001e';
   private static final Pattern CASE = Pattern.compile("case (\\d{1,9})");
-  private static final int LONGEST = "case 999999999".length();
+  private static final int MAX_LENGTH = "case 999999999".length();
 
   private final StringBuilder mark = new StringBuilder();
   private final Reader reader;
   private boolean inMark;
   private int current;
 
-  /** Is told the text without marks. */
+  /** Receives the text without marks. */
   interface Reader {
-    /** Some of it; the case is 0 where none prints. */
+    /** A piece of text; case 0 means outside of cases. */
     void text(String text, int caseNo);
   }
 
@@ -44,7 +44,7 @@ final class CaseMarks {
     }
   }
 
-  /** Reads on in a mark; what turns out to be none is text like all other. */
+  /** Continues a mark; invalid marks are treated as text. */
   private int readMark(String text, int from) {
     int at = from;
     while (at < text.length()) {
@@ -58,7 +58,7 @@ final class CaseMarks {
         endMark();
         return at + 1;
       }
-      if (mark.length() == LONGEST || c == MARK) {
+      if (mark.length() == MAX_LENGTH || c == MARK) {
         break;
       }
       mark.append(c);

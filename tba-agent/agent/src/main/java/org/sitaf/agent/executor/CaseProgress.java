@@ -15,19 +15,19 @@ import org.sitaf.core.verdict.Verdict;
 import org.sitaf.core.verdict.document.TestResultXml;
 
 /**
- * Which cases of a suite have a result, and which is next. Cases run in the order of the suite.
- * What a test application writes that does not fit is left out, and makes the result suspect.
+ * Tracks which cases of a suite have a result and which is next. Cases run in the order of the
+ * suite. Unexpected lines of a test application are ignored and make the result suspect.
  */
 final class CaseProgress implements ResultsChannel.Lines {
-  /** Room of what is kept of all results, beyond what each case may take. */
+  /** Memory for all results, in addition to that of each case. */
   private static final long MAX_BYTES = 256L << 20;
 
   private static final long MAX_BYTES_OF_CASE = 4096;
 
-  /** After so much that is no result, no more of it is read. */
+  /** Reading stops after this many bytes of unexpected lines. */
   private static final long MAX_SUSPICIOUS_BYTES = 16L << 20;
 
-  /** Clocks of two processes are read at different times. */
+  /** Two processes read their clocks at different times. */
   private static final double CLOCK_TOLERANCE_US = 1000;
 
   private static final double US_IN_SECOND = 1e6;
@@ -46,9 +46,9 @@ final class CaseProgress implements ResultsChannel.Lines {
   private int next;
 
   /**
-   * Nothing has a result yet.
+   * Creates a progress without results.
    *
-   * @param onResult is told each result, and may judge it differently
+   * @param onResult receives each result and may change its verdict
    */
   CaseProgress(TestSuite suite, UnaryOperator<CaseResult> onResult, OutputSink sink) {
     this.cases = suite.cases();
@@ -62,7 +62,7 @@ final class CaseProgress implements ResultsChannel.Lines {
     return next == cases.size();
   }
 
-  /** The case that is at work, or would be. */
+  /** The running case, or the next one. */
   TestCase current() {
     return cases.get(next);
   }
@@ -71,7 +71,7 @@ final class CaseProgress implements ResultsChannel.Lines {
     return results.size();
   }
 
-  /** Why the results are not to be trusted; empty where they are. */
+  /** Reasons why the results cannot be trusted; empty if they can. */
   List<String> suspicions() {
     return suspicions.reasons();
   }
@@ -80,17 +80,17 @@ final class CaseProgress implements ResultsChannel.Lines {
     suspicions.add(reason);
   }
 
-  /** A fresh process begins, which is not ready. */
+  /** A new process starts, which is not ready yet. */
   void beginProcess() {
     ready = false;
   }
 
-  /** Whether the process said that it is ready for its first case. */
+  /** Whether the process has reported that it is ready for its first case. */
   boolean isReady() {
     return ready;
   }
 
-  /** How long the process has run, at most; no call took longer. */
+  /** Sets the run time of the process, an upper bound for each call. */
   void processHasRun(double microseconds) {
     elapsedUs = microseconds;
   }
@@ -105,7 +105,7 @@ final class CaseProgress implements ResultsChannel.Lines {
     return !full.isEmpty();
   }
 
-  /** Why no further result is read; empty where any is. */
+  /** Why no further result is read; empty if results are read. */
   String whyFull() {
     return full;
   }
@@ -117,10 +117,10 @@ final class CaseProgress implements ResultsChannel.Lines {
   }
 
   @Override
-  public void leftOut(int length) {
+  public void omitted(int length) {
     countSuspicious(length);
     if (isFull()) {
-      suspicions.add("a line without end");
+      suspicions.add("an unterminated line");
     }
   }
 
@@ -128,9 +128,9 @@ final class CaseProgress implements ResultsChannel.Lines {
     suspiciousBytes += length;
     if (suspiciousBytes > MAX_SUSPICIOUS_BYTES) {
       full =
-          "the results channel held more than "
+          "the results channel contained more than "
               + (MAX_SUSPICIOUS_BYTES >> 20)
-              + " MiB that are no results";
+              + " MiB of unexpected lines";
     }
   }
 
@@ -140,11 +140,11 @@ final class CaseProgress implements ResultsChannel.Lines {
       currentFailed(
           "the result of this case is longer than "
               + (ResultsChannel.MAX_LINE >> 20)
-              + " MiB; let the outputs hold less");
+              + " MiB; reduce the size of the outputs");
     }
   }
 
-  /** A line that a driver wrote; a component that shares its process may have changed it. */
+  /** A line of the driver, which a component in the same process may have changed. */
   @Override
   public void content(String line) {
     ready = true;
@@ -157,33 +157,33 @@ final class CaseProgress implements ResultsChannel.Lines {
     }
     TestCase testCase = byNumber.get(result.no());
     if (testCase == null) {
-      suspicious("a result of a case that the suite does not hold", line.length());
+      suspicious("a result of a case that is not in the suite", line.length());
     } else if (results.containsKey(result.no())) {
       suspicious("a second result of a case", line.length());
     } else {
       if (testCase != current()) {
-        suspicions.add("results came in another order than the cases of the suite");
+        suspicions.add("results arrived in another order than the cases of the suite");
       }
       bytes += line.length();
       if (bytes > maxBytes) {
-        full = "the results are larger than " + (maxBytes >> 20) + " MiB together";
+        full = "the results exceed " + (maxBytes >> 20) + " MiB";
       }
       accept(checked(testCase, result));
     }
   }
 
-  /** The result with the suite's own values, and a time that can be true. */
+  /** Replaces the values by those of the suite and checks the processing time. */
   private CaseResult checked(TestCase testCase, CaseResult result) {
     CaseResult checked = result;
     ReportedCase reported = new ReportedCase(testCase, result);
     if (!reported.isOfSuite()) {
-      suspicions.add("a result has other values, or expects other values, than its case");
+      suspicions.add("a result has other input or expected values than its case");
       checked = reported.withValuesOfSuite();
     }
     CaseResult.ProcessingTime time = result.time();
     if (time != null && !isPossible(time)) {
       suspicions.add(
-          "a result has a processing time that is negative, or longer than its process ran ("
+          "a result has a processing time that is negative or exceeds the run time of its process ("
               + Math.round(elapsedUs / US_IN_SECOND)
               + " s)");
       checked = reported.withValuesOfSuite().withoutTime();
@@ -199,7 +199,7 @@ final class CaseProgress implements ResultsChannel.Lines {
         && all <= elapsedUs + CLOCK_TOLERANCE_US;
   }
 
-  /** The current case ended with an error that the test application could not record itself. */
+  /** Records an error for the current case, which the test application could not report. */
   void currentFailed(String message) {
     TestCase testCase = current();
     accept(
@@ -222,7 +222,7 @@ final class CaseProgress implements ResultsChannel.Lines {
     }
   }
 
-  /** All results so far, in the order of the suite. */
+  /** All results so far, sorted like the suite. */
   List<CaseResult> results() {
     List<CaseResult> inOrder = new ArrayList<>();
     for (TestCase testCase : cases) {

@@ -5,13 +5,13 @@ import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.simulation.SimulatorEndpoint;
 
 /**
- * The first process of a test application, started while the application is still being compiled.
- * It is confined as any other and runs nothing of the user's until it is let go.
+ * The first process of a test application, started while the application is compiled. It runs in
+ * the sandbox and executes no code of the user until it is released.
  */
 public final class EarlyProcess implements AutoCloseable {
   private final HarnessProcess process;
   private final @Nullable SimulatorEndpoint simulator;
-  private boolean gone;
+  private boolean released;
 
   private EarlyProcess(HarnessProcess process, @Nullable SimulatorEndpoint simulator) {
     this.process = process;
@@ -19,10 +19,10 @@ public final class EarlyProcess implements AutoCloseable {
   }
 
   /**
-   * Starts it.
+   * Starts the process.
    *
-   * @param request as it will be executed, with an application that was opened early
-   * @throws IOException if it cannot be started, or its simulator is not there
+   * @param request the later execution, with an application that was opened early
+   * @throws IOException if the process or its simulator cannot be started
    */
   public static EarlyProcess start(ExecutionRequest request, OutputSink sink)
       throws IOException, InterruptedException {
@@ -30,7 +30,7 @@ public final class EarlyProcess implements AutoCloseable {
     SimulatorEndpoint simulator = request.newEndpoint();
     try {
       return new EarlyProcess(
-          HarnessProcess.startHeldBack(request, first, simulator, sink), simulator);
+          HarnessProcess.startWaiting(request, first, simulator, sink), simulator);
     } catch (IOException | InterruptedException | RuntimeException e) {
       if (simulator != null) {
         simulator.close();
@@ -39,22 +39,22 @@ public final class EarlyProcess implements AutoCloseable {
     }
   }
 
-  /** What it reaches of the simulator; the caller of release closes it. */
+  /** Its simulator endpoint; closed by the caller of {@link #release}. */
   @Nullable SimulatorEndpoint simulator() {
     return simulator;
   }
 
-  /** The process, which now goes on; whoever takes it closes it. */
+  /** Lets the process continue and hands it over; the caller closes it. */
   HarnessProcess release() {
-    gone = true;
+    released = true;
     process.release();
     return process;
   }
 
-  /** Ends it where it was never let go. */
+  /** Ends the process unless it was released. */
   @Override
   public void close() {
-    if (!gone) {
+    if (!released) {
       process.close();
       if (simulator != null) {
         simulator.close();

@@ -5,11 +5,11 @@ import java.util.Objects;
 import org.sitaf.core.verdict.CaseResult;
 
 /**
- * What an execution brought.
+ * Result of an execution.
  *
- * @param results of the cases that were executed, each once, not yet judged by post-conditions
- * @param reasonOfRest why the other cases were not executed; empty where there are none
- * @param suspicions why the results are not to be trusted; empty where they are
+ * @param results one per executed case, before the evaluation of post-conditions
+ * @param reasonOfRest why the other cases were not executed; empty if all were
+ * @param suspicions reasons why the results cannot be trusted; empty if they can
  */
 public record Execution(List<CaseResult> results, String reasonOfRest, List<String> suspicions) {
   public Execution {

@@ -17,16 +17,14 @@ import org.sitaf.core.suite.TestSuite;
 import org.sitaf.core.suite.document.TestSuiteXml;
 
 /**
- * What to execute.
+ * Input of an execution.
  *
- * @param files folder of the application's files, absolute; suite and world lie in it
- * @param suiteFile the suite as a document, for the test application
- * @param directory the executor's own, for the working folder of the test application; created
- * @param coverage where processes leave what they reached of the component, a folder a process;
- *     created when it is needed
- * @param recording where processes leave what moved in each case; created when it is needed; null
- *     where it is not asked for
- * @param world null where the activity has none
+ * @param files absolute folder of the application's files, including suite and world
+ * @param suiteFile the suite document for the test application
+ * @param directory of the executor, for the test application's working folder; created if missing
+ * @param coverage holds one folder of coverage data per process; created when needed
+ * @param recording folder of the recordings of cases; created when needed; null for none
+ * @param world null if the activity has none
  */
 public record ExecutionRequest(
     CompiledApplication application,
@@ -51,7 +49,7 @@ public record ExecutionRequest(
   }
 
   /**
-   * A part of the cases, in a folder of its own.
+   * A shard of the cases, with its own folder.
    *
    * @param number from 1
    */
@@ -73,7 +71,7 @@ public record ExecutionRequest(
         application, sandbox, files, part, file, own, coverage, recording, world, limits);
   }
 
-  /** What the next process reaches of the simulator; null where the activity has no world. */
+  /** Opens the simulator endpoint of the next process; null if the activity has no world. */
   @Nullable SimulatorEndpoint newEndpoint() throws IOException, InterruptedException {
     return world == null ? null : world.simulator().open();
   }
@@ -85,16 +83,16 @@ public record ExecutionRequest(
   /**
    * The simulation of the activity.
    *
-   * @param description the world description, absolute; the world's files are those of its folder
-   * @param simulator asked before each process, each of which gets an endpoint of its own
+   * @param description absolute path of the world description; its folder holds the world's files
+   * @param simulator provides each process with its own endpoint
    */
   public record World(Path description, Endpoints simulator) {}
 
-  /** Where processes get their way to a simulator. */
+  /** Provides endpoints of a simulator. */
   @FunctionalInterface
   public interface Endpoints {
     /**
-     * Opens an endpoint, of a fresh simulator where the last one is gone.
+     * Opens an endpoint, of a new simulator if the last one has ended.
      *
      * @throws IOException if no simulator answers and none can be started
      */

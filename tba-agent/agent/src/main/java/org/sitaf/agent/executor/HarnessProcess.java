@@ -20,54 +20,57 @@ import org.sitaf.agent.simulation.SimulatorEndpoint;
 import org.sitaf.agent.toolchain.CompiledApplication;
 import org.sitaf.agent.toolchain.ProcessPlace;
 
-/** A test application at work, in a process of its own. */
+/** A process of a test application. */
 final class HarnessProcess implements AutoCloseable {
-  private static final Duration OUTPUT_GRACE = Duration.ofSeconds(2);
+  private static final Duration OUTPUT_TIMEOUT = Duration.ofSeconds(2);
 
-  /** Threads of the runtime among them. */
+  /** Limit for processes and threads, including those of the runtime. */
   private static final int PROCESSES = 512;
 
   private static final int FILE_MIB = 256;
 
-  /** Processor time for a case beyond its wall-clock time, as threads may share the work. */
+  /** Processor time per wall-clock time of a case, because threads may run in parallel. */
   private static final int CPU_FACTOR = 4;
 
   private final long started = System.nanoTime();
   private final ConfinedProcess process;
   private final ResultsChannel results;
-  private final Written written;
-  private final LastWords lastWords = new LastWords();
-  private final Answer heard = new Answer();
+  private final OutputFolders outputFolders;
+  private final LastLine lastLine = new LastLine();
+  private final Answer answer = new Answer();
   private final List<Thread> pumps;
 
   private HarnessProcess(
-      ConfinedProcess process, ResultsChannel results, Written written, OutputSink sink) {
+      ConfinedProcess process,
+      ResultsChannel results,
+      OutputFolders outputFolders,
+      OutputSink sink) {
     this.process = process;
     this.results = results;
-    this.written = written;
+    this.outputFolders = outputFolders;
     this.pumps =
         List.of(
             pump(
                 process.output(),
                 new CaseMarks(
                     (text, caseNo) -> {
-                      heard.add(text);
+                      answer.add(text);
                       sink.output(text, caseNo);
                     })),
             pump(
                 process.errors(),
                 new CaseMarks(
                     (text, caseNo) -> {
-                      lastWords.add(text);
-                      heard.add(text);
+                      lastLine.add(text);
+                      answer.add(text);
                       sink.output(text, caseNo);
                     })));
   }
 
   /**
-   * Starts a process that begins at a case.
+   * Starts a process that begins with the given case.
    *
-   * @throws IOException if the process cannot be started, or its simulator is not there
+   * @throws IOException if the process or its simulator cannot be started
    */
   static HarnessProcess start(
       ExecutionRequest request,
@@ -75,13 +78,13 @@ final class HarnessProcess implements AutoCloseable {
       @Nullable SimulatorEndpoint simulator,
       OutputSink sink)
       throws IOException, InterruptedException {
-    HarnessProcess started = startHeldBack(request, fromCase, simulator, sink);
+    HarnessProcess started = startWaiting(request, fromCase, simulator, sink);
     started.release();
     return started;
   }
 
-  /** As {@link #start}, and it waits for {@link #release}. */
-  static HarnessProcess startHeldBack(
+  /** Like {@link #start}; the process waits for {@link #release}. */
+  static HarnessProcess startWaiting(
       ExecutionRequest request, int fromCase, @Nullable SimulatorEndpoint endpoint, OutputSink sink)
       throws IOException, InterruptedException {
     CompiledApplication application = request.application();
@@ -120,7 +123,7 @@ final class HarnessProcess implements AutoCloseable {
       return new HarnessProcess(
           request.sandbox().start(confinement.withChannel(results.pipe())),
           results,
-          new Written(working, temporary, coverage, recording),
+          new OutputFolders(working, temporary, coverage, recording),
           sink);
     } catch (IOException | RuntimeException e) {
       results.close();
@@ -128,7 +131,7 @@ final class HarnessProcess implements AutoCloseable {
     }
   }
 
-  /** All cases may use their wall-clock time to the end. */
+  /** Processor time for all cases, each of which may use its full time. */
   private static Duration processorTime(ExecutionRequest request) {
     return request
         .limits()
@@ -137,7 +140,7 @@ final class HarnessProcess implements AutoCloseable {
         .plusMinutes(1);
   }
 
-  /** What each test application is told, whatever its language. */
+  /** The arguments of a test application in any language. */
   private static List<String> arguments(
       ExecutionRequest request, int fromCase, @Nullable SimulatorAddress simulator) {
     List<String> arguments = new ArrayList<>();
@@ -165,49 +168,46 @@ final class HarnessProcess implements AutoCloseable {
     return BigDecimal.valueOf(duration.toNanos(), 9).stripTrailingZeros().toPlainString();
   }
 
-  /** Lets a process go on that was held back, with the token of its results. */
+  /** Lets a waiting process continue, with the token of its results. */
   void release() {
     process.release(results.token());
   }
 
-  /** For how long it has run. */
+  /** Time since the start. */
   double ranMicros() {
     return (System.nanoTime() - started) / 1000.0;
   }
 
-  /** What it writes about its cases. */
+  /** The lines that it writes about its cases. */
   ResultsChannel results() {
     return results;
   }
 
-  /** Waits for the end; true when it came within that time. */
+  /** Waits for the end; returns whether the process ended within that time. */
   boolean awaitEnd(Duration atMost) throws InterruptedException {
     return process.awaitEnd(atMost);
   }
 
-  /**
-   * What it prints when it is asked where it is; it may end of the question, and is to be killed
-   * afterwards.
-   */
+  /** Requests the stack traces of the process, which may end it; kill the process afterwards. */
   String stacks() throws InterruptedException {
-    heard.begin();
+    answer.begin();
     process.requestStackTraces();
-    return heard.untilQuiet();
+    return answer.untilQuiet();
   }
 
-  /** Ends it now, with all that it started. */
+  /** Kills it and all processes that it started. */
   void kill() throws InterruptedException {
     process.kill();
   }
 
-  /** How it ended; only after its end. */
+  /** How it ended; valid after the end only. */
   ProcessEnd end() throws InterruptedException {
     process.killLeftovers();
     for (Thread pump : pumps) {
-      pump.join(OUTPUT_GRACE.toMillis());
+      pump.join(OUTPUT_TIMEOUT.toMillis());
     }
-    written.makeRoom(process.exceededLimit().isPresent());
-    return new ProcessEnd(process.exitCode(), process.exceededLimit().orElse(""), lastWords.get());
+    outputFolders.makeRoom(process.exceededLimit().isPresent());
+    return new ProcessEnd(process.exitCode(), process.exceededLimit().orElse(""), lastLine.get());
   }
 
   @Override
@@ -220,14 +220,14 @@ final class HarnessProcess implements AutoCloseable {
     Thread thread =
         new Thread(
             () -> {
-              // Bytes that are no UTF-8 become replacement characters here; the log is always text.
+              // Invalid UTF-8 becomes replacement characters, so the log is always text.
               try (Reader reader = new InputStreamReader(stream, StandardCharsets.UTF_8)) {
                 char[] buffer = new char[8192];
                 for (int n = reader.read(buffer); n >= 0; n = reader.read(buffer)) {
                   sink.read(new String(buffer, 0, n));
                 }
               } catch (IOException e) {
-                // The process is gone, and its output with it.
+                // The process has ended.
               }
             },
             "sitaf-output");

@@ -1,17 +1,14 @@
 package org.sitaf.agent.executor;
 
-/**
- * Where the output of test applications and the agent's remarks on it go. Safe to use from several
- * threads.
- */
+/** Receives the output of test applications and the agent's remarks. Thread-safe. */
 public interface OutputSink {
   /**
-   * Output of a test application; an amount that nobody would read may be cut.
+   * Output of a test application; large amounts may be cut.
    *
-   * @param caseNo the case that printed it; 0 where none did
+   * @param caseNo the case that printed it; 0 outside of cases
    */
   void output(String text, int caseNo);
 
-  /** A remark of the agent, one line without its end; not cut before there are very many. */
+  /** A remark of the agent, one line without line break; cut only if there are very many. */
   void remark(String line);
 }

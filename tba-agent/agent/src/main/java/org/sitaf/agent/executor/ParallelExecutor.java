@@ -17,15 +17,15 @@ import org.sitaf.core.suite.TestSuite;
 import org.sitaf.core.verdict.CaseResult;
 
 /**
- * Executes a suite in several simulations at once, each with a run of cases that follow each other.
- * The results are those of one simulation, in the order of the suite.
+ * Executes a suite in several simulations in parallel, each with a contiguous shard of the cases.
+ * The results equal those of a sequential execution and are in the order of the suite.
  *
- * @param each executes one part
- * @param sessions at most so many parts
+ * @param each executes one shard
+ * @param sessions maximum number of shards
  */
 public record ParallelExecutor(TestApplicationExecutor each, int sessions) {
-  /** Fewer cases than this do not pay the start of a process. */
-  private static final int FEWEST_CASES = 10;
+  /** Shards with fewer cases do not pay for the start of a process. */
+  private static final int MIN_CASES = 10;
 
   public ParallelExecutor {
     Objects.requireNonNull(each);
@@ -34,20 +34,20 @@ public record ParallelExecutor(TestApplicationExecutor each, int sessions) {
     }
   }
 
-  /** Whether the cases of a suite follow each other in one process, as long as none ends it. */
+  /** Whether the cases run in one process, as long as none of them ends it. */
   public boolean isInSequence(TestSuite suite) {
-    return parts(suite) < 2;
+    return shards(suite) < 2;
   }
 
-  private int parts(TestSuite suite) {
-    return Math.min(sessions, suite.cases().size() / FEWEST_CASES);
+  private int shards(TestSuite suite) {
+    return Math.min(sessions, suite.cases().size() / MIN_CASES);
   }
 
   /**
    * Runs the cases; see {@link TestApplicationExecutor#execute}.
    *
-   * @param early only where they run in sequence
-   * @param onResult is told one result at a time, though from several threads
+   * @param early used for sequential execution only
+   * @param onResult receives one result at a time, from several threads
    */
   public Execution execute(
       ExecutionRequest request,
@@ -56,11 +56,11 @@ public record ParallelExecutor(TestApplicationExecutor each, int sessions) {
       UnaryOperator<CaseResult> onResult)
       throws IOException, InterruptedException {
     List<TestCase> cases = request.suite().cases();
-    int parts = parts(request.suite());
-    if (parts < 2) {
+    int shards = shards(request.suite());
+    if (shards < 2) {
       return each.execute(request, early, sink, onResult);
     }
-    sink.remark("the cases run in " + parts + " simulations at once");
+    sink.remark("the cases run in " + shards + " simulations in parallel");
     Object oneAtATime = new Object();
     UnaryOperator<CaseResult> inTurn =
         result -> {
@@ -69,18 +69,17 @@ public record ParallelExecutor(TestApplicationExecutor each, int sessions) {
           }
         };
     List<Future<Execution>> running = new ArrayList<>();
-    ExecutorService threads = Executors.newFixedThreadPool(parts);
+    ExecutorService threads = Executors.newFixedThreadPool(shards);
     try {
-      for (int i = 0; i < parts; i++) {
+      for (int i = 0; i < shards; i++) {
         List<TestCase> some =
-            cases.subList(cases.size() * i / parts, cases.size() * (i + 1) / parts);
+            cases.subList(cases.size() * i / shards, cases.size() * (i + 1) / shards);
         ExecutionRequest part = request.part(i + 1, some);
         running.add(threads.submit(() -> each.execute(part, null, sink, inTurn)));
       }
       return joined(running);
     } finally {
-      // Parts that still run, because another failed or the build was cancelled, end their
-      // processes.
+      // Shards that still run after a failure or cancellation end their processes.
       threads.shutdownNow();
       while (!threads.isTerminated()) {
         awaitEnd(threads);
@@ -105,7 +104,7 @@ public record ParallelExecutor(TestApplicationExecutor each, int sessions) {
         if (e.getCause() instanceof IOException failure) {
           throw failure;
         }
-        throw new IllegalStateException("a part of the suite failed", e.getCause());
+        throw new IllegalStateException("a shard of the suite failed", e.getCause());
       }
     }
     return new Execution(results, reason, List.copyOf(suspicions));

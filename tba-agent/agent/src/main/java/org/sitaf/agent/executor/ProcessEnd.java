@@ -5,22 +5,22 @@ import java.util.Map;
 /**
  * How a process ended.
  *
- * @param code exit code; above 128 a signal's number is added, as shells have it
- * @param exceededLimit for which limit the agent ended it; empty where it did not
- * @param lastWords the last telling line of its standard error; empty where it said nothing
+ * @param code exit code; 128 plus the signal number for a signal, as in a shell
+ * @param exceededLimit the limit that the agent killed it for; empty for none
+ * @param lastLine the last relevant line of its error stream; empty if there is none
  */
-record ProcessEnd(int code, String exceededLimit, String lastWords) {
+record ProcessEnd(int code, String exceededLimit, String lastLine) {
   private static final int SIGNAL_BASE = 128;
 
   /**
-   * What a harness returns that cannot go on, together with a line that begins with {@link
-   * #REASON}.
+   * Exit code of a test application that cannot continue, together with a line that starts with
+   * {@link #REASON}.
    */
-  private static final int CANNOT_GO_ON = 3;
+  private static final int CANNOT_CONTINUE = 3;
 
   private static final String REASON = "sitaf: ";
 
-  /** How a harness begins the reason when its simulator does not answer any more. */
+  /** Start of the reason if the simulator no longer answers. */
   private static final String LOST_SIMULATOR = "the simulator is gone: ";
 
   private static final Map<Integer, String> SIGNALS =
@@ -40,26 +40,24 @@ record ProcessEnd(int code, String exceededLimit, String lastWords) {
           Map.entry(31, "SIGSYS"));
 
   /**
-   * Whether the test application says itself that it cannot go on; a component that exits with the
-   * same code does not.
+   * Whether the test application reported that it cannot continue; a component that exits with the
+   * same code does not print the reason.
    */
   boolean cannotGoOn() {
-    return code == CANNOT_GO_ON && lastWords.startsWith(REASON);
+    return code == CANNOT_CONTINUE && lastLine.startsWith(REASON);
   }
 
-  /** Whether it cannot go on because the simulator or its session is gone. */
+  /** Whether it cannot continue because it lost the simulator or its session. */
   boolean lostSimulator() {
     return cannotGoOn() && reason().startsWith(LOST_SIMULATOR);
   }
 
-  /** The reason that the test application gave. */
+  /** The reason that the test application reported. */
   String reason() {
-    return lastWords.startsWith(REASON) ? lastWords.substring(REASON.length()) : lastWords;
+    return lastLine.startsWith(REASON) ? lastLine.substring(REASON.length()) : lastLine;
   }
 
-  /**
-   * As a message shows it, such as {@code signal 9 (SIGKILL)} or {@code exit code 1: last words}.
-   */
+  /** Text for messages, such as {@code signal 9 (SIGKILL)} or {@code exit code 1: last line}. */
   String describe() {
     if (!exceededLimit.isEmpty()) {
       return exceededLimit;
@@ -69,6 +67,6 @@ record ProcessEnd(int code, String exceededLimit, String lastWords) {
         signal == null
             ? "exit code " + code
             : "signal " + (code - SIGNAL_BASE) + " (" + signal + ")";
-    return lastWords.isEmpty() ? how : how + ": " + lastWords;
+    return lastLine.isEmpty() ? how : how + ": " + lastLine;
   }
 }

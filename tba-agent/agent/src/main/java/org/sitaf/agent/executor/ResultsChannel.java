@@ -12,10 +12,9 @@ import java.util.HexFormat;
 import java.util.concurrent.TimeUnit;
 
 /**
- * What one test application writes about its cases: lines through a pipe that its own process holds
- * by a descriptor. Each line is {@code NUMBER TOKEN CONTENT}, numbered from 1. The token is known
- * to the agent and to the driver, so that other lines are found out. Holds at most one line,
- * whatever is written.
+ * The results that one test application writes: lines through a pipe that only its process has
+ * open. Each line is {@code NUMBER TOKEN CONTENT}, numbered from 1. Only the agent and the driver
+ * know the token, which exposes forged lines. Buffers at most one line.
  */
 final class ResultsChannel implements AutoCloseable {
   /** Longest line, in bytes. */
@@ -34,28 +33,28 @@ final class ResultsChannel implements AutoCloseable {
   private boolean cut;
   private long next = 1;
 
-  /** Is given the lines in their order. */
+  /** Receives the lines in order. */
   interface Lines {
-    /** The test application is ready to begin its first case. */
+    /** The test application is ready for its first case. */
     void ready();
 
     /** A numbered line. */
     void content(String text);
 
-    /** A numbered line of more than {@link #MAX_LINE} bytes. */
+    /** A numbered line that exceeds {@link #MAX_LINE} bytes. */
     void tooLong();
 
     /**
-     * Something that no test application writes.
+     * A line that no test application writes.
      *
-     * @param bytes that were written
+     * @param length number of bytes
      */
     void suspicious(String reason, int bytes);
 
-    /** So many bytes of a line were left out, which is too long. */
-    void leftOut(int bytes);
+    /** Bytes of a line that was too long were discarded. */
+    void omitted(int bytes);
 
-    /** Whether no further line is wanted. */
+    /** Whether reading has to stop. */
     boolean isFull();
   }
 
@@ -69,13 +68,14 @@ final class ResultsChannel implements AutoCloseable {
   }
 
   /**
-   * Makes the pipe in a folder that the test application does not see.
+   * Creates the pipe in a folder that the test application cannot see.
    *
-   * @throws IOException if this machine cannot make one
+   * @throws IOException if the pipe cannot be created
    */
   static ResultsChannel open(Path folder) throws IOException, InterruptedException {
     Path pipe = Files.createTempDirectory(folder, "results").resolve("pipe");
-    // A process with the descriptor may open it again for writing, as a JVM must, and not read it.
+    // Mode 622: a process with the descriptor may reopen it for writing, as a JVM does, but not
+    // read it.
     Process made =
         new ProcessBuilder("mkfifo", "-m", "622", pipe.toString())
             .redirectErrorStream(true)
@@ -84,9 +84,11 @@ final class ResultsChannel implements AutoCloseable {
     if (!made.waitFor(PIPE_SECONDS, TimeUnit.SECONDS) || made.exitValue() != 0) {
       made.destroyForcibly();
       throw new IOException(
-          "mkfifo could not make the pipe for results in " + folder + "; it comes with coreutils");
+          "mkfifo could not create the pipe for results in "
+              + folder
+              + "; it is part of coreutils");
     }
-    // For both ways, so that it opens before anybody else has, and has no end while this is open.
+    // Opened for both directions, so that opening does not block and reads never hit the end.
     return new ResultsChannel(pipe, new RandomAccessFile(pipe.toFile(), "rw"));
   }
 
@@ -99,8 +101,8 @@ final class ResultsChannel implements AutoCloseable {
   }
 
   /**
-   * Gives what was written since the last call, without waiting; true when there was anything that
-   * the test application itself wrote.
+   * Passes on what was written since the last call, without waiting; returns whether the test
+   * application itself wrote anything.
    */
   boolean read(Lines lines) throws IOException {
     long before = next;
@@ -119,7 +121,7 @@ final class ResultsChannel implements AutoCloseable {
     return next > before;
   }
 
-  /** How many bytes of a line are there that has not come to its end. */
+  /** Number of bytes of an incomplete line. */
   int torn() {
     return incomplete.size();
   }
@@ -129,7 +131,7 @@ final class ResultsChannel implements AutoCloseable {
     incomplete.write(buffer, from, kept);
     if (kept < to - from) {
       cut = true;
-      lines.leftOut(to - from - kept);
+      lines.omitted(to - from - kept);
     }
   }
 
@@ -156,7 +158,7 @@ final class ResultsChannel implements AutoCloseable {
     }
     long number = number(line, space);
     if (number != next) {
-      lines.suspicious("line " + number + " came where line " + next + " was due", length + 1);
+      lines.suspicious("got line " + number + ", expected line " + next, length + 1);
       if (number < next) {
         return;
       }
@@ -174,7 +176,7 @@ final class ResultsChannel implements AutoCloseable {
     }
   }
 
-  /** The number before the space; -1 where there is none. */
+  /** The number before the space; -1 if there is none. */
   private static long number(String line, int space) {
     long number = 0;
     for (int i = 0; i < space; i++) {
@@ -187,17 +189,17 @@ final class ResultsChannel implements AutoCloseable {
     return number;
   }
 
-  /** Takes the name away; without a sandbox a component could find it. */
+  /** Deletes the file name, which a component without a sandbox could open. */
   private void hide() {
     try {
       Files.deleteIfExists(pipe);
       Files.deleteIfExists(pipe.getParent());
     } catch (IOException e) {
-      // The build's folder is deleted as a whole.
+      // The folder is deleted at the end of the build.
     }
   }
 
-  /** Closes the pipe; what is still in it is gone. */
+  /** Closes the pipe and discards its content. */
   @Override
   public void close() {
     hide();

@@ -7,9 +7,9 @@ import java.util.Optional;
 import org.sitaf.agent.sandbox.Confinement;
 
 /**
- * Where a test application reaches the simulator.
+ * The address of the simulator of a test application.
  *
- * @param target as gRPC names it
+ * @param target gRPC target
  */
 public record SimulatorAddress(String target) {
   private static final String UNIX = "unix:";
@@ -18,7 +18,7 @@ public record SimulatorAddress(String target) {
     Objects.requireNonNull(target);
   }
 
-  /** The Unix socket; empty where the simulator answers on the network. */
+  /** The Unix socket; empty if the simulator uses TCP. */
   public Optional<Path> socket() {
     if (!target.startsWith(UNIX)) {
       return Optional.empty();
@@ -27,7 +27,7 @@ public record SimulatorAddress(String target) {
     return Optional.of(Path.of(path.startsWith("//") ? path.substring(2) : path).toAbsolutePath());
   }
 
-  /** With the way to the simulator open: one file where it is a socket, else the network. */
+  /** Gives access to the simulator: one file for a Unix socket, otherwise the network. */
   Confinement grantedTo(Confinement confinement) {
     return socket()
         .map(socket -> confinement.reading(List.of(socket)))

@@ -3,12 +3,11 @@ package org.sitaf.agent.executor;
 import org.sitaf.agent.simulation.SimulatorEnd;
 
 /**
- * Decides what follows when a simulator ended while a case ran. One that used more than it may did
- * so because of the case. Any other end may be the machine's doing once, and not twice in the same
- * case.
+ * Decides how to continue when the simulator ended while a case ran. Exceeding a limit is the fault
+ * of the case. Any other end is retried once in the same case.
  */
 final class SimulatorEnds {
-  /** What happens next. */
+  /** How to continue. */
   enum Next {
     TRY_AGAIN,
     BLAME_CASE,
@@ -16,46 +15,45 @@ final class SimulatorEnds {
   }
 
   /**
-   * What follows.
+   * The decision.
    *
-   * @param message for the log, or of the case's result
+   * @param message for the log or the case's result
    */
   record Consequence(Next next, String message) {}
 
-  private final int mostInACase;
-  private final int mostRestarts;
+  private final int maxPerCase;
+  private final int maxRestarts;
   private int lastCase;
-  private int inLastCase;
+  private int endsInLastCase;
   private int restarts;
 
-  SimulatorEnds(int mostInACase, int mostRestarts) {
-    this.mostInACase = mostInACase;
-    this.mostRestarts = mostRestarts;
+  SimulatorEnds(int maxPerCase, int maxRestarts) {
+    this.maxPerCase = maxPerCase;
+    this.maxRestarts = maxRestarts;
   }
 
   /**
-   * Counts one end.
+   * Counts an end of the simulator.
    *
-   * @param no of the case that ran, or would have been the first
-   * @param begun whether the test application had begun with its cases
+   * @param no number of the running case, or of the first one
+   * @param begun whether the test application had started its cases
    */
   Consequence after(int no, boolean begun, SimulatorEnd end) {
     restarts++;
-    inLastCase = no == lastCase ? inLastCase + 1 : 1;
+    endsInLastCase = no == lastCase ? endsInLastCase + 1 : 1;
     lastCase = no;
     String message = "the simulator ended: " + end.reason();
-    if (restarts > mostRestarts) {
+    if (restarts > maxRestarts) {
       return new Consequence(
           Next.GIVE_UP, message + "; it ended " + restarts + " times in this build");
     }
     if (begun && end.byLimit()) {
       return new Consequence(Next.BLAME_CASE, "case " + no + ": " + message);
     }
-    if (begun && inLastCase >= mostInACase) {
+    if (begun && endsInLastCase >= maxPerCase) {
       return new Consequence(
-          Next.BLAME_CASE,
-          "case " + no + ": " + message + "; it ended each time that this case ran");
+          Next.BLAME_CASE, "case " + no + ": " + message + "; it ended each time in this case");
     }
-    return new Consequence(Next.TRY_AGAIN, message + "; going on with a fresh one");
+    return new Consequence(Next.TRY_AGAIN, message + "; continuing with a new one");
   }
 }

@@ -6,8 +6,8 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Why the results of an execution are not to be trusted. Each reason is remarked in the log once;
- * there are few of them, whatever a component does.
+ * Reasons why the results of an execution cannot be trusted. Each reason is logged once; their
+ * number is limited.
  */
 final class Suspicions {
   private static final int MAX_REASONS = 20;
@@ -33,7 +33,7 @@ final class Suspicions {
     }
   }
 
-  /** The reasons in the order in which they came, with how often they did. */
+  /** The reasons in order of appearance, with their number of occurrences. */
   List<String> reasons() {
     List<String> reasons = new ArrayList<>();
     counts.forEach(

@@ -12,33 +12,33 @@ import org.sitaf.agent.spool.FreeSpace;
 import org.sitaf.core.verdict.CaseResult;
 
 /**
- * Executes a suite. A case that crashes or hangs costs its process; the cases after it go on in a
- * fresh one. What a process has written is kept, however it ends.
+ * Executes a suite. If a case crashes or hangs, its process is killed and a new process continues
+ * with the next case. All results that a process wrote are kept, however it ends.
  *
- * @param startUp what a process may take until it is ready for its first case
- * @param crashesInARow after so many processes that ended in their first case the rest is not
- *     executed
- * @param atMost what all cases together may take; the rest is not executed then
+ * @param startUp time until a process must be ready for its first case
+ * @param crashesInARow after this many processes that ended in their first case, the remaining
+ *     cases are not executed
+ * @param atMost time limit for all cases; the remaining cases are not executed
  */
 public record TestApplicationExecutor(Duration startUp, int crashesInARow, Duration atMost) {
-  /** What agents use, without a limit for all cases together. */
+  /** The defaults of agents, without a time limit for all cases. */
   public static final TestApplicationExecutor DEFAULT =
       new TestApplicationExecutor(Duration.ofSeconds(30), 20, Duration.ofDays(1000));
 
   private static final Duration POLL = Duration.ofMillis(10);
 
-  /** While results come: the pipe of a fast test application is full soon. */
+  /** While results arrive: the pipe of a fast test application fills up quickly. */
   private static final Duration BUSY_POLL = Duration.ofMillis(1);
 
   private static final Duration EXIT_GRACE = Duration.ofSeconds(2);
 
-  /** A simulator that ended may be replaced so often; then it is not the machine's bad luck. */
-  private static final int SIMULATOR_RESTARTS = 3;
+  /** Number of times that a simulator is replaced before the build fails. */
+  private static final int SIMULATOR_REMAX_STARTS = 3;
 
-  /** In a case that ends the simulator so often the component or the world does it. */
-  private static final int ENDS_IN_A_CASE = 2;
+  /** Ends of the simulator in one case after which the case is at fault. */
+  private static final int MAX_ENDS_PER_CASE = 2;
 
-  private static final int STARTS = 2;
+  private static final int MAX_STARTS = 2;
 
   public TestApplicationExecutor {
     Objects.requireNonNull(startUp);
@@ -48,7 +48,7 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow, Durat
     }
   }
 
-  /** With a limit for all cases together. */
+  /** With a time limit for all cases. */
   public TestApplicationExecutor within(Duration limit) {
     return new TestApplicationExecutor(startUp, crashesInARow, limit);
   }
@@ -56,11 +56,10 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow, Durat
   /**
    * Runs the cases.
    *
-   * @param early the first process, started before the application was compiled; null where there
-   *     is none
-   * @param onResult is told each result the moment it is known, and may judge it differently
-   * @throws IOException if no process can be started at all
-   * @throws InterruptedException if the build was cancelled; its processes are gone then
+   * @param early the first process, started during the compilation; null if there is none
+   * @param onResult receives each result at once and may change its verdict
+   * @throws IOException if no process can be started
+   * @throws InterruptedException if the build was cancelled; its processes are killed
    */
   public Execution execute(
       ExecutionRequest request,
@@ -78,7 +77,7 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow, Durat
         progress.results(), progress.isComplete() ? "" : reason, progress.suspicions());
   }
 
-  /** How following a process came to its end. */
+  /** How a process ended. */
   private enum Follow {
     ENDED,
     NO_ANSWER,
@@ -88,15 +87,15 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow, Durat
     TOO_MUCH
   }
 
-  /** What is known from one process to the next. */
+  /** State that is kept between processes. */
   private final class Run {
     private final ExecutionRequest request;
     private final CaseProgress progress;
     private final OutputSink sink;
     private final long end = System.nanoTime() + atMost.toNanos();
-    private int barrenProcesses;
+    private int crashesInFirstCase;
     private final SimulatorEnds simulatorEnds =
-        new SimulatorEnds(ENDS_IN_A_CASE, SIMULATOR_RESTARTS);
+        new SimulatorEnds(MAX_ENDS_PER_CASE, SIMULATOR_REMAX_STARTS);
     private int failedStarts;
     private @Nullable EarlyProcess early;
 
@@ -111,7 +110,7 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow, Durat
       this.sink = sink;
     }
 
-    /** Runs one process to its end; returns why no further one may be started, or nothing. */
+    /** Runs one process; returns why no further one may start, or an empty text. */
     String oneProcess() throws IOException, InterruptedException {
       int before = progress.count();
       progress.beginProcess();
@@ -135,7 +134,8 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow, Durat
         int current = progress.isComplete() ? 0 : progress.current().no();
         drain(process);
         if (end.code() == 0 && process.results().torn() > 0) {
-          progress.suspect("the last line is torn, though its process ended with exit code 0");
+          progress.suspect(
+              "the last line is incomplete, although the process ended with exit code 0");
         }
         if (progress.isComplete()) {
           return "";
@@ -145,45 +145,44 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow, Durat
           return progress.whyFull();
         }
         if (how == Follow.OUT_OF_TIME) {
-          return "all cases together took longer than " + seconds(atMost);
+          return "the cases exceeded their total time of " + seconds(atMost);
         }
-        // No case is at fault for what could not be written; what a component may write has a
-        // limit of its own.
+        // A full disk is not the fault of a case, because components have their own disk limit.
         FreeSpace.ofBuild(request.files()).require();
-        barrenProcesses = progress.count() == before ? barrenProcesses + 1 : 0;
+        crashesInFirstCase = progress.count() == before ? crashesInFirstCase + 1 : 0;
         Optional<SimulatorEnd> simulatorEnd =
             simulator == null || how == Follow.NO_ANSWER ? Optional.empty() : simulator.end();
         if (simulatorEnd.isPresent()) {
           return afterSimulator(simulatorEnd.get());
         }
-        if (end.cannotGoOn() && !lostByItself(end, simulator)) {
-          return end.reason().isEmpty() ? "the test application cannot go on" : end.reason();
+        if (end.cannotGoOn() && !disconnectedByComponent(end, simulator)) {
+          return end.reason().isEmpty() ? "the test application cannot continue" : end.reason();
         }
         if (!progress.isReady()) {
           return notReady(how, end);
         }
         if (how == Follow.ENDED || current == progress.current().no()) {
-          blameCurrentCase(how, where, end);
+          failCurrentCase(how, where, end);
         }
-        return barrenProcesses < crashesInARow
+        return crashesInFirstCase < crashesInARow
             ? ""
-            : barrenProcesses
+            : crashesInFirstCase
                 + " test applications in a row ended in their first case; the last with "
                 + end.describe();
       }
     }
 
-    /** No case had begun, so none is at fault; once may be bad luck of the machine. */
+    /** No case had started, so none is at fault; the start is retried once. */
     private String notReady(Follow how, ProcessEnd end) {
       String message =
           how == Follow.NOT_READY
               ? "the test application was not ready within " + seconds(startUp)
               : "the test application ended before its first case with " + end.describe();
       sink.remark(message);
-      return ++failedStarts < STARTS ? "" : message;
+      return ++failedStarts < MAX_STARTS ? "" : message;
     }
 
-    private void blameCurrentCase(Follow how, String where, ProcessEnd end) {
+    private void failCurrentCase(Follow how, String where, ProcessEnd end) {
       String message =
           how == Follow.NO_ANSWER
               ? "no answer within "
@@ -194,8 +193,8 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow, Durat
       progress.currentFailed(message);
     }
 
-    /** A simulator that answers was not lost, but left: by the component, in the current case. */
-    private boolean lostByItself(ProcessEnd end, @Nullable SimulatorEndpoint simulator) {
+    /** Whether the component disconnected from a simulator that still answers. */
+    private boolean disconnectedByComponent(ProcessEnd end, @Nullable SimulatorEndpoint simulator) {
       return progress.isReady()
           && end.lostSimulator()
           && simulator != null
@@ -203,8 +202,8 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow, Durat
     }
 
     /**
-     * A simulator that died is the agent's matter: the case was not at fault and is tried again
-     * with a fresh one. A case that ends simulators is at fault.
+     * A simulator that crashed is replaced and the case is repeated. A case that crashes simulators
+     * repeatedly is at fault.
      */
     private String afterSimulator(SimulatorEnd end) {
       SimulatorEnds.Consequence consequence =
@@ -216,7 +215,7 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow, Durat
           return consequence.message();
         }
         case TRY_AGAIN -> {
-          // The case goes on where it began, with a fresh simulator.
+          // The case is repeated with a new simulator.
         }
       }
       return "";
@@ -248,8 +247,7 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow, Durat
           return Follow.ENDED;
         }
         if (simulator != null && simulator.hasEnded()) {
-          // A test application that notices ends by itself, and one that needs no more of it ends
-          // well.
+          // A test application notices the end itself, unless it no longer needs the simulator.
           return process.awaitEnd(EXIT_GRACE) ? Follow.ENDED : Follow.SIMULATOR_ENDED;
         }
         if (System.nanoTime() - deadline > 0) {
@@ -261,7 +259,7 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow, Durat
       }
     }
 
-    /** Takes what is new of the results; true when the test application showed that it works on. */
+    /** Reads new results; returns whether the test application made progress. */
     private boolean drain(HarnessProcess process) throws IOException {
       progress.processHasRun(process.ranMicros());
       return process.results().read(progress);

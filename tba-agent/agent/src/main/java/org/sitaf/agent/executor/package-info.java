@@ -1,6 +1,6 @@
 /**
- * Test Application Executor (TAE): runs a test application in processes of its own and brings back
- * a result for every case.
+ * Test Application Executor (TAE): runs a test application in separate processes and returns a
+ * result for every case.
  */
 @NullMarked
 package org.sitaf.agent.executor;

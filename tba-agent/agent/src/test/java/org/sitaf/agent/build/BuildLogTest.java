@@ -8,12 +8,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sitaf.agent.testing.Recording;
 
-/** However much there is to say, a log stays readable. */
+/** A log stays readable, however much is written. */
 class BuildLogTest {
   @TempDir private Path directory;
 
   @Test
-  void remarksThatAComponentCausesAreBounded() throws Exception {
+  void limitsRemarksThatAComponentCauses() throws Exception {
     Path file = directory.resolve("log");
     try (BuildLog log = new BuildLog(file, new Recording())) {
       for (int i = 0; i < 100_000; i++) {
@@ -26,12 +26,12 @@ class BuildLogTest {
 
     assertThat(Files.size(file)).isLessThan(BuildLog.REMARKS_LIMIT_BYTES + 10_000);
     assertThat(Files.readString(file))
-        .containsOnlyOnce("[sitaf] further remarks are left out: there are more than 1 MiB")
+        .containsOnlyOnce("[sitaf] further remarks are omitted, because they exceed 1 MiB")
         .endsWith("...\n[sitaf] it is over\n");
   }
 
   @Test
-  void whoPrintsInTurnsIsBoundedWithTheLinesThatNameTheCases() throws Exception {
+  void limitsOutputIncludingItsHeaders() throws Exception {
     Path file = directory.resolve("log");
     try (BuildLog log = new BuildLog(file, new Recording())) {
       for (int i = 0; i < 1_000_000; i++) {

@@ -33,7 +33,7 @@ class BuildRunTest {
   }
 
   @Test
-  void aGoodComponentPassesEveryCase() throws Exception {
+  void aCorrectComponentPassesEveryCase() throws Exception {
     BuildOutcome outcome =
         build(EchoActivity.doing("System.out.println(\"echo \" + value); return value;"));
 
@@ -49,7 +49,7 @@ class BuildRunTest {
   }
 
   @Test
-  void theProvenanceSaysWhatRanByDigestAndWhere() throws Exception {
+  void recordsTheProvenance() throws Exception {
     var first = ((Completed) build(EchoActivity.doing("return value;"))).result().provenance();
     var other = ((Completed) build(EchoActivity.doing("return +value;"))).result().provenance();
 
@@ -62,7 +62,7 @@ class BuildRunTest {
   }
 
   @Test
-  void aWrongValueFailsItsCaseAlone() {
+  void aWrongValueFailsOnlyItsCase() {
     BuildOutcome outcome = build(EchoActivity.doing("return value == 3 ? 4 : value;"));
 
     TestResult result = ((Completed) outcome).result();
@@ -72,7 +72,7 @@ class BuildRunTest {
   }
 
   @Test
-  void aSyntaxErrorIsToldWithFileLineAndColumn() {
+  void reportsASyntaxErrorWithFileLineAndColumn() {
     BuildOutcome outcome =
         build(
             EchoActivity.withComponent(
@@ -90,7 +90,7 @@ class BuildRunTest {
   }
 
   @Test
-  void aComponentThatDoesNotFitIsAnErrorInTheGeneratedFile() {
+  void aComponentWithAWrongInterfaceIsAnErrorInTheGeneratedFile() {
     BuildOutcome outcome =
         build(
             EchoActivity.withComponent(
@@ -108,7 +108,7 @@ class BuildRunTest {
   }
 
   @Test
-  void aClassThatNobodyDefinesIsToldWithWhatThereIs() {
+  void reportsAMissingClassWithTheExistingOnes() {
     BuildOutcome outcome = build(EchoActivity.withComponent("package demo; public class Other {}"));
 
     CompilationFailed failed = (CompilationFailed) outcome;
@@ -118,7 +118,7 @@ class BuildRunTest {
   }
 
   @Test
-  void annotationProcessorsOfTheUserDoNotRun() {
+  void doesNotRunAnnotationProcessorsOfUsers() {
     String processor =
         """
         package demo;
@@ -143,7 +143,7 @@ class BuildRunTest {
   }
 
   @Test
-  void aLanguageThatIsNotHereIsAnsweredWithTheReasonAndTheRemedy() {
+  void reportsAMissingToolchainWithItsRemedy() {
     BuildSettings settings =
         new BuildSettings(
             Simulator.none(),
@@ -166,7 +166,7 @@ class BuildRunTest {
   }
 
   @Test
-  void filesBesideTheSourcesAreResourcesOfTheComponent() {
+  void filesNextToTheSourcesAreResources() {
     BuildOutcome outcome =
         build(
             EchoActivity.doing(
@@ -180,7 +180,7 @@ class BuildRunTest {
   }
 
   @Test
-  void aCancelEndsTheJudgementOfPostConditions() {
+  void cancellationStopsTheEvaluationOfPostConditions() {
     String digits = "[0,1,2,3,4,5,6,7,8,9]";
     String slow =
         digits + ".all(a, " + digits + ".all(b, " + digits + ".all(c, a + b + c + actual != 0)))";
@@ -209,7 +209,7 @@ class BuildRunTest {
   }
 
   @Test
-  void aPostConditionThatTakesTooMuchIsAnErrorOfItsCase() {
+  void anExpensivePostConditionIsAnErrorOfItsCase() {
     String digits = "[0,1,2,3,4,5,6,7,8,9]";
     EchoActivity activity =
         EchoActivity.doing("return value;")
@@ -225,7 +225,7 @@ class BuildRunTest {
   }
 
   @Test
-  void aBuildThatWasCancelledBeforeItBeganDoesNothing() {
+  void aBuildCancelledBeforeItsStartDoesNothing() {
     BuildRun run =
         new BuildRun(
             EchoActivity.doing("return value;").application(),

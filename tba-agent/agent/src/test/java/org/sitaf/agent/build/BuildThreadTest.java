@@ -18,7 +18,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.sitaf.agent.build.BuildOutcome.Cancelled;
 import org.sitaf.agent.spool.SystemTool;
 
-/** A build is over when nobody wants it any more, whatever its thread hangs on. */
+/** A cancelled build ends even if its thread is blocked. */
 @Tag("slow")
 @Timeout(60)
 class BuildThreadTest {
@@ -26,7 +26,7 @@ class BuildThreadTest {
   private final Cancellation cancellation = new Cancellation();
   private final CountDownLatch working = new CountDownLatch(1);
 
-  /** Opens a pipe that nobody writes to, which no interrupt ends. */
+  /** Opens a pipe without a writer, which cannot be interrupted. */
   private BuildOutcome hang() {
     return cancellation.guard(
         () -> {
@@ -41,7 +41,7 @@ class BuildThreadTest {
   }
 
   @Test
-  void aCancelledOneDoesNotWaitForAnythingThatDoesNotEnd() throws Exception {
+  void aCancelledBuildDoesNotWaitForABlockedThread() throws Exception {
     SystemTool.run(List.of("mkfifo", directory.resolve("pipe").toString()), Duration.ofSeconds(5));
     BuildThread thread = new BuildThread(cancellation, this::hang);
     CompletableFuture<BuildOutcome> outcome =
@@ -55,7 +55,7 @@ class BuildThreadTest {
   }
 
   @Test
-  void oneThatTakesTooLongIsCancelled() {
+  void cancelsABuildAfterItsTimeout() {
     BuildOutcome outcome =
         new BuildThread(
                 cancellation,

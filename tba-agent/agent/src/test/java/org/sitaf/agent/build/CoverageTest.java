@@ -14,7 +14,7 @@ import org.sitaf.core.verdict.Coverage;
 import org.sitaf.core.verdict.Coverage.Line;
 import org.sitaf.core.verdict.TestResult;
 
-/** Which lines of a component were reached is told with the result. */
+/** The result contains the line coverage of the component. */
 class CoverageTest {
   private static final String BRANCHING =
       """
@@ -48,7 +48,7 @@ class CoverageTest {
   }
 
   @Test
-  void linesAndBranchesAreToldByFile() throws Exception {
+  void reportsLinesAndBranchesByFile() throws Exception {
     TestResult result = result(EchoActivity.withComponent(BRANCHING.formatted("")), false);
 
     Coverage coverage = result.coverage();
@@ -66,7 +66,7 @@ class CoverageTest {
   }
 
   @Test
-  void aCrashDoesNotLoseWhatWasReachedBeforeAndAfterIt() throws Exception {
+  void keepsCoverageBeforeAndAfterACrash() throws Exception {
     String crash = "if (value == 2) { Runtime.getRuntime().halt(9); }";
     TestResult result = result(EchoActivity.withComponent(BRANCHING.formatted(crash)), false);
 
@@ -77,7 +77,7 @@ class CoverageTest {
   }
 
   @Test
-  void aHangDoesNotLoseWhatItReached() throws Exception {
+  void keepsCoverageOfAHangingCase() throws Exception {
     String hang = "if (value == 3) { while (true) { Thread.onSpinWait(); } }";
     TestResult result =
         result(

@@ -35,7 +35,7 @@ import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.TestResult;
 import org.sitaf.core.verdict.Verdict;
 
-/** Simulators that end while a component uses them, which hides what it then sees. */
+/** Simulators that end while a component uses them and hides the error. */
 @Tag("slow")
 @Timeout(300)
 class EndingSimulatorTest {
@@ -43,7 +43,7 @@ class EndingSimulatorTest {
 
   @TempDir private Path directory;
 
-  /** An infrared sensor whose fourth sensor waits in simulation time, and makes 42 of a failure. */
+  /** An infrared sensor that waits in simulation time and returns 42 after a failure. */
   private enum Sensor {
     JAVA(
         "ir-sensor",
@@ -109,7 +109,7 @@ class EndingSimulatorTest {
 
     TestApplication application() throws IOException {
       Path folder = Path.of(System.getProperty("sitaf.examples", ""), example);
-      assumeTrue(Files.isDirectory(folder), "skipped for want of " + folder);
+      assumeTrue(Files.isDirectory(folder), "skipped: missing " + folder);
       Map<String, byte[]> files = new HashMap<>();
       try (Stream<Path> paths = Files.walk(folder)) {
         for (Path path : paths.filter(Files::isRegularFile).toList()) {
@@ -128,7 +128,7 @@ class EndingSimulatorTest {
     }
   }
 
-  /** Kills the bridge whenever the component says that it measures, so often. */
+  /** Kills the bridge the given number of times when the component measures. */
   private static final class Killing extends Recording {
     private final AtomicInteger left;
 
@@ -166,16 +166,16 @@ class EndingSimulatorTest {
   void aSimulatorKilledWithinACallCostsNoCase(Sensor sensor) throws Exception {
     assumeTrue(
         EchoActivity.toolchains().of(Language.valueOf(sensor.name())).isPresent(),
-        "skipped for want of a toolchain");
+        "skipped: toolchain not installed");
     Killing killing = new Killing(1);
     TestResult result = result(sensor.application(), killing);
 
     assertThat(result.summary().pass()).as(killing.logText()).isEqualTo(55);
-    assertThat(killing.logText()).contains("the simulator ended", "going on with a fresh one");
+    assertThat(killing.logText()).contains("the simulator ended", "continuing with a new one");
   }
 
   @Test
-  void aCaseThatEndsItsSimulatorEachTimeIsAnErrorAndTheBuildIsNotEndless() throws Exception {
+  void aCaseThatAlwaysCrashesItsSimulatorIsAnError() throws Exception {
     Killing killing = new Killing(1000);
     TestResult result = result(Sensor.JAVA.application(), killing);
 

@@ -36,10 +36,7 @@ import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.TestResult;
 import org.sitaf.core.verdict.Verdict;
 
-/**
- * Test applications as SITAF generates them, on the real runtime and, where it is set up, the real
- * simulation.
- */
+/** Generated test applications with the real runtime and, if it is set up, the real simulation. */
 @Tag("slow")
 @Timeout(180)
 class GeneratedApplicationTest {
@@ -59,7 +56,7 @@ class GeneratedApplicationTest {
   private static TestApplication example(String name, Map<String, String> changed)
       throws IOException {
     Path example = Path.of(System.getProperty("sitaf.examples", ""), name);
-    assumeTrue(Files.isDirectory(example), "skipped for want of " + example);
+    assumeTrue(Files.isDirectory(example), "skipped: missing " + example);
     Map<String, byte[]> files = new HashMap<>();
     try (Stream<Path> paths = Files.walk(example)) {
       for (Path path : paths.filter(Files::isRegularFile).toList()) {
@@ -74,7 +71,7 @@ class GeneratedApplicationTest {
   }
 
   @Test
-  void aComponentWithoutAWorldRunsOnTheRuntimeAlone() throws Exception {
+  void runsAComponentWithoutWorld() throws Exception {
     BuildOutcome outcome =
         build(
             EchoActivity.doing(
@@ -93,7 +90,7 @@ class GeneratedApplicationTest {
   }
 
   @Test
-  void aKeptDriverThatTheInterfaceLeftBehindIsToldAsSuch() throws Exception {
+  void explainsErrorsInAnOutdatedKeptDriver() throws Exception {
     EchoActivity activity = EchoActivity.doing("return value;");
     String editable = "sitaf/harness/echo/ConcreteTestDriver.java";
     String generated = activity.generated().harness().text(editable).orElseThrow();
@@ -119,7 +116,7 @@ class GeneratedApplicationTest {
   }
 
   @Test
-  void theEvaluationOfThePaperPassesInAllOfIts55Cases() throws Exception {
+  void all55CasesOfThePapersEvaluationPass() throws Exception {
     try (Simulator simulator =
         Simulator.started(RealBridge.command(), directory, SandboxMode.AUTO.open(), 1)) {
       BuildOutcome outcome = build(infrared(Map.of()), simulator);
@@ -135,7 +132,7 @@ class GeneratedApplicationTest {
   }
 
   @Test
-  void whatMovesInTheCasesThatFailIsKept() throws Exception {
+  void keepsRecordingsOfFailedCases() throws Exception {
     String component = "component/org/sitaf/examples/ir/InfraredSensor.java";
     String source = infrared(Map.of()).activity().files().text(component).orElseThrow();
     String wrong = source.replace("double range =", "double range = 0.25 +");
@@ -174,7 +171,7 @@ class GeneratedApplicationTest {
   }
 
   @Test
-  void aSimulatorThatDiesDuringTheSuiteCostsNoCase() throws Exception {
+  void aCrashedSimulatorAffectsNoVerdict() throws Exception {
     AtomicInteger seen = new AtomicInteger();
     Recording killing =
         new Recording() {
@@ -207,19 +204,19 @@ class GeneratedApplicationTest {
 
       TestResult result = ((Completed) outcome).result();
       assertThat(result.summary().pass()).as(killing.logText()).isEqualTo(55);
-      assertThat(killing.logText()).contains("the simulator ended", "going on with a fresh one");
+      assertThat(killing.logText()).contains("the simulator ended", "continuing with a new one");
     }
   }
 
   @Test
-  void aWorldThatTheSimulatorRefusesIsToldBeforeAnythingIsBuilt() throws Exception {
+  void reportsARejectedWorldBeforeTheCompilation() throws Exception {
     try (Simulator simulator =
         Simulator.started(RealBridge.command(), directory, SandboxMode.AUTO.open(), 1)) {
       BuildOutcome outcome =
           build(infrared(Map.of("world/ir.xml", "<mujoco><oops/></mujoco>")), simulator);
 
       CompilationFailed failed = (CompilationFailed) outcome;
-      assertThat(failed.message()).contains("the simulator refuses the world", "oops");
+      assertThat(failed.message()).contains("the simulator rejects the world", "oops");
       assertThat(failed.diagnostics().get(0).file()).isEqualTo("activity/world/ir.world.yaml");
       assertThat(recording.stages()).containsExactly(BuildStage.PREPARING);
     }

@@ -15,7 +15,7 @@ import org.sitaf.agent.testing.Recording;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.TestResult;
 
-/** Cases that run in several simulations at once bring what they bring in one. */
+/** Cases in several parallel simulations have the same results as in one. */
 class ParallelTest {
   private static final String BODY =
       "if (value == 7) { System.exit(4); } if (value == 31) { throw new Exception(\"no\"); }"
@@ -35,7 +35,7 @@ class ParallelTest {
         .result();
   }
 
-  /** All that does not depend on the clock. */
+  /** All fields that do not depend on the clock. */
   private static List<String> told(TestResult result) {
     return result.cases().stream().map(ParallelTest::told).toList();
   }
@@ -45,16 +45,15 @@ class ParallelTest {
   }
 
   @Test
-  void theResultsAreThoseOfTheSequence() throws Exception {
-    assumeTrue(
-        Runtime.getRuntime().availableProcessors() > 1, "skipped for want of a second processor");
+  void resultsEqualThoseOfSequentialExecution() throws Exception {
+    assumeTrue(Runtime.getRuntime().availableProcessors() > 1, "skipped: only one processor");
     TestResult sequence = result("sequence", EchoActivity.doing(BODY).cases(40));
     TestResult parallel =
         result("parallel", EchoActivity.doing(BODY).cases(40).profileLine("parallel: true"));
 
     assertThat(told(parallel)).isEqualTo(told(sequence));
     assertThat(parallel.summary().pass()).isEqualTo(37);
-    assertThat(recording.logText()).contains("simulations at once");
+    assertThat(recording.logText()).contains("simulations in parallel");
     assertThat(parallel.coverage()).isEqualTo(sequence.coverage()).isNotNull();
   }
 }

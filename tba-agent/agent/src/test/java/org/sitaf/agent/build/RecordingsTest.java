@@ -81,7 +81,7 @@ class RecordingsTest {
   }
 
   @Test
-  void keepsTheFilesOfCasesAndNothingElseThatAComponentLeftThere() throws IOException {
+  void keepsRecordingsAndIgnoresOtherFiles() throws IOException {
     Path secret = Files.write(folder.resolve("secret"), glb(20));
     try (Recordings recordings = recordings(Cases.ALL, 10, 1000)) {
       for (int no = 1; no <= 5; no++) {
@@ -105,7 +105,7 @@ class RecordingsTest {
   }
 
   @Test
-  void aPipeInTheNameOfARecordingKeepsNobodyWaiting() throws Exception {
+  void aPipeInsteadOfARecordingDoesNotBlock() throws Exception {
     try (Recordings recordings = recordings(Cases.ALL, 10, 1000)) {
       SystemTool.run(List.of("mkfifo", from("1.glb").toString()), Duration.ofSeconds(5));
       Files.createSymbolicLink(from("2.glb"), Path.of("/dev/zero"));
@@ -120,12 +120,12 @@ class RecordingsTest {
   }
 
   @Test
-  void whatIsSwappedForAPipeMeanwhileKeepsNobodyWaiting() throws Exception {
+  void aFileReplacedByAPipeDoesNotBlock() throws Exception {
     Path pipe = folder.resolve("pipe");
     SystemTool.run(List.of("mkfifo", pipe.toString()), Duration.ofSeconds(5));
     Process swapping;
     try (Recordings recordings = recordings(Cases.ALL, 10_000, 1 << 20)) {
-      // A regular file and a pipe take turns under the name, thousands of times a second.
+      // Replaces a regular file by a pipe and back, thousands of times per second.
       swapping =
           new ProcessBuilder(
                   "python3",
@@ -163,7 +163,7 @@ class RecordingsTest {
   }
 
   @Test
-  void keepsOnlyThoseThatFailWhereNoOthersAreWantedAndMakesRoomForMore() throws IOException {
+  void keepsOnlyRecordingsOfFailedCases() throws IOException {
     try (Recordings recordings = recordings(Cases.FAILED, 10, 1000)) {
       List<Verdict> verdicts = List.of(Verdict.PASS, Verdict.FAIL, Verdict.ERROR, Verdict.DONT);
       for (int i = 0; i < verdicts.size(); i++) {
@@ -179,7 +179,7 @@ class RecordingsTest {
   }
 
   @Test
-  void takesThemWhileTheCasesRun() throws Exception {
+  void collectsRecordingsWhileTheCasesRun() throws Exception {
     try (Recordings recordings = recordings(Cases.ALL, 10, 1000)) {
       recordings.expect(result(1, Verdict.PASS));
       Path file = Files.write(from("1.glb"), java.util.Arrays.copyOf(glb(100), 50));
@@ -194,7 +194,7 @@ class RecordingsTest {
   }
 
   @Test
-  void saysWhatDidNotFit() throws IOException {
+  void logsOmittedRecordings() throws IOException {
     try (Recordings recordings = recordings(Cases.ALL, 2, 2 << 20)) {
       for (int no = 1; no <= 4; no++) {
         Files.write(from(no + ".glb"), glb(no == 1 ? 3 << 20 : 16));
@@ -205,11 +205,11 @@ class RecordingsTest {
     assertThat(kept()).containsExactly("2.glb", "3.glb");
     assertThat(remarks)
         .containsExactly(
-            "recordings: 2 cases, 0.0 MiB; 2 more are left out: a build keeps 2 of at most 2 MiB");
+            "recordings: 2 cases, 0.0 MiB; 2 more are omitted: a build keeps 2 of at most 2 MiB");
   }
 
   @Test
-  void saysNothingWhereNothingWasRecorded() throws IOException {
+  void logsNothingWithoutRecordings() throws IOException {
     try (Recordings recordings = recordings(Cases.ALL, 10, 1000)) {
       recordings.expect(result(1, Verdict.PASS));
     }

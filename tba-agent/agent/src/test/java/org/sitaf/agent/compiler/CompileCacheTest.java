@@ -24,11 +24,11 @@ import org.sitaf.agent.toolchain.Toolchain;
 import org.sitaf.core.activity.ActivityProfile.Language;
 import org.sitaf.core.harness.TestApplication;
 
-/** What is unchanged is not compiled again; what changed is. */
+/** Compiles changed inputs only. */
 class CompileCacheTest {
   @TempDir private Path directory;
 
-  /** Counts what it is asked for; what it compiles is the number of the call. */
+  /** Counts the calls; the compiled file contains the number of the call. */
   private static final class CountingToolchain implements Toolchain {
     private final String identity;
     private int compiled;
@@ -86,7 +86,7 @@ class CompileCacheTest {
   }
 
   @Test
-  void theSameIsCompiledOnce() throws Exception {
+  void compilesEqualInputsOnce() throws Exception {
     CountingToolchain toolchain = new CountingToolchain("a");
 
     assertThat(compile(toolchain, EchoActivity.doing("return value;").application(), false))
@@ -97,7 +97,7 @@ class CompileCacheTest {
   }
 
   @Test
-  void otherCasesOfTheSameModelNeedNoCompiler() throws Exception {
+  void doesNotCompileForOtherCasesOfTheSameModel() throws Exception {
     CountingToolchain toolchain = new CountingToolchain("a");
     TestApplication first = EchoActivity.doing("return value;").application();
     compile(toolchain, first, false);
@@ -119,7 +119,7 @@ class CompileCacheTest {
   }
 
   @Test
-  void aChangedSourceToolchainOrCoverageIsCompiledAnew() throws Exception {
+  void recompilesAfterAChangeOfSourceToolchainOrCoverage() throws Exception {
     CountingToolchain toolchain = new CountingToolchain("a");
     CountingToolchain later = new CountingToolchain("b");
     TestApplication application = EchoActivity.doing("return value;").application();
@@ -134,7 +134,7 @@ class CompileCacheTest {
   }
 
   @Test
-  void whatWasUsedLongestAgoGoesFirst() throws Exception {
+  void removesTheLeastRecentlyUsedEntry() throws Exception {
     CompileCache cache = cache(25);
     Path output = Files.createDirectories(directory.resolve("output"));
     Files.writeString(output.resolve("program"), "0123456789");
@@ -153,7 +153,7 @@ class CompileCacheTest {
   }
 
   @Test
-  void severalMayKeepTheSameAtTheSameTime() throws Exception {
+  void severalProcessesMayAddTheSameEntry() throws Exception {
     CompileCache cache = cache(1 << 20);
     Path output = Files.createDirectories(directory.resolve("output"));
     Files.writeString(output.resolve("program"), "0123456789");
@@ -181,7 +181,7 @@ class CompileCacheTest {
   }
 
   @Test
-  void whatAKilledProcessLeftGoesWithTheNextEntryAndWhatIsInTheMakingStays() throws Exception {
+  void removesDraftsOfKilledProcesses() throws Exception {
     Path folder = directory.resolve("cache");
     Path killed = aside(folder, "new123", 61);
     Path killedWhileRemoving = aside(folder, "old123", 61);
@@ -205,7 +205,7 @@ class CompileCacheTest {
   }
 
   @Test
-  void aKeyCannotLeaveTheCache() {
+  void rejectsAPathAsKey() {
     CompileCache cache = cache(1);
 
     assertThatThrownBy(() -> cache.restore("../x", directory, folder -> true))
@@ -228,7 +228,7 @@ class CompileCacheTest {
   }
 
   @Test
-  void whatIsNoFileOfTheCompilersOwnIsNotKept() throws Exception {
+  void rejectsFilesThatNoCompilerWrites() throws Exception {
     Path secret = Files.writeString(directory.resolve("secret"), "the agent's key");
     CompileCache cache = new CompileCache(new SharedCache(directory.resolve("odd")), 1 << 20);
     Path output = Files.createDirectory(directory.resolve("output"));

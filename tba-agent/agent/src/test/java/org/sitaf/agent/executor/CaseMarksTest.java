@@ -11,13 +11,13 @@ class CaseMarksTest {
   private final CaseMarks marks = new CaseMarks((text, no) -> heard.add(no + "|" + text));
 
   @Test
-  void textIsTheCasesThatPrintedIt() {
+  void attributesTextToTheCaseThatPrintedIt() {
     marks.read("before\n\u001ecase 7\nseven\nmore\u001ecase 12\ntwelve\n\u001ecase 0\nafter");
     assertThat(heard).containsExactly("0|before\n", "7|seven\nmore", "12|twelve\n", "0|after");
   }
 
   @Test
-  void aMarkMayComeInPieces() {
+  void readsAMarkInPieces() {
     for (char c : "a\u001ecase 7\nb".toCharArray()) {
       marks.read(String.valueOf(c));
     }
@@ -25,7 +25,7 @@ class CaseMarksTest {
   }
 
   @Test
-  void whatIsNoMarkIsTextLikeAllOther() {
+  void treatsInvalidMarksAsText() {
     marks.read("\u001ecase x\ny \u001e\u001ecase 3\nthree \u001ecase 12345678901\n");
     assertThat(String.join("", heard.stream().map(h -> h.substring(2)).toList()))
         .isEqualTo("\u001ecase x\ny \u001ethree \u001ecase 12345678901\n");

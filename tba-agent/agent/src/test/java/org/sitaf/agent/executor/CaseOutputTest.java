@@ -16,8 +16,8 @@ import org.sitaf.agent.testing.Recording;
 import org.sitaf.core.activity.ActivityProfile.Language;
 
 /**
- * What cases print is told apart in the log, whatever the language and the way of printing. In
- * which order the two streams arrive nobody knows.
+ * The log attributes output to cases, for all languages and ways of printing. The order of the two
+ * streams is undefined.
  */
 @Tag("slow")
 @Timeout(300)
@@ -44,7 +44,7 @@ class CaseOutputTest {
   }
 
   @Test
-  void ofAComponentInJava() throws Exception {
+  void coverageOfAJavaComponent() throws Exception {
     String log =
         logOf(
             EchoActivity.doing(
@@ -62,7 +62,7 @@ class CaseOutputTest {
   }
 
   @Test
-  void ofAComponentInPython() throws Exception {
+  void coverageOfAPythonComponent() throws Exception {
     isThere(Language.PYTHON);
     String log =
         logOf(
@@ -86,7 +86,7 @@ class CaseOutputTest {
   }
 
   @Test
-  void ofAComponentInCpp() throws Exception {
+  void coverageOfACppComponent() throws Exception {
     isThere(Language.CPP);
     String log =
         logOf(

@@ -19,7 +19,7 @@ import org.sitaf.agent.testing.EchoActivity;
 import org.sitaf.agent.testing.Recording;
 import org.sitaf.core.activity.ActivityProfile.Language;
 
-/** No compiler reads what is the agent's or another user's into what it compiles. */
+/** Compilers cannot include files of the agent or of other users. */
 @Tag("slow")
 @Timeout(300)
 class CompilersViewTest {
@@ -30,7 +30,7 @@ class CompilersViewTest {
   @BeforeEach
   void prepare() throws Exception {
     sandbox = SandboxMode.AUTO.open();
-    assumeTrue(!sandbox.kind().equals(Sandbox.NONE), "skipped for want of bubblewrap");
+    assumeTrue(!sandbox.kind().equals(Sandbox.NONE), "skipped: bubblewrap is not available");
     key = Files.writeString(directory.resolve("key"), "sitaf_secret_of_the_agent");
   }
 
@@ -63,29 +63,29 @@ class CompilersViewTest {
   }
 
   @Test
-  void anIncludeInCppReachesNoFileOfTheAgent() {
+  void aCppIncludeCannotReadFilesOfTheAgent() {
     assertThat(logOf(inCpp("#include \"" + key + "\"")))
         .contains("No such file or directory")
         .doesNotContain("sitaf_secret_of_the_agent");
   }
 
   @Test
-  void anIncludedObjectInCppReachesNoFileOfTheAgent() {
+  void anAssemblerIncludeCannotReadFilesOfTheAgent() {
     assertThat(logOf(inCpp("asm(\".section .rodata\\n.incbin \\\"" + key + "\\\"\\n.text\");")))
         .contains("file not found")
         .doesNotContain("sitaf_secret_of_the_agent");
   }
 
   @Test
-  void aPluginThatAPragmaWouldNameIsNoneOfTheCompilers() {
-    // Neither the profile nor a source can pass an option; a pragma that tries is no option.
+  void aPragmaCannotLoadAPlugin() {
+    // Neither the profile nor a pragma can pass compiler options.
     assertThat(logOf(inCpp("#pragma GCC optimize (\"-fplugin=/tmp/evil.so\")\n#error the end")))
         .contains("the end")
         .doesNotContain("evil.so: cannot open");
   }
 
   @Test
-  void compilingPythonRunsNothing() throws Exception {
+  void compilingPythonExecutesNoCode() throws Exception {
     assumeTrue(EchoActivity.toolchains().of(Language.PYTHON).isPresent(), "skipped: no Python");
     String log =
         logOf(

@@ -54,7 +54,7 @@ class EarlyProcessTest {
         }
       };
 
-  /** Starts the process, lets it wait, compiles meanwhile, and executes. */
+  /** Starts the process early, compiles, and executes. */
   private Execution execute(EchoActivity activity, Sandbox sandbox) throws Exception {
     TestApplication application = activity.application();
     Path files = directory.resolve("application");
@@ -107,7 +107,7 @@ class EarlyProcessTest {
   }
 
   @Test
-  void itFindsTheClassesThatCameWhileItWaitedAndRunsEveryCase() throws Exception {
+  void runsEveryCaseWithClassesThatWereCompiledLater() throws Exception {
     Execution execution =
         execute(EchoActivity.doing(REMEMBER_PROCESS + "return value;"), SandboxMode.AUTO.open());
 
@@ -120,7 +120,7 @@ class EarlyProcessTest {
   }
 
   @Test
-  void theComponentFindsItsInputAtTheEnd() throws Exception {
+  void standardInputOfTheComponentIsEmpty() throws Exception {
     Execution execution =
         execute(
             EchoActivity.doing("return System.in.read() == -1 ? value : -value;"), Sandbox.none());
@@ -129,7 +129,7 @@ class EarlyProcessTest {
   }
 
   @Test
-  void whatComesAfterItsCrashRunsInAProcessAsEver() throws Exception {
+  void casesAfterACrashRunInANewProcess() throws Exception {
     Execution execution =
         execute(
             EchoActivity.doing(
@@ -146,7 +146,7 @@ class EarlyProcessTest {
   }
 
   @Test
-  void aCompilationThatFailsEndsIt() throws Exception {
+  void aFailedCompilationEndsTheProcess() throws Exception {
     Path build = directory.resolve("build");
     BuildOutcome outcome =
         new BuildRun(
@@ -168,7 +168,7 @@ class EarlyProcessTest {
         try {
           environments.add(Files.readString(process.resolve("environ")));
         } catch (IOException e) {
-          // It ended meanwhile, or is another user's.
+          // The process has ended or belongs to another user.
         }
       }
     }

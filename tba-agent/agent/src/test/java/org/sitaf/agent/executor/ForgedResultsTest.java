@@ -23,8 +23,8 @@ import org.sitaf.core.verdict.TestResult;
 import org.sitaf.core.verdict.Verdict;
 
 /**
- * Components that write results of their own, on the real runtimes and drivers: none of it makes a
- * case pass that did not, and what reaches the results channel makes the build suspect.
+ * Components that forge results, with the real runtimes and drivers: a failed case never passes,
+ * and forged lines in the results channel make the build suspect.
  */
 @Tag("slow")
 @Timeout(300)
@@ -194,7 +194,7 @@ class ForgedResultsTest {
     assertThat(result.cases().get(1).verdict()).isEqualTo(Verdict.ERROR);
     caseFiveFails(result);
     isSuspect(result, "a line without number and token");
-    isSuspect(result, "was due");
+    isSuspect(result, "expected line");
   }
 
   @ParameterizedTest
@@ -215,13 +215,13 @@ class ForgedResultsTest {
             });
 
     assertThat(result.cases()).extracting(CaseResult::verdict).contains(Verdict.DONT);
-    assertThat(result.cases().get(4).message()).contains("more than 16 MiB that are no results");
+    assertThat(result.cases().get(4).message()).contains("more than 16 MiB of unexpected lines");
     isSuspect(result, "a line without number and token");
     assertThat(recording.logText()).hasSizeLessThan(MAX_LOG);
   }
 
   @Test
-  void aLineWithoutEndTakesNoMemoryAndEndsTheBuild() throws Exception {
+  void anEndlessLineEndsTheBuildWithoutUsingMemory() throws Exception {
     TestResult result =
         result(
             Language.JAVA,
@@ -229,7 +229,7 @@ class ForgedResultsTest {
                 + " try (var out = new java.io.FileOutputStream(\"/dev/fd/3\")) {"
                 + " for (int i = 0; i < 1024; i++) out.write(all); }");
 
-    assertThat(result.cases().get(4).message()).contains("more than 16 MiB that are no results");
+    assertThat(result.cases().get(4).message()).contains("more than 16 MiB of unexpected lines");
     assertThat(result.isSuspect()).isTrue();
     assertThat(recording.logText()).hasSizeLessThan(MAX_LOG);
   }
@@ -258,9 +258,9 @@ class ForgedResultsTest {
     isSuspect(result, "(200000 times)");
   }
 
-  /** The driver's own verdict FAIL becomes PASS; what it measured stays what it is. */
+  /** Replaces the driver's verdict FAIL by PASS and keeps the measured value. */
   @Test
-  void aVerdictThatTheComponentChangedIsFoundOutByTheValue() throws Exception {
+  void detectsAForgedVerdict() throws Exception {
     TestResult result =
         result(
             EchoActivity.doing(
@@ -292,7 +292,7 @@ class ForgedResultsTest {
   }
 
   @Test
-  void aProcessThatIsLeftBehindCannotWriteForTheNext() throws Exception {
+  void aLeftoverProcessCannotForgeLaterResults() throws Exception {
     TestResult result =
         result(
             Language.CPP,
@@ -304,7 +304,7 @@ class ForgedResultsTest {
   }
 
   @Test
-  void aDriverWhoseDescriptorsWereClosedPassesNothing() throws Exception {
+  void noCasePassesIfTheDescriptorsAreClosed() throws Exception {
     TestResult result = result(Language.CPP, "for (int fd = 3; fd < 1024; ++fd) { close(fd); }");
 
     assertThat(result.summary().pass()).isEqualTo(1);
@@ -312,7 +312,7 @@ class ForgedResultsTest {
   }
 
   @Test
-  void anInitialiserThatReadsStandardInputFindsNoToken() throws Exception {
+  void aStaticInitializerCannotReadTheToken() throws Exception {
     TestResult result =
         result(
             EchoActivity.inCpp("demo::Component")
@@ -340,7 +340,7 @@ class ForgedResultsTest {
   }
 
   @Test
-  void aModuleOfTheComponentThatPythonLoadsByItselfIsNotLoadedBeforeTheRuntime() throws Exception {
+  void loadsTheRuntimeBeforeModulesOfTheComponent() throws Exception {
     String spying = "import os, sys\nprint('spying', os.read(0, 100), file=sys.stderr)\n";
     TestResult result =
         result(

@@ -25,7 +25,7 @@ import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.TestResult;
 import org.sitaf.core.verdict.Verdict;
 
-/** Whatever a component does, its own case pays for it and the others have their results. */
+/** A hostile component fails its own case only; the other cases have results. */
 @Tag("slow")
 @Timeout(120)
 class HostileComponentsTest {
@@ -66,7 +66,7 @@ class HostileComponentsTest {
   }
 
   @Test
-  void anExitIsAnErrorWithItsCodeAndLastWords() {
+  void reportsTheExitCodeAndLastLineOfACrash() {
     TestResult result =
         result(
             EchoActivity.doing(
@@ -77,14 +77,14 @@ class HostileComponentsTest {
   }
 
   @Test
-  void anExitWithTheCodeOfSuccessIsAnErrorToo() {
+  void anEarlyExitWithCodeZeroIsAnError() {
     TestResult result = result(EchoActivity.doing("if (value == 3) System.exit(0); return value;"));
 
     onlyThirdIsError(result, "exit code 0");
   }
 
   @Test
-  void aDeathBySignalIsNamed() {
+  void namesTheSignalOfACrash() {
     TestResult result =
         result(
             EchoActivity.doing(
@@ -96,7 +96,7 @@ class HostileComponentsTest {
   }
 
   @Test
-  void aHangIsAnErrorAfterTheLimitOfACase() {
+  void aHangIsAnErrorAfterTheTimeout() {
     TestResult result =
         result(
             EchoActivity.doing("while (value == 3) { Thread.onSpinWait(); } return value;")
@@ -108,7 +108,7 @@ class HostileComponentsTest {
   }
 
   @Test
-  void slowCasesTogetherMayTakeLongerThanTheLimitOfOne() {
+  void theTimeoutAppliesToEachCase() {
     TestResult result =
         result(EchoActivity.doing("Thread.sleep(400); return value;").caseWallSeconds(1.5));
 
@@ -116,7 +116,7 @@ class HostileComponentsTest {
   }
 
   @Test
-  void aFloodOfOutputIsCutWithANote() {
+  void cutsTooMuchOutput() {
     TestResult result =
         result(
             EchoActivity.doing(
@@ -130,7 +130,7 @@ class HostileComponentsTest {
   }
 
   @Test
-  void outputThatIsNoTextBecomesText() {
+  void replacesInvalidUtf8() {
     TestResult result =
         result(
             EchoActivity.doing(
@@ -152,7 +152,7 @@ class HostileComponentsTest {
   }
 
   @Test
-  void anApplicationThatCannotGoOnLeavesTheRestWithItsReason() {
+  void reportsWhyATestApplicationCannotContinue() {
     TestResult result =
         result(
             EchoActivity.doing(
@@ -165,14 +165,14 @@ class HostileComponentsTest {
   }
 
   @Test
-  void aComponentThatExitsAsIfItCouldNotGoOnIsAnError() {
+  void aComponentThatExitsWithTheRuntimesCodeIsAnError() {
     TestResult result = result(EchoActivity.doing("if (value == 3) System.exit(3); return value;"));
 
     onlyThirdIsError(result, "exit code 3");
   }
 
   @Test
-  void anApplicationThatDoesNotStartBlamesNoCase() {
+  void aFailedStartIsNotTheFaultOfACase() {
     TestResult result =
         result(
             EchoActivity.withComponent(
@@ -186,7 +186,7 @@ class HostileComponentsTest {
   }
 
   @Test
-  void memoryBeyondTheLimitEndsTheCaseAlone() {
+  void exceedingTheMemoryLimitFailsOnlyItsCase() {
     TestResult result =
         result(
             EchoActivity.doing(
@@ -199,7 +199,7 @@ class HostileComponentsTest {
   }
 
   @Test
-  void whatAComponentLeavesRunningIsGoneAfterTheBuild() throws Exception {
+  void killsBackgroundProcessesAfterTheBuild() throws Exception {
     String seconds = "1000." + ProcessHandle.current().pid() + getClass().getSimpleName().length();
     TestResult result =
         result(
@@ -216,7 +216,7 @@ class HostileComponentsTest {
   }
 
   @Test
-  void aCancelledBuildEndsAtOnceAndLeavesNoProcess() throws Exception {
+  void aCancelledBuildEndsAtOnceWithItsProcesses() throws Exception {
     BuildRun run = run(EchoActivity.doing("if (value == 2) Thread.sleep(60000); return value;"));
     CompletableFuture<BuildOutcome> outcome = CompletableFuture.supplyAsync(run::run);
     recording.awaitCases(1);
@@ -236,7 +236,7 @@ class HostileComponentsTest {
   }
 
   @Test
-  void theAgentsEnvironmentIsNotTheComponents() {
+  void hidesTheAgentsEnvironment() {
     TestResult result =
         result(
             EchoActivity.doing(

@@ -92,7 +92,7 @@ class HostileLanguagesTest {
         () -> "skipped: " + EchoActivity.toolchains().missingMessage(language));
   }
 
-  /** Case 2 hangs, case 3 ends the process, and the others have their results. */
+  /** Case 2 hangs, case 3 ends the process, and the others have results. */
   private void eachPaysForItself(TestResult result, String where) {
     assertThat(result.cases())
         .extracting(CaseResult::verdict)
@@ -118,7 +118,7 @@ class HostileLanguagesTest {
   }
 
   @Test
-  void aComponentInCppPaysForItself() throws Exception {
+  void aCppComponentFailsOnlyItsCases() throws Exception {
     isThere(Language.CPP);
     TestResult result =
         result(
@@ -131,7 +131,7 @@ class HostileLanguagesTest {
   }
 
   @Test
-  void aComponentInPythonPaysForItself() throws Exception {
+  void aPythonComponentFailsOnlyItsCases() throws Exception {
     isThere(Language.PYTHON);
     TestResult result =
         result(EchoActivity.inPython("component.Component").file("component/component.py", PYTHON));

@@ -23,13 +23,11 @@ import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.TestResult;
 import org.sitaf.core.verdict.Verdict;
 
-/**
- * What a component leaves on the disk changes no verdict but that of the case that broke a limit.
- */
+/** Files that a component leaves affect only the verdict of the case that exceeded a limit. */
 @Tag("slow")
 @Timeout(180)
 class LeftoversTest {
-  /** Where JaCoCo writes to: a component may find it out as well. */
+  /** The path of JaCoCo's record, which a component can find out, too. */
   private static final String COVERAGE =
       """
       java.nio.file.Path data = null;
@@ -45,7 +43,7 @@ class LeftoversTest {
   private final Recording recording = new Recording();
 
   @AfterEach
-  void deleteWhatJavaHasNoPathFor() throws IOException {
+  void deleteDeepFolders() throws IOException {
     Folders.delete(directory.resolve("build"));
   }
 
@@ -61,7 +59,8 @@ class LeftoversTest {
 
   private static Sandbox sandbox() throws IOException {
     assumeTrue(
-        !SandboxMode.AUTO.open().kind().equals(Sandbox.NONE), "skipped for want of bubblewrap");
+        !SandboxMode.AUTO.open().kind().equals(Sandbox.NONE),
+        "skipped: bubblewrap is not available");
     return SandboxMode.REQUIRED.open();
   }
 
@@ -84,7 +83,7 @@ class LeftoversTest {
   }
 
   @Test
-  void deepFoldersInTheCoverageFolderChangeNoVerdict() throws Exception {
+  void deepFoldersInTheCoverageFolderAffectNoVerdict() throws Exception {
     TestResult result =
         result(
             COVERAGE
@@ -100,7 +99,7 @@ class LeftoversTest {
   }
 
   @Test
-  void aPipeOrALinkInPlaceOfTheCoverageIsNotRead() throws Exception {
+  void doesNotReadAPipeOrLinkInsteadOfCoverageData() throws Exception {
     everyCasePasses(
         result(
             COVERAGE
@@ -115,7 +114,7 @@ class LeftoversTest {
                   java.nio.file.Files.createSymbolicLink(parent.resolve("a/jacoco.exec"),
                       java.nio.file.Path.of("/dev/zero"));
                   java.nio.file.Files.createDirectory(parent.resolve("b/jacoco.exec"));
-                  // A record that names two thousand million probes.
+                  // A record that claims to have two billion probes.
                   java.nio.file.Files.write(parent.resolve("c/jacoco.exec"), new byte[] {
                       1, (byte) 0xC0, (byte) 0xC0, 0x10, 7, 0x11, 0, 0, 0, 0, 0, 0, 0, 1,
                       0, 14, 'd', 'e', 'm', 'o', '/', 'C', 'o', 'm', 'p', 'o', 'n', 'e', 'n', 't',
@@ -125,7 +124,7 @@ class LeftoversTest {
   }
 
   @Test
-  void manyMebibytesCostTheCaseThatWritesThem() throws Exception {
+  void tooLargeFilesFailTheirCase() throws Exception {
     onlyThirdIsError(
         result(
             "if (value == 3) { "
@@ -137,7 +136,7 @@ class LeftoversTest {
   }
 
   @Test
-  void threeGibibytesThatTakeNoRoomCostTheirCaseToo() throws Exception {
+  void sparseFilesFailTheirCase() throws Exception {
     onlyThirdIsError(
         result(
             "if (value == 3) { "
@@ -149,7 +148,7 @@ class LeftoversTest {
   }
 
   @Test
-  void manyFilesCostTheCaseThatWritesThem() throws Exception {
+  void tooManyFilesFailTheirCase() throws Exception {
     onlyThirdIsError(
         result(
             "if (value == 3) { "
@@ -161,7 +160,7 @@ class LeftoversTest {
   }
 
   @Test
-  void oddTreesInItsOwnFoldersKeepNoProcessFromFollowing() throws Exception {
+  void oddTreesDoNotPreventTheNextProcess() throws Exception {
     onlyThirdIsError(
         result(
             "if (value == 3) { "
@@ -173,7 +172,7 @@ class LeftoversTest {
   }
 
   @Test
-  void theCasesTogetherHaveALimitOfTime() throws Exception {
+  void limitsTheTotalTimeOfAllCases() throws Exception {
     TestResult result =
         result(
             EchoActivity.doing("Thread.sleep(value == 1 ? 0 : 9000); return value;"),
@@ -182,6 +181,6 @@ class LeftoversTest {
     assertThat(result.cases().get(0).verdict()).isEqualTo(Verdict.PASS);
     assertThat(result.summary().dont()).isEqualTo(4);
     assertThat(result.cases().get(4).message())
-        .isEqualTo("all cases together took longer than 8 s");
+        .isEqualTo("the cases exceeded their total time of 8 s");
   }
 }

@@ -19,7 +19,7 @@ import org.sitaf.core.suite.TestSuite;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.Verdict;
 
-/** What is written to a results channel, and what becomes of it. */
+/** Lines in the results channel and how they are handled. */
 @Timeout(60)
 class ResultsChannelTest {
   @TempDir private Path folder;
@@ -77,7 +77,7 @@ class ResultsChannelTest {
   }
 
   @Test
-  void numberedLinesWithTheTokenAreResults() throws Exception {
+  void acceptsNumberedLinesWithTheToken() throws Exception {
     assertThat(line(1, "")).isTrue();
     assertThat(progress.isReady()).isTrue();
     assertThat(channel.pipe()).doesNotExist();
@@ -91,7 +91,7 @@ class ResultsChannelTest {
   }
 
   @Test
-  void aLineThatIsNotTheDriversIsNoResultAndNoSignOfLife() throws Exception {
+  void aForgedLineIsNeitherAResultNorProgress() throws Exception {
     line(1, "");
     String guessed = "0".repeat(channel.token().length());
 
@@ -104,28 +104,28 @@ class ResultsChannelTest {
     assertThat(progress.count()).isZero();
     assertThat(progress.suspicions())
         .containsExactly(
-            "a line without number and token (5 times)", "line -1 came where line 2 was due");
+            "a line without number and token (5 times)", "got line -1, expected line 2");
     assertThat(line(2, passed(1))).isTrue();
     assertThat(progress.count()).isEqualTo(1);
   }
 
   @Test
-  void aLineThatCameBeforeIsNotTakenAgain() throws Exception {
+  void rejectsARepeatedLine() throws Exception {
     line(1, "");
     line(2, passed(1));
     assertThat(line(2, passed(2))).isFalse();
 
     assertThat(progress.count()).isEqualTo(1);
-    assertThat(progress.suspicions()).containsExactly("line 2 came where line 3 was due");
+    assertThat(progress.suspicions()).containsExactly("got line 2, expected line 3");
   }
 
   @Test
-  void aLineThatIsMissingIsSuspectAndWhatFollowsCounts() throws Exception {
+  void aMissingLineIsSuspectAndLaterResultsCount() throws Exception {
     line(1, "");
     line(3, passed(1));
 
     assertThat(progress.count()).isEqualTo(1);
-    assertThat(progress.suspicions()).containsExactly("line 3 came where line 2 was due");
+    assertThat(progress.suspicions()).containsExactly("got line 3, expected line 2");
   }
 
   @Test
@@ -138,13 +138,13 @@ class ResultsChannelTest {
     assertThat(progress.results()).extracting(CaseResult::no).containsExactly(2);
     assertThat(progress.suspicions())
         .containsExactly(
-            "results came in another order than the cases of the suite",
+            "results arrived in another order than the cases of the suite",
             "a second result of a case",
-            "a result of a case that the suite does not hold");
+            "a result of a case that is not in the suite");
   }
 
   @Test
-  void valuesAreThoseOfTheSuiteWhateverALineSays() throws Exception {
+  void takesValuesFromTheSuite() throws Exception {
     line(1, "");
     line(2, passed(1, "7", "1.5"));
 
@@ -152,11 +152,11 @@ class ResultsChannelTest {
     assertThat(result.values()).containsExactly("1");
     assertThat(result.expected().get(0).literal()).isEqualTo("1");
     assertThat(progress.suspicions())
-        .containsExactly("a result has other values, or expects other values, than its case");
+        .containsExactly("a result has other input or expected values than its case");
   }
 
   @Test
-  void aTimeThatCannotBeTrueIsLeftOut() throws Exception {
+  void ignoresAnImpossibleProcessingTime() throws Exception {
     line(1, "");
     line(2, passed(1, "1", "1000000"));
     line(3, passed(2, "2", "9000000"));
@@ -172,7 +172,7 @@ class ResultsChannelTest {
   }
 
   @Test
-  void halfALineIsNoResult() throws Exception {
+  void anIncompleteLineIsNotAResult() throws Exception {
     line(1, "");
     write("2 " + channel.token() + " " + passed(1));
 
@@ -182,7 +182,7 @@ class ResultsChannelTest {
   }
 
   @Test
-  void aResultThatIsTooLongIsAnErrorOfItsCase() throws Exception {
+  void aTooLongResultIsAnErrorOfItsCase() throws Exception {
     line(1, "");
     Thread writer =
         new Thread(
@@ -207,7 +207,7 @@ class ResultsChannelTest {
   }
 
   @Test
-  void thereAreFewRemarksWhateverComes() throws Exception {
+  void limitsTheNumberOfSuspicions() throws Exception {
     line(1, "");
     for (int i = 0; i < 100_000; i++) {
       line(1 + i % 1000 - 500, "");

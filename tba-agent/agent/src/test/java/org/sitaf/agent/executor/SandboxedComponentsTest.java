@@ -15,14 +15,14 @@ import org.sitaf.agent.sandbox.SandboxMode;
 import org.sitaf.agent.testing.EchoActivity;
 import org.sitaf.core.verdict.TestResult;
 
-/** All that holds without a sandbox holds in one, and what only a sandbox keeps off. */
+/** The tests without a sandbox, repeated in one, and tests of its restrictions. */
 @Tag("slow")
 class SandboxedComponentsTest extends HostileComponentsTest {
   @Override
   Sandbox sandbox() throws IOException {
     assumeTrue(
         !SandboxMode.AUTO.open().kind().equals("none"),
-        "skipped for want of bubblewrap: " + SandboxMode.AUTO.open().description());
+        "skipped: bubblewrap is not available: " + SandboxMode.AUTO.open().description());
     return SandboxMode.REQUIRED.open();
   }
 
@@ -32,7 +32,7 @@ class SandboxedComponentsTest extends HostileComponentsTest {
     assertThat(result.summary().pass()).describedAs(recording.logText()).isEqualTo(5);
   }
 
-  private void theNextBuildIsClean() {
+  private void assertNextBuildPasses() {
     EchoActivity next = EchoActivity.doing("return value;");
     next.application();
     directory = directory.resolve("next");
@@ -40,14 +40,14 @@ class SandboxedComponentsTest extends HostileComponentsTest {
   }
 
   @Test
-  void theLogSaysWhichSandbox() {
+  void logsTheSandbox() {
     everyCasePasses("return value;");
 
     assertThat(recording.logText()).contains("[sitaf] bubblewrap ");
   }
 
   @Test
-  void aForkBombCostsItsOwnCase() {
+  void aForkBombFailsOnlyItsCase() {
     TestResult result =
         result(
             EchoActivity.doing(
@@ -61,15 +61,15 @@ class SandboxedComponentsTest extends HostileComponentsTest {
                     return value;""")
                 .caseWallSeconds(2));
 
-    // It waits, unless its bomb took the last process before the JVM could watch over it.
+    // The process waits, unless the bomb used up the processes before the JVM had started.
     onlyThirdIsError(result, "");
     assertThat(result.cases().get(2).message())
         .containsPattern("no answer within 2 s|process/resource limits reached");
-    theNextBuildIsClean();
+    assertNextBuildPasses();
   }
 
   @Test
-  void aBombOfThreadsCostsItsOwnCase() {
+  void aThreadBombFailsOnlyItsCase() {
     TestResult result =
         result(
             EchoActivity.doing(
@@ -83,11 +83,11 @@ class SandboxedComponentsTest extends HostileComponentsTest {
                 .caseWallSeconds(3));
 
     onlyThirdIsError(result, "");
-    theNextBuildIsClean();
+    assertNextBuildPasses();
   }
 
   @Test
-  void memoryOfOtherProcessesCountsToo() {
+  void countsMemoryOfChildProcesses() {
     TestResult result =
         result(
             EchoActivity.doing(
@@ -99,11 +99,11 @@ class SandboxedComponentsTest extends HostileComponentsTest {
                 return value;"""));
 
     onlyThirdIsError(result, "it used more than 384 MiB of memory");
-    theNextBuildIsClean();
+    assertNextBuildPasses();
   }
 
   @Test
-  void nothingOutsideCanBeWritten() throws IOException {
+  void cannotWriteFilesOutside() throws IOException {
     Path outside = Files.writeString(directory.resolve("outside"), "untouched");
     everyCasePasses(
         """
@@ -113,7 +113,7 @@ class SandboxedComponentsTest extends HostileComponentsTest {
             java.nio.file.Files.writeString(java.nio.file.Path.of(place), "evil");
             return -1;
           } catch (java.io.IOException e) {
-            // As it should be.
+            // The expected value.
           }
         }
         return value;"""
@@ -123,7 +123,7 @@ class SandboxedComponentsTest extends HostileComponentsTest {
   }
 
   @Test
-  void theHarnessAndItsClassesCannotBeWritten() {
+  void cannotModifyTheHarness() {
     everyCasePasses(
         """
         for (String entry : System.getProperty("java.class.path").split(":")) {
@@ -147,7 +147,7 @@ class SandboxedComponentsTest extends HostileComponentsTest {
   }
 
   @Test
-  void otherProcessesAreNeitherSeenNorKilled() {
+  void cannotSeeOrKillOtherProcesses() {
     everyCasePasses(
         """
         long agent = %d;
@@ -159,7 +159,7 @@ class SandboxedComponentsTest extends HostileComponentsTest {
   }
 
   @Test
-  void killingItsParentHelpsNothing() {
+  void killingTheParentProcessHasNoEffect() {
     TestResult result =
         result(
             EchoActivity.doing(
@@ -173,7 +173,7 @@ class SandboxedComponentsTest extends HostileComponentsTest {
 
     assertThat(result.summary().pass()).isEqualTo(4);
     assertThat(result.summary().error()).isEqualTo(1);
-    theNextBuildIsClean();
+    assertNextBuildPasses();
   }
 
   @Test
@@ -191,12 +191,12 @@ class SandboxedComponentsTest extends HostileComponentsTest {
   }
 
   @Test
-  void itsOwnFolderMayBeDeleted() {
+  void aComponentMayDeleteItsFolder() {
     everyCasePasses(
         """
         new ProcessBuilder("sh", "-c", "rm -rf $PWD $HOME $TMPDIR /tmp/* ~").start().waitFor();
         return value;""");
-    theNextBuildIsClean();
+    assertNextBuildPasses();
   }
 
   @Test
@@ -228,7 +228,7 @@ class SandboxedComponentsTest extends HostileComponentsTest {
   }
 
   @Test
-  void itRunsAsNobodyOfThisMachine() {
+  void runsAsAnUnknownUser() {
     everyCasePasses(
         """
         var status = java.nio.file.Files.readAllLines(java.nio.file.Path.of("/proc/self/status"));

@@ -13,13 +13,13 @@ class SimulatorEndsTest {
   private final SimulatorEnds ends = new SimulatorEnds(2, 3);
 
   @Test
-  void onceIsNoCasesFault() {
+  void aSingleEndIsNotTheFaultOfTheCase() {
     assertThat(ends.after(1, true, KILLED).next()).isEqualTo(Next.TRY_AGAIN);
     assertThat(ends.after(2, true, KILLED).next()).isEqualTo(Next.TRY_AGAIN);
   }
 
   @Test
-  void twiceInTheSameCaseIsThatCasesFault() {
+  void twoEndsInACaseAreItsFault() {
     assertThat(ends.after(7, true, KILLED).next()).isEqualTo(Next.TRY_AGAIN);
     SimulatorEnds.Consequence second = ends.after(7, true, KILLED);
     assertThat(second.next()).isEqualTo(Next.BLAME_CASE);
@@ -28,20 +28,20 @@ class SimulatorEndsTest {
   }
 
   @Test
-  void aLimitIsTheFaultOfTheCaseThatReachedIt() {
+  void exceedingALimitIsTheFaultOfTheCase() {
     SimulatorEnds.Consequence consequence = ends.after(7, true, TOO_LARGE);
     assertThat(consequence.next()).isEqualTo(Next.BLAME_CASE);
     assertThat(consequence.message()).contains("it used too much");
   }
 
   @Test
-  void beforeTheFirstCaseNoCaseIsAtFault() {
+  void anEndBeforeTheFirstCaseIsNotTheFaultOfACase() {
     assertThat(ends.after(1, false, TOO_LARGE).next()).isEqualTo(Next.TRY_AGAIN);
     assertThat(ends.after(1, false, TOO_LARGE).next()).isEqualTo(Next.TRY_AGAIN);
   }
 
   @Test
-  void aBuildThatEndsItsSimulatorsAgainAndAgainIsGivenUp() {
+  void failsABuildThatCrashesItsSimulatorsRepeatedly() {
     for (int no = 1; no <= 3; no++) {
       assertThat(ends.after(no, true, KILLED).next()).isEqualTo(Next.TRY_AGAIN);
     }

@@ -39,7 +39,7 @@ record ObjectCache(Path folder) {
   private static final int FORMAT = 0x51_7a_f0_01;
   private static final int MOST_OF_A_KEY = 24;
   private static final int MOST = 5_000;
-  private static final long MOST_BYTES = 512L << 20;
+  private static final long MAX_BYTES = 512L << 20;
 
   /** What is larger is compiled each time. */
   private static final long MOST_BYTES_OF_AN_ENTRY = 32L << 20;
@@ -174,7 +174,7 @@ record ObjectCache(Path folder) {
       boolean comes = kept.file().getParent().equals(folder);
       bytes += kept.size();
       count++;
-      if (comes ? kept.used().toMillis() < abandoned : bytes > MOST_BYTES || count > MOST) {
+      if (comes ? kept.used().toMillis() < abandoned : bytes > MAX_BYTES || count > MOST) {
         Files.deleteIfExists(kept.file());
         deleteIfEmpty(kept.file().getParent());
       }

@@ -9,12 +9,12 @@ import org.sitaf.agent.toolchain.CompilationException;
 import org.sitaf.agent.toolchain.SourceDiagnostic;
 import org.sitaf.agent.toolchain.java.confined.Wire;
 
-/** What the compiler answers: classes, which are written as they come, or why there are none. */
+/** Reads the compiler's answer: classes, which are written at once, or errors. */
 final class CompilerAnswer implements CompilerProcess.Answer {
-  private static final int MOST_CLASSES = 50_000;
-  private static final int MOST_ERRORS = 100;
-  private static final int LONGEST_MESSAGE = 8000;
-  private static final int LONGEST_NAME = 255;
+  private static final int MAX_CLASSES = 50_000;
+  private static final int MAX_ERRORS = 100;
+  private static final int MAX_MESSAGE = 8000;
+  private static final int MAX_NAME = 255;
 
   private final List<JavaSource> sources;
   private final String component;
@@ -23,11 +23,11 @@ final class CompilerAnswer implements CompilerProcess.Answer {
   private int classes;
 
   /**
-   * An answer.
+   * Creates a reader for one answer.
    *
    * @param sources in the order of their numbers in the request
    * @param component the class under test
-   * @param output where classes are written; nobody but the agent writes there
+   * @param output folder for the classes, writable for the agent only
    */
   CompilerAnswer(List<JavaSource> sources, String component, Path output) {
     this.sources = sources;
@@ -35,7 +35,7 @@ final class CompilerAnswer implements CompilerProcess.Answer {
     this.output = output;
   }
 
-  /** The agent cannot write a class; nothing of it is the compiler's fault. */
+  /** The agent cannot write a class, which is not the compiler's fault. */
   static final class OutputException extends IOException {
     private static final long serialVersionUID = 1L;
 
@@ -51,7 +51,7 @@ final class CompilerAnswer implements CompilerProcess.Answer {
       switch (message.word()) {
         case Wire.CLASS -> write(message.text(0), message.bytes(1));
         case Wire.ERROR -> add(message);
-        case Wire.ABSENT -> throw absent(text(message, 0));
+        case Wire.ABSENT -> throw missingClass(text(message, 0));
         case Wire.NOT_A_JAR -> {
           String file = text(message, 0) + " is not a jar";
           throw new CompilationException(
@@ -59,7 +59,7 @@ final class CompilerAnswer implements CompilerProcess.Answer {
         }
         case Wire.GAVE_UP ->
             throw new CompilationException(
-                "the compiler gave up with " + text(message, 0) + "; simplify the sources",
+                "the compiler failed with " + text(message, 0) + "; simplify the sources",
                 List.of());
         case Wire.DONE -> {
           int count = message.number(0);
@@ -74,9 +74,9 @@ final class CompilerAnswer implements CompilerProcess.Answer {
   }
 
   private void write(String path, byte[] content) throws IOException, CompilationException {
-    if (++classes > MOST_CLASSES) {
+    if (++classes > MAX_CLASSES) {
       throw new CompilationException(
-          "the sources compile to more than " + MOST_CLASSES + " classes", List.of());
+          "the sources compile to more than " + MAX_CLASSES + " classes", List.of());
     }
     requireClassFile(path);
     try {
@@ -86,25 +86,25 @@ final class CompilerAnswer implements CompilerProcess.Answer {
     }
   }
 
-  /** Every part is a name of Java's, so that the path stays below the output. */
+  /** Checks that every part is a Java name, so that the path cannot leave the output folder. */
   private static void requireClassFile(String path) throws IOException {
     if (!path.endsWith(".class")) {
       throw unreadable("a path without .class");
     }
-    String name = path.substring(0, path.length() - ".class".length());
-    for (String part : name.split("/", -1)) {
+    String className = path.substring(0, path.length() - ".class".length());
+    for (String part : className.split("/", -1)) {
       if (part.isEmpty()
-          || part.length() > LONGEST_NAME
-          // A package-info has a hyphen.
+          || part.length() > MAX_NAME
+          // package-info contains a hyphen.
           || !part.codePoints().allMatch(c -> Character.isJavaIdentifierPart(c) || c == '-')
           || part.codePoints().anyMatch(Character::isIdentifierIgnorable)) {
-        throw unreadable("a path that no class has");
+        throw unreadable("an invalid class name");
       }
     }
   }
 
   private void add(Wire.Message message) throws IOException {
-    if (errors.size() == MOST_ERRORS) {
+    if (errors.size() == MAX_ERRORS) {
       throw unreadable("too many errors");
     }
     int number = message.number(0);
@@ -121,10 +121,7 @@ final class CompilerAnswer implements CompilerProcess.Answer {
             source != null && source.generated()));
   }
 
-  /**
-   * The errors as one failure; what is the user's comes first, because that is where it can be
-   * fixed.
-   */
+  /** Combines the errors; those in the user's files come first. */
   private CompilationException failure(int count) {
     List<SourceDiagnostic> sorted = new ArrayList<>(errors);
     sorted.sort(Comparator.comparing(SourceDiagnostic::generated));
@@ -137,7 +134,7 @@ final class CompilerAnswer implements CompilerProcess.Answer {
     return new CompilationException(what + ": " + number + "; " + first, sorted);
   }
 
-  private CompilationException absent(String defined) {
+  private CompilationException missingClass(String defined) {
     String message =
         "component: class: "
             + component
@@ -151,10 +148,10 @@ final class CompilerAnswer implements CompilerProcess.Answer {
 
   private static String text(Wire.Message message, int part) throws IOException {
     String text = message.text(part);
-    return text.substring(0, Math.min(LONGEST_MESSAGE, text.length()));
+    return text.substring(0, Math.min(MAX_MESSAGE, text.length()));
   }
 
   private static IOException unreadable(String what) {
-    return new IOException("its answer has " + what);
+    return new IOException("the compiler's answer has " + what);
   }
 }

@@ -19,37 +19,37 @@ import org.sitaf.agent.toolchain.CompilationException;
 import org.sitaf.agent.toolchain.java.confined.Wire;
 
 /**
- * Java's compiler in the sandbox, for one compilation. Its answer is taken as a stranger's, because
- * what it reads may have made it one.
+ * The Java compiler in the sandbox, for one compilation. Its answer is not trusted, because its
+ * input may have exploited it.
  */
 final class CompilerProcess implements AutoCloseable {
-  /** Next to the heap: classes, code, stacks, and jars that are mapped. */
+  /** Memory in addition to the heap: classes, code, stacks and mapped jars. */
   private static final int OVERHEAD_MIB = 512;
 
   private static final ProcessLimits LIMITS =
       new ProcessLimits(CompilerSetup.MEMORY_MIB + OVERHEAD_MIB, 256, 1024, Duration.ofMinutes(10));
-  private static final long LONGEST_ANSWER_BYTES = 512L << 20;
-  private static final Duration END = Duration.ofSeconds(5);
+  private static final long MAX_ANSWER_BYTES = 512L << 20;
+  private static final Duration EXIT_TIMEOUT = Duration.ofSeconds(5);
 
-  /** As shells add a signal's number. */
+  /** Exit code of a shell for SIGKILL. */
   private static final int KILLED = 137;
 
   private final Sandbox sandbox;
   private final Path folder;
   private final ConfinedProcess process;
-  private final Complaint complaint;
+  private final ErrorLine errorLine;
 
   private CompilerProcess(Sandbox sandbox, Path folder, ConfinedProcess process) {
     this.sandbox = sandbox;
     this.folder = folder;
     this.process = process;
-    this.complaint = new Complaint(process.errors());
+    this.errorLine = new ErrorLine(process.errors());
   }
 
   /**
-   * Starts a compiler, which waits for its request.
+   * Starts a compiler that waits for its request.
    *
-   * @param folder a folder that does not exist, for its files
+   * @param folder a folder that does not exist yet, for its files
    */
   static CompilerProcess start(CompilerSetup setup, Sandbox sandbox, Path folder)
       throws IOException {
@@ -66,56 +66,54 @@ final class CompilerProcess implements AutoCloseable {
     }
   }
 
-  /** Whether it can take a request, in this sandbox. */
+  /** Whether it can take a request in this sandbox. */
   boolean isReadyIn(Sandbox wanted) throws InterruptedException {
-    // Another agent of this cache may have taken the folder for one that was left behind.
+    // Another agent with the same cache may have removed the folder as stale.
     return sandbox.equals(wanted) && Files.isDirectory(folder) && !process.awaitEnd(Duration.ZERO);
   }
 
-  /** What a compilation is asked for. */
+  /** Writes the request. */
   interface Request {
     void write(OutputStream compiler) throws IOException;
   }
 
-  /** What becomes of the messages of the answer. */
+  /** Reads the answer. */
   interface Answer {
-    /** Takes the messages up to the last. */
+    /** Reads all messages up to the last one. */
     void read(Wire.Reader messages) throws IOException, CompilationException;
   }
 
-  /**
-   * Sends the request and reads the answer, once. Ends when the process is closed, at the latest.
-   */
+  /** Sends the request and reads the answer; call it once. Closing the process ends it. */
   void exchange(Request request, Answer answer)
       throws IOException, CompilationException, InterruptedException {
     boolean ready = false;
     try (OutputStream input = new BufferedOutputStream(process.input(), 1 << 16)) {
       Wire.Reader messages =
-          new Wire.Reader(new BufferedInputStream(process.output(), 1 << 16), LONGEST_ANSWER_BYTES);
-      // Before it is ready, so that it gets no warmer than it has time for.
+          new Wire.Reader(new BufferedInputStream(process.output(), 1 << 16), MAX_ANSWER_BYTES);
+      // Sent before the process is ready, so that it stops warming up.
       request.write(input);
       input.flush();
       if (!messages.next().word().equals(Wire.READY)) {
-        throw new IOException("it says something else than that it is ready");
+        throw new IOException("unexpected first message");
       }
       ready = true;
       answer.read(messages);
     } catch (CompilerAnswer.OutputException e) {
       throw e;
     } catch (IOException e) {
-      throw explained(ready, e);
+      throw explain(ready, e);
     }
   }
 
-  /** What it means that the exchange broke off. */
-  private IOException explained(boolean ready, IOException failure)
+  /** Explains why the exchange failed. */
+  private IOException explain(boolean ready, IOException failure)
       throws CompilationException, InterruptedException {
     boolean ended =
-        process.awaitEnd(failure instanceof Wire.ProtocolException ? Duration.ZERO : END);
+        process.awaitEnd(failure instanceof Wire.ProtocolException ? Duration.ZERO : EXIT_TIMEOUT);
     if (!ready) {
       return new IOException(
           "the Java compiler does not start: "
-              + (complaint.text().isEmpty() ? failure.getMessage() : complaint.text()),
+              + (errorLine.text().isEmpty() ? failure.getMessage() : errorLine.text()),
           failure);
     }
     if (process.exceededLimit().isPresent()
@@ -130,9 +128,9 @@ final class CompilerProcess implements AutoCloseable {
       return new IOException("the Java compiler was killed", failure);
     }
     throw new CompilationException(
-        "the compiler gave up ("
+        "the compiler failed ("
             + (ended ? "exit code " + process.exitCode() : failure.getMessage())
-            + (complaint.text().isEmpty() ? "" : ": " + complaint.text())
+            + (errorLine.text().isEmpty() ? "" : ": " + errorLine.text())
             + "); simplify the sources",
         List.of());
   }
@@ -147,16 +145,16 @@ final class CompilerProcess implements AutoCloseable {
     try {
       Folders.delete(folder);
     } catch (IOException e) {
-      // The next start of an agent tries again.
+      // The next start of an agent deletes it.
     }
   }
 
-  /** The first line that the process writes to its error stream; the rest is read and dropped. */
-  private static final class Complaint {
-    private static final int LONGEST = 300;
+  /** Keeps the first line of the error stream and discards the rest. */
+  private static final class ErrorLine {
+    private static final int MAX_LENGTH = 300;
     private final StringBuilder text = new StringBuilder();
 
-    Complaint(InputStream errors) {
+    ErrorLine(InputStream errors) {
       Thread reader = new Thread(() -> read(errors), "sitaf-javac-errors");
       reader.setDaemon(true);
       reader.start();
@@ -167,20 +165,20 @@ final class CompilerProcess implements AutoCloseable {
       try (errors) {
         for (int n = errors.read(buffer); n >= 0; n = errors.read(buffer)) {
           synchronized (text) {
-            if (text.length() < LONGEST) {
+            if (text.length() < MAX_LENGTH) {
               text.append(new String(buffer, 0, n, StandardCharsets.UTF_8));
             }
           }
         }
       } catch (IOException e) {
-        // The process is gone.
+        // The process has ended.
       }
     }
 
     String text() {
       synchronized (text) {
         String first = text.toString().lines().findFirst().orElse("").strip();
-        return first.substring(0, Math.min(LONGEST, first.length()));
+        return first.substring(0, Math.min(MAX_LENGTH, first.length()));
       }
     }
   }

@@ -17,8 +17,8 @@ import org.sitaf.agent.spool.Folders;
 import org.sitaf.agent.toolchain.CompilationException;
 
 /**
- * Compilers: one for each compilation, of which the next may be started ahead. None sees two
- * requests, so that nothing of one user's sources reaches another's classes.
+ * Starts a compiler for each compilation, the next one ahead. A process never handles two requests,
+ * so that the sources of one user cannot influence the classes of another.
  */
 final class CompilerProcesses {
   private final CompilerSetup setup;
@@ -28,16 +28,16 @@ final class CompilerProcesses {
   private boolean stopped;
 
   /**
-   * No compiler yet.
+   * Creates the pool without a process.
    *
-   * @param directory for their files; several agents may share it
+   * @param directory folder for their files; several agents may share it
    */
   CompilerProcesses(CompilerSetup setup, Path directory) {
     this.setup = setup;
     this.directory = directory;
   }
 
-  /** Starts the compiler of the next compilation, unless there is one. */
+  /** Starts the compiler of the next compilation, unless it is running. */
   synchronized void startAhead(Sandbox sandbox) throws IOException, InterruptedException {
     if (!stopped && (ahead == null || !ahead.isReadyIn(sandbox))) {
       endAhead();
@@ -45,7 +45,7 @@ final class CompilerProcesses {
     }
   }
 
-  /** Ends what was started ahead, and starts nothing ahead any more. */
+  /** Ends the process that was started ahead and starts no more. */
   synchronized void stop() {
     stopped = true;
     endAhead();
@@ -72,14 +72,14 @@ final class CompilerProcesses {
   private CompilerProcess start(Sandbox sandbox) throws IOException {
     String own = ProcessHandle.current().pid() + "-";
     if (count.get() == 0) {
-      deleteLeftBehind(own);
+      deleteStale(own);
     }
     return CompilerProcess.start(
         setup, sandbox, directory.resolve(own + System.nanoTime() + "-" + count.incrementAndGet()));
   }
 
-  /** Folders of agents that are gone begin with the number of a process that is. */
-  private void deleteLeftBehind(String own) throws IOException {
+  /** Deletes folders whose names start with the id of a process that has ended. */
+  private void deleteStale(String own) throws IOException {
     Files.createDirectories(directory);
     List<Path> folders;
     try (Stream<Path> all = Files.list(directory)) {
@@ -93,7 +93,7 @@ final class CompilerProcesses {
         try {
           Folders.delete(folder);
         } catch (IOException e) {
-          // Another user's.
+          // It belongs to another user.
         }
       }
     }
@@ -102,7 +102,7 @@ final class CompilerProcesses {
   /**
    * Compiles once.
    *
-   * @throws CompilationException also when the compiler takes longer or more memory than it may
+   * @throws CompilationException also if the compiler exceeds its time or memory
    */
   void compile(
       CompilerProcess.Request request,
@@ -123,7 +123,7 @@ final class CompilerProcesses {
       task.get(atMost.toMillis(), TimeUnit.MILLISECONDS);
     } catch (TimeoutException e) {
       throw new CompilationException(
-          "the compilation was given up after " + atMost.toSeconds() + " s", List.of());
+          "the compilation did not finish within " + atMost.toSeconds() + " s", List.of());
     } catch (ExecutionException e) {
       Throwable cause = e.getCause();
       if (cause instanceof CompilationException failure) {

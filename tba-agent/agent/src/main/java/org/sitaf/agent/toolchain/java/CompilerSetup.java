@@ -10,17 +10,17 @@ import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How Java's compiler is started: a JVM that holds nothing of the agent but the compiler's jar.
+ * The command of the Java compiler's JVM, whose class path holds only the compiler's jar.
  *
  * @param program the compiler's jar
- * @param archive of the classes that it loads, for a faster start; null where there is none
- * @param runtime jars that each class path begins with
- * @param processors jars of annotation processors and plugins that an administrator has named;
- *     without them none run, whatever a jar of the class path asks for
+ * @param archive class data sharing archive for a faster start; null for none
+ * @param runtime jars at the start of each class path
+ * @param processors jars of annotation processors and compiler plugins that the administrator
+ *     allows; all others are ignored, whatever a jar on the class path declares
  */
 record CompilerSetup(
     Path program, @Nullable Path archive, List<Path> runtime, List<Path> processors) {
-  /** What the compiler's heap may hold. */
+  /** Heap size of the compiler. */
   static final int MEMORY_MIB = 1024;
 
   static final Path JAVA_HOME = Path.of(System.getProperty("java.home"));
@@ -34,7 +34,7 @@ record CompilerSetup(
     processors = List.copyOf(processors);
   }
 
-  /** A JVM that starts fast and keeps to its memory. */
+  /** JVM options for a fast start and limited memory. */
   static List<String> jvm(int memoryMiB, Path temporary) {
     return List.of(
         JAVA_HOME.resolve("bin").resolve("java").toString(),
@@ -45,7 +45,7 @@ record CompilerSetup(
         "-XX:-UsePerfData",
         "-XX:-CreateCoredumpOnCrash",
         "-XX:+ExitOnOutOfMemoryError",
-        // Standard output carries messages alone.
+        // Standard output is reserved for messages.
         "-XX:+DisplayVMOutputToStderr",
         "-XX:ErrorFile=" + temporary.resolve("hs_err.log"),
         "-Djava.io.tmpdir=" + temporary,
@@ -56,7 +56,7 @@ record CompilerSetup(
     List<String> command = new ArrayList<>(jvm(MEMORY_MIB, temporary));
     if (archive != null) {
       command.add("-XX:SharedArchiveFile=" + archive);
-      // An archive of another Java is left out without a word.
+      // The JVM silently ignores an archive of another Java version.
       command.add("-Xlog:cds=off");
       command.add("-Xlog:cds+dynamic=off");
     }
@@ -75,14 +75,14 @@ record CompilerSetup(
     return readable;
   }
 
-  /** All that decides, next to the sources, what is compiled. */
+  /** Everything except the sources that determines the result. */
   String identity() throws IOException {
     StringBuilder identity = new StringBuilder(options().toString());
     List<Path> jars = new ArrayList<>(runtime);
     jars.addAll(processors);
     jars.add(program);
     for (Path jar : jars) {
-      // Jars are replaced as a whole; reading megabytes for each build would tell no more.
+      // Size and time identify a jar; reading megabytes for each build would add nothing.
       identity.append('\n').append(jar).append(' ').append(Files.size(jar));
       identity.append(' ').append(Files.getLastModifiedTime(jar));
     }

@@ -17,29 +17,29 @@ import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.agent.sandbox.ToolResult;
 
 /**
- * JaCoCo. Classes and records are the component's, so that they are read in the sandbox.
+ * JaCoCo. Runs in the sandbox, because it reads classes and records of the component.
  *
- * @param recorder JaCoCo's agent, a jar
- * @param reader jars of what reads its records
+ * @param recorder the jar of JaCoCo's agent
+ * @param reader jars that read the records
  */
 record CoverageTool(Path recorder, List<Path> reader) {
   private static final String MAIN = "org.sitaf.agent.toolchain.java.confined.CoverageMain";
-  private static final Duration LIMIT = Duration.ofMinutes(1);
-  private static final long MOST_BYTES = 64L << 20;
+  private static final Duration TIMEOUT = Duration.ofMinutes(1);
+  private static final long MAX_BYTES = 64L << 20;
   private static final int MEMORY_MIB = 512;
   private static final int OVERHEAD_MIB = 256;
   private static final ProcessLimits LIMITS =
-      new ProcessLimits(MEMORY_MIB + OVERHEAD_MIB, 256, 64, LIMIT);
+      new ProcessLimits(MEMORY_MIB + OVERHEAD_MIB, 256, 64, TIMEOUT);
 
   CoverageTool {
     reader = List.copyOf(reader);
   }
 
-  /** What processes have recorded under a name in their folders of {@code data}, line by line. */
+  /** Reads the records of all processes, one folder each, and returns the counts per line. */
   List<String> read(Path classes, Path data, String name, Path scratch, Sandbox sandbox)
       throws IOException, InterruptedException {
     Path work = Files.createTempDirectory(Files.createDirectories(scratch), "coverage");
-    // Another user's process reads them than the one that left them.
+    // The reader runs as another sandbox user than the processes that wrote the records.
     Path records = Files.createDirectories(work.resolve("records"));
     try (DirectoryStream<Path> processes = Files.newDirectoryStream(data)) {
       int count = 0;
@@ -60,20 +60,21 @@ record CoverageTool(Path recorder, List<Path> reader) {
             Confinement.of(command, work, work, LIMITS)
                 .reading(List.of(CompilerSetup.JAVA_HOME, classes))
                 .reading(reader),
-            LIMIT);
+            TIMEOUT);
     if (end.code() != 0) {
       throw new IOException(
           "JaCoCo's reader "
-              + (end.timedOut() ? "was given up after " + LIMIT.toSeconds() + " s" : "failed: ")
+              + (end.timedOut()
+                  ? "did not finish within " + TIMEOUT.toSeconds() + " s"
+                  : "failed: ")
               + end.errors().lines().findFirst().orElse(""));
     }
     return end.output().lines().toList();
   }
 
-  /** Copies a record, if it is one: its process has ended, so that it stays what it is. */
+  /** Copies a record if it is valid; its process has ended, so it no longer changes. */
   private static void copy(Path record, Path copy) throws IOException {
-    if (!Files.isRegularFile(record, LinkOption.NOFOLLOW_LINKS)
-        || Files.size(record) > MOST_BYTES) {
+    if (!Files.isRegularFile(record, LinkOption.NOFOLLOW_LINKS) || Files.size(record) > MAX_BYTES) {
       return;
     }
     try (InputStream content = Files.newInputStream(record, LinkOption.NOFOLLOW_LINKS)) {

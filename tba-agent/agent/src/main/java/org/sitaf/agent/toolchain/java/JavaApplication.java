@@ -15,10 +15,10 @@ import org.sitaf.core.verdict.Coverage;
 /**
  * A test application on a JVM.
  *
- * @param classPath runtime, libraries, and last the folder of classes; absolute
- * @param early whether processes start before the folder of classes is filled, and wait until it is
- * @param archive of the runtime's classes, for a faster start; null where there is none
- * @param recording null where nothing is recorded
+ * @param classPath absolute paths of runtime, libraries, and last the folder of classes
+ * @param early whether processes start before the folder of classes is filled, and wait for it
+ * @param archive class data sharing archive of the runtime for a faster start; null for none
+ * @param recording null if coverage is off
  */
 record JavaApplication(
     List<Path> classPath,
@@ -29,10 +29,10 @@ record JavaApplication(
     implements CompiledApplication {
   private static final Path JAVA_HOME = Path.of(System.getProperty("java.home"));
 
-  /** Of the runtime; takes the main class as its first argument. */
+  /** Main class of the runtime; its first argument is the main class of the test application. */
   private static final String EARLY_START = "org.sitaf.runtime.EarlyStart";
 
-  /** Metaspace, code, stacks and the collector's own. */
+  /** Memory for metaspace, code, stacks and the garbage collector. */
   private static final int OVERHEAD_MIB = 256;
 
   JavaApplication {
@@ -44,13 +44,13 @@ record JavaApplication(
     List<String> command = new ArrayList<>();
     command.add(JAVA_HOME.resolve("bin").resolve("java").toString());
     command.add("-Xmx" + place.memoryMiB() + "m");
-    // A suite is over before the optimising compiler pays; start-up is what counts.
+    // A suite ends before the optimizing compiler pays off; only start-up time matters.
     command.add("-XX:TieredStopAtLevel=1");
     command.add("-XX:+UseSerialGC");
     command.add("-Xshare:auto");
     if (archive != null) {
       command.add("-XX:SharedArchiveFile=" + archive);
-      // An archive of another Java is left out without a word.
+      // The JVM silently ignores an archive of another Java version.
       command.add("-Xlog:cds=off");
       command.add("-Xlog:cds+dynamic=off");
     }
@@ -63,7 +63,7 @@ record JavaApplication(
     command.add("-Dsun.stderr.encoding=UTF-8");
     if (recording != null && place.coverage() != null) {
       command.add(recording.flag(place.coverage()));
-      // Tells the runtime to save the record now and then, in case that the process is killed.
+      // Makes the runtime save the record periodically, in case the process is killed.
       command.add("-Dsitaf.coverage=true");
     }
     command.add("-cp");

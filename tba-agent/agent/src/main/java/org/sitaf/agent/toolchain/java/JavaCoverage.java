@@ -16,12 +16,12 @@ import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.verdict.Coverage;
 
 /**
- * Which lines of a Java component are reached.
+ * Line coverage of a Java component.
  *
- * @param classes where the component's classes are
- * @param folder of the component's sources within the activity, with a slash at its end
- * @param sources what is in that folder
- * @param scratch a folder for what nobody needs afterwards, absolute
+ * @param classes folder of the component's classes
+ * @param folder folder of the component's sources in the activity, with a trailing slash
+ * @param sources the files of that folder
+ * @param scratch absolute folder for temporary files
  */
 record JavaCoverage(
     CoverageTool tool,
@@ -34,7 +34,7 @@ record JavaCoverage(
   private static final String FILE = "file ";
   private static final Pattern LINE = Pattern.compile("(\\d{1,9}) ([01]) (\\d{1,9}) (\\d{1,9})");
 
-  /** Empty where the component has no sources. */
+  /** Empty if the component has no sources. */
   static Optional<JavaCoverage> of(Compilation compilation, CoverageTool tool) {
     String folder = compilation.application().activity().profile().component().sources();
     if (folder == null) {
@@ -52,24 +52,26 @@ record JavaCoverage(
             compilation.sandbox()));
   }
 
-  /** JaCoCo's agent, a jar. */
+  /** The jar of JaCoCo's agent. */
   Path recorder() {
     return tool.recorder();
   }
 
-  /** What the JVM is started with, to record into a folder. */
+  /** JVM options that record into a folder. */
   String flag(Path directory) {
     return "-javaagent:"
         + recorder()
         + "=destfile="
         + directory.resolve(DATA)
         + ",includes="
-        + String.join(":", recorded())
+        + String.join(":", recordedClasses())
         + ",jmx=false,inclnolocationclasses=false";
   }
 
-  /** The component's packages, and its classes that are in none. */
-  private TreeSet<String> recorded() {
+  /**
+   * Patterns of the classes to record: the component's packages and its classes without a package.
+   */
+  private TreeSet<String> recordedClasses() {
     TreeSet<String> patterns = new TreeSet<>();
     for (String path : sources.paths()) {
       if (path.endsWith(".java")) {
@@ -87,9 +89,9 @@ record JavaCoverage(
   }
 
   /**
-   * Reads what processes have recorded. What is not said of a source of the component is left out.
+   * Reads the recorded data; sources without data are omitted.
    *
-   * @param data holds a folder a process
+   * @param data holds one folder per process
    */
   Coverage read(Path data) throws IOException, InterruptedException {
     Map<String, List<Coverage.Line>> found = new TreeMap<>();

@@ -18,7 +18,7 @@ import org.sitaf.core.harness.InterfaceTestApplicationGenerator;
 import org.sitaf.core.harness.TestApplication;
 
 /**
- * A Java source of a test application, in memory, known by its path in the layout of the
+ * A Java source of a test application in memory, identified by its path in the layout of the
  * application.
  */
 final class JavaSource {
@@ -35,9 +35,9 @@ final class JavaSource {
   }
 
   /**
-   * The sources of component, adapter and harness, in the order of their paths.
+   * The sources of component, adapter and harness, sorted by path.
    *
-   * @throws CompilationException if one is not text in UTF-8
+   * @throws CompilationException if one is not UTF-8 text
    */
   static List<JavaSource> of(TestApplication application) throws CompilationException {
     NavigableMap<String, JavaSource> sources = new TreeMap<>();
@@ -46,7 +46,7 @@ final class JavaSource {
       FileTree inside = files.below(folder);
       for (String path : inside.paths()) {
         if (path.endsWith(".java")) {
-          String layoutPath = ACTIVITY + withSlash(folder) + path;
+          String layoutPath = ACTIVITY + withTrailingSlash(folder) + path;
           sources.put(layoutPath, decode(layoutPath, inside.content(path).orElseThrow(), false));
         }
       }
@@ -62,16 +62,15 @@ final class JavaSource {
     return List.copyOf(sources.values());
   }
 
-  /** Folders of the activity that hold the user's sources. */
+  /** The user's source folders in the activity. */
   static List<String> userFolders(TestApplication application) {
     Component component = application.activity().profile().component();
     return Stream.of(component.sources(), component.adapter()).filter(Objects::nonNull).toList();
   }
 
   /**
-   * The concrete test driver may be the user's own, kept in the activity: it goes by the user's
-   * path, so that an error in it is told where the user can mend it. Null where the source is
-   * generated.
+   * The concrete test driver may be the user's own file in the activity; its errors are reported
+   * with the path in the activity. Null if the source is generated.
    */
   private static @Nullable String userFileOf(String harnessPath, TestApplication application) {
     String kept =
@@ -91,14 +90,13 @@ final class JavaSource {
       return new JavaSource(path, text, generated);
     } catch (CharacterCodingException e) {
       throw new CompilationException(
-          path + " is not text in UTF-8",
-          List.of(new SourceDiagnostic(path, 0, 0, "not text in UTF-8; save it so", generated)));
+          path + " is not UTF-8 text",
+          List.of(new SourceDiagnostic(path, 0, 0, "not UTF-8 text; save it as UTF-8", generated)));
     }
   }
 
   /**
-   * Files beside the user's sources that are no sources: resources of the component, by path in the
-   * class path.
+   * Files in the user's source folders that are not sources: resources, by path on the class path.
    */
   static Map<String, byte[]> resources(TestApplication application) {
     Map<String, byte[]> resources = new TreeMap<>();
@@ -125,7 +123,7 @@ final class JavaSource {
     return text;
   }
 
-  private static String withSlash(String folder) {
+  private static String withTrailingSlash(String folder) {
     return folder.endsWith("/") ? folder : folder + "/";
   }
 }

@@ -31,8 +31,8 @@ import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.harness.TestApplication;
 
 /**
- * Compiles Java test applications in a process of the sandbox, without annotation processors but
- * those that an administrator has named: no code of the user runs while it is compiled.
+ * Compiles Java test applications in the sandbox. Only annotation processors that the administrator
+ * allows run, so the compilation executes no code of users.
  */
 public final class JavaToolchain implements Toolchain {
   private static final String ACTIVITY = "activity/";
@@ -54,11 +54,11 @@ public final class JavaToolchain implements Toolchain {
     this.coverage = coverage;
   }
 
-  /** Looks whether the Java that runs the agent can compile, and whether the runtime is there. */
+  /** Checks that the Java of the agent is a JDK and that the runtime is installed. */
   public static ToolchainLookup find(ToolchainPlaces places) {
     if (ToolProvider.getSystemJavaCompiler() == null) {
       return new Missing(
-          "the Java that runs the agent ("
+          "the Java version of the agent ("
               + System.getProperty("java.home")
               + ") is a runtime without a compiler",
           "run the agent with a JDK 17: apt-get install openjdk-17-jdk-headless");
@@ -82,7 +82,7 @@ public final class JavaToolchain implements Toolchain {
               places.cache().resolve("java")));
     } catch (IOException | UncheckedIOException e) {
       return new Missing(
-          String.valueOf(e.getMessage()), "install the agent with its runtime folders beside it");
+          String.valueOf(e.getMessage()), "install the agent with its runtime folders next to it");
     }
   }
 
@@ -104,7 +104,7 @@ public final class JavaToolchain implements Toolchain {
   @Override
   public Optional<CompiledApplication> openEarly(Compilation compilation)
       throws CompilationException, InterruptedException, IOException {
-    // A package may have to be fetched first.
+    // Packages may have to be downloaded first.
     return compilation.application().activity().profile().component().packageName() == null
         ? Optional.of(application(compilation, true))
         : Optional.empty();
@@ -164,7 +164,7 @@ public final class JavaToolchain implements Toolchain {
       throws IOException {
     FileTree files = compilation.application().activity().files();
     for (String path : files.paths()) {
-      // All of them: the manifest of one may name another.
+      // Send all jars: the manifest of one may refer to another.
       if (path.endsWith(".jar")) {
         Wire.write(compiler, Wire.JAR, utf8(ACTIVITY + path), files.content(path).orElseThrow());
       }
@@ -197,7 +197,7 @@ public final class JavaToolchain implements Toolchain {
   }
 
   /**
-   * The component's own library and the external ones, of which each must be a jar of the activity,
+   * The component's own library, the external ones, each of which must be a jar of the activity,
    * and its package.
    */
   private List<Path> libraries(Compilation compilation)
@@ -240,7 +240,7 @@ public final class JavaToolchain implements Toolchain {
     }
   }
 
-  /** Writes a file of the application, whose folder may have the name of another file. */
+  /** Writes a file of the application; fails if its folder has the name of another file. */
   static void write(Path classes, String path, byte[] content)
       throws CompilationException, IOException {
     Path file = classes.resolve(path);
@@ -255,11 +255,11 @@ public final class JavaToolchain implements Toolchain {
       }
       if (isFolder || !Files.isDirectory(folder, LinkOption.NOFOLLOW_LINKS)) {
         throw new CompilationException(
-            "the component's files do not fit together",
+            "the component's files conflict",
             List.of(
                 inProfile(
                     path
-                        + ": there is a file and a folder of one name; rename the component's"
+                        + ": a file and a folder have the same name; rename the component's"
                         + " file")));
       }
       throw e;

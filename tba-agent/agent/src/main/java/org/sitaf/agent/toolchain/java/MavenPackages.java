@@ -23,10 +23,10 @@ import org.sitaf.agent.toolchain.Compilation;
 import org.sitaf.agent.toolchain.CompilationException;
 
 /**
- * Packages by their Maven coordinates, with all that they need at run time. Maven fetches them, in
- * the sandbox, when they are asked for first, and never while a test runs; no code of theirs runs
- * then. It reaches the repositories that this machine is configured for, and none that a package
- * names: a package may name any address.
+ * Packages by Maven coordinates, with their runtime dependencies. Maven downloads them in the
+ * sandbox at their first use, never during a test, and executes none of their code. It uses only
+ * the repositories that this machine is configured for, because the POM of a package may name any
+ * address.
  */
 final class MavenPackages {
   private static final String PLUGIN =
@@ -35,69 +35,69 @@ final class MavenPackages {
   private static final Pattern COORDINATES =
       Pattern.compile("(" + WORD + "):(" + WORD + "):(" + WORD + ")");
 
-  /** What Maven may put before a line even where it is told to use no colours. */
+  /** Prefix that Maven may write even without colors. */
   private static final Pattern COLOUR = Pattern.compile("\u001b\\[[0-9;]*m");
 
-  /** How many lines of Maven's complaint are told. */
-  private static final int COMPLAINT = 6;
+  /** Number of error lines to report. */
+  private static final int MAX_ERROR_LINES = 6;
 
   private static final String REMEDY =
       "; install it (apt-get install maven), or give a .jar as 'library:'";
 
-  /** What a shell or a sandbox ends with where there is no such program. */
+  /** Exit code of a shell or sandbox for a missing program. */
   private static final int NOT_FOUND = 127;
 
   private static final Pattern JAR = Pattern.compile("[A-Za-z0-9_.+-]{1,250}\\.jar");
-  private static final int MOST_JARS = 1000;
+  private static final int MAX_JARS = 1000;
 
-  /** Where a repository has its name in Maven's settings. */
+  /** Repository ids in Maven's settings. */
   private static final Pattern REPOSITORY =
       Pattern.compile("<repository>.*?<id>\\s*([A-Za-z0-9_.-]{1,100})\\s*</id>", Pattern.DOTALL);
 
   private final Path cache;
-  private final Lock fetching = new ReentrantLock();
+  private final Lock downloadLock = new ReentrantLock();
 
   MavenPackages(Path cache) {
     this.cache = cache;
   }
 
   /**
-   * The jars of a package, fetched when they are asked for first.
+   * The jars of a package; downloads them at the first use.
    *
    * @param wanted such as {@code org.apache.commons:commons-math3:3.6.1}
-   * @throws CompilationException if it is spelled otherwise or cannot be fetched
+   * @throws CompilationException if the coordinates are invalid or the download fails
    */
   List<Path> jars(String wanted, Compilation compilation)
       throws CompilationException, IOException, InterruptedException {
     Matcher coordinates = COORDINATES.matcher(wanted.strip());
     if (!coordinates.matches()) {
-      throw refused(
+      throw failure(
           "'"
               + wanted
               + "' is not a package such as org.apache.commons:commons-math3:3.6.1, with group,"
               + " artifact and version");
     }
     Path folder = cache.resolve("packages").resolve(wanted.strip().replace(':', '!'));
-    // Maven's repository is not made for several that write it.
-    fetching.lockInterruptibly();
+    // Maven's local repository does not support concurrent writers.
+    downloadLock.lockInterruptibly();
     try {
       if (!Files.isDirectory(folder, LinkOption.NOFOLLOW_LINKS)) {
-        fetch(coordinates, folder, compilation);
+        download(coordinates, folder, compilation);
       }
     } finally {
-      fetching.unlock();
+      downloadLock.unlock();
     }
     try (Stream<Path> files = Files.list(folder)) {
       return files
           .filter(file -> Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS))
           .filter(file -> JAR.matcher(file.getFileName().toString()).matches())
-          .limit(MOST_JARS)
+          .limit(MAX_JARS)
           .sorted()
           .toList();
     }
   }
 
-  private void fetch(Matcher coordinates, Path folder, Compilation compilation)
+  private void download(Matcher coordinates, Path folder, Compilation compilation)
       throws CompilationException, IOException, InterruptedException {
     Path repository = Files.createDirectories(cache.resolve("repository"));
     Path working = Files.createTempDirectory(compilation.scratch(), "maven-");
@@ -131,7 +131,7 @@ final class MavenPackages {
             "--strict-checksums",
             "--settings",
             settings.toString(),
-            // What was not there before may be there by now.
+            // Check for updates: what was missing earlier may exist now.
             "--update-snapshots",
             "-Dmaven.repo.local=" + repository,
             "-DincludeScope=runtime",
@@ -151,10 +151,10 @@ final class MavenPackages {
                       .withNetwork(),
                   compilation.atMost());
     } catch (IOException e) {
-      throw refused(coordinates.group() + ": Maven cannot be started: " + e.getMessage() + REMEDY);
+      throw failure(coordinates.group() + ": Maven cannot be started: " + e.getMessage() + REMEDY);
     }
     if (end.code() != 0) {
-      throw refused(coordinates.group() + ": " + complaint(end, compilation));
+      throw failure(coordinates.group() + ": " + errorOf(end, compilation));
     }
     Files.createDirectories(folder.getParent());
     try {
@@ -163,13 +163,13 @@ final class MavenPackages {
       if (!Files.isDirectory(folder)) {
         throw e;
       }
-      // Another agent has fetched the same meanwhile.
+      // Another agent has downloaded the same package.
     }
   }
 
   /**
-   * Settings that keep Maven from every repository but its central one and those that the
-   * installation's own settings name, which stay in force.
+   * Settings that block all repositories except Maven Central and those in the installation's own
+   * settings, which stay in effect.
    */
   static String settings(String installed) {
     StringBuilder open = new StringBuilder("*,!central");
@@ -194,7 +194,7 @@ final class MavenPackages {
         .formatted(open);
   }
 
-  /** The installation's settings; empty where there are none. */
+  /** The installation's settings; empty if there are none. */
   private static String configuration() throws IOException {
     StringBuilder text = new StringBuilder();
     for (Path part : installation()) {
@@ -206,7 +206,7 @@ final class MavenPackages {
     return text.toString().replaceAll("(?s)<!--.*?-->", "");
   }
 
-  /** What Maven reads of its own; its settings may lie elsewhere, and only be linked to. */
+  /** Maven's own files; its settings may be links to another folder. */
   private static List<Path> installation() throws IOException {
     List<Path> found = new ArrayList<>();
     for (String folder : System.getenv().getOrDefault("PATH", "").split(File.pathSeparator)) {
@@ -224,12 +224,12 @@ final class MavenPackages {
     return found;
   }
 
-  private static String complaint(ToolResult end, Compilation compilation) {
+  private static String errorOf(ToolResult end, Compilation compilation) {
     if (end.timedOut()) {
-      return "Maven was given up after " + compilation.atMost().toSeconds() + " s";
+      return "Maven did not finish within " + compilation.atMost().toSeconds() + " s";
     }
     if (end.code() == NOT_FOUND) {
-      return "Maven is not there" + REMEDY;
+      return "Maven is not installed" + REMEDY;
     }
     List<String> errors =
         (end.output() + "\n" + end.errors())
@@ -237,18 +237,18 @@ final class MavenPackages {
             .map(line -> COLOUR.matcher(line).replaceAll(""))
             .filter(line -> line.startsWith("[ERROR]"))
             .map(line -> line.substring("[ERROR]".length()).strip())
-            // Then follows how to ask Maven for more.
+            // The remaining lines tell how to get more output.
             .takeWhile(line -> !line.isEmpty())
-            .limit(COMPLAINT)
+            .limit(MAX_ERROR_LINES)
             .toList();
     return errors.isEmpty()
-        ? "Maven ended with " + end.code() + ": " + end.errors().strip()
+        ? "Maven ended with exit code " + end.code() + ": " + end.errors().strip()
         : String.join("; ", errors);
   }
 
-  private static CompilationException refused(String reason) {
+  private static CompilationException failure(String reason) {
     return new CompilationException(
-        "the component's package cannot be fetched",
+        "the component's package cannot be downloaded",
         List.of(JavaToolchain.inProfile("component: package: " + reason)));
   }
 }

@@ -8,15 +8,14 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 
-/** What Java test applications link against, and what watches them. */
+/** The jars of the runtime of Java test applications. */
 final class RuntimeJars {
   private RuntimeJars() {}
 
   /**
-   * The jars of a folder that holds the runtime of Java test applications, in the order of their
-   * names.
+   * The jars of the runtime's folder, sorted by name.
    *
-   * @throws IOException if it does not hold the runtime
+   * @throws IOException if the folder does not hold the runtime
    */
   static List<Path> in(Path directory) throws IOException {
     if (Files.isDirectory(directory)) {
@@ -33,12 +32,12 @@ final class RuntimeJars {
             + " does not hold the runtime of Java test applications (sitaf-runtime-java-*.jar)");
   }
 
-  /** The archive of classes that the installation has made of the jars. */
+  /** The class data sharing archive that the installation created. */
   static Optional<Path> archive(Path file) {
     return Files.isRegularFile(file) ? Optional.of(file) : Optional.empty();
   }
 
-  /** The jar that records which lines are reached; empty where the folder has none. */
+  /** The jar of the coverage recorder; empty if it is not installed. */
   static Optional<Path> recorder(Path directory) throws IOException {
     if (!Files.isDirectory(directory)) {
       return Optional.empty();
@@ -48,16 +47,16 @@ final class RuntimeJars {
     }
   }
 
-  /** The jar of the compiler's process. */
+  /** The jar of the compiler process. */
   static Path compiler(Path directory) throws IOException {
     Path jar = directory.resolve("compiler-java.jar");
     if (!Files.isRegularFile(jar)) {
-      throw new IOException(directory + " does not hold the process of the Java compiler");
+      throw new IOException(directory + " does not hold the jar of the Java compiler process");
     }
     return jar;
   }
 
-  /** All jars of the folder that a jar is in. */
+  /** All jars in the folder of a jar. */
   static List<Path> jars(Path one) {
     try (Stream<Path> files = Files.list(one.getParent())) {
       return files.filter(file -> file.toString().endsWith(".jar")).sorted().toList();
@@ -66,7 +65,7 @@ final class RuntimeJars {
     }
   }
 
-  /** Jars that an administrator has named. */
+  /** Checks jars that an administrator configured. */
   static List<Path> required(List<Path> jars) throws IOException {
     for (Path jar : jars) {
       if (!Files.isRegularFile(jar)) {

@@ -4,16 +4,16 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
-/** What a JVM prints of its threads when it gets {@code SIGQUIT}. */
+/** Parses the thread dump that a JVM prints for {@code SIGQUIT}. */
 final class ThreadDump {
-  private static final int MOST_FRAMES = 6;
+  private static final int MAX_FRAMES = 6;
   private static final String FRAME = "\tat ";
 
   private ThreadDump() {}
 
   /**
-   * Where the thread that runs the cases is: innermost call first, up to the test application's own
-   * frames.
+   * The stack of the thread that runs the cases, innermost call first, without the frames of the
+   * test application.
    */
   static Optional<String> componentStack(String dump) {
     List<String> frames = new ArrayList<>();
@@ -24,7 +24,7 @@ final class ThreadDump {
         frames.clear();
       } else if (inMain && line.startsWith(FRAME)) {
         String frame = line.substring(FRAME.length());
-        if (isOfTheTestApplication(frame) || frames.size() == MOST_FRAMES) {
+        if (isOfTheTestApplication(frame) || frames.size() == MAX_FRAMES) {
           break;
         }
         frames.add(withoutModule(frame));
@@ -39,7 +39,7 @@ final class ThreadDump {
     return frame.startsWith("sitaf.harness.") || frame.startsWith("org.sitaf.runtime.");
   }
 
-  /** {@code java.lang.Thread.sleep(java.base@17.0.15/Native Method)} says too much. */
+  /** Removes the module, as in {@code java.lang.Thread.sleep(java.base@17.0.15/Native Method)}. */
   private static String withoutModule(String frame) {
     return frame.replaceAll("\\([a-z.]+@[^/)]*/", "(");
   }

@@ -1,6 +1,5 @@
 /**
- * Java: javac in a process of the sandbox, no code of the user at compile time, a JVM for each
- * process.
+ * The Java toolchain: javac in the sandbox without running code of users, and a JVM per process.
  */
 @NullMarked
 package org.sitaf.agent.toolchain.java;

@@ -27,27 +27,27 @@ import org.sitaf.agent.toolchain.CompilationException;
 import org.sitaf.agent.toolchain.SourceDiagnostic;
 
 /**
- * Virtual environments, one for each set of packages, kept by their content. Each holds the runtime
- * of test applications, compiled; packages are fetched when an environment is made, and never while
- * a test runs. The agent writes into an environment before packages are installed, and not again.
+ * Virtual environments, cached by their set of packages. Each contains the compiled runtime of test
+ * applications. Packages are downloaded when an environment is created, never during a test. The
+ * agent writes into an environment only before packages are installed.
  */
 final class Environments {
-  /** What the runtime needs, and what counts the lines that a component reaches. */
+  /** Packages of the runtime, and the coverage tool. */
   private static final List<String> BASE =
       List.of("grpcio==1.85.1", "protobuf==7.36.2", "coverage==7.17.3");
 
-  /** Changes with the way in which environments are made. */
+  /** Increased when environments are created differently. */
   private static final String LAYOUT = "2";
 
-  private static final int MOST_FILES = 300_000;
+  private static final int MAX_FILES = 300_000;
 
   private final Interpreter interpreter;
   private final Path runtime;
   private final SharedCache cache;
   private final PipSettings settings;
 
-  /** One build makes an environment; others that want the same wait for it. */
-  private final Map<String, Lock> inTheMaking = new ConcurrentHashMap<>();
+  /** One build creates an environment; other builds that need the same one wait. */
+  private final Map<String, Lock> locks = new ConcurrentHashMap<>();
 
   Environments(Interpreter interpreter, Path runtime, Path cache, PipSettings settings) {
     this.interpreter = interpreter;
@@ -56,7 +56,7 @@ final class Environments {
     this.settings = settings;
   }
 
-  /** What compiles modules, without any package. */
+  /** An environment without packages, used to compile modules. */
   Path compiler() {
     return runtime.resolve("sitaf_runtime").resolve("compiling.py");
   }
@@ -66,7 +66,7 @@ final class Environments {
     return environment.resolve("bin").resolve("python");
   }
 
-  /** Whatever decides what an environment holds beside the component's packages. */
+  /** Everything except the component's packages that determines the content of an environment. */
   String identity() throws IOException {
     StringBuilder identity = new StringBuilder();
     identity.append(LAYOUT).append(interpreter).append('\n').append(BASE).append('\n');
@@ -81,10 +81,10 @@ final class Environments {
   }
 
   /**
-   * The environment of these packages, made when it is asked for first.
+   * The environment with these packages; creates it at the first use.
    *
-   * @throws CompilationException if pip cannot fetch or build what the component needs
-   * @throws IOException if not even an environment without them can be made
+   * @throws CompilationException if pip cannot download or build the component's packages
+   * @throws IOException if the environment cannot be created even without them
    */
   Path with(Requirements requirements, Path scratch, Duration atMost, Sandbox sandbox)
       throws CompilationException, IOException, InterruptedException {
@@ -101,7 +101,7 @@ final class Environments {
     if (Files.isDirectory(cache.entry(name))) {
       return cache.entry(name);
     }
-    Lock lock = inTheMaking.computeIfAbsent(name, unused -> new ReentrantLock());
+    Lock lock = locks.computeIfAbsent(name, unused -> new ReentrantLock());
     lock.lockInterruptibly();
     try {
       if (!Files.isDirectory(cache.entry(name))) {
@@ -109,31 +109,31 @@ final class Environments {
             new PackageTools(interpreter, settings, scratch, Instant.now().plus(atMost), sandbox);
         try (SharedCache.Draft draft = cache.draft()) {
           Path fresh = draft.folder();
-          // Tests run as other users than the one that it is made by.
+          // Tests run as other users than the one that creates the environment.
           Files.setPosixFilePermissions(fresh, PosixFilePermissions.fromString("rwxr-xr-x"));
-          make(fresh, requirements, tools);
-          own(fresh, requirements);
+          create(fresh, requirements, tools);
+          takeOwnership(fresh, requirements);
           draft.addAs(name);
         }
       }
       return cache.entry(name);
     } finally {
       lock.unlock();
-      inTheMaking.remove(name);
+      locks.remove(name);
     }
   }
 
-  private void make(Path fresh, Requirements requirements, PackageTools tools)
+  private void create(Path fresh, Requirements requirements, PackageTools tools)
       throws CompilationException, IOException, InterruptedException {
     ToolResult made = tools.venv(fresh);
     if (made.code() != 0) {
-      throw new IOException("python -m venv: " + tools.complaint(made));
+      throw new IOException("python -m venv: " + tools.errorOf(made));
     }
     addRuntime(fresh, tools);
     Path known = baseWheels(fresh, tools);
     List<Path> wheels;
     try {
-      // One request for both: what a component pins must fit to what the runtime needs.
+      // One request, because the component's packages must be compatible with those of the runtime.
       List<String> lines = new ArrayList<>(BASE);
       lines.addAll(requirements.lines());
       WheelCollection collection = new WheelCollection(tools, fresh, lines);
@@ -142,19 +142,19 @@ final class Environments {
       }
       wheels = requirements.isEmpty() ? LocalWheel.wheelsIn(known) : collection.collect(known);
     } catch (WheelCollection.PackageException e) {
-      throw refused(requirements, String.valueOf(e.getMessage()));
+      throw failure(requirements, String.valueOf(e.getMessage()));
     }
     ToolResult installed = SourceBuild.install(tools, fresh, wheels);
     if (installed.code() != 0) {
-      String reason = tools.complaint(installed);
+      String reason = tools.errorOf(installed);
       if (requirements.isEmpty()) {
         throw new IOException("pip cannot install what test applications need: " + reason);
       }
-      throw refused(requirements, reason);
+      throw failure(requirements, reason);
     }
   }
 
-  private static CompilationException refused(Requirements requirements, String reason) {
+  private static CompilationException failure(Requirements requirements, String reason) {
     return new CompilationException(
         "the component's packages cannot be installed",
         List.of(SourceDiagnostic.ofFile(requirements.file(), reason)));
@@ -174,7 +174,7 @@ final class Environments {
     }
   }
 
-  /** What each environment holds, fetched once. */
+  /** The packages of every environment, downloaded once. */
   private Path baseWheels(Path fresh, PackageTools tools) throws IOException, InterruptedException {
     String name =
         "wheels-"
@@ -186,7 +186,7 @@ final class Environments {
       ToolResult fetched = new WheelCollection(tools, fresh, BASE).fetch(folder);
       if (fetched.code() != 0) {
         throw new IOException(
-            "pip cannot fetch what test applications need: " + tools.complaint(fetched));
+            "pip cannot download what test applications need: " + tools.errorOf(fetched));
       }
       try (SharedCache.Draft draft = cache.draft()) {
         Files.setPosixFilePermissions(draft.folder(), PosixFilePermissions.fromString("rwxr-xr-x"));
@@ -203,14 +203,15 @@ final class Environments {
     return interpreter.version().substring(0, interpreter.version().lastIndexOf('.'));
   }
 
-  /** Takes over what the tools have left, so that no later process owns it. */
-  private void own(Path fresh, Requirements requirements) throws CompilationException, IOException {
+  /** Takes ownership of the files, so that no later process can change them. */
+  private void takeOwnership(Path fresh, Requirements requirements)
+      throws CompilationException, IOException {
     UserPrincipal owner = Files.getOwner(cache.directory());
     int count = 0;
     try (Stream<Path> paths = Files.walk(fresh)) {
       for (Path path : (Iterable<Path>) paths::iterator) {
-        if (++count > MOST_FILES) {
-          throw refused(requirements, "the packages hold more than " + MOST_FILES + " files");
+        if (++count > MAX_FILES) {
+          throw failure(requirements, "the packages contain more than " + MAX_FILES + " files");
         }
         if (!Files.getOwner(path, LinkOption.NOFOLLOW_LINKS).equals(owner)) {
           Files.getFileAttributeView(path, FileOwnerAttributeView.class, LinkOption.NOFOLLOW_LINKS)

@@ -10,22 +10,22 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 
 /**
- * A Python of this machine that can make environments.
+ * A Python of this machine that can create virtual environments.
  *
- * @param executable absolute
+ * @param executable absolute path
  * @param version such as {@code 3.11.7}
- * @param prefixes where its library lies
+ * @param prefixes folders of its library
  */
 record Interpreter(Path executable, String version, List<Path> prefixes) {
   private static final List<String> NAMES =
       List.of("python3", "python3.13", "python3.12", "python3.11", "python");
-  private static final String QUESTION =
+  private static final String QUERY =
       """
       import sys, venv, ensurepip
       if sys.version_info < (3, 11): sys.exit(3)
       print(sys.executable, "%d.%d.%d" % sys.version_info[:3], sys.base_prefix, sys.base_exec_prefix, sep="\\n")
       """;
-  private static final long PATIENCE_S = 20;
+  private static final long TIMEOUT_S = 20;
 
   Interpreter {
     Objects.requireNonNull(executable);
@@ -33,16 +33,16 @@ record Interpreter(Path executable, String version, List<Path> prefixes) {
     prefixes = List.copyOf(prefixes);
   }
 
-  /** The first on the path that is new enough and whole. */
+  /** The first one on the path that is new enough and complete. */
   static Optional<Interpreter> find() {
     for (String name : NAMES) {
       try {
-        Optional<Interpreter> answer = ask(name);
+        Optional<Interpreter> answer = query(name);
         if (answer.isPresent()) {
           return answer;
         }
       } catch (IOException e) {
-        // There is none of that name.
+        // There is no program of this name.
       } catch (InterruptedException e) {
         Thread.currentThread().interrupt();
         return Optional.empty();
@@ -51,9 +51,9 @@ record Interpreter(Path executable, String version, List<Path> prefixes) {
     return Optional.empty();
   }
 
-  private static Optional<Interpreter> ask(String name) throws IOException, InterruptedException {
+  private static Optional<Interpreter> query(String name) throws IOException, InterruptedException {
     Process process =
-        new ProcessBuilder(name, "-I", "-c", QUESTION)
+        new ProcessBuilder(name, "-I", "-c", QUERY)
             .redirectError(ProcessBuilder.Redirect.DISCARD)
             .start();
     process.getOutputStream().close();
@@ -61,7 +61,7 @@ record Interpreter(Path executable, String version, List<Path> prefixes) {
         new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8)
             .lines()
             .toList();
-    if (!process.waitFor(PATIENCE_S, TimeUnit.SECONDS)) {
+    if (!process.waitFor(TIMEOUT_S, TimeUnit.SECONDS)) {
       process.destroyForcibly();
       return Optional.empty();
     }

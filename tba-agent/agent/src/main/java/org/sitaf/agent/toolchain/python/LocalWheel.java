@@ -16,35 +16,37 @@ import org.sitaf.agent.sandbox.ToolResult;
 import org.sitaf.agent.toolchain.python.WheelCollection.PackageException;
 
 /**
- * A wheel that does not come from the index: the activity brings it, or it was built here.
+ * A wheel that does not come from the package index: part of the activity, or built here.
  *
- * @param name normalized
- * @param requires lines that name packages of the index
+ * @param name normalized name
+ * @param requires requirement lines that name packages of the index
  */
 record LocalWheel(Path file, String name, String version, List<String> requires) {
   private static final Pattern NAME = Pattern.compile("[A-Za-z0-9][A-Za-z0-9._-]{0,99}");
   private static final Pattern VERSION = Pattern.compile("[A-Za-z0-9][A-Za-z0-9._+!]{0,99}");
   private static final Pattern FILE =
       Pattern.compile("[A-Za-z0-9_.]{1,100}(-[A-Za-z0-9_.+!]{1,100}){4,5}\\.whl");
-  private static final int MOST_REQUIRED = 200;
-  private static final int MOST_WHEELS = 2000;
+  private static final int MAX_REQUIRED = 200;
+  private static final int MAX_WHEELS = 2000;
 
   LocalWheel {
     requires = List.copyOf(requires);
   }
 
   /**
-   * Reads what a wheel says of itself, in the sandbox.
+   * Reads a wheel's metadata, in the sandbox.
    *
-   * @throws PackageException if it is none, or requires what is not a package of the index
+   * @throws PackageException if the file is not a wheel or requires anything but packages of the
+   *     index
    */
   static LocalWheel read(Path file, Path environment, PackageTools tools)
       throws IOException, InterruptedException, PackageException {
     String title = file.getFileName().toString();
     ToolResult answer =
-        tools.ask(environment, tools.folder(), false, List.of(file), "wheel", file.toString());
+        tools.runScript(
+            environment, tools.folder(), false, List.of(file), "wheel", file.toString());
     if (answer.code() != 0) {
-      throw new PackageException(title + ": " + tools.complaint(answer));
+      throw new PackageException(title + ": " + tools.errorOf(answer));
     }
     String name = "";
     String version = "";
@@ -60,22 +62,22 @@ record LocalWheel(Path file, String name, String version, List<String> requires)
       }
     }
     if (!NAME.matcher(name).matches() || !VERSION.matcher(version).matches()) {
-      throw new PackageException(title + ": it does not say its name and version");
+      throw new PackageException(title + ": its metadata lack name or version");
     }
-    if (requires.size() > MOST_REQUIRED) {
-      throw new PackageException(title + " requires more than " + MOST_REQUIRED + " packages");
+    if (requires.size() > MAX_REQUIRED) {
+      throw new PackageException(title + " requires more than " + MAX_REQUIRED + " packages");
     }
     return new LocalWheel(file, WheelCollection.normalized(name), version, requires);
   }
 
-  /** A requirement as a line for pip; none for what only an extra needs. */
+  /** Converts a requirement to a line for pip; empty for a requirement of an extra. */
   static Stream<String> requirement(String text, String of) throws PackageException {
     int semicolon = text.indexOf(';');
     String marker = semicolon < 0 ? "" : text.substring(semicolon + 1).strip();
     if (marker.matches(".*\\bextra\\b.*")) {
       return Stream.empty();
     }
-    // Older wheels have versions in parentheses.
+    // Older wheels write versions in parentheses.
     String wanted =
         (semicolon < 0 ? text : text.substring(0, semicolon)).replaceAll("[()]", " ").strip();
     String line = marker.isEmpty() ? wanted : wanted + " ; " + marker;
@@ -89,7 +91,7 @@ record LocalWheel(Path file, String name, String version, List<String> requires)
     return Stream.of(line);
   }
 
-  /** Writes a wheel of the name and version that holds nothing and requires nothing. */
+  /** Writes an empty wheel of the given name and version without requirements. */
   void writeStub(Path folder) throws IOException {
     String title = name.replace('-', '_') + "-" + version;
     String info = title + ".dist-info/";
@@ -112,11 +114,11 @@ record LocalWheel(Path file, String name, String version, List<String> requires)
     zip.write(text.getBytes(StandardCharsets.UTF_8));
   }
 
-  /** Wheels in a folder that a process has written: regular files with a wheel's name. */
+  /** The wheels in an untrusted folder: regular files with a wheel's name. */
   static List<Path> wheelsIn(Path folder) throws IOException {
     try (Stream<Path> files = Files.list(folder)) {
       return files
-          .limit(MOST_WHEELS)
+          .limit(MAX_WHEELS)
           .filter(file -> Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS))
           .filter(file -> FILE.matcher(file.getFileName().toString()).matches())
           .sorted()

@@ -19,26 +19,26 @@ import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.agent.sandbox.ToolResult;
 
 /**
- * The processes that make one environment. Those with the network run no code of a package; those
- * that may run some have no network.
+ * The processes that create one environment. Those with network access execute no code of a
+ * package; those that may execute some have no network.
  *
- * @param scratch for the folders that they work in
- * @param end when they are given up
+ * @param scratch for their working folders
+ * @param end deadline after which they are killed
  */
 record PackageTools(
     Interpreter interpreter, PipSettings settings, Path scratch, Instant end, Sandbox sandbox) {
-  private static final int COMPLAINT = 12;
+  private static final int MAX_ERROR_LINES = 12;
   private static final String SCRIPT = script();
 
-  /** A folder for one of them. */
+  /** Creates a working folder. */
   Path folder() throws IOException {
     Path folder = Files.createTempDirectory(scratch, "packages-");
-    // Each process is another user, who reads what the one before has left.
+    // Each process runs as another user and reads files of the previous one.
     Files.setPosixFilePermissions(folder, PosixFilePermissions.fromString("rwxr-xr-x"));
     return folder;
   }
 
-  /** Makes a virtual environment; only Python's own library is in it. */
+  /** Creates a virtual environment with Python's own library only. */
   ToolResult venv(Path environment) throws IOException, InterruptedException {
     return run(
         List.of(
@@ -54,7 +54,7 @@ record PackageTools(
         false);
   }
 
-  /** Runs pip of an environment that no package is in yet. */
+  /** Runs pip of an environment without packages. */
   ToolResult pip(
       Path environment,
       Path folder,
@@ -74,8 +74,8 @@ record PackageTools(
     return run(command, folder, all, writable, network);
   }
 
-  /** Asks the agent's own script; see there. */
-  ToolResult ask(
+  /** Runs the agent's script {@code packages.py}. */
+  ToolResult runScript(
       Path environment, Path folder, boolean network, List<Path> readable, String... arguments)
       throws IOException, InterruptedException {
     List<String> command =
@@ -86,7 +86,7 @@ record PackageTools(
     return run(command, folder, all, List.of(), network);
   }
 
-  /** Runs a module of the environment on a folder that it may write. */
+  /** Runs a module of the environment on a writable folder. */
   ToolResult module(Path environment, String module, Path folder, Path written)
       throws IOException, InterruptedException {
     return run(
@@ -123,20 +123,20 @@ record PackageTools(
     return sandbox.run(confinement, left.toMillis() < 1 ? Duration.ofMillis(1) : left);
   }
 
-  /** What a tool complains of, in one line. */
-  String complaint(ToolResult end) {
+  /** A tool's error message in one line. */
+  String errorOf(ToolResult end) {
     if (end.timedOut()) {
-      return "it was given up because making the environment takes too long";
+      return "the time for creating the environment is over";
     }
     String text = (end.errors().isBlank() ? end.output() : end.errors()).strip();
     List<String> lines = text.lines().toList();
     List<String> errors = lines.stream().filter(l -> l.startsWith("ERROR")).toList();
-    // With a stack, the last line says what it is about.
+    // The last line of a stack trace is the message.
     boolean stack = text.contains("Traceback (most recent call last)");
     List<String> kept =
         stack ? lines.subList(lines.size() - 1, lines.size()) : errors.isEmpty() ? lines : errors;
     String joined =
-        String.join("; ", kept.subList(Math.max(0, kept.size() - COMPLAINT), kept.size()));
+        String.join("; ", kept.subList(Math.max(0, kept.size() - MAX_ERROR_LINES), kept.size()));
     return joined.substring(0, Math.min(2000, joined.length()));
   }
 

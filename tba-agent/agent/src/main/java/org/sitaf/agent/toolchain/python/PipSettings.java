@@ -10,12 +10,12 @@ import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How this machine reaches its package index: as pip is configured for the agent's user. Only what
- * fetches packages gets it, and no code of a package runs there.
+ * The pip configuration of the agent's user. Only processes that download packages get it; they
+ * execute no code of a package.
  *
- * @param environment variables of pip and of what it reaches the network with
- * @param readable files and folders that they name
- * @param configuration pip's own file of that user, which others may not read; null for none
+ * @param environment variables for pip and for network access
+ * @param readable files and folders that they refer to
+ * @param configuration the user's configuration file, which may be private; null for none
  */
 record PipSettings(
     Map<String, String> environment, List<Path> readable, @Nullable Path configuration) {
@@ -46,7 +46,7 @@ record PipSettings(
     readable = List.copyOf(readable);
   }
 
-  /** Those of the agent's user. */
+  /** The settings of the agent's user. */
   static PipSettings ofThisMachine() {
     return of(System.getenv(), Path.of(System.getProperty("user.home")));
   }

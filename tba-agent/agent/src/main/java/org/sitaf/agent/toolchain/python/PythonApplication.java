@@ -18,11 +18,11 @@ import org.sitaf.core.verdict.Coverage;
 /**
  * A Python test application.
  *
- * @param environment with the packages of the component and the runtime
- * @param path where modules are looked for
+ * @param environment holds the packages of the component and the runtime
+ * @param path folders of modules
  * @param entryPoint the module of the concrete test driver
- * @param prefixes where Python's own library lies
- * @param recording null where nothing is recorded
+ * @param prefixes folders of Python's own library
+ * @param recording null if coverage is off
  */
 record PythonApplication(
     Path environment,
@@ -32,7 +32,7 @@ record PythonApplication(
     @Nullable PythonCoverage recording)
     implements CompiledApplication {
 
-  /** The interpreter and gRPC. */
+  /** Memory of the interpreter and gRPC. */
   private static final int OVERHEAD_MIB = 128;
 
   private static final int FRAMES = 4;
@@ -59,10 +59,10 @@ record PythonApplication(
   @Override
   public Map<String, String> environment(ProcessPlace place) {
     return Map.of(
-        // Not PYTHONPATH: nothing of the component is loaded before the runtime says so.
+        // Not PYTHONPATH: the runtime decides when modules of the component are loaded.
         "SITAF_PYTHONPATH",
         path.stream().map(Path::toString).collect(Collectors.joining(File.pathSeparator)),
-        // Whatever a component prints is there when it ends the process.
+        // Unbuffered, so that a component's output is complete when it ends the process.
         "PYTHONUNBUFFERED",
         "1",
         "PYTHONDONTWRITEBYTECODE",

@@ -17,26 +17,26 @@ import org.sitaf.agent.toolchain.coverage.LcovReport;
 import org.sitaf.core.verdict.Coverage;
 
 /**
- * Which lines of a Python component are reached, by coverage.py.
+ * Line coverage of a Python component, measured by coverage.py.
  *
- * @param python interpreter of an environment that holds coverage.py
- * @param readable what that interpreter needs
- * @param copy folder of the component's sources as they run
- * @param sources what that folder is within the activity, with a slash at its end
- * @param scratch a folder for what nobody needs afterwards, absolute
+ * @param python interpreter of an environment with coverage.py
+ * @param readable paths that the interpreter reads
+ * @param copy folder from which the component's sources run
+ * @param sources the corresponding folder in the activity, with a trailing slash
+ * @param scratch absolute folder for temporary files
  */
 record PythonCoverage(
     Path python, List<Path> readable, Path copy, String sources, Path scratch, Sandbox sandbox) {
   private static final String DATA = "python.coverage";
-  private static final Duration LIMIT = Duration.ofMinutes(1);
-  private static final int MOST_FILES = 2000;
-  private static final int MOST_BYTES = 32 << 20;
+  private static final Duration TIMEOUT = Duration.ofMinutes(1);
+  private static final int MAX_FILES = 2000;
+  private static final int MAX_BYTES = 32 << 20;
 
   PythonCoverage {
     readable = List.copyOf(readable);
   }
 
-  /** What a process is started with, before its module, to record into a folder. */
+  /** Python options that record into a folder, before the module. */
   List<String> recorder(Path directory) {
     return List.of(
         "-m",
@@ -48,19 +48,20 @@ record PythonCoverage(
   }
 
   /**
-   * Reads what processes have recorded; coverage.py, whose input they made, runs in the sandbox.
+   * Reads the recorded data. coverage.py runs in the sandbox, because its input comes from
+   * untrusted processes.
    *
-   * @param data holds a folder a process
+   * @param data holds one folder per process
    */
   Coverage read(Path data) throws IOException, InterruptedException {
-    List<Path> recorded = LeftFiles.in(data, file -> file.endsWith(DATA), MOST_FILES);
+    List<Path> recorded = LeftFiles.in(data, file -> file.endsWith(DATA), MAX_FILES);
     Path work = Files.createTempDirectory(Files.createDirectories(scratch), "coverage");
     List<String> combine = new ArrayList<>(List.of("combine", "--keep", "--quiet"));
     combine.add("--data-file=all");
     for (Path file : recorded) {
-      // A process that was killed may leave half a record behind; coverage.py passes over it.
+      // A killed process may leave an incomplete record, which coverage.py skips.
       Path own = work.resolve("process" + combine.size());
-      Files.write(own, LeftFiles.read(file, MOST_BYTES));
+      Files.write(own, LeftFiles.read(file, MAX_BYTES));
       combine.add(own.getFileName().toString());
     }
     run(work, combine);
@@ -68,7 +69,7 @@ record PythonCoverage(
     String root = copy.getFileName() + "/";
     Coverage coverage =
         LcovReport.read(
-            new String(LeftFiles.read(work.resolve("report"), MOST_BYTES), StandardCharsets.UTF_8),
+            new String(LeftFiles.read(work.resolve("report"), MAX_BYTES), StandardCharsets.UTF_8),
             copy.getParent().toString(),
             root);
     return new Coverage(
@@ -88,13 +89,13 @@ record PythonCoverage(
                 .withEnvironment(Map.of("PYTHONUTF8", "1"))
                 .reading(readable)
                 .reading(List.of(copy)),
-            LIMIT);
+            TIMEOUT);
     if (end.code() != 0) {
       throw new IOException(
           "coverage "
               + arguments.get(0)
               + ": "
-              + (end.output() + end.errors()).lines().findFirst().orElse("no answer"));
+              + (end.output() + end.errors()).lines().findFirst().orElse("no output"));
     }
   }
 }

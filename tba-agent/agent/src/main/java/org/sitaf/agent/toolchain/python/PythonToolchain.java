@@ -29,21 +29,21 @@ import org.sitaf.core.activity.ActivityProfile.Language;
 import org.sitaf.core.activity.FileTree;
 
 /**
- * Compiles Python test applications to byte code, which finds mistakes before anything runs, and
- * runs them in an environment with the packages that the component needs.
+ * Compiles Python test applications to byte code, which finds syntax errors early, and runs them in
+ * an environment with the component's packages.
  */
 public final class PythonToolchain implements Toolchain {
   private static final String HARNESS = "harness";
 
-  /** What makes a module define names that do not stand in it. */
-  private static final Pattern EVERYTHING =
+  /** Constructs by which a module defines names that its text does not show. */
+  private static final Pattern DYNAMIC_NAMES =
       Pattern.compile(
-          // Not \\s, which would go through all empty lines for each of them.
+          // Not \\s, which would also match line breaks and take quadratic time.
           "^[ \\t]*from[ \\t]+\\S+[ \\t]+import[ \\t]+\\*|\\b__getattr__\\b", Pattern.MULTILINE);
 
   private static final Pattern CLASS =
       Pattern.compile("^class\\s+([A-Za-z_][A-Za-z0-9_]*)", Pattern.MULTILINE);
-  private static final int NAMED_AT_MOST = 10;
+  private static final int MAX_LISTED = 10;
 
   private final Interpreter interpreter;
   private final Environments environments;
@@ -53,13 +53,13 @@ public final class PythonToolchain implements Toolchain {
     this.environments = environments;
   }
 
-  /** Looks for a Python that can make environments, and for the runtime. */
+  /** Searches a Python that can create environments, and the runtime. */
   public static ToolchainLookup find(ToolchainPlaces places) {
     Path runtime = places.runtimes().resolve("runtime-python");
     if (!Files.isDirectory(runtime.resolve("sitaf_runtime"))) {
       return new Missing(
           runtime + " does not hold the runtime",
-          "install the agent with its runtime folders beside it");
+          "install the agent with its runtime folders next to it");
     }
     return Interpreter.find()
         .<ToolchainLookup>map(
@@ -75,7 +75,7 @@ public final class PythonToolchain implements Toolchain {
         .orElseGet(
             () ->
                 new Missing(
-                    "there is no Python 3.11 or newer with venv and pip on the path",
+                    "Python 3.11 or newer with venv and pip is not installed",
                     "apt-get install python3 python3-venv"));
   }
 
@@ -104,9 +104,9 @@ public final class PythonToolchain implements Toolchain {
       copy(activity.below(root.getKey()), compilation.output().resolve(root.getValue()));
     }
     copy(compilation.application().harness(), compilation.output().resolve(HARNESS));
-    moduleIsThere(compilation, profile.component(), roots);
+    requireModule(compilation, profile.component(), roots);
 
-    // Without the component's packages, which would run code of theirs as the interpreter starts.
+    // Without the component's packages, whose code would run at the start of the interpreter.
     Path temporary = Files.createTempDirectory(compilation.scratch(), "compile-");
     ToolResult end =
         compilation
@@ -129,17 +129,17 @@ public final class PythonToolchain implements Toolchain {
                 compilation.atMost());
     if (end.timedOut()) {
       throw new CompilationException(
-          "the compilation was given up after " + compilation.atMost().toSeconds() + " s",
+          "the compilation did not finish within " + compilation.atMost().toSeconds() + " s",
           List.of());
     }
     List<SourceDiagnostic> mistakes =
-        end.output().lines().map(line -> mistake(line, compilation.output(), roots)).toList();
+        end.output().lines().map(line -> diagnostic(line, compilation.output(), roots)).toList();
     if (!mistakes.isEmpty()) {
       throw new CompilationException("the sources do not compile", mistakes);
     }
     if (end.code() != 0) {
       throw new IOException(
-          "the compiler of Python ended with " + end.code() + ": " + end.errors());
+          "the Python compiler ended with exit code " + end.code() + ": " + end.errors());
     }
   }
 
@@ -168,7 +168,7 @@ public final class PythonToolchain implements Toolchain {
     if (!compilation.coverage() || sources == null) {
       return null;
     }
-    String folder = withSlash(sources);
+    String folder = withTrailingSlash(sources);
     List<Path> readable = new ArrayList<>(interpreter.prefixes());
     readable.add(environment);
     return new PythonCoverage(
@@ -189,16 +189,14 @@ public final class PythonToolchain implements Toolchain {
         compilation.sandbox());
   }
 
-  /**
-   * Folders of the activity that modules are imported from, and what each is called when copied.
-   */
+  /** The activity's folders of modules, and the name of the copy of each. */
   private static Map<String, String> roots(ActivityProfile profile) throws CompilationException {
     Component component = profile.component();
     Map<String, String> roots = new java.util.LinkedHashMap<>();
     put(roots, component.adapter(), "adapter");
     put(roots, component.sources(), "component");
     if (component.library() != null && !Requirements.isWheel(component.library())) {
-      // A package is imported by its own name, from the folder that it lies in.
+      // A package is imported by its own name, from its parent folder.
       String library = component.library().replaceAll("/+$", "");
       put(roots, library.substring(0, library.lastIndexOf('/') + 1), "library");
     }
@@ -225,16 +223,16 @@ public final class PythonToolchain implements Toolchain {
 
   private static void put(Map<String, String> roots, @Nullable String folder, String name) {
     if (folder != null) {
-      roots.putIfAbsent(withSlash(folder), name);
+      roots.putIfAbsent(withTrailingSlash(folder), name);
     }
   }
 
-  private static String withSlash(String folder) {
+  private static String withTrailingSlash(String folder) {
     return folder.isEmpty() || folder.endsWith("/") ? folder : folder + "/";
   }
 
-  /** A module that is not there is told before anything runs; what a package holds pip knows. */
-  private static void moduleIsThere(
+  /** Checks that the component's module exists, unless a package may contain it. */
+  private static void requireModule(
       Compilation compilation, Component component, Map<String, String> roots)
       throws CompilationException, IOException {
     String qualified = component.className();
@@ -247,8 +245,8 @@ public final class PythonToolchain implements Toolchain {
         if (Files.isRegularFile(source)) {
           String text = Files.readString(source, StandardCharsets.ISO_8859_1);
           if (!Pattern.compile("\\b" + Pattern.quote(name) + "\\b").matcher(text).find()
-              && !EVERYTHING.matcher(text).find()) {
-            throw notThere(
+              && !DYNAMIC_NAMES.matcher(text).find()) {
+            throw missing(
                 qualified,
                 root.getKey()
                     + file
@@ -268,7 +266,7 @@ public final class PythonToolchain implements Toolchain {
         component.packageName() != null
             || (component.library() != null && Requirements.isWheel(component.library()));
     if (!fetched) {
-      throw notThere(
+      throw missing(
           qualified,
           "there is no "
               + module
@@ -281,14 +279,14 @@ public final class PythonToolchain implements Toolchain {
     }
   }
 
-  /** What a module defines, for whoever has named another class of it. */
+  /** Lists the classes of a module, for the error message. */
   private static String classes(String text) {
     List<String> names =
-        CLASS.matcher(text).results().map(found -> found.group(1)).limit(NAMED_AT_MOST).toList();
+        CLASS.matcher(text).results().map(found -> found.group(1)).limit(MAX_LISTED).toList();
     return names.isEmpty() ? ", and no class at all" : "; it defines " + String.join(", ", names);
   }
 
-  /** Whether a module comes compiled, so that no text says what it defines. */
+  /** Whether a module is compiled, so that its classes cannot be listed. */
   private static boolean isExtension(Path module) throws IOException {
     Path folder = module.getParent();
     if (folder == null || !Files.isDirectory(folder)) {
@@ -301,16 +299,16 @@ public final class PythonToolchain implements Toolchain {
     }
   }
 
-  private static CompilationException notThere(String qualified, String reason) {
+  private static CompilationException missing(String qualified, String reason) {
     return new CompilationException(
-        "the component is not there",
+        "the component's class does not exist",
         List.of(
             SourceDiagnostic.ofFile(
                 "activity/activity.yaml", "component.class: " + qualified + ": " + reason)));
   }
 
-  /** What the compiler says of a copy, as of the file that it was copied from. */
-  private static SourceDiagnostic mistake(String line, Path output, Map<String, String> roots) {
+  /** Maps a compiler error in a copy to the original file. */
+  private static SourceDiagnostic diagnostic(String line, Path output, Map<String, String> roots) {
     String[] parts = line.split("\t", 4);
     if (parts.length < 4 || !parts[1].matches("\\d{1,9}") || !parts[2].matches("\\d{1,9}")) {
       return new SourceDiagnostic("", 0, 0, line, false);

@@ -17,19 +17,19 @@ import org.sitaf.core.activity.ActivityProfile.Component;
 /**
  * The packages that a component needs.
  *
- * @param lines each names a package of the index; empty where it needs none
- * @param file where they stand, in the layout of the application
- * @param wheels packages that the activity brings itself
+ * @param lines package requirements; empty for none
+ * @param file path of the requirements file in the layout of the application
+ * @param wheels packages that are part of the activity
  */
 record Requirements(List<String> lines, String file, List<Path> wheels) {
   private static final String PROFILE = "activity/activity.yaml";
-  private static final int LONGEST_LINE = 300;
-  private static final int MOST_LINES = 200;
-  private static final long LONGEST_LIST_BYTES = 64 << 10;
+  private static final int MAX_LINE = 300;
+  private static final int MAX_LINES = 200;
+  private static final long MAX_LIST_BYTES = 64 << 10;
 
   /**
-   * A package by name, with extras, versions and a marker. No option, no path, no address: pip is
-   * to reach nothing but the index that this machine is configured for.
+   * A package name with extras, versions and a marker. Options, paths and addresses are not
+   * allowed, so pip uses only the index that this machine is configured for.
    */
   private static final Pattern PACKAGE =
       Pattern.compile(
@@ -37,7 +37,7 @@ record Requirements(List<String> lines, String file, List<Path> wheels) {
               + "(?:[ ]*(?:===?|~=|!=|<=?|>=?)[ ]*[A-Za-z0-9._*+!-]+[ ]*,?)*[ ]*"
               + "(?:;[A-Za-z0-9_. <>=!~'\"(),-]+)?");
 
-  /** What pip takes for a file where there is one of the name. */
+  /** Names that pip takes for a file if one exists. */
   private static final Pattern ARCHIVE =
       Pattern.compile("(?i).*\\.(whl|zip|tar|tgz|gz|bz2|tbz|xz|txz|tlz|lz|lzma)");
 
@@ -48,26 +48,26 @@ record Requirements(List<String> lines, String file, List<Path> wheels) {
     wheels = List.copyOf(wheels);
   }
 
-  /** What makes an environment without packages of a component. */
+  /** An environment without packages of a component. */
   static final Requirements NONE = new Requirements(List.of(), PROFILE, List.of());
 
   boolean isEmpty() {
     return lines.isEmpty() && wheels.isEmpty();
   }
 
-  /** Whether a line names a package of the index and nothing else. */
+  /** Whether a line is a requirement for a package of the index. */
   static boolean isPackage(String line) {
-    return line.length() <= LONGEST_LINE
+    return line.length() <= MAX_LINE
         && PACKAGE.matcher(line).matches()
         && !ARCHIVE.matcher(line).matches();
   }
 
-  /** Whether a library is a package that pip installs, and no folder of modules. */
+  /** Whether a library is a wheel and not a folder of modules. */
   static boolean isWheel(String library) {
     return library.endsWith(".whl");
   }
 
-  /** What the profile names, and what {@code requirements.txt} beside the sources lists. */
+  /** The package of the profile, and the lines of {@code requirements.txt} next to the sources. */
   static Requirements of(ActivityProfile profile, Path activity)
       throws CompilationException, IOException {
     Component component = profile.component();
@@ -77,7 +77,7 @@ record Requirements(List<String> lines, String file, List<Path> wheels) {
     if (named != null) {
       if (!isPackage(named.strip())) {
         throw new CompilationException(
-            "the component's package cannot be fetched",
+            "the component's package cannot be downloaded",
             List.of(
                 SourceDiagnostic.ofFile(
                     PROFILE,
@@ -111,8 +111,8 @@ record Requirements(List<String> lines, String file, List<Path> wheels) {
 
   private static List<String> read(Path list, String file)
       throws CompilationException, IOException {
-    if (Files.size(list) > LONGEST_LIST_BYTES) {
-      throw refused(file, 0, "is longer than " + LONGEST_LIST_BYTES + " bytes");
+    if (Files.size(list) > MAX_LIST_BYTES) {
+      throw failure(file, 0, "is longer than " + MAX_LIST_BYTES + " bytes");
     }
     String text = new String(Files.readAllBytes(list), StandardCharsets.UTF_8);
     List<String> packages = new ArrayList<>();
@@ -124,24 +124,24 @@ record Requirements(List<String> lines, String file, List<Path> wheels) {
         continue;
       }
       if (!isPackage(wanted)) {
-        throw refused(
+        throw failure(
             file,
             number,
             "'"
-                + wanted.substring(0, Math.min(LONGEST_LINE, wanted.length()))
+                + wanted.substring(0, Math.min(MAX_LINE, wanted.length()))
                 + "' is not a package of the index such as simple-pid==2.0.1; options, addresses,"
-                + " repositories and paths are not taken: add a package that is not in the index"
-                + " as a wheel to 'libraries:'");
+                + " repositories and paths are not supported: add other packages"
+                + " as wheels to 'libraries:'");
       }
       packages.add(wanted);
-      if (packages.size() > MOST_LINES) {
-        throw refused(file, number, "more than " + MOST_LINES + " packages");
+      if (packages.size() > MAX_LINES) {
+        throw failure(file, number, "more than " + MAX_LINES + " packages");
       }
     }
     return packages;
   }
 
-  private static CompilationException refused(String file, int line, String reason) {
+  private static CompilationException failure(String file, int line, String reason) {
     return new CompilationException(
         "the component's packages cannot be installed",
         List.of(new SourceDiagnostic(file, line, 0, reason, false)));

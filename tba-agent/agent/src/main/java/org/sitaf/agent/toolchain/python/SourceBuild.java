@@ -12,34 +12,35 @@ import org.sitaf.agent.sandbox.ToolResult;
 import org.sitaf.agent.toolchain.python.WheelCollection.PackageException;
 
 /**
- * Builds the wheel of a package of which the index has only sources. Its code runs without the
- * network, and writes nothing but the folder that the wheel is taken from.
+ * Builds the wheel of a package that the index has only as source. The build runs without network
+ * and can write only to the output folder.
  *
- * @param environment without packages; its Python fetches and reads
- * @param buildTools fetches the wheels that it is built with
+ * @param environment without packages; its Python downloads and reads files
+ * @param buildTools downloads the wheels of the build requirements
  */
 record SourceBuild(PackageTools tools, Path environment, Fetch buildTools) {
   private static final Pattern ARCHIVE =
       Pattern.compile("[A-Za-z0-9_.+!-]{1,200}\\.(tar\\.gz|zip|tgz|tar\\.bz2|tar\\.xz)");
   private static final List<String> ALWAYS = List.of("setuptools", "wheel");
-  private static final int MOST_TOOLS = 50;
+  private static final int MAX_TOOLS = 50;
 
-  /** Fetches wheels of these packages. */
+  /** Downloads wheels of these packages. */
   interface Fetch {
     List<Path> wheels(List<String> lines)
         throws IOException, InterruptedException, PackageException;
   }
 
-  /** The wheel; empty where the index has no sources of it either. */
+  /** The wheel; empty if the index has no sources either. */
   Optional<LocalWheel> build(String name, String specifier)
       throws IOException, InterruptedException, PackageException {
     Path fetch = tools.folder();
-    ToolResult fetched = tools.ask(environment, fetch, true, List.of(), "source", name, specifier);
+    ToolResult fetched =
+        tools.runScript(environment, fetch, true, List.of(), "source", name, specifier);
     if (fetched.code() != 0) {
       if (fetched.errors().contains("the index has no source archive")) {
         return Optional.empty();
       }
-      throw new PackageException(name + ": " + tools.complaint(fetched));
+      throw new PackageException(name + ": " + tools.errorOf(fetched));
     }
     Path archive = fetch.resolve(value(fetched, "file"));
     String version = value(fetched, "version");
@@ -69,11 +70,12 @@ record SourceBuild(PackageTools tools, Path environment, Fetch buildTools) {
             false);
     if (built.code() != 0) {
       throw new PackageException(
-          name + " has no wheel and cannot be built: " + tools.complaint(built));
+          name + " has no wheel and cannot be built: " + tools.errorOf(built));
     }
     List<Path> wheels = LocalWheel.wheelsIn(into);
     if (wheels.size() != 1) {
-      throw new PackageException(name + ": its build left " + wheels.size() + " wheels, not 1");
+      throw new PackageException(
+          name + ": its build created " + wheels.size() + " wheels instead of 1");
     }
     LocalWheel wheel = LocalWheel.read(wheels.get(0), environment, tools);
     if (!wheel.name().equals(name) || !wheel.version().equals(version)) {
@@ -81,7 +83,7 @@ record SourceBuild(PackageTools tools, Path environment, Fetch buildTools) {
           name
               + " "
               + version
-              + ": its build left the wheel of "
+              + ": its build created the wheel of "
               + wheel.name()
               + " "
               + wheel.version());
@@ -89,33 +91,33 @@ record SourceBuild(PackageTools tools, Path environment, Fetch buildTools) {
     return Optional.of(wheel);
   }
 
-  /** An environment with what the package is built with. */
+  /** Creates an environment with the build requirements. */
   private Path environment(String name, Path archive)
       throws IOException, InterruptedException, PackageException {
     ToolResult answer =
-        tools.ask(
+        tools.runScript(
             environment, tools.folder(), false, List.of(archive), "build", archive.toString());
     if (answer.code() != 0) {
-      throw new PackageException(name + ": " + tools.complaint(answer));
+      throw new PackageException(name + ": " + tools.errorOf(answer));
     }
     List<String> wanted = new ArrayList<>(ALWAYS);
-    for (String line : answer.output().lines().limit(MOST_TOOLS).toList()) {
+    for (String line : answer.output().lines().limit(MAX_TOOLS).toList()) {
       LocalWheel.requirement(line.substring(line.indexOf('\t') + 1), name).forEach(wanted::add);
     }
     List<Path> wheels = buildTools.wheels(wanted);
     Path build = Files.createDirectories(tools.folder().resolve("environment"));
     ToolResult made = tools.venv(build);
     if (made.code() != 0) {
-      throw new IOException("python -m venv: " + tools.complaint(made));
+      throw new IOException("python -m venv: " + tools.errorOf(made));
     }
     ToolResult installed = install(tools, build, wheels);
     if (installed.code() != 0) {
-      throw new PackageException(name + ": " + tools.complaint(installed));
+      throw new PackageException(name + ": " + tools.errorOf(installed));
     }
     return build;
   }
 
-  /** Installs wheels, and nothing else, without the network. */
+  /** Installs only these wheels, without network. */
   static ToolResult install(PackageTools tools, Path environment, List<Path> wheels)
       throws IOException, InterruptedException {
     List<String> arguments =

@@ -12,21 +12,21 @@ import java.util.regex.Pattern;
 import org.sitaf.agent.sandbox.ToolResult;
 
 /**
- * All wheels that an environment needs. Wheels of the index are fetched with the network, by pip,
- * which executes nothing of them. Where there is only a source archive, it is fetched alone, built
- * without the network, and what the built wheel requires is fetched in the next round.
+ * Collects all wheels of an environment. pip downloads wheels from the index, which executes no
+ * code of them. A package that exists only as source archive is downloaded alone and built without
+ * network; the requirements of the built wheel are downloaded in the next round.
  *
- * <p>pip never sees with the network what strangers have built or brought, because a wheel may
- * require an address of any kind. It gets an empty wheel of the same name and version instead, and
- * what the wheel requires as lines that have been checked.
+ * <p>pip with network access never sees a wheel that was built here or comes with the activity,
+ * because the wheel may require any address. It gets an empty wheel of the same name and version
+ * instead, and the checked requirements.
  */
 final class WheelCollection {
-  /** So many packages may have to be built. */
-  private static final int MOST_ROUNDS = 10;
+  /** Limit for the number of packages to build. */
+  private static final int MAX_ROUNDS = 10;
 
-  private static final long MOST_BYTES = 4L << 30;
+  private static final long MAX_BYTES = 4L << 30;
 
-  /** pip's words for a package of which the index has no wheel that fits. */
+  /** pip's message for a package without a suitable wheel in the index. */
   private static final Pattern MISSING =
       Pattern.compile(
           "ERROR: No matching distribution found for ([A-Za-z0-9][A-Za-z0-9._-]*)(?:\\[[^\\]]*])?"
@@ -38,9 +38,9 @@ final class WheelCollection {
   private final List<LocalWheel> local = new ArrayList<>();
 
   /**
-   * Nothing collected yet.
+   * Creates an empty collection.
    *
-   * @param environment an environment without packages, whose pip fetches
+   * @param environment an environment without packages, whose pip downloads
    * @param lines packages of the index
    */
   WheelCollection(PackageTools tools, Path environment, List<String> lines) {
@@ -49,7 +49,7 @@ final class WheelCollection {
     this.lines.addAll(lines);
   }
 
-  /** The user's files are at fault, or the index does not have what they name. */
+  /** An error of the user's files, or a package that is not in the index. */
   static final class PackageException extends Exception {
     private static final long serialVersionUID = 1L;
 
@@ -58,7 +58,7 @@ final class WheelCollection {
     }
   }
 
-  /** Adds a wheel that the activity brings. */
+  /** Adds a wheel of the activity. */
   void add(Path wheel) throws IOException, InterruptedException, PackageException {
     add(LocalWheel.read(wheel, environment, tools));
   }
@@ -70,9 +70,9 @@ final class WheelCollection {
   }
 
   /**
-   * Fetches and builds until everything is there.
+   * Downloads and builds until the set is complete.
    *
-   * @param known a folder of wheels that were fetched before
+   * @param known folder of wheels that were downloaded before
    */
   List<Path> collect(Path known) throws IOException, InterruptedException, PackageException {
     for (int round = 0; ; round++) {
@@ -83,20 +83,20 @@ final class WheelCollection {
       }
       Matcher missing = missing(fetched);
       if (missing == null) {
-        throw new PackageException(tools.complaint(fetched));
+        throw new PackageException(tools.errorOf(fetched));
       }
       String name = normalized(missing.group(1));
       if (local.stream().anyMatch(wheel -> wheel.name().equals(name))) {
-        throw new PackageException(tools.complaint(fetched));
+        throw new PackageException(tools.errorOf(fetched));
       }
-      if (round == MOST_ROUNDS) {
+      if (round == MAX_ROUNDS) {
         throw new PackageException(
-            "more than " + MOST_ROUNDS + " packages have no wheel and would have to be built");
+            "more than " + MAX_ROUNDS + " packages have no wheel and would have to be built");
       }
       Optional<LocalWheel> built =
           new SourceBuild(tools, environment, this::fetchBuildTools)
               .build(name, missing.group(2).strip());
-      add(built.orElseThrow(() -> new PackageException(tools.complaint(fetched))));
+      add(built.orElseThrow(() -> new PackageException(tools.errorOf(fetched))));
     }
   }
 
@@ -110,13 +110,13 @@ final class WheelCollection {
     return null;
   }
 
-  /** What a package is built with: wheels of the index alone. */
+  /** Downloads build requirements; only wheels of the index. */
   private List<Path> fetchBuildTools(List<String> wanted)
       throws IOException, InterruptedException, PackageException {
     Path folder = tools.folder();
     ToolResult fetched = fetchAlone(folder, wanted, List.of());
     if (fetched.code() != 0) {
-      throw new PackageException("what it is built with: " + tools.complaint(fetched));
+      throw new PackageException("build requirements: " + tools.errorOf(fetched));
     }
     return wheels(folder);
   }
@@ -133,7 +133,7 @@ final class WheelCollection {
   private ToolResult fetchAlone(Path folder, List<String> wanted, List<Path> links)
       throws IOException, InterruptedException {
     for (String line : wanted) {
-      // The line was checked when it was made; nothing else may reach pip.
+      // Lines are checked when they are added; nothing else may reach pip.
       if (!Requirements.isPackage(line)) {
         throw new IllegalArgumentException("'" + line + "' is not a package");
       }
@@ -159,7 +159,7 @@ final class WheelCollection {
     return tools.pip(environment, folder, arguments, readable, List.of(), true);
   }
 
-  /** Fetches packages of the index that have wheels, into a folder; says how it ended. */
+  /** Downloads packages that have wheels into a folder; returns pip's result. */
   ToolResult fetch(Path folder) throws IOException, InterruptedException {
     return fetchAlone(folder, lines, List.of());
   }
@@ -177,13 +177,13 @@ final class WheelCollection {
     for (Path wheel : all) {
       bytes += Files.size(wheel);
     }
-    if (bytes > MOST_BYTES) {
-      throw new PackageException("the packages are larger than " + (MOST_BYTES >> 30) + " GiB");
+    if (bytes > MAX_BYTES) {
+      throw new PackageException("the packages are larger than " + (MAX_BYTES >> 30) + " GiB");
     }
     return all;
   }
 
-  /** The wheels that a fetch has left. */
+  /** The wheels that a download has created. */
   static List<Path> wheels(Path folder) throws IOException {
     return LocalWheel.wheelsIn(folder.resolve("wheels"));
   }
@@ -193,7 +193,7 @@ final class WheelCollection {
     return file.substring(0, file.indexOf('-'));
   }
 
-  /** As the index compares names. */
+  /** Normalizes a name like the index. */
   static String normalized(String name) {
     return name.replaceAll("[-_.]+", "-").toLowerCase(Locale.ROOT);
   }

@@ -1,4 +1,4 @@
-/** Compiles Python test applications, and keeps an environment for each set of packages. */
+/** The Python toolchain: byte code compilation, and one cached environment per set of packages. */
 @NullMarked
 package org.sitaf.agent.toolchain.python;
 

@@ -13,8 +13,8 @@ import sys
 import tarfile
 import zipfile
 
-LONGEST_ARCHIVE = 256 << 20
-LONGEST_METADATA = 1 << 20
+MAX_ARCHIVE_BYTES = 256 << 20
+MAX_METADATA_BYTES = 1 << 20
 SUFFIXES = (".tar.gz", ".zip", ".tgz", ".tar.bz2", ".tar.xz")
 
 
@@ -45,8 +45,8 @@ def source(name, specifier):
             with open(link.filename, "wb") as file:
                 for block in response.iter_content(1 << 16):
                     size += len(block)
-                    if size > LONGEST_ARCHIVE:
-                        sys.exit(f"{link.filename} is larger than {LONGEST_ARCHIVE >> 20} MiB")
+                    if size > MAX_ARCHIVE_BYTES:
+                        sys.exit(f"{link.filename} is larger than {MAX_ARCHIVE_BYTES >> 20} MiB")
                     if digest:
                         digest.update(block)
                     file.write(block)
@@ -59,7 +59,7 @@ def source(name, specifier):
 def wheel(path):
     with zipfile.ZipFile(path) as archive:
         found = [i for i in archive.infolist() if i.filename.endswith(".dist-info/METADATA") and i.filename.count("/") == 1]
-        if len(found) != 1 or found[0].file_size > LONGEST_METADATA:
+        if len(found) != 1 or found[0].file_size > MAX_METADATA_BYTES:
             sys.exit("it is not a wheel: it has no METADATA, or several")
         metadata = email.parser.Parser().parsestr(archive.read(found[0]).decode("utf-8", "replace"), headersonly=True)
     say("name", metadata["Name"])
@@ -85,12 +85,12 @@ def pyproject(path):
     if path.endswith(".zip"):
         with zipfile.ZipFile(path) as archive:
             for info in archive.infolist():
-                if info.filename.count("/") == 1 and info.filename.endswith("/pyproject.toml") and info.file_size <= LONGEST_METADATA:
+                if info.filename.count("/") == 1 and info.filename.endswith("/pyproject.toml") and info.file_size <= MAX_METADATA_BYTES:
                     return archive.read(info).decode("utf-8", "replace")
         return ""
     with tarfile.open(path) as archive:
         for info in archive:
-            if info.isreg() and info.name.count("/") == 1 and info.name.endswith("/pyproject.toml") and info.size <= LONGEST_METADATA:
+            if info.isreg() and info.name.count("/") == 1 and info.name.endswith("/pyproject.toml") and info.size <= MAX_METADATA_BYTES:
                 return archive.extractfile(info).read().decode("utf-8", "replace")
     return ""
 

@@ -17,14 +17,14 @@ import org.sitaf.agent.spool.SystemTool;
 import org.sitaf.core.verdict.Coverage;
 import org.sitaf.core.verdict.Coverage.Line;
 
-/** The reports of real tools are read. */
+/** Reads reports of the real tools. */
 class ReportsTest {
   @TempDir private Path directory;
 
   @Test
-  void whatTwoProcessesOfACppProgramReachedIsAddedUp() throws Exception {
-    assumeTrue(Files.isExecutable(Path.of("/usr/bin/g++")), "skipped for want of g++");
-    assumeTrue(Files.isExecutable(Path.of("/usr/bin/gcov")), "skipped for want of gcov");
+  void mergesCoverageOfTwoProcesses() throws Exception {
+    assumeTrue(Files.isExecutable(Path.of("/usr/bin/g++")), "skipped: g++ is not installed");
+    assumeTrue(Files.isExecutable(Path.of("/usr/bin/gcov")), "skipped: gcov is not installed");
     Path sources = Files.createDirectories(directory.resolve("activity/component"));
     Files.writeString(
         sources.resolve("sign.cpp"),
@@ -84,7 +84,7 @@ class ReportsTest {
   }
 
   @Test
-  void aReportOfCoveragePyIsRead() {
+  void readsAReportOfCoveragePy() {
     Coverage coverage =
         LcovReport.read(
             """

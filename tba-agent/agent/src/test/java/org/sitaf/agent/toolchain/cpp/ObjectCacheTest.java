@@ -37,7 +37,7 @@ import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.harness.TestApplication;
 
 /**
- * Whatever changed is compiled again, whatever did not is not, and nobody gets another's object.
+ * Changed units are compiled again, unchanged ones are not, and users never get others' objects.
  */
 @Tag("slow")
 @Timeout(300)
@@ -51,7 +51,7 @@ class ObjectCacheTest {
   private Toolchain toolchain;
 
   @BeforeEach
-  void anAgentWithEmptyCachesAndACompiledRuntime() throws IOException {
+  void setUpAgent() throws IOException {
     Path runtimes = Path.of(System.getProperty("sitaf.runtimes"));
     Path cache = directory.resolve("cache");
     Path compiled = runtimes.resolveSibling("test-cache").resolve("cpp/runtime");
@@ -67,7 +67,7 @@ class ObjectCacheTest {
     put("other.cpp", "#include \"other.hpp\"\nint value() { return 1; }\n");
   }
 
-  /** The component's value is one expression, behind which directives may follow. */
+  /** A component with the given return value, which may be followed by directives. */
   private void component(String expression) {
     put("main.cpp", "#include \"other.hpp\"\nint component() { return " + expression + "}\n");
   }
@@ -77,10 +77,10 @@ class ObjectCacheTest {
   }
 
   /**
-   * What a build brought.
+   * The result of a build.
    *
-   * @param value what the component says
-   * @param compiled units that a compiler was started for
+   * @param value the return value of the component
+   * @param compiled units that were compiled, not taken from the cache
    */
   private record Built(int value, Set<String> compiled) {}
 
@@ -131,7 +131,7 @@ class ObjectCacheTest {
     return process.exitValue();
   }
 
-  /** As each compiler has noted it where it worked. */
+  /** The dependency file as each compiler writes it. */
   private static Set<String> units(Compilation compilation) throws IOException {
     Set<String> units = new TreeSet<>();
     try (Stream<Path> all = Files.walk(compilation.scratch())) {
@@ -144,7 +144,7 @@ class ObjectCacheTest {
   }
 
   @Test
-  void anUntouchedUnitIsNotCompiledAgain() throws Exception {
+  void doesNotRecompileAnUnchangedUnit() throws Exception {
     component("value();");
     assertThat(build()).isEqualTo(new Built(1, Set.of("harness/program/main.cpp", MAIN, OTHER)));
     put("other.cpp", "#include \"other.hpp\"\nint value() { return 2; }\n");
@@ -156,7 +156,7 @@ class ObjectCacheTest {
   }
 
   @Test
-  void dataAndRemarksNextToTheSourcesCompileNothing() throws Exception {
+  void doesNotRecompileAfterChangesOfDataAndComments() throws Exception {
     component("value();");
     build();
     put("README.md", "text");
@@ -167,7 +167,7 @@ class ObjectCacheTest {
   }
 
   @Test
-  void anIncludedSourceCounts() throws Exception {
+  void recompilesAfterAChangedIncludedSource() throws Exception {
     component("part();}\n#include \"part.cc\"\nint nothing() { return 0;");
     put("other.hpp", "int part();\n");
     put("other.cpp", "");
@@ -194,7 +194,7 @@ class ObjectCacheTest {
   }
 
   @Test
-  void aHeaderThatComesInFrontCounts() throws Exception {
+  void detectsANewHeaderEarlierInTheSearchPath() throws Exception {
     put("main.cpp", "#include \"sub/middle.hpp\"\nint component() { return X; }\n");
     put("sub/middle.hpp", "#include \"x.hpp\"\n");
     put("x.hpp", "#define X 1\n");
@@ -205,7 +205,7 @@ class ObjectCacheTest {
   }
 
   @Test
-  void whatTheAssemblerTakesInCounts() throws Exception {
+  void countsFilesIncludedByTheAssembler() throws Exception {
     put(
         "main.cpp",
         "asm(\".data\\n.global blob\\nblob: .incbin \\\"blob.bin\\\"\\n.text\");\n"
@@ -219,7 +219,7 @@ class ObjectCacheTest {
   }
 
   @Test
-  void whatIsReadOutsideOfApplicationAndSystemIsNotKept() throws Exception {
+  void doesNotCacheObjectsWithUnknownInputs() throws Exception {
     put(
         "main.cpp",
         "asm(\".section .note.x\\n.incbin \\\"/etc/passwd\\\"\\n.text\");\n"
@@ -230,7 +230,7 @@ class ObjectCacheTest {
   }
 
   @Test
-  void timeOfDayAndOfFilesAreTheSameInEachBuild() throws Exception {
+  void dateAndFileTimesAreReproducible() throws Exception {
     put(
         "main.cpp",
         "static const char* times = __DATE__ __TIME__ __TIMESTAMP__ __FILE__;\n"
@@ -248,7 +248,7 @@ class ObjectCacheTest {
   }
 
   @Test
-  void oneUserDoesNotGetTheObjectOfAnother() throws Exception {
+  void usersDoNotGetObjectsOfOtherUsers() throws Exception {
     files.put("component/main.cpp", "#include \"../mine/x.hpp\"\nint component() { return X; }\n");
     files.put("mine/x.hpp", "#define X 1\n");
     assertThat(build().value()).isEqualTo(1);
@@ -256,12 +256,12 @@ class ObjectCacheTest {
     assertThat(build().value()).isEqualTo(100);
     files.put("mine/x.hpp", "#define X 1\n");
 
-    // But the one that was made of the very same.
+    // Except the object that was compiled from equal inputs.
     assertThat(build()).isEqualTo(new Built(1, Set.of()));
   }
 
   @Test
-  void whatWasChangedInTheCacheIsNotUsed() throws Exception {
+  void doesNotUseAModifiedEntry() throws Exception {
     component("value();");
     build();
     Path objects = directory.resolve("cache/cpp/objects");
@@ -281,7 +281,7 @@ class ObjectCacheTest {
   }
 
   @Test
-  void notesOfCoverageBelongToTheirObjects() throws Exception {
+  void cachesCoverageNotesWithTheirObjects() throws Exception {
     component("value();");
     assertThat(build(true).value()).isEqualTo(1);
     put("other.cpp", "#include \"other.hpp\"\nint value() { return 2; }\n");

@@ -17,7 +17,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.sitaf.agent.toolchain.CompilationException;
 import org.sitaf.agent.toolchain.java.confined.Wire;
 
-/** A compiler that a user has taken over may answer what it likes. */
+/** A compromised compiler process may send any answer. */
 class CompilerAnswerTest {
   @TempDir private Path directory;
   private final ByteArrayOutputStream answer = new ByteArrayOutputStream();
@@ -63,21 +63,21 @@ class CompilerAnswerTest {
   }
 
   @Test
-  void aLineWithoutEndIsNotRead() {
+  void ignoresAnIncompleteLine() {
     says("c".repeat(1000));
 
     assertThatThrownBy(() -> read(2000)).hasMessage("not a message");
   }
 
   @Test
-  void moreThanTheBoundIsNotRead() {
+  void doesNotReadMoreThanTheLimit() {
     says("class 4 2000\nname");
 
     assertThatThrownBy(() -> read(1000)).hasMessage("more bytes than allowed");
   }
 
   @Test
-  void moreErrorsThanTheCompilerReportsAreRefused() throws Exception {
+  void rejectsTooManyErrors() throws Exception {
     for (int i = 0; i < 101; i++) {
       Wire.write(answer, Wire.ERROR, "-1", "1", "1", "wrong");
     }
@@ -86,7 +86,7 @@ class CompilerAnswerTest {
   }
 
   @Test
-  void anErrorInASourceThatNobodySentIsRefused() throws Exception {
+  void rejectsAnErrorInAnUnknownSource() throws Exception {
     Wire.write(answer, Wire.ERROR, "7", "1", "1", "wrong");
 
     assertThatThrownBy(() -> read(1000)).hasMessageContaining("unknown source");

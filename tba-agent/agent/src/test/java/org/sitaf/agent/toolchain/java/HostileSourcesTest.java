@@ -24,7 +24,7 @@ import org.sitaf.agent.toolchain.ToolchainLookup.Found;
 import org.sitaf.agent.toolchain.ToolchainPlaces;
 import org.sitaf.core.harness.TestApplication;
 
-/** What users give to the Java compiler neither runs nor harms the agent. */
+/** Hostile input of the Java compiler is not executed and does not harm the agent. */
 class HostileSourcesTest {
   @TempDir private Path directory;
   private List<Path> processors = List.of();
@@ -71,7 +71,7 @@ class HostileSourcesTest {
     return catchThrowableOfType(CompilationException.class, () -> compile(activity));
   }
 
-  private void theNextCompilationIsClean() throws Exception {
+  private void assertNextCompilationPasses() throws Exception {
     assertThat(compile(EchoActivity.doing("return value;")).resolve("demo/Component.class"))
         .isRegularFile();
   }
@@ -141,10 +141,10 @@ class HostileSourcesTest {
   }
 
   @Test
-  void aPluginOfTheClassPathThatStartsByItselfDoesNotRun() throws Exception {
+  void doesNotRunAutoStartPlugins() throws Exception {
     Path mark = directory.resolve("mark");
     Path jar = plugin(mark);
-    // Not even where there is no sandbox, so that it is not only kept from writing.
+    // Tested without a sandbox, too, which would prevent writing.
     compile(withLibrary("return value;", jar), Sandbox.none(), Duration.ofMinutes(2));
     compile(withLibrary("return value;", jar));
 
@@ -164,13 +164,13 @@ class HostileSourcesTest {
   }
 
   @Test
-  void anAnnotationProcessorOfTheClassPathDoesNotRun() throws Exception {
+  void doesNotRunAnnotationProcessorsOfTheClassPath() throws Exception {
     assertThat(refused(withLibrary("return Generated.ONE;", processor())).diagnostics())
         .anySatisfy(found -> assertThat(found.message()).contains("variable Generated"));
   }
 
   @Test
-  void oneThatAnAdministratorNamesRuns() throws Exception {
+  void runsAnAllowedAnnotationProcessor() throws Exception {
     processors = List.of(processor());
     toolchain = toolchain();
 
@@ -180,7 +180,7 @@ class HostileSourcesTest {
   }
 
   @Test
-  void constantsThatGrowHitTheMemoryOfTheCompiler() throws Exception {
+  void growingConstantsExceedTheMemoryOfTheCompiler() throws Exception {
     StringBuilder constants = new StringBuilder("package demo;\n\npublic class Component {\n");
     constants.append("  static final String C0 = \"").append("x".repeat(1000)).append("\";\n");
     for (int i = 1; i <= 21; i++) {
@@ -191,20 +191,20 @@ class HostileSourcesTest {
 
     assertThat(refused(EchoActivity.withComponent(constants.toString())))
         .hasMessageContaining("the compiler used more than 1024 MiB of memory");
-    theNextCompilationIsClean();
+    assertNextCompilationPasses();
   }
 
   @Test
-  void aDeepExpressionEndsTheCompilationAlone() throws Exception {
+  void aDeepExpressionFailsOnlyTheCompilation() throws Exception {
     String deep = "(".repeat(200_000) + "value" + ")".repeat(200_000);
 
     assertThat(refused(EchoActivity.doing("return " + deep + ";")))
         .hasMessageContaining("simplify the sources");
-    theNextCompilationIsClean();
+    assertNextCompilationPasses();
   }
 
   @Test
-  void aSourceThatTakesForeverIsGivenUp() throws Exception {
+  void stopsACompilationThatNeverEnds() throws Exception {
     // The type of the value doubles with each call.
     String endless = "pair(".repeat(40) + "value" + ")".repeat(40);
     EchoActivity activity =
@@ -229,21 +229,21 @@ class HostileSourcesTest {
             catchThrowableOfType(
                 CompilationException.class,
                 () -> compile(activity, SandboxMode.AUTO.open(), Duration.ofSeconds(5))))
-        .hasMessage("the compilation was given up after 5 s");
-    theNextCompilationIsClean();
+        .hasMessage("the compilation did not finish within 5 s");
+    assertNextCompilationPasses();
   }
 
   @Test
-  void aClassThatUnpacksToGigabytesHitsTheMemoryOfTheCompiler() throws Exception {
+  void aHugeClassExceedsTheMemoryOfTheCompiler() throws Exception {
     Path jar = Jars.bomb(directory.resolve("bomb.jar"), "demo/Helper.class", 1200);
 
     assertThat(refused(withLibrary("return Helper.help(value);", jar)).getMessage())
         .containsAnyOf("the compiler used more than 1024 MiB", "bad class file");
-    theNextCompilationIsClean();
+    assertNextCompilationPasses();
   }
 
   @Test
-  void aManifestReachesNoFileOutside() throws Exception {
+  void aManifestCannotReferToFilesOutside() throws Exception {
     Path secret =
         Jars.of(
             directory.resolve("secret"),
@@ -256,7 +256,7 @@ class HostileSourcesTest {
   }
 
   @Test
-  void whatIsNoJarIsReported() {
+  void reportsAFileThatIsNotAJar() {
     assertThat(
             refused(
                 EchoActivity.withComponent("package demo; class Other {}")
@@ -266,25 +266,25 @@ class HostileSourcesTest {
   }
 
   @Test
-  void aResourceWithTheNameOfAFolderIsReported() {
+  void reportsAResourceWithTheNameOfAFolder() {
     assertThat(
             refused(
                 EchoActivity.doing("return value;")
                     .profileLine("harness: java")
                     .file("component/sitaf", "")))
-        .hasMessage("the component's files do not fit together");
+        .hasMessage("the component's files conflict");
   }
 
   @Test
-  void aCompilerStartedAheadServesOneCompilationAndLeavesNothing() throws Exception {
+  void aCompilerStartedAheadServesOneCompilation() throws Exception {
     Path compilers = EchoActivity.places().cache().resolve("java/compilers");
     toolchain.startAhead(SandboxMode.AUTO.open());
     long ahead = own(compilers);
-    theNextCompilationIsClean();
+    assertNextCompilationPasses();
 
     assertThat(ahead).isEqualTo(1);
     assertThat(own(compilers)).isZero();
-    theNextCompilationIsClean();
+    assertNextCompilationPasses();
     assertThat(own(compilers)).isZero();
   }
 

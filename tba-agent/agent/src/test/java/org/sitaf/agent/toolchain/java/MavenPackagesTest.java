@@ -15,7 +15,7 @@ import org.sitaf.agent.testing.EchoActivity;
 import org.sitaf.agent.toolchain.Compilation;
 import org.sitaf.agent.toolchain.CompilationException;
 
-/** Maven fetches by coordinates, and from the configured repositories. */
+/** Maven downloads packages from the configured repositories only. */
 class MavenPackagesTest {
   @TempDir private Path directory;
 
@@ -52,13 +52,13 @@ class MavenPackagesTest {
   }
 
   @Test
-  void repositoriesThatAPackageNamesAreBlocked() {
+  void blocksRepositoriesOfAPackage() {
     assertThat(MavenPackages.settings(""))
         .contains("<mirrorOf>*,!central</mirrorOf>", "<blocked>true</blocked>");
   }
 
   @Test
-  void thoseThatTheInstallationNamesAreNot() {
+  void keepsRepositoriesOfTheInstallation() {
     String installed =
         """
         <settings><profiles><profile><repositories>
@@ -71,7 +71,7 @@ class MavenPackagesTest {
   }
 
   @Test
-  void onlyJarsOfAPackageAreTaken() throws Exception {
+  void usesOnlyTheJarsOfAPackage() throws Exception {
     Path folder = Files.createDirectories(directory.resolve("packages/a!b!1"));
     Files.createSymbolicLink(folder.resolve("link.jar"), Path.of("/etc/passwd"));
     Files.createDirectory(folder.resolve("folder.jar"));

@@ -23,7 +23,7 @@ import org.sitaf.agent.sandbox.SandboxMode;
 import org.sitaf.agent.testing.EchoActivity;
 import org.sitaf.agent.toolchain.CompilationException;
 
-/** What packages hold runs where there is no network and nothing to write but its own output. */
+/** Code of packages runs without network and can write only its output. */
 @Tag("slow")
 class HostilePackagesTest {
   private static final Duration LIMIT = Duration.ofMinutes(4);
@@ -36,7 +36,7 @@ class HostilePackagesTest {
   @BeforeEach
   void start() throws Exception {
     sandbox = SandboxMode.AUTO.open();
-    assumeTrue(!sandbox.kind().equals(Sandbox.NONE), "skipped for want of bubblewrap");
+    assumeTrue(!sandbox.kind().equals(Sandbox.NONE), "skipped: bubblewrap is not available");
     index = new LocalIndex();
     Path runtime = EchoActivity.places().runtimes().resolve("runtime-python");
     Path shared = EchoActivity.places().cache().resolve("python");
@@ -89,7 +89,7 @@ class HostilePackagesTest {
   }
 
   @Test
-  void aSourceArchiveIsBuiltWithoutTheNetworkAndReachesNothing() throws Exception {
+  void buildsASourceArchiveWithoutNetwork() throws Exception {
     Path outside = Files.createDirectories(directory.resolve("outside"));
     Path key = Files.writeString(directory.resolve("key"), "secret");
     String setup =
@@ -157,7 +157,7 @@ class HostilePackagesTest {
   }
 
   @Test
-  void aWheelOfTheActivityDoesNotSendPipToAnAddress() throws Exception {
+  void aWheelOfTheActivityCannotMakePipConnectToAnAddress() throws Exception {
     Path wheel =
         Files.write(
             directory.resolve("robot-1.0-py3-none-any.whl"),
@@ -175,7 +175,7 @@ class HostilePackagesTest {
   }
 
   @Test
-  void aWheelOfTheActivityIsInstalledWithWhatItRequires() throws Exception {
+  void installsAWheelOfTheActivityWithItsRequirements() throws Exception {
     index.add(
         "sitaf-hostile-needed",
         "sitaf_hostile_needed-1.0-py3-none-any.whl",
@@ -194,7 +194,7 @@ class HostilePackagesTest {
   }
 
   @Test
-  void whatTheIndexDoesNotHaveIsReported() {
+  void reportsAPackageThatIsNotInTheIndex() {
     assertThatThrownBy(() -> make(List.of("sitaf-hostile-nothing==9")))
         .isInstanceOfSatisfying(
             CompilationException.class,
@@ -204,7 +204,7 @@ class HostilePackagesTest {
   }
 
   @Test
-  void aLinkInAFolderThatABuildHasWrittenIsNotTaken() throws Exception {
+  void rejectsALinkInABuildFolder() throws Exception {
     Path folder = Files.createDirectories(directory.resolve("wheels"));
     Files.createSymbolicLink(folder.resolve("evil-1.0-py3-none-any.whl"), Path.of("/etc/passwd"));
     Files.createDirectory(folder.resolve("worse-1.0-py3-none-any.whl"));

@@ -36,7 +36,7 @@ final class LocalIndex implements AutoCloseable {
     return server.getAddress().getPort();
   }
 
-  /** What was asked for, by path. */
+  /** The requests, by path. */
   List<String> requests() {
     return requests;
   }

@@ -14,7 +14,7 @@ import org.sitaf.agent.testing.EchoActivity;
 import org.sitaf.agent.toolchain.CompilationException;
 import org.sitaf.agent.toolchain.python.WheelCollection.PackageException;
 
-/** Only packages of the index get to pip. */
+/** pip gets packages of the index only. */
 class RequirementsTest {
   @TempDir private Path activity;
 
@@ -31,7 +31,7 @@ class RequirementsTest {
   }
 
   @Test
-  void packagesWithExtrasVersionsAndMarkersAreTaken() throws Exception {
+  void acceptsExtrasVersionsAndMarkers() throws Exception {
     assertThat(
             read("""
                     # what it needs
@@ -96,7 +96,7 @@ class RequirementsTest {
   }
 
   @Test
-  void aListWithoutEndIsRefused() {
+  void rejectsAnUnterminatedList() {
     assertThatThrownBy(() -> read("a\n".repeat(201))).isInstanceOf(CompilationException.class);
     assertThatThrownBy(() -> read("#".repeat(70_000))).isInstanceOf(CompilationException.class);
   }
@@ -116,7 +116,7 @@ class RequirementsTest {
   }
 
   @Test
-  void requirementsOfOlderWheelsAndOfExtrasAreUnderstood() throws Exception {
+  void readsRequirementsOfOldWheelsAndExtras() throws Exception {
     assertThat(LocalWheel.requirement("numpy (>=1.20)", "robot")).containsExactly("numpy  >=1.20");
     assertThat(LocalWheel.requirement("pytest; extra == 'test'", "robot")).isEmpty();
     assertThat(LocalWheel.requirement("tomli>=2; python_version < '3.11'", "robot"))

@@ -9,15 +9,15 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * The names that the directives of a source ask for, whether they are found or not, in whatever
- * branch they stand. A comment may look like a directive: then there is a name too many, which
- * costs at most a compilation; there is none too few.
+ * The names in the include directives of a source, in all branches, whether or not a file is found.
+ * A comment that looks like a directive adds a name, which costs at most a compilation; no name is
+ * missing.
  *
  * @param names in the order of the text
- * @param computed whether a directive takes its name from a macro, or is written too strangely to
- *     see
- * @param unknown whether the source may ask for names that no text shows, and that it need not find
- * @param assembly whether assembly may be in it, which can take in files as well
+ * @param computed whether a directive gets its name from a macro or cannot be parsed
+ * @param unknown whether the source may look for names that its text does not show and that need
+ *     not exist
+ * @param assembly whether the source may contain assembly, which can include files, too
  */
 record AskedNames(List<Name> names, boolean computed, boolean unknown, boolean assembly) {
   private static final Pattern SPLICE = Pattern.compile("\\\\[ \\t]*\\r?\\n");
@@ -36,12 +36,12 @@ record AskedNames(List<Name> names, boolean computed, boolean unknown, boolean a
   }
 
   /**
-   * A name as it is written.
+   * A name as written.
    *
-   * @param quoted whether it is looked for next to the file that asks, first
+   * @param quoted whether the folder of the including file is searched first
    */
   record Name(String text, boolean quoted) {
-    /** The folder in it; empty where it has none. */
+    /** Its folder; empty if it has none. */
     String folder() {
       return text.substring(0, Math.max(0, text.lastIndexOf('/')));
     }
@@ -73,7 +73,7 @@ record AskedNames(List<Name> names, boolean computed, boolean unknown, boolean a
     return new AskedNames(new ArrayList<>(names), computed, unknown, text.contains("asm"));
   }
 
-  /** Takes a name in; false where it is an absolute path, or one that no file can have. */
+  /** Adds a name; returns false if it is absolute or cannot be the name of a file. */
   private static boolean add(Set<Name> names, Matcher literal) {
     boolean quoted = literal.group(2) != null;
     byte[] name = literal.group(quoted ? 2 : 1).getBytes(StandardCharsets.ISO_8859_1);
@@ -91,7 +91,7 @@ record AskedNames(List<Name> names, boolean computed, boolean unknown, boolean a
       before--;
     }
     String end = text.substring(Math.max(0, before - 1), before + 1);
-    // Behind a comment it may be one.
+    // A directive may follow a comment.
     return end.endsWith("#") || end.equals("%:") || end.equals("*/");
   }
 

@@ -5,17 +5,17 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What compiler, assembler and linker note of the files that they opened. The names in it may be a
- * user's, so whatever is not written as these tools write it is not understood.
+ * Parses the dependency files of compiler, assembler and linker. They contain file names chosen by
+ * users, so any unexpected syntax is rejected.
  */
 public final class DependencyFile {
   private DependencyFile() {}
 
   /**
-   * The prerequisites of the one rule that a compiler writes, as it printed them.
+   * The prerequisites of the only rule in a compiler's file.
    *
-   * @param target of the rule, without characters that would be escaped
-   * @return empty where the text is anything but that rule
+   * @param target target of the rule, without characters that need escaping
+   * @return empty if the text is anything else
    */
   public static Optional<List<String>> rule(String target, String text) {
     String head = target + ":";
@@ -50,8 +50,8 @@ public final class DependencyFile {
   }
 
   /**
-   * What a linker opened: its first rule has one name a line, without any escape; the rules behind
-   * it say nothing more.
+   * The files that a linker opened. Its first rule has one unescaped name per line; the other rules
+   * are ignored.
    */
   public static Optional<List<String>> ofLinker(String text) {
     List<String> lines = text.lines().toList();

@@ -14,8 +14,8 @@ import org.jspecify.annotations.Nullable;
 import org.sitaf.core.activity.FileTree;
 
 /**
- * The files of one test application, in its layout, and which of them a name in an include
- * directive means. Paths of a layout have no links and none of the parts {@code .} and {@code ..}.
+ * Resolves names of include directives among the files of one test application. Paths are relative
+ * to its layout and normalized.
  */
 final class IncludeSearch {
   private static final String HARNESS = "harness/";
@@ -27,14 +27,13 @@ final class IncludeSearch {
   private final Map<String, String> digests = new HashMap<>();
   private final Map<String, AskedNames> asked = new HashMap<>();
 
-  /** By the name that finds it in the include folders; of several the first of these counts. */
+  /** File by the name that finds it; the first include folder wins. */
   private final Map<String, String> reachable = new HashMap<>();
 
   /**
-   * Looks through an application's files.
+   * Indexes the files of an application.
    *
-   * @param folders of the layout in which names are looked for, in this order, without a slash at
-   *     the end
+   * @param folders the include path within the layout, without trailing slashes
    */
   IncludeSearch(FileTree harness, FileTree activity, List<String> folders) {
     this.harness = harness;
@@ -61,7 +60,7 @@ final class IncludeSearch {
         && tree(path).contains(inTree(path));
   }
 
-  /** All files, in order. */
+  /** All files, sorted. */
   SortedSet<String> paths() {
     SortedSet<String> paths = new TreeSet<>();
     harness.paths().forEach(path -> paths.add(HARNESS + path));
@@ -81,7 +80,7 @@ final class IncludeSearch {
     return asked.computeIfAbsent(path, p -> AskedNames.in(content(p)));
   }
 
-  /** The names that would find a file in the include folders. */
+  /** The names that find a file in the include folders. */
   List<String> namesOf(String path) {
     List<String> names = new ArrayList<>();
     for (String folder : folders) {
@@ -92,7 +91,10 @@ final class IncludeSearch {
     return names;
   }
 
-  /** What a name means to one of the application's files; null where nothing here. */
+  /**
+   * The file that a name in one of the application's files refers to; null if it is not in the
+   * application.
+   */
   @Nullable String find(AskedNames.Name name, String asking) {
     if (name.quoted()) {
       String next = normal(asking.substring(0, asking.lastIndexOf('/')) + "/" + name.text());
@@ -103,7 +105,7 @@ final class IncludeSearch {
     return find(name.text());
   }
 
-  /** What a name means in the include folders. */
+  /** The file that a name refers to in the include folders. */
   @Nullable String find(String name) {
     if (isPlain(name)) {
       return reachable.get(name);
@@ -117,7 +119,7 @@ final class IncludeSearch {
     return null;
   }
 
-  /** Those of some names that mean something in the include folders. */
+  /** The names that refer to a file in the include folders. */
   Map<String, String> findAll(SortedSet<String> names) {
     Map<String, String> found = new TreeMap<>();
     for (Map.Entry<String, String> entry : reachable.entrySet()) {
@@ -138,7 +140,7 @@ final class IncludeSearch {
     return !name.startsWith(".") && !name.contains("/.") && !name.contains("//");
   }
 
-  /** A path of the layout without the parts {@code .} and {@code ..}; null where it leaves it. */
+  /** Normalizes a path of the layout; null if it leaves the layout. */
   static @Nullable String normal(String path) {
     Deque<String> parts = new ArrayDeque<>();
     for (String part : path.split("/", -1)) {
@@ -153,7 +155,9 @@ final class IncludeSearch {
     return String.join("/", parts);
   }
 
-  /** A path that a tool printed, in the layout below a folder; null where it is not in there. */
+  /**
+   * Converts a path printed by a tool to a path of the layout; null if it is outside of the folder.
+   */
   static @Nullable String inLayout(String printed, Path root) {
     return printed.startsWith(root + "/")
         ? normal(printed.substring(root.toString().length() + 1))

@@ -17,12 +17,12 @@ import org.sitaf.agent.toolchain.cpp.inputs.Inputs.MachineFile;
 import org.sitaf.core.activity.FileTree;
 
 /**
- * Takes down what a tool has opened for one application, and says of what was taken down earlier
- * whether the tool would open the same now: the same files with the same content, and no other ones
- * in front of them.
+ * Records the files that a tool opened for one application, and checks later whether the tool would
+ * open the same files with the same content, that is, that no file has changed and none would be
+ * found before another.
  */
 public final class InputCheck {
-  /** Stands for every name, where a macro may have given one that no path shows. */
+  /** Stands for all names, if a macro may have produced the name. */
   private static final String ANY = "*";
 
   private final Path root;
@@ -32,11 +32,11 @@ public final class InputCheck {
   private final Machine machine = new Machine();
 
   /**
-   * A check for one compilation.
+   * Creates a check for one compilation.
    *
-   * @param root where the application's files lie
-   * @param folders where names are looked for, in this order; those of the application come first
-   * @param known folders whose content the command stands for already
+   * @param root folder of the application's files
+   * @param folders the include path after the application's folders, in order
+   * @param known folders whose content is covered by the command's key
    */
   public InputCheck(
       FileTree harness, FileTree activity, Path root, List<Path> folders, List<Path> known) {
@@ -57,21 +57,21 @@ public final class InputCheck {
   }
 
   /**
-   * What a compiler read.
+   * The inputs of a compiler.
    *
-   * @param included as the compiler noted them, for include directives
-   * @param assembled as the assembler noted them
-   * @param assemblyNoted whether the assembler does so
-   * @param begunMillis when the compiler started; what may have changed since is not certain
-   * @return empty where that cannot be said with certainty: what was compiled must not be kept
+   * @param included files that the compiler listed
+   * @param assembled files that the assembler listed
+   * @param assemblerListsInputs whether the assembler lists its inputs
+   * @param startMillis start of the compiler; later changes make the inputs uncertain
+   * @return empty if the inputs are uncertain, so that the result must not be cached
    */
   public Optional<Inputs> of(
       Collection<String> included,
       Collection<String> assembled,
-      boolean assemblyNoted,
-      long begunMillis) {
+      boolean assemblerListsInputs,
+      long startMillis) {
     try {
-      return read(included, assembled, assemblyNoted, begunMillis);
+      return read(included, assembled, assemblerListsInputs, startMillis);
     } catch (IOException e) {
       return Optional.empty();
     }
@@ -80,8 +80,8 @@ public final class InputCheck {
   private Optional<Inputs> read(
       Collection<String> included,
       Collection<String> assembled,
-      boolean assemblyNoted,
-      long begunMillis)
+      boolean assemblerListsInputs,
+      long startMillis)
       throws IOException {
     SortedSet<String> own = new TreeSet<>();
     SortedSet<String> machines = new TreeSet<>();
@@ -100,76 +100,76 @@ public final class InputCheck {
     }
     for (String path : own) {
       AskedNames names = application.asked(path);
-      if (names.unknown() || names.assembly() && !assemblyNoted) {
+      if (names.unknown() || names.assembly() && !assemblerListsInputs) {
         return Optional.empty();
       }
     }
-    // The assembler looks in the same folders, by names that no directive shows.
+    // The assembler searches the same folders for names that no directive shows.
     for (String printed : assembled) {
       String path = IncludeSearch.inLayout(printed, root);
       asked.addAll(path == null ? namesOnMachine(printed) : application.namesOf(path));
     }
-    if (all.stream().anyMatch(this::isWrittenStrangely)) {
+    if (all.stream().anyMatch(this::isUnusualName)) {
       asked.add(ANY);
     }
-    SortedSet<String> looked = new TreeSet<>();
+    SortedSet<String> searched = new TreeSet<>();
     for (String path : machines) {
       asked.addAll(namesOnMachine(path));
       String folder = path.substring(0, path.lastIndexOf('/'));
       for (Name name : machine.asked(path).names()) {
         asked.add(name.text());
         if (name.quoted()) {
-          looked.add(joined(folder, name.folder()));
+          searched.add(joined(folder, name.folder()));
         }
       }
     }
-    looked.addAll(machineFoldersOf(own, asked));
-    looked.removeIf(this::isKnown);
+    searched.addAll(machineFoldersOf(own, asked));
+    searched.removeIf(this::isKnown);
     machines.removeIf(this::isKnown);
-    return taken(own, machines, looked, asked, begunMillis, machine::sha256);
+    return record(own, machines, searched, asked, startMillis, machine::sha256);
   }
 
   /**
-   * What a linker opened of this machine; its libraries are large, and linking again costs little,
-   * so that any change of theirs counts.
+   * The files of this machine that a linker opened. Any modification counts, because libraries are
+   * large and linking again is cheap.
    *
-   * @param looked folders in which it may have looked for these files
-   * @return empty where that cannot be said with certainty
+   * @param searched folders in which the linker may have searched these files
+   * @return empty if the inputs are uncertain
    */
   public static Optional<Inputs> ofLinker(
-      Collection<String> opened, Collection<String> looked, long begunMillis) {
+      Collection<String> opened, Collection<String> searched, long startMillis) {
     return opened.stream().allMatch(Machine::isOfSystem)
-        ? ofMachine(opened, looked, begunMillis, file -> "")
+        ? ofMachine(opened, searched, startMillis, file -> "")
         : Optional.empty();
   }
 
-  /** What a tool opened of this machine, wherever it lies: nothing of a user's was given to it. */
-  public static Optional<Inputs> ofMachine(Collection<String> opened, long begunMillis) {
-    return ofMachine(opened, List.of(), begunMillis, new Machine()::sha256);
+  /** The files of this machine that a tool opened, for tools that got no files of users. */
+  public static Optional<Inputs> ofMachine(Collection<String> opened, long startMillis) {
+    return ofMachine(opened, List.of(), startMillis, new Machine()::sha256);
   }
 
   private static Optional<Inputs> ofMachine(
-      Collection<String> opened, Collection<String> looked, long begunMillis, Digests digests) {
+      Collection<String> opened, Collection<String> searched, long startMillis, Digests digests) {
     try {
       return nothing()
-          .taken(
+          .record(
               new TreeSet<>(),
               new TreeSet<>(opened),
-              new TreeSet<>(looked),
+              new TreeSet<>(searched),
               new TreeSet<>(),
-              begunMillis,
+              startMillis,
               digests);
     } catch (IOException e) {
       return Optional.empty();
     }
   }
 
-  /** What stands for the content of a file of the machine. */
+  /** Digest of a file of this machine. */
   private interface Digests {
     String of(String path) throws IOException;
   }
 
-  /** Whether a tool that opened files of this machine alone would open the same now. */
+  /** Whether a tool that opened only files of this machine would open the same files now. */
   public static boolean isCurrentOnMachine(Inputs inputs) {
     return nothing().isCurrent(inputs);
   }
@@ -179,12 +179,12 @@ public final class InputCheck {
     return new InputCheck(none, none, Path.of("/"), List.of(), List.of());
   }
 
-  private Optional<Inputs> taken(
+  private Optional<Inputs> record(
       SortedSet<String> own,
       SortedSet<String> machines,
-      SortedSet<String> looked,
+      SortedSet<String> searched,
       SortedSet<String> asked,
-      long begunMillis,
+      long startMillis,
       Digests content)
       throws IOException {
     TreeMap<String, String> digests = new TreeMap<>();
@@ -192,24 +192,24 @@ public final class InputCheck {
     TreeMap<String, MachineFile> files = new TreeMap<>();
     for (String path : machines) {
       Stamp stamp = machine.stamp(path);
-      if (stamp.equals(Stamp.NONE) || stamp.mayBeYoungerThan(begunMillis)) {
+      if (stamp.equals(Stamp.NONE) || stamp.mayBeYoungerThan(startMillis)) {
         return Optional.empty();
       }
       files.put(path, new MachineFile(stamp, content.of(path)));
     }
     TreeMap<String, Stamp> folders = new TreeMap<>();
-    for (String folder : looked) {
+    for (String folder : searched) {
       Stamp stamp = machine.stamp(folder);
-      if (stamp.mayBeYoungerThan(begunMillis)) {
+      if (stamp.mayBeYoungerThan(startMillis)) {
         return Optional.empty();
       }
       folders.put(folder, stamp);
     }
     return Optional.of(
-        new Inputs(digests, files, folders, new TreeSet<>(asked), found(own, asked)));
+        new Inputs(digests, files, folders, new TreeSet<>(asked), resolutionDigest(own, asked)));
   }
 
-  /** Whether a tool would open the same now. */
+  /** Whether a tool would open the same files now. */
   public boolean isCurrent(Inputs inputs) {
     for (Map.Entry<String, String> file : inputs.application().entrySet()) {
       if (!application.contains(file.getKey())
@@ -227,7 +227,8 @@ public final class InputCheck {
         return false;
       }
     }
-    return found(inputs.application().navigableKeySet(), inputs.asked()).equals(inputs.found());
+    return resolutionDigest(inputs.application().navigableKeySet(), inputs.asked())
+        .equals(inputs.found());
   }
 
   private boolean isCurrent(String path, MachineFile then) {
@@ -244,10 +245,8 @@ public final class InputCheck {
     }
   }
 
-  /**
-   * Digest of what all names mean in the application that these files of it, and others, ask for.
-   */
-  private String found(SortedSet<String> own, SortedSet<String> asked) {
+  /** Digest of the files that all these names refer to in the application. */
+  private String resolutionDigest(SortedSet<String> own, SortedSet<String> asked) {
     StringBuilder text = new StringBuilder();
     for (String path : own) {
       AskedNames names = application.asked(path);
@@ -268,7 +267,7 @@ public final class InputCheck {
     return Machine.sha256(text.toString().getBytes(StandardCharsets.UTF_8));
   }
 
-  /** What a file may mean by names that macros give: those of all that was opened. */
+  /** Appends what a file with computed names may refer to: the names of all opened files. */
   private void appendComputed(
       StringBuilder text, String asking, SortedSet<String> own, SortedSet<String> asked) {
     if (asked.contains(ANY)) {
@@ -292,8 +291,8 @@ public final class InputCheck {
     }
   }
 
-  /** Whether the name in an include directive may be another than the path shows. */
-  private boolean isWrittenStrangely(String printed) {
+  /** Whether the name in the directive may differ from the printed path. */
+  private boolean isUnusualName(String printed) {
     return IncludeSearch.inLayout(printed, root) != null
         && (printed.contains("/./") || printed.contains("/../") || printed.contains("//"));
   }
@@ -302,7 +301,7 @@ public final class InputCheck {
     text.append(path == null ? "" : path).append('\n');
   }
 
-  /** Folders of the machine in which any of the names was, or would have been, looked for. */
+  /** Folders of this machine in which any of the names was searched. */
   private SortedSet<String> machineFoldersOf(SortedSet<String> own, SortedSet<String> asked) {
     SortedSet<String> parts = new TreeSet<>();
     asked.forEach(name -> parts.add(new Name(name, false).folder()));

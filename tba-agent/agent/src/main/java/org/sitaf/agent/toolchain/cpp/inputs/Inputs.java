@@ -10,13 +10,13 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 
 /**
- * What went into something that was compiled.
+ * The inputs of a compiled file.
  *
  * @param application SHA-256 of the application's files that were opened, by path in its layout
- * @param files of the machine that were opened, by the path that the tool printed
- * @param folders of the machine in which a name was looked for
- * @param asked names that other files than the application's looked for in all include folders
- * @param found digest of what each name means in the application
+ * @param files files of this machine that were opened, by printed path
+ * @param folders folders of this machine that were searched
+ * @param asked names that files of this machine searched in all include folders
+ * @param found digest of the application's files that the names refer to
  */
 public record Inputs(
     NavigableMap<String, String> application,
@@ -24,10 +24,10 @@ public record Inputs(
     NavigableMap<String, Stamp> folders,
     NavigableSet<String> asked,
     String found) {
-  /** What no names mean. */
+  /** Digest if no name refers to a file. */
   private static final String NOTHING = Machine.sha256(new byte[0]);
 
-  private static final int AT_MOST = 200_000;
+  private static final int MAX_COUNT = 200_000;
 
   public Inputs {
     application = Collections.unmodifiableNavigableMap(new TreeMap<>(application));
@@ -36,10 +36,10 @@ public record Inputs(
     asked = Collections.unmodifiableNavigableSet(new TreeSet<>(asked));
   }
 
-  /** A file of the machine as it was; the digest is empty where any change of it counts. */
+  /** State of a file of this machine; the digest is empty if any modification counts. */
   record MachineFile(Stamp stamp, String sha256) {}
 
-  /** These and more files and folders of the machine; what is of the application is left out. */
+  /** Merges the files and folders of this machine; those of the application are dropped. */
   public Inputs ofMachineWith(Inputs more) {
     NavigableMap<String, MachineFile> allFiles = new TreeMap<>(files);
     allFiles.putAll(more.files);
@@ -48,14 +48,14 @@ public record Inputs(
     return new Inputs(new TreeMap<>(), allFiles, allFolders, new TreeSet<>(), NOTHING);
   }
 
-  /** SHA-256 of each file of the machine, by path. */
+  /** SHA-256 of the files of this machine, by path. */
   public NavigableMap<String, String> digestsOnMachine() {
     NavigableMap<String, String> digests = new TreeMap<>();
     files.forEach((path, file) -> digests.put(path, file.sha256()));
     return digests;
   }
 
-  /** Writes all of it. */
+  /** Writes all fields. */
   public void write(DataOutputStream out) throws IOException {
     out.writeInt(application.size());
     for (var entry : application.entrySet()) {
@@ -80,7 +80,7 @@ public record Inputs(
     }
   }
 
-  /** Reads what was written. */
+  /** Reads what {@link #write} wrote. */
   public static Inputs read(DataInputStream in) throws IOException {
     NavigableMap<String, String> application = new TreeMap<>();
     for (int i = count(in); i > 0; i--) {
@@ -104,7 +104,7 @@ public record Inputs(
 
   private static int count(DataInputStream in) throws IOException {
     int count = in.readInt();
-    if (count < 0 || count > AT_MOST) {
+    if (count < 0 || count > MAX_COUNT) {
       throw new IOException("not a list of inputs");
     }
     return count;

@@ -12,24 +12,24 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 
 /**
- * Files of this machine that belong to no user: headers and libraries of its packages. One view
- * sees each of them as it was when it was first looked at.
+ * Headers and libraries of this machine's packages, which no user can change. An instance sees each
+ * file as at its first access.
  */
 final class Machine {
-  /** What a confined compiler sees of the machine; users write nothing there. */
+  /** Folders that a confined compiler sees; users cannot write there. */
   private static final List<String> SYSTEM =
       List.of("/usr/", "/lib/", "/lib32/", "/lib64/", "/libx32/");
 
-  private static final long MOST_BYTES = 64L << 20;
-  private static final int REMEMBERED = 20_000;
+  private static final long MAX_BYTES = 64L << 20;
+  private static final int MAX_CACHED = 20_000;
   private static final Map<String, Content> CONTENTS = new ConcurrentHashMap<>();
 
   private final Map<String, Stamp> stamps = new HashMap<>();
 
-  /** What was read of a header. */
+  /** Digest and names of a header. */
   private record Content(Stamp stamp, String sha256, AskedNames asked) {}
 
-  /** Whether a path, as a tool has printed it, is one of the system's. */
+  /** Whether a path printed by a tool is in a system folder. */
   static boolean isOfSystem(String printed) {
     return SYSTEM.stream().anyMatch(printed::startsWith)
         && SYSTEM.stream().anyMatch(Path.of(printed).normalize().toString()::startsWith);
@@ -42,16 +42,16 @@ final class Machine {
   /**
    * SHA-256 of a header.
    *
-   * @throws IOException if it cannot be said what is in it, as when it changes meanwhile
+   * @throws IOException if its content is uncertain, for example because it changes at this moment
    */
   String sha256(String path) throws IOException {
     return content(path).sha256();
   }
 
   /**
-   * The names that a header asks for.
+   * The names in the include directives of a header.
    *
-   * @throws IOException as {@link #sha256(String)} does
+   * @throws IOException like {@link #sha256(String)}
    */
   AskedNames asked(String path) throws IOException {
     return content(path).asked();
@@ -63,15 +63,15 @@ final class Machine {
     if (known != null && known.stamp().equals(stamp)) {
       return known;
     }
-    if (stamp.size() > MOST_BYTES) {
-      throw new IOException(path + " is too large for a header");
+    if (stamp.size() > MAX_BYTES) {
+      throw new IOException(path + " is too large to be a header");
     }
     byte[] bytes = Files.readAllBytes(Path.of(path));
     if (!Stamp.of(path).equals(stamp)) {
-      throw new IOException(path + " changes while it is read");
+      throw new IOException(path + " changed while it was read");
     }
     Content content = new Content(stamp, sha256(bytes), AskedNames.in(bytes));
-    if (CONTENTS.size() >= REMEMBERED) {
+    if (CONTENTS.size() >= MAX_CACHED) {
       CONTENTS.clear();
     }
     CONTENTS.put(path, content);

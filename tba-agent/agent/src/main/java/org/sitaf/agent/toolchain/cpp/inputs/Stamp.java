@@ -10,8 +10,8 @@ import java.util.Map;
 import java.util.concurrent.TimeUnit;
 
 /**
- * What a file system says of a file or folder; it says something else after each change, since the
- * time of a change cannot be set. All zero where there is no such file.
+ * Metadata of a file or folder. Differs after each change, because users cannot set the change
+ * time. All zero for a missing file.
  *
  * @param modified in nanoseconds
  * @param changed in nanoseconds
@@ -19,7 +19,7 @@ import java.util.concurrent.TimeUnit;
 record Stamp(long size, long modified, long changed, long inode) {
   static final Stamp NONE = new Stamp(0, 0, 0, 0);
 
-  /** Clocks of file systems go in steps. */
+  /** File systems use clocks of coarse resolution. */
   private static final long STEP_NANOS = TimeUnit.SECONDS.toNanos(2);
 
   static Stamp of(String path) {
@@ -40,7 +40,7 @@ record Stamp(long size, long modified, long changed, long inode) {
     return ((FileTime) time).to(TimeUnit.NANOSECONDS);
   }
 
-  /** Whether the file may have changed after a moment, in milliseconds since 1970. */
+  /** Whether the file may have changed after a time in milliseconds since 1970. */
   boolean mayBeYoungerThan(long millis) {
     return changed > TimeUnit.MILLISECONDS.toNanos(millis) - STEP_NANOS;
   }

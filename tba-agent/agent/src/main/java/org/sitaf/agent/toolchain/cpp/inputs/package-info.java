@@ -1,4 +1,4 @@
-/** Which files a compiler has read, and whether it would read the same ones now. */
+/** The files that a compiler read, and whether it would read the same ones now. */
 @NullMarked
 package org.sitaf.agent.toolchain.cpp.inputs;
 

@@ -9,16 +9,16 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * What the compiler is asked for. Comes from the agent, so that nothing in it is checked again.
+ * A compiler request. It comes from the agent and needs no validation.
  *
  * @param libraries jars in the order of the class path, without those of the runtime
  * @param component the class under test
- * @param harnessPackage prefix of generated classes, with a dot at its end, or empty
+ * @param harnessPackage prefix of generated classes with a trailing dot, or empty
  */
 record CompileRequest(
     List<MemorySource> sources, List<File> libraries, String component, String harnessPackage) {
 
-  /** Reads a request; jars are kept below the folder. */
+  /** Reads a request; jars are stored in the folder. */
   static CompileRequest read(InputStream input, Path folder) throws IOException {
     Wire.Reader reader = new Wire.Reader(input, Long.MAX_VALUE);
     List<MemorySource> sources = new ArrayList<>();

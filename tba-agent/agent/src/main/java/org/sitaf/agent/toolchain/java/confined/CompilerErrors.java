@@ -8,10 +8,10 @@ import javax.tools.Diagnostic;
 import javax.tools.DiagnosticListener;
 import javax.tools.JavaFileObject;
 
-/** Sends a compiler's errors; warnings do not keep a test from running and are left out. */
+/** Sends compiler errors. Warnings are ignored, because they do not prevent a test. */
 final class CompilerErrors implements DiagnosticListener<JavaFileObject> {
-  private static final int AT_MOST = 100;
-  private static final int LONGEST_MESSAGE = 4000;
+  private static final int MAX_ERRORS = 100;
+  private static final int MAX_MESSAGE_LENGTH = 4000;
 
   private final OutputStream output;
   private int count;
@@ -26,7 +26,7 @@ final class CompilerErrors implements DiagnosticListener<JavaFileObject> {
 
   @Override
   public void report(Diagnostic<? extends JavaFileObject> diagnostic) {
-    if (diagnostic.getKind() != Diagnostic.Kind.ERROR || ++count > AT_MOST) {
+    if (diagnostic.getKind() != Diagnostic.Kind.ERROR || ++count > MAX_ERRORS) {
       return;
     }
     int source = diagnostic.getSource() instanceof MemorySource own ? own.number() : -1;
@@ -38,7 +38,7 @@ final class CompilerErrors implements DiagnosticListener<JavaFileObject> {
           Integer.toString(source),
           position(diagnostic.getLineNumber()),
           position(diagnostic.getColumnNumber()),
-          message.substring(0, Math.min(LONGEST_MESSAGE, message.length())));
+          message.substring(0, Math.min(MAX_MESSAGE_LENGTH, message.length())));
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }

@@ -15,9 +15,9 @@ import javax.tools.StandardLocation;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The compiler's files: what it reads are files, what it writes are messages. It loads classes from
- * the path of annotation processors alone: without such a path javac would look for plugins on the
- * class path, and plugins that start by themselves run whatever {@code -proc} says.
+ * The compiler's file manager, which sends output classes as messages. Loads classes from the
+ * annotation processor path only: without this location javac would search the class path for
+ * plugins, and plugins with {@code autoStart} run regardless of {@code -proc}.
  */
 final class CompilerFiles extends ForwardingJavaFileManager<JavaFileManager> {
   private final boolean processors;

@@ -14,11 +14,12 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.stream.Stream;
 
 /**
- * Java's compiler for one request: it starts before there is one, gets warm on a source of its own,
- * reads the request from its standard input and ends with the answer.
+ * Main program of the Java compiler for one request. It starts before there is a request, warms up,
+ * reads the request from standard input and ends after the answer.
  *
- * <p>Arguments: the runtime's jars as a class path, the path of annotation processors (or empty),
- * then the options of javac. Without a request it ends, too, which records what it loads.
+ * <p>Arguments: the class path of the runtime, the annotation processor path (may be empty), and
+ * javac options. It also ends without a request, which is used to create the class data sharing
+ * archive.
  */
 public final class CompilerMain {
   private static final int BUFFER = 1 << 16;
@@ -31,27 +32,27 @@ public final class CompilerMain {
     @SuppressWarnings("resource")
     OutputStream answers =
         new BufferedOutputStream(new FileOutputStream(FileDescriptor.out), BUFFER);
-    // Nothing else may write between the messages.
+    // Nothing else may write to standard output.
     System.setOut(System.err);
-    // Sources nest deeper than the stack of a main thread reaches.
+    // Sources may nest deeper than the default stack of the main thread allows.
     AtomicBoolean served = new AtomicBoolean();
     Thread thread =
         new Thread(null, () -> served.set(serve(arguments, answers)), "sitaf-javac", STACK_BYTES);
     thread.start();
     thread.join();
     if (served.get()) {
-      // Whatever an annotation processor has started ends, too.
+      // Also ends threads of annotation processors.
       Runtime.getRuntime().halt(0);
     }
   }
 
-  /** Serves one request; false where there was none. */
+  /** Serves one request; returns false if there was none. */
   private static boolean serve(String[] arguments, OutputStream answers) {
     List<String> options = Stream.of(arguments).skip(2).toList();
     try {
       JavaCompilation compilation =
           new JavaCompilation(path(arguments[0]), path(arguments[1]), options);
-      Rehearsal.run(compilation);
+      WarmUp.run(compilation);
       Wire.write(answers, Wire.READY, new byte[0]);
       answers.flush();
       try {
@@ -61,12 +62,12 @@ public final class CompilerMain {
       } catch (EOFException e) {
         return false;
       } catch (RuntimeException | StackOverflowError | AssertionError e) {
-        // javac fails by itself on sources made for it, such as very deep expressions.
+        // javac itself fails on some hostile sources, such as very deep expressions.
         Wire.write(answers, Wire.GAVE_UP, e.getClass().getSimpleName());
       }
       answers.flush();
     } catch (IOException e) {
-      System.err.println("the compiler cannot work: " + e);
+      System.err.println("the compiler failed: " + e);
       Runtime.getRuntime().halt(2);
     }
     return true;

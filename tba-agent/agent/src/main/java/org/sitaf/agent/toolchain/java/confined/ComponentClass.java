@@ -7,14 +7,14 @@ import java.util.Set;
 import java.util.jar.JarFile;
 import java.util.stream.Collectors;
 
-/** The class under test, as the activity's profile names it. */
+/** The class under test, as named in the activity's profile. */
 record ComponentClass(CompileRequest request) {
-  private static final int NAMED_AT_MOST = 8;
+  private static final int MAX_LISTED = 8;
 
   /**
-   * Whether the sources or the libraries define the class; writes a message where they do not.
+   * Whether the sources or libraries define the class; otherwise sends a message.
    *
-   * @param declared the top-level types of the sources
+   * @param declared top-level types of the sources
    */
   boolean isAmong(Set<String> declared, OutputStream output) throws IOException {
     if (declared.stream().anyMatch(this::isOrEncloses)) {
@@ -36,7 +36,7 @@ record ComponentClass(CompileRequest request) {
         Wire.ABSENT,
         declared.stream()
             .filter(name -> prefix.isEmpty() || !name.startsWith(prefix))
-            .limit(NAMED_AT_MOST)
+            .limit(MAX_LISTED)
             .collect(Collectors.joining(", ")));
     return false;
   }
@@ -48,7 +48,7 @@ record ComponentClass(CompileRequest request) {
         || className.startsWith(topLevel + "$");
   }
 
-  /** A nested class may be written with dots; its entry has '$' for the last of them. */
+  /** A nested class may be written with dots; its jar entry separates it with '$'. */
   private boolean holds(JarFile jar) {
     for (String name = request.component().replace('.', '/'); ; ) {
       if (jar.getEntry(name + ".class") != null) {

@@ -16,13 +16,13 @@ import org.jacoco.core.analysis.ISourceFileCoverage;
 import org.jacoco.core.tools.ExecFileLoader;
 
 /**
- * Which lines are reached, by JaCoCo: a line {@code file PATH} for each source, then a line {@code
- * NUMBER REACHED BRANCHES REACHED_BRANCHES} for each of its lines that holds code.
+ * Prints JaCoCo's line coverage: a line {@code file PATH} per source, followed by a line {@code
+ * NUMBER REACHED BRANCHES REACHED_BRANCHES} for each of its lines with code.
  *
- * <p>Arguments: the folder of classes and the folder of what was recorded.
+ * <p>Arguments: the folder of classes and the folder of records.
  */
 public final class CoverageMain {
-  private static final long MOST_BYTES = 64L << 20;
+  private static final long MAX_BYTES = 64L << 20;
 
   private CoverageMain() {}
 
@@ -34,7 +34,7 @@ public final class CoverageMain {
         try {
           loader.load(file.toFile());
         } catch (IOException | RuntimeException e) {
-          // A process that was killed may leave half a record behind; what others saw still counts.
+          // A killed process may leave an incomplete record; other records still count.
         }
       }
     }
@@ -49,7 +49,7 @@ public final class CoverageMain {
         try {
           analyzer.analyzeClass(Files.readAllBytes(file), file.toString());
         } catch (IOException | RuntimeException e) {
-          // A file of the component's that only has the name of a class.
+          // The component's own file, which only has the extension of a class.
         }
       }
     }
@@ -87,6 +87,6 @@ public final class CoverageMain {
   }
 
   private static boolean isReadable(Path file) throws IOException {
-    return Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS) && Files.size(file) <= MOST_BYTES;
+    return Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS) && Files.size(file) <= MAX_BYTES;
   }
 }

@@ -19,9 +19,9 @@ import javax.tools.StandardLocation;
 import javax.tools.ToolProvider;
 
 /**
- * Runs of javac on the same runtime; what one has read of it serves the next. The sources are
- * parsed first, so that a class that nobody defines is reported as such and not as a hundred
- * unknown symbols.
+ * Runs javac with the same runtime several times and reuses what was read of it. Sources are parsed
+ * first, so that a missing component class gives one clear error instead of a hundred unknown
+ * symbols.
  */
 final class JavaCompilation {
   private final JavaCompiler javac = ToolProvider.getSystemJavaCompiler();
@@ -32,10 +32,11 @@ final class JavaCompilation {
   private final List<String> options;
 
   /**
-   * Compilations.
+   * Creates a compilation environment.
    *
-   * @param runtime jars that each class path begins with
-   * @param processors jars of annotation processors and plugins that an administrator has named
+   * @param runtime jars at the start of each class path
+   * @param processors jars of annotation processors and compiler plugins that the administrator
+   *     allows
    */
   JavaCompilation(List<File> runtime, List<File> processors, List<String> options)
       throws IOException {
@@ -46,7 +47,7 @@ final class JavaCompilation {
     files.setLocation(StandardLocation.ANNOTATION_PROCESSOR_PATH, processors);
   }
 
-  /** Compiles, and writes what came of it. */
+  /** Compiles and sends the result. */
   void run(CompileRequest request, OutputStream output) throws IOException {
     List<File> classPath = new ArrayList<>(runtime);
     classPath.addAll(request.libraries());

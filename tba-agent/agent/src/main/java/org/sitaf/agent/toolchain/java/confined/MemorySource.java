@@ -4,7 +4,7 @@ import java.net.URI;
 import java.net.URISyntaxException;
 import javax.tools.SimpleJavaFileObject;
 
-/** A source in memory, known by its number in the request. */
+/** A source in memory, identified by its number in the request. */
 final class MemorySource extends SimpleJavaFileObject {
   private final int number;
   private final String text;
@@ -28,7 +28,7 @@ final class MemorySource extends SimpleJavaFileObject {
     try {
       return new URI("source", null, "/" + path, null);
     } catch (URISyntaxException e) {
-      throw new IllegalArgumentException("'" + path + "' cannot be a source's path", e);
+      throw new IllegalArgumentException("'" + path + "' is not a valid path of a source", e);
     }
   }
 }

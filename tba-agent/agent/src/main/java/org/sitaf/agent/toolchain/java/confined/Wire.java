@@ -11,18 +11,21 @@ import java.util.List;
 import java.util.regex.Pattern;
 
 /**
- * Messages between the agent and a confined process: a line with a word and the lengths of the
- * parts, then the bytes of the parts. The reader says how much it takes, because the process may
- * have become the user's.
+ * Messages between the agent and a confined process: a header line with a word and the lengths of
+ * the parts, then the bytes of the parts. The reader limits the total size, because the process is
+ * not trusted.
  */
 public final class Wire {
   /** The process has started and waits for its request. */
   public static final String READY = "ready";
 
-  /** Path of a jar below the working folder, and its bytes. */
+  /** Path below the working folder and content of a jar. */
   public static final String JAR = "jar";
 
-  /** Path of a jar that was sent, or absolute of one that the process sees: for the class path. */
+  /**
+   * Class path entry: path of a jar that was sent, or absolute path of a jar that the process can
+   * read.
+   */
   public static final String CLASS_PATH = "classpath";
 
   /** Number and text of a source. */
@@ -40,23 +43,26 @@ public final class Wire {
   /** Number of the source or -1, line and column or 0, and message of an error. */
   public static final String ERROR = "error";
 
-  /** Nobody defines the class under test; names of the classes that the sources define. */
+  /**
+   * No source or library defines the class under test; names of the classes that the sources
+   * define.
+   */
   public static final String ABSENT = "absent";
 
   /** Path of a library that is not a jar, and the reason. */
   public static final String NOT_A_JAR = "notajar";
 
-  /** The compiler gave up with this exception. */
+  /** The compiler failed with this exception. */
   public static final String GAVE_UP = "gaveup";
 
   /** The answer is complete; the number of errors. */
   public static final String DONE = "done";
 
-  /** The exit code of a process that used more memory than it may; the JVM's own. */
+  /** Exit code of the JVM after an OutOfMemoryError. */
   public static final int OUT_OF_MEMORY = 3;
 
   private static final Pattern HEAD = Pattern.compile("([a-z]{1,12})((?: [0-9]{1,10}){0,4})");
-  private static final int LONGEST_HEAD = 80;
+  private static final int MAX_HEAD = 80;
   private static final int BUFFER = 1 << 16;
 
   private Wire() {}
@@ -73,7 +79,7 @@ public final class Wire {
     }
   }
 
-  /** Writes a message of texts. */
+  /** Writes a message of text parts. */
   public static void write(OutputStream output, String word, String... parts) throws IOException {
     byte[][] bytes = new byte[parts.length][];
     for (int i = 0; i < parts.length; i++) {
@@ -82,7 +88,7 @@ public final class Wire {
     write(output, word, bytes);
   }
 
-  /** What does not keep to this protocol. */
+  /** A violation of the protocol. */
   public static final class ProtocolException extends IOException {
     private static final long serialVersionUID = 1L;
 
@@ -94,8 +100,8 @@ public final class Wire {
   /**
    * A message.
    *
-   * @param word what it is
-   * @param parts as many as the word says
+   * @param word type of the message
+   * @param parts number and meaning depend on the type
    */
   public record Message(String word, List<byte[]> parts) {
     public Message {
@@ -115,32 +121,32 @@ public final class Wire {
       return new String(bytes(part), StandardCharsets.UTF_8);
     }
 
-    /** A part as a number, of at least -1. */
+    /** A part as a number, at least -1. */
     public int number(int part) throws ProtocolException {
       String text = text(part);
       if (!text.matches("-1|[0-9]{1,9}")) {
-        throw new ProtocolException("a message '" + word + "' has no number where it needs one");
+        throw new ProtocolException("message '" + word + "' has an invalid number");
       }
       return Integer.parseInt(text);
     }
   }
 
-  /** Reads messages of at most so many bytes, together. */
+  /** Reads messages up to a total size. */
   public static final class Reader {
     private final InputStream input;
     private long left;
 
-    /** A reader; the bound covers all that it reads. */
-    public Reader(InputStream input, long mostBytes) {
+    /** Creates a reader; the limit covers everything that it reads. */
+    public Reader(InputStream input, long maxBytes) {
       this.input = input;
-      this.left = mostBytes;
+      this.left = maxBytes;
     }
 
     /**
      * The next message.
      *
-     * @throws EOFException at the end
-     * @throws ProtocolException if it is not a message, or too long
+     * @throws EOFException at the end of the stream
+     * @throws ProtocolException if the message is invalid or too long
      */
     public Message next() throws IOException {
       var head = HEAD.matcher(head());
@@ -162,7 +168,7 @@ public final class Wire {
         if (c < 0) {
           throw new EOFException("the stream ends");
         }
-        if (head.length() == LONGEST_HEAD) {
+        if (head.length() == MAX_HEAD) {
           throw new ProtocolException("not a message");
         }
         head.append((char) c);
@@ -173,7 +179,7 @@ public final class Wire {
 
     private byte[] bytes(long length) throws IOException {
       take(length);
-      // Memory is taken as bytes come, not as they are announced.
+      // Allocates memory as bytes arrive, not as announced.
       ByteArrayOutputStream bytes = new ByteArrayOutputStream((int) Math.min(length, BUFFER));
       byte[] buffer = new byte[(int) Math.min(length, BUFFER)];
       for (long missing = length; missing > 0; ) {

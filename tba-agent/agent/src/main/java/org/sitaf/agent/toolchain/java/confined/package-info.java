@@ -1,7 +1,7 @@
 /**
- * What works on users' Java files in processes of its own, inside the sandbox: javac and JaCoCo. It
- * is packed into a jar without the rest of the agent, and only {@link
- * org.sitaf.agent.toolchain.java.confined.Wire} is used on both sides.
+ * Programs that process users' Java files inside the sandbox: javac and JaCoCo. They are packaged
+ * in a jar without the rest of the agent; only {@link org.sitaf.agent.toolchain.java.confined.Wire}
+ * is used by both sides.
  */
 @NullMarked
 package org.sitaf.agent.toolchain.java.confined;

@@ -8,14 +8,14 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.sitaf.agent.toolchain.cpp.inputs.AskedNames.Name;
 
-/** No name that a compiler may look for is missed. */
+/** Finds all names that a compiler may search. */
 class AskedNamesTest {
   private static AskedNames in(String text) {
     return AskedNames.in(text.getBytes(UTF_8));
   }
 
   @Test
-  void namesAreFoundInWhateverBranchTheyStand() {
+  void findsNamesInAllBranches() {
     AskedNames asked =
         in(
             """
@@ -62,7 +62,7 @@ class AskedNamesTest {
   }
 
   @Test
-  void wordsInRemarksAskForNothing() {
+  void ignoresNamesInComments() {
     AskedNames asked = in("// we include what we import\n#ifdef __has_include\n#endif\n");
 
     assertThat(asked.names()).isEmpty();

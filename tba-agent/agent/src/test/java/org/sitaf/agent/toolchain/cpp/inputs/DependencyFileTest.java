@@ -6,10 +6,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Names in what tools note may be a user's. */
+/** Dependency files may contain names chosen by users. */
 class DependencyFileTest {
   @Test
-  void namesAreReadAsTheyAreEscaped() {
+  void unescapesNames() {
     assertThat(
             DependencyFile.rule(
                 "unit", "unit: /a/m.cpp /a/b\\ c/$$x\\#y/h:1.h \\\n /usr/include/features.h\n"))
@@ -37,7 +37,7 @@ class DependencyFileTest {
   }
 
   @Test
-  void aLinkerWritesANameALine() {
+  void readsTheDependencyFileOfALinker() {
     assertThat(
             DependencyFile.ofLinker("program: \\\n  /usr/lib/crt1.o \\\n  /a/my lib/x.a\n\nx:\n"))
         .hasValueSatisfying(

@@ -20,7 +20,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.sitaf.core.activity.FileTree;
 
-/** What a compiler has read is the same, or it is not. */
+/** Detects changes of a compiler's inputs. */
 class InputCheckTest {
   private static final long LATER = System.currentTimeMillis() + 3_600_000;
 
@@ -59,7 +59,7 @@ class InputCheckTest {
   }
 
   @Test
-  void whatIsUnchangedIsCurrentWhateverElseComes() throws Exception {
+  void isCurrentIfInputsAreUnchanged() throws Exception {
     Inputs inputs = ofAComponent();
     put("include/y.hpp", "2");
     put("component/sub/x.hpp", "2");
@@ -69,7 +69,7 @@ class InputCheckTest {
   }
 
   @Test
-  void aChangedHeaderIsSeen() throws Exception {
+  void recompilesAfterAChangedHeader() throws Exception {
     Inputs inputs = ofAComponent();
     put("include/x.hpp", "2");
 
@@ -86,7 +86,7 @@ class InputCheckTest {
   }
 
   @Test
-  void aHeaderThatComesBehindIsNoneOfItsBusiness() throws Exception {
+  void ignoresANewHeaderLaterInTheSearchPath() throws Exception {
     put("component/a.cpp", "#include \"x.hpp\"\n");
     put("component/x.hpp", "1");
     Inputs inputs = read("/build/activity/component/a.cpp", "/build/activity/component/x.hpp");
@@ -97,7 +97,7 @@ class InputCheckTest {
   }
 
   @Test
-  void aHeaderThatWasAskedForAndMissingIsSeenWhenItComes() throws Exception {
+  void recompilesIfAMissingHeaderAppears() throws Exception {
     put("component/a.cpp", "#if __has_include(\"x.hpp\")\n#endif\n");
     Inputs inputs = read("/build/activity/component/a.cpp");
     put("include/x.hpp", "1");
@@ -106,7 +106,7 @@ class InputCheckTest {
   }
 
   @Test
-  void aHeaderInFrontOfOneThatAMacroNamesIsSeen() throws Exception {
+  void recompilesIfANewHeaderHidesOneNamedByAMacro() throws Exception {
     put("component/a.cpp", "#define X \"x.hpp\"\n#include X\n");
     put("include/x.hpp", "1");
     Inputs inputs = read("/build/activity/component/a.cpp", "/build/activity/include/x.hpp");
@@ -118,7 +118,7 @@ class InputCheckTest {
   }
 
   @Test
-  void aHeaderInFrontOfTheSystemsIsSeen() throws Exception {
+  void recompilesIfANewHeaderHidesASystemHeader() throws Exception {
     put("component/a.cpp", "#include <features.h>\n");
     Inputs inputs = read("/build/activity/component/a.cpp", "/usr/include/features.h");
     put("include/features.h", "");
@@ -127,9 +127,9 @@ class InputCheckTest {
   }
 
   @Test
-  void aHeaderInFrontOfOneThatTheSystemsHeadersIncludeIsSeen() throws Exception {
+  void recompilesIfANewHeaderHidesOneIncludedBySystemHeaders() throws Exception {
     put("component/a.cpp", "#include <stdint.h>\n");
-    // Which includes <stdc-predef.h> by that name.
+    // The compiler includes <stdc-predef.h> by this name.
     Inputs inputs =
         read(
             "/build/activity/component/a.cpp",
@@ -164,7 +164,7 @@ class InputCheckTest {
   }
 
   @Test
-  void assemblyThatNobodyNotesIsUncertain() throws Exception {
+  void assemblyWithoutDependencyFileIsUncertain() throws Exception {
     put("component/a.cpp", "asm(\".incbin \\\"x\\\"\");");
     List<String> read = List.of("/build/activity/component/a.cpp");
 
@@ -173,14 +173,14 @@ class InputCheckTest {
   }
 
   @Test
-  void aHeaderOfTheMachineCountsByItsContent() throws Exception {
+  void comparesSystemHeadersByContent() throws Exception {
     Path header = Files.writeString(directory.resolve("x.hpp"), "1");
     Inputs inputs = InputCheck.ofMachine(List.of(header.toString()), LATER).orElseThrow();
 
     Files.setLastModifiedTime(header, FileTime.fromMillis(0));
     assertThat(InputCheck.isCurrentOnMachine(inputs)).isTrue();
     Files.writeString(header, "2");
-    // As an upgrade does that keeps the time of the package.
+    // Like an upgrade that sets the time of the package.
     Files.setLastModifiedTime(header, FileTime.fromMillis(0));
     assertThat(InputCheck.isCurrentOnMachine(inputs)).isFalse();
     Files.delete(header);
@@ -188,7 +188,7 @@ class InputCheckTest {
   }
 
   @Test
-  void aFileInAFolderThatWasLookedThroughIsSeen() throws Exception {
+  void recompilesAfterANewFileInASearchedFolder() throws Exception {
     Path missing = directory.resolve("missing");
     Inputs inputs =
         InputCheck.ofLinker(List.of(), List.of(directory.toString(), missing.toString()), LATER)
@@ -200,7 +200,7 @@ class InputCheckTest {
   }
 
   @Test
-  void whatChangedWhileItWasReadIsUncertain() throws Exception {
+  void aFileThatChangesDuringTheCompilationIsUncertain() throws Exception {
     Path header = Files.writeString(directory.resolve("x.hpp"), "1");
 
     assertThat(InputCheck.ofMachine(List.of(header.toString()), System.currentTimeMillis()))

@@ -12,16 +12,16 @@ import org.sitaf.agent.spool.Folders;
 /**
  * The folders that a process of a test application writes to.
  *
- * @param coverage of this process alone, next to those of others; null for none
- * @param recording shared with others at work; null for none
+ * @param coverage used by this process only; null for none
+ * @param recording shared with other processes; null for none
  */
-record Written(Path working, Path temporary, @Nullable Path coverage, @Nullable Path recording) {
+record OutputFolders(
+    Path working, Path temporary, @Nullable Path coverage, @Nullable Path recording) {
 
   /**
-   * Sees to it, once the process has ended, that the next one has room: a process ends with what it
-   * was ended for, and all of them together fill no disk.
+   * Cleans the folders after the process has ended, so that the next process has room.
    *
-   * @param all whether all that it wrote is to go; else only what is too much
+   * @param all whether to delete everything; otherwise only folders that exceed their limit
    */
   void makeRoom(boolean all) {
     if (all) {
@@ -37,14 +37,14 @@ record Written(Path working, Path temporary, @Nullable Path coverage, @Nullable 
     }
   }
 
-  /** Leaves the folder itself, which other processes may have. */
+  /** Empties a folder without deleting it, because other processes may have it open. */
   private static void empty(Path folder) {
     try (DirectoryStream<Path> inside = Files.newDirectoryStream(folder)) {
       for (Path path : inside) {
         Folders.delete(path);
       }
     } catch (IOException | DirectoryIteratorException e) {
-      // Its rights may be lacking; who needs it makes it again.
+      // Permissions may be missing; the folder is created again when needed.
       replace(folder);
     }
   }
@@ -54,7 +54,7 @@ record Written(Path working, Path temporary, @Nullable Path coverage, @Nullable 
       Folders.delete(folder);
       Files.createDirectories(folder);
     } catch (IOException e) {
-      // The next process says so, if it cannot work like that.
+      // The next process reports the error.
     }
   }
 }

@@ -1,10 +1,10 @@
 package org.sitaf.agent.executor;
 
 /**
- * Remembers the last telling line of a stream: the last that is neither blank nor indented, because
- * a stack trace's indented lines say less than its head. Bounded, whatever the stream holds.
+ * Keeps the last relevant line of a stream: the last one that is neither blank nor indented,
+ * because the indented lines of a stack trace say less than its head. Limited in length.
  */
-final class LastWords {
+final class LastLine {
   private static final int MAX_LENGTH = 500;
 
   private final StringBuilder line = new StringBuilder();

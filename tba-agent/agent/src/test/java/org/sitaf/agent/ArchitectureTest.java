@@ -8,12 +8,12 @@ import com.tngtech.archunit.junit.AnalyzeClasses;
 import com.tngtech.archunit.junit.ArchTest;
 import com.tngtech.archunit.lang.ArchRule;
 
-/** The walls between the rooms of the agent. */
+/** The dependency rules between the agent's packages. */
 @AnalyzeClasses(
     packages = "org.sitaf.agent",
-    importOptions = {ImportOption.DoNotIncludeTests.class, WallsTest.OwnClasses.class})
-class WallsTest {
-  /** The generated wire has a package below the agent's. */
+    importOptions = {ImportOption.DoNotIncludeTests.class, ArchitectureTest.OwnClasses.class})
+class ArchitectureTest {
+  /** The generated protocol classes are in a subpackage of the agent's package. */
   static final class OwnClasses implements ImportOption {
     @Override
     public boolean includes(com.tngtech.archunit.core.importer.Location location) {

@@ -5,15 +5,15 @@ import java.io.OutputStream;
 import java.util.List;
 
 /**
- * Compiles a source that uses what generated drivers and components use, so that the first request
- * meets a compiler that has loaded its classes and read the runtime.
+ * Compiles a sample source with typical features of drivers and components, so that javac has
+ * loaded its classes and read the runtime before the first request.
  */
-final class Rehearsal {
+final class WarmUp {
   private static final int ROUNDS = 3;
 
   private static final String SOURCE =
       """
-      package rehearsal;
+      package warmup;
 
       import java.util.ArrayList;
       import java.util.HashMap;
@@ -59,16 +59,16 @@ final class Rehearsal {
       }
       """;
 
-  private Rehearsal() {}
+  private WarmUp() {}
 
   static void run(JavaCompilation compilation) throws IOException {
-    // As long as nobody waits.
+    // Stops as soon as a request arrives.
     for (int i = 0; i < ROUNDS && System.in.available() == 0; i++) {
       compilation.run(
           new CompileRequest(
-              List.of(new MemorySource(0, "rehearsal/Driver.java", SOURCE)),
+              List.of(new MemorySource(0, "warmup/Driver.java", SOURCE)),
               List.of(),
-              "rehearsal.Driver",
+              "warmup.Driver",
               ""),
           OutputStream.nullOutputStream());
     }
