@@ -1,4 +1,4 @@
-"""Thin names over the generated stubs."""
+"""A client with short names for the generated stubs."""
 
 import json
 import struct
@@ -23,7 +23,7 @@ class Client:
 
 
 class Session:
-    """One session; a call by the name of its rpc: session("StepSimulation", steps=1)."""
+    """One session; calls an rpc by its name: session("StepSimulation", steps=1)."""
 
     def __init__(self, client, created):
         self.client = client
@@ -58,25 +58,25 @@ class Session:
 
 
 def world(mjcf, description=""):
-    """A world of the content of <mujoco>, and a description without its `mjcf:` line."""
+    """A world from the content of <mujoco> and a description without the `mjcf:` line."""
     files = {"w.world.yaml": f"mjcf: w.xml\n{description}".encode(), "w.xml": f"<mujoco>{mjcf}</mujoco>".encode()}
     return pb.WorldSource(description="w.world.yaml", files=files)
 
 
 def folder(path):
-    """The world of a folder that holds one."""
+    """The world in a folder."""
     files = {file.name: file.read_bytes() for file in path.iterdir() if file.is_file()}
     (description,) = (name for name in files if name.endswith(".world.yaml"))
     return pb.WorldSource(description=description, files=files)
 
 
 def numbers(message):
-    """All numbers of a state as bytes, to compare to the last bit."""
+    """All numbers of a state as bytes, for exact comparison."""
     return message.SerializeToString(deterministic=True)
 
 
 class Gltf:
-    """A binary glTF file, read by what its specification says."""
+    """A binary glTF file, read according to its specification."""
 
     def __init__(self, content):
         magic, version, length = struct.unpack_from("<4sII", content)
@@ -92,7 +92,7 @@ class Gltf:
         self.extras = self.document["scenes"][0]["extras"]
 
     def nodes(self):
-        """By name."""
+        """Nodes by name."""
         return {node["name"]: node for node in self.document["nodes"] if "name" in node}
 
     def view(self, index, form="f"):
@@ -112,7 +112,7 @@ class Gltf:
         return [numbers[first : first + width] for first in range(0, len(numbers), width)]
 
     def track(self, body, path):
-        """Seconds and values of what moves."""
+        """Times in seconds and values of the animated channels."""
         (animation,) = self.document["animations"]
         names = [node.get("name") for node in self.document["nodes"]]
         for channel in animation["channels"]:
@@ -122,7 +122,7 @@ class Gltf:
         return None
 
     def corners(self, body):
-        """All corners of a body's solids, in the frame of the body, where they are not turned."""
+        """All vertices of a body's solids, in the frame of the body; the solids must not be rotated."""
         found = []
         for child in self.nodes()[body].get("children", []):
             node = self.document["nodes"][child]

@@ -1,4 +1,4 @@
-"""A server of the protocol: the one named by --server, or a bridge that ends with the tests."""
+"""A server of the protocol: the one given by --server, or a bridge that ends with the tests."""
 
 import subprocess
 import sys
@@ -16,7 +16,7 @@ def pytest_addoption(parser):
 
 @pytest.fixture(scope="session")
 def address(request):
-    """Where the server listens."""
+    """The address of the server."""
     named = request.config.getoption("--server")
     if named:
         yield named
@@ -39,7 +39,7 @@ def client(address):
 
 @pytest.fixture
 def refused():
-    """Carries out what must be refused; gives the code and the message."""
+    """Makes a call that must fail; returns the status code and the message."""
 
     def call(action):
         with pytest.raises(grpc.RpcError) as raised:

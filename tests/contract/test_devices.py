@@ -1,4 +1,4 @@
-"""Devices: sensor values against closed-form truth, commands, noise, delay and faults."""
+"""Devices: sensor values against closed-form solutions, commands, noise, delay and faults."""
 
 import math
 import statistics
@@ -18,7 +18,7 @@ def at(reading, *names):
 
 @pytest.fixture
 def sled(client):
-    """A slide that a motor pushes, before a wall: everything one-dimensional."""
+    """A sled that a motor pushes towards a wall, in one dimension."""
     mjcf = """
     <option timestep="0.001" gravity="0 0 -9.81"/>
     <worldbody>
@@ -50,7 +50,7 @@ def effort(value):
     return pb.DeviceCommand(device="push", joint=pb.JointCommand(effort=value))
 
 
-def test_a_free_fall_takes_as_long_as_newton_says(client):
+def test_a_free_fall_takes_the_time_of_the_closed_form(client):
     # Semi-implicit Euler falls g h t / 2 too far: 9.81 * 0.001 * 0.5 / 2 m.
     mjcf = """<option timestep="0.001"/><worldbody><body name="b" pos="0 0 10"><freejoint/>
       <geom type="sphere" size="0.1"/><site name="s"/></body></worldbody>"""
@@ -88,7 +88,7 @@ devices: {j: {kind: joint_encoder, joint: j}}"""
         assert 2 * (crossings[1] - crossings[0]) == pytest.approx(2 * math.pi * math.sqrt(1 / G), abs=0.002)
 
 
-def test_a_box_slides_as_far_as_friction_lets_it(client):
+def test_the_sliding_distance_of_a_box_follows_friction(client):
     mjcf = """<option timestep="0.001" cone="elliptic" impratio="100"/><worldbody><geom name="floor" type="plane" size="0 0 .1" friction="0.2"/>
       <body name="b" pos="0 0 0.1"><freejoint/><geom name="box" type="box" size="0.2 0.2 0.1" mass="1" friction="0.1"/></body></worldbody>"""
     yaml = """parameters: {Mu: {unit: "1", range: [0, 2], default: 0.2, bind: {set: geom.floor.friction.0}}}
@@ -99,7 +99,7 @@ observations: {x: {entity: b, axis: x}}"""
             session("SetEntityState", entity="b", state=pb.EntityState(twist=pb.Twist(linear=pb.Vector3(x=2))))
             began = session.step(1).observations[0].value
             slid = session.step(3000).observations[0].value - began
-            # v^2 / (2 mu g); soft contacts let it slide up to a few percent differently.
+            # v^2 / (2 mu g); soft contacts change the distance by a few percent.
             assert slid == pytest.approx(4 / (2 * mu * G), rel=0.03)
 
 
@@ -123,7 +123,7 @@ def test_a_push_accelerates_by_force_over_mass(sled):
     assert sled.read("push").velocity == pytest.approx(1.5, abs=1e-9)
 
 
-def test_an_advance_ends_at_a_contact_and_the_bumper_feels_it(sled):
+def test_an_advance_ends_at_a_contact_and_the_bumper_detects_it(sled):
     sled("WriteDevices", commands=[effort(10)])
     contact = pb.Condition(contact=pb.ContactCondition(geom1="wall", geom2="sled"))
     answer = sled("AdvanceUntil", condition=contact, limit_ns=5 * 10**9)
@@ -156,7 +156,7 @@ def test_a_bad_command_is_refused_by_name_and_changes_nothing(sled, refused, com
     assert sled.read("push").velocity == pytest.approx(1.0, abs=1e-9)
 
 
-def test_a_digital_line_holds_what_was_written(sled):
+def test_a_digital_line_keeps_its_level(sled):
     assert sled.read("line") is False
     sled("WriteDevices", commands=[pb.DeviceCommand(device="line", level=True)])
     assert sled.step(5).step == 5
@@ -177,7 +177,7 @@ def test_noise_is_gaussian_and_keyed_by_step(sled):
     assert sled.read("eye").range_m - 2.9 == errors[-1]
 
 
-def test_a_delayed_device_reads_what_was(sled):
+def test_a_delayed_device_reads_earlier_values(sled):
     truth = []
     sled.prepare()
     sled("WriteDevices", commands=[effort(1)])
@@ -208,7 +208,7 @@ def test_a_delayed_device_reads_what_was(sled):
         ([], 2.9),
     ],
 )
-def test_a_faulty_device_reads_wrong_and_does_not_say_so(sled, faults, expected):
+def test_a_faulty_device_reads_wrong_values_without_an_error(sled, faults, expected):
     healthy = sled("ReadDevices").state.readings[0]
     sled.fault("eye", *faults)
     faulty = sled("ReadDevices").state.readings[0]
@@ -219,7 +219,7 @@ def test_a_faulty_device_reads_wrong_and_does_not_say_so(sled, faults, expected)
     assert sled("ReadDevices").state.readings[0] == healthy
 
 
-def test_a_stuck_device_keeps_its_reading_until_it_is_healed(sled):
+def test_a_stuck_device_keeps_its_reading_until_the_fault_is_removed(sled):
     sled("WriteDevices", commands=[effort(1)])
     sled.fault("eye", ("STUCK", 0))
     sled.step(1000)
@@ -228,7 +228,7 @@ def test_a_stuck_device_keeps_its_reading_until_it_is_healed(sled):
     assert sled.read("eye").range_m == pytest.approx(2.65, abs=0.001)
 
 
-def test_an_intermittent_device_drops_out_as_often_as_told(sled):
+def test_an_intermittent_device_drops_out_at_the_given_rate(sled):
     sled.fault("eye", ("INTERMITTENT", 0.3))
     failed = 0
     for _ in range(300):
@@ -285,11 +285,11 @@ def test_a_base_drives_through_the_maze_and_its_devices_agree(client, worlds):
         maze.prepare(Heading=1.0, StartX=0, StartY=0)
         maze.step(1000, commands=[turn])
         yaw = {o.name: o.value for o in maze("ReadDevices").state.observations}["robot_yaw"]
-        # Tyres that touch along a line scrub when they turn.
+        # Tyres with a line contact slip when the base turns.
         assert yaw == pytest.approx(3.0, abs=0.4)
 
 
-def test_cameras_see_what_is_there(client, worlds):
+def test_cameras_show_the_scene(client, worlds):
     with client.open(folder(worlds / "worlds" / "maze")) as maze:
         try:
             depth = maze.read("depth")
@@ -298,7 +298,7 @@ def test_cameras_see_what_is_there(client, worlds):
             pytest.skip(f"this machine cannot render: {error.details()}")
         assert (depth.height, depth.width, depth.encoding, depth.step) == (240, 320, "32FC1", 1280)
         metres = np.frombuffer(depth.data, "<f4").reshape(240, 320)
-        # The east wall's face, seen from the camera 0.17 m before the robot's centre at -1.2.
+        # Distance to the east wall from the camera, which is 0.17 m in front of the robot's centre at -1.2.
         assert metres[118, 160] == pytest.approx(1.95 + 1.2 - 0.17, abs=0.02)
         colour = np.frombuffer(maze.read("camera").data, np.uint8)
         assert colour.size == 240 * 320 * 3
@@ -324,7 +324,7 @@ AT_BLOCK = (0, 0.4265, 0, -2.3591, 0, 2.7856, 0.7854)
 ABOVE = (0, 0.0459, 0, -2.3763, 0, 2.4222, 0.7854)
 
 
-def test_an_arm_grasps_a_block_lifts_it_and_feels_its_weight(client, worlds):
+def test_an_arm_grasps_and_lifts_a_block_and_measures_its_weight(client, worlds):
     with robot_world(client, worlds, "arm") as arm:
 
         def move(pose, width, seconds):

@@ -1,4 +1,4 @@
-"""Observations against closed-form truth."""
+"""Observations against closed-form solutions."""
 
 import math
 
@@ -61,14 +61,14 @@ def test_velocities_are_those_of_the_body_in_the_world(session):
 
 
 @pytest.mark.parametrize("angle", [0, 0.5, -3, 3.5])
-def test_an_orientation_is_the_same_however_it_came_about(session, angle):
+def test_an_orientation_does_not_depend_on_how_it_was_reached(session, angle):
     seen = observed(session.prepare(Angle=angle))
     sign = 1 if math.cos(angle / 2) >= 0 else -1
     assert (seen["turn_z"], seen["turn_w"]) == pytest.approx((sign * math.sin(angle / 2), sign * math.cos(angle / 2)))
     assert seen["turn"] == pytest.approx(math.remainder(angle, 2 * math.pi))
 
 
-def test_a_reading_is_observed_as_the_component_sees_it(session):
+def test_an_observed_reading_equals_that_of_the_component(session):
     seen = observed(session.prepare(Angle=0.25))
     assert (seen["read"], seen["seen"], seen["lit"]) == (0.25, math.inf, 0)
     session.fault("wheel", ("OFFSET", 1.0))
@@ -84,11 +84,11 @@ def test_a_contact_is_observed_while_it_lasts(session):
     assert (seen["landed"], seen["rests"]) == (1, 1)
 
 
-def test_a_distance_is_that_of_the_origins(session):
+def test_a_distance_is_measured_between_origins(session):
     assert observed(session.prepare())["apart"] == pytest.approx(math.hypot(3, 3.5))
 
 
-def test_units_are_told_and_bulk_cases_and_films_have_the_same_numbers(session):
+def test_units_are_listed_and_bulk_cases_and_recordings_have_the_same_numbers(session):
     units = {o.name: o.unit for o in session.created.world.observations}
     assert units["sink"] == "m/s"
     assert (units["spin"], units["turn"], units["turn_w"], units["seen"], units["apart"]) == (

@@ -1,4 +1,4 @@
-"""Scenes and motions as glTF, against closed-form truth; and what the simulator tells of its own work."""
+"""Scenes and motions as glTF, against closed-form solutions; and statistics of the simulator."""
 
 import math
 
@@ -51,7 +51,7 @@ def near(expected):
     return [pytest.approx(pair, abs=1e-6) for pair in expected]
 
 
-def test_a_scene_shows_each_solid_in_its_size_where_it_is(shapes):
+def test_a_scene_contains_each_solid_with_its_size_and_position(shapes):
     scene = Gltf(shapes("GetScene").gltf)
     nodes = scene.nodes()
     assert nodes["ball"]["translation"] == pytest.approx([1, 2, 10])
@@ -62,17 +62,17 @@ def test_a_scene_shows_each_solid_in_its_size_where_it_is(shapes):
     assert extent(scene.corners("egg")) == near([(-0.1, 0.1), (-0.2, 0.2), (-0.3, 0.3)])
     assert len(scene.corners("wedge")) == 4
     assert scene.corners("ghost") == []
-    # Those of the world itself: a floor without edges, and a hill around x = 20.
+    # Solids of the world itself: an infinite floor, and a hill around x = 20.
     low, high = extent(scene.corners("world"))[2]
     assert (low, high) == pytest.approx((0, 0.5))
     assert extent(scene.corners("world"))[0] == pytest.approx((-10, 22))
-    # The nameless body has a name, and the device its place in it.
+    # The unnamed body has a generated name, and the device has a position in it.
     assert [d["kind"] for d in scene.extras["devices"]] == ["imu", "joint_encoder", "laser_scan"]
     assert scene.extras["devices"][0]["body"] in nodes
     assert "animations" not in scene.document
 
 
-def test_all_triangles_of_solids_look_outwards(shapes):
+def test_all_triangles_of_solids_face_outwards(shapes):
     scene = Gltf(shapes("GetScene").gltf)
     checked = 0
     for mesh in scene.document["meshes"]:
@@ -85,20 +85,20 @@ def test_all_triangles_of_solids_look_outwards(shapes):
             u, v = ([q - p for p, q in zip(corners[a], corners[other], strict=True)] for other in (b, c))
             face = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
             towards = [sum(normals[corner][axis] for corner in (a, b, c)) for axis in range(3)]
-            # Triangles at the poles of a ball have no area.
+            # Triangles at the poles of a sphere have no area.
             assert sum(f * t for f, t in zip(face, towards, strict=True)) > -1e-9
             checked += 1
     assert checked > 1000
 
 
-def test_a_recorded_fall_is_the_fall(shapes):
+def test_a_recorded_fall_equals_the_simulated_fall(shapes):
     shapes("RecordMotion", interval_ns=10_000_000)
     shapes.prepare(Height=20)
     shapes.step(495)
     taken = shapes("TakeMotion")
     motion = Gltf(taken.gltf)
     times, places = motion.track("ball", "translation")
-    # Every 10 ms from 0 on, and the end.
+    # Every 10 ms from 0, and at the end.
     assert taken.frames == len(times) == 51
     assert times == pytest.approx([i / 100 for i in range(50)] + [0.495], abs=1e-6)
     for time, (x, y, z) in zip(times, places, strict=True):
@@ -114,7 +114,7 @@ def test_a_recorded_fall_is_the_fall(shapes):
     assert list(motion.view(readings["rows"])[width - 1 :: width]) == [z for _, _, z in places]
 
 
-def test_a_recorded_turn_is_the_turn(client):
+def test_a_recorded_rotation_equals_the_simulated_rotation(client):
     free = """<option timestep="0.001" gravity="0 0 0"/><worldbody><body name="b"><joint name="j" axis="0 0 1"/>
       <geom type="box" size="0.2 0.1 0.1" mass="1"/></body></worldbody>"""
     with client.open(world(free, "observations: {yaw: {entity: b, axis: yaw}}")) as session:
@@ -144,7 +144,7 @@ def test_recording_changes_nothing(client):
     assert final(True) == final(False)
 
 
-def test_each_film_shows_the_sizes_that_parameters_gave(client):
+def test_each_recording_contains_the_sizes_that_parameters_set(client):
     wall = """<worldbody><body name="wall" pos="0 0 1"><geom name="wall" type="box" size="0.1 1 1"/></body></worldbody>"""
     description = "parameters: {Width: {unit: m, range: [0.5, 3], default: 1, bind: {set: geom.wall.size.1}}}"
     with client.open(world(wall, description)) as session:
@@ -155,7 +155,7 @@ def test_each_film_shows_the_sizes_that_parameters_gave(client):
             assert extent(Gltf(session("TakeMotion").gltf).corners("wall"))[1] == pytest.approx((-width, width))
 
 
-def test_what_a_film_leaves_out_is_read_as_ever(client):
+def test_devices_that_a_recording_leaves_out_are_still_read(client):
     nearest = "  ahead: {device: scan, field: ranges.50}\n"
     observed = SHAPES_YAML.replace("observations:\n", "observations:\n" + nearest)
     assert observed != SHAPES_YAML
@@ -178,12 +178,12 @@ def test_what_a_film_leaves_out_is_read_as_ever(client):
     assert len(ahead) == 16
     (seen,) = (o.value for o in state.observations if o.name == "ahead")
     assert ahead[-1] == pytest.approx(seen, rel=1e-6)
-    # Where nothing needs the scan, it is there at the end all the same.
+    # The scan is available at the end, although nothing needs it before.
     plain, _ = films(SHAPES_YAML)
     assert plain.readings == unfilmed.readings
 
 
-def test_a_long_film_is_thinned_out_and_begins_with_the_case(shapes):
+def test_a_long_recording_is_thinned_out_and_begins_with_the_case(shapes):
     shapes("RecordMotion", interval_ns=1_000_000, max_frames=20)
     shapes.step(30)
     shapes.prepare()
@@ -192,13 +192,13 @@ def test_a_long_film_is_thinned_out_and_begins_with_the_case(shapes):
     times, _ = Gltf(taken.gltf).track("ball", "translation")
     assert taken.frames <= 21
     assert times == pytest.approx([i * 0.008 for i in range(13)] + [0.1], abs=1e-6)
-    # What follows is a film of its own.
+    # The next motion is a separate recording.
     shapes.step(8)
     times, _ = Gltf(shapes("TakeMotion").gltf).track("ball", "translation")
     assert times == pytest.approx([0.1 + i / 1000 for i in range(9)], abs=1e-6)
 
 
-def test_what_was_undone_is_not_on_the_film(shapes):
+def test_undone_steps_are_not_recorded(shapes):
     shapes("RecordMotion", interval_ns=10_000_000)
     shapes.prepare()
     kept = shapes("TakeSnapshot").snapshot_id
@@ -227,7 +227,7 @@ def test_an_advance_is_recorded_and_spawned_solids_are_drawn(shapes):
     assert times == pytest.approx([0, 0.01, 0.02, 0.03, 0.04], abs=1e-6)
 
 
-def test_a_film_of_one_frame_has_no_animation(shapes):
+def test_a_recording_of_one_frame_has_no_animation(shapes):
     shapes("RecordMotion", interval_ns=10_000_000)
     taken = shapes("TakeMotion")
     assert taken.frames == 1
@@ -262,6 +262,6 @@ def test_statistics_count_what_was_done(client, shapes):
     assert 0 < after.shortest_ns <= after.total_ns
     before = client.control.GetStatistics(pb.GetStatisticsRequest())
     with client.open(world(SHAPES, SHAPES_YAML)):
-        # It shares the model of the first.
+        # The second session shares the model of the first.
         after = client.control.GetStatistics(pb.GetStatisticsRequest())
         assert (after.sessions, after.models) == (before.sessions + 1, before.models)

@@ -1,4 +1,4 @@
-"""Time, isolation, states kept and put back, recordings."""
+"""Time, isolation, snapshots, recordings."""
 
 import threading
 import time
@@ -37,7 +37,7 @@ def ball(client):
         yield session
 
 
-def test_exactly_as_many_steps_pass_as_asked_for_under_load(client, ball):
+def test_exactly_the_requested_steps_pass_under_load(client, ball):
     stop = threading.Event()
 
     def load():
@@ -88,7 +88,7 @@ def test_the_seed_decides_the_noise_and_reading_twice_changes_nothing(client):
     assert read(1) != read(2)
 
 
-def test_a_snapshot_restores_every_bit_and_the_future(ball):
+def test_a_snapshot_restores_the_exact_state_and_its_future(ball):
     ball("SetParameters", values={"Mass": 3})
     ball.fault("pose", ("OFFSET", 1.0))
     here = ball.step(100)
@@ -139,7 +139,7 @@ def test_a_recording_of_another_seed_is_refused(client, ball, refused):
         assert code == grpc.StatusCode.FAILED_PRECONDITION
 
 
-def test_waiting_ends_when_time_has_come_and_holds_up_nobody(ball):
+def test_waiting_ends_at_its_time_and_blocks_no_other_call(ball):
     answers = []
     waiter = threading.Thread(target=lambda: answers.append(ball("WaitUntil", time_ns=50_000_000, timeout=20)))
     waiter.start()
@@ -170,7 +170,7 @@ def test_a_session_whose_client_died_is_freed(client, refused):
     assert refused(lambda: session.step(1))[0] == grpc.StatusCode.NOT_FOUND
 
 
-def test_a_divergence_is_reported_and_can_be_put_back(client, refused):
+def test_a_divergence_is_reported_and_can_be_reset(client, refused):
     unstable = """<option timestep="0.1" gravity="0 0 0"/><worldbody><body name="b"><joint name="j" type="slide" stiffness="1e9"/>
       <geom type="sphere" size="0.1" mass="0.001"/></body></worldbody>"""
     yaml = "parameters: {X: {unit: m, range: [0, 1], default: 0, bind: {set: joint.j.pos}}}\nobservations: {x: {entity: b, axis: z}}"
@@ -203,7 +203,7 @@ def test_the_stream_does_what_the_unary_calls_do(client, ball):
     assert numbers(ball.step(20, parameters={"Mass": 2})) == numbers(answers[2].state)
 
 
-def test_many_cases_read_what_each_of_them_reads_alone(client, worlds):
+def test_bulk_cases_have_the_readings_of_single_cases(client, worlds):
     with client.open(folder(worlds / "ir-sensor" / "world")) as session:
         distances = [-1, -0.25, 0, 0.1, 0.3, 0.5, 5, 7.3, 9.5, 10, 10.0001, 20] * 20
         for settle in (0, 20_000_000):
@@ -215,7 +215,7 @@ def test_many_cases_read_what_each_of_them_reads_alone(client, worlds):
                 assert list(many.readings[index * 8 : index * 8 + 8]) == alone
 
 
-def test_many_cases_of_a_noisy_world_too(ball):
+def test_bulk_cases_of_a_noisy_world_have_the_readings_of_single_cases(ball):
     many = ball("PrepareMany", parameters=["Height", "Mass"], values=[1, 1, 2, 5, 3, 0.5] * 12, cases=36, settle_ns=10**7,
                 devices=["imu"])
     assert many.columns[4] == "imu.angular_velocity.x"
@@ -238,5 +238,5 @@ def test_many_cases_of_a_noisy_world_too(ball):
         ({"parameters": [], "values": [], "cases": 2_000_000}, "RESOURCE_EXHAUSTED"),
     ],
 )
-def test_one_bad_case_refuses_them_all(ball, refused, fields, code):
+def test_one_invalid_case_makes_the_bulk_call_fail(ball, refused, fields, code):
     assert refused(lambda: ball("PrepareMany", **fields))[0].name == code
