@@ -23,8 +23,8 @@ import org.sitaf.agent.v1.AgentServiceGrpc;
 import org.sitaf.agent.v1.EnrolRequest;
 
 /**
- * The key by which the server knows the agent: got once for an enrolment token, kept in a file that
- * only the agent's user reads, and shown with every call.
+ * The agent's key: issued by the server in exchange for an enrolment token, stored in a file that
+ * only the agent's user can read, and sent with every call.
  */
 final class AgentKey implements ClientInterceptor {
   private static final Metadata.Key<String> AUTHORIZATION =
@@ -44,9 +44,9 @@ final class AgentKey implements ClientInterceptor {
   }
 
   /**
-   * The key in a file, or what gets one.
+   * Reads the key from a file, or prepares the enrolment.
    *
-   * @throws IOException if there is neither
+   * @throws IOException if there is neither a key nor a token
    */
   static AgentKey open(Path file, String agent, @Nullable String enrolmentToken)
       throws IOException {
@@ -54,7 +54,7 @@ final class AgentKey implements ClientInterceptor {
     if (!known && enrolmentToken == null) {
       throw new IOException(
           "this agent is not enrolled yet; set SITAF_ENROLMENT_TOKEN to a token that an"
-              + " administrator made on the server's page of agents");
+              + " administrator created on the page Agents of the portal");
     }
     return new AgentKey(
         file,
@@ -64,10 +64,10 @@ final class AgentKey implements ClientInterceptor {
   }
 
   /**
-   * Gets a key, unless there is one.
+   * Requests a key, unless there is one.
    *
-   * @throws StatusRuntimeException if the server gives none
-   * @throws IOException if it cannot be kept
+   * @throws StatusRuntimeException if the server refuses
+   * @throws IOException if the key cannot be stored
    */
   void enrol(Channel channel) throws IOException {
     if (key != null) {
@@ -75,7 +75,7 @@ final class AgentKey implements ClientInterceptor {
     }
     if (enrolmentToken == null) {
       throw Status.UNAUTHENTICATED
-          .withDescription("the key was refused; set SITAF_ENROLMENT_TOKEN to enrol anew")
+          .withDescription("the key was rejected; set SITAF_ENROLMENT_TOKEN to enroll again")
           .asRuntimeException();
     }
     String given =
@@ -83,19 +83,19 @@ final class AgentKey implements ClientInterceptor {
             .withDeadlineAfter(DEADLINE_S, TimeUnit.SECONDS)
             .enrol(EnrolRequest.newBuilder().setToken(enrolmentToken).setName(agent).build())
             .getKey();
-    keep(given);
+    store(given);
     key = given;
   }
 
-  /** The server does not know the key: it is gone, or never was its. */
+  /** The server does not know the key, for example because it was deleted. */
   void refused() {
     if (enrolmentToken != null) {
       key = null;
     }
   }
 
-  /** A reader of the file sees all of the key or none of it, and nobody else sees it ever. */
-  private void keep(String given) throws IOException {
+  /** Writes the file atomically, with permissions for the owner only. */
+  private void store(String given) throws IOException {
     Path fresh = file.resolveSibling(file.getFileName() + ".new");
     Files.deleteIfExists(fresh);
     try (var out =

@@ -13,18 +13,18 @@ import org.sitaf.agent.sandbox.SandboxMode;
  * All settings of an agent.
  *
  * @param server gRPC target of the server, such as {@code localhost:9090}
- * @param access how the agent gets in there
+ * @param access credentials and TLS settings
  * @param name unique among the agents of the server
  * @param version of the agent
  * @param directory private to this agent
- * @param slots builds that may run at the same time
- * @param bridgeCommand starts a simulation bridge of the agent's own; empty for none
+ * @param slots maximum number of concurrent builds
+ * @param bridgeCommand starts simulation bridges; empty for none
  * @param bridge gRPC target of a running bridge; null for none
- * @param sandbox whether components and tools run in one
- * @param coverage whether builds say which lines of the component they reached
- * @param labels what its owner calls it by, such as {@code real-hardware}
- * @param minFreeBytes below which no new build is taken; what is there already is never dropped
- * @param longestBuild what the cases of a build may take together
+ * @param sandbox whether components and tools run in a sandbox
+ * @param coverage whether builds measure line coverage
+ * @param labels labels that builds can require, such as {@code real-hardware}
+ * @param minFreeBytes free disk space below which no build is accepted
+ * @param longestBuild time limit for the cases of a build
  */
 public record AgentSettings(
     String server,
@@ -44,7 +44,7 @@ public record AgentSettings(
   private static final Pattern LABEL = Pattern.compile("[A-Za-z0-9._-]{1,50}");
   private static final int MAX_LABELS = 20;
   private static final int MAX_SLOTS = 256;
-  private static final Duration LONGEST = Duration.ofDays(30);
+  private static final Duration MAX_BUILD_TIME = Duration.ofDays(30);
 
   public AgentSettings {
     Objects.requireNonNull(access);
@@ -65,8 +65,8 @@ public record AgentSettings(
         labels.size() <= MAX_LABELS && labels.stream().allMatch(l -> LABEL.matcher(l).matches()),
         "--label: at most 20, each 1 to 50 letters, digits, '.', '_', '-'");
     require(
-        longestBuild.toMinutes() >= 1 && longestBuild.compareTo(LONGEST) <= 0,
-        "--longest-build-min: expected 1 to " + LONGEST.toMinutes());
+        longestBuild.toMinutes() >= 1 && longestBuild.compareTo(MAX_BUILD_TIME) <= 0,
+        "--longest-build-min: expected 1 to " + MAX_BUILD_TIME.toMinutes());
     require(minFreeBytes >= 0, "--min-free-mib must not be negative");
   }
 

@@ -4,7 +4,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.UUID;
 import org.sitaf.agent.v1.AttemptRef;
 
-/** Which attempt, and a name for it that is fit for a file whatever the server calls its builds. */
+/** Identifies an attempt, with a name that is safe for files whatever the build's id contains. */
 record Attempt(AttemptRef ref, String key) {
   static Attempt of(AttemptRef ref) {
     String text = ref.getBuildId() + "/" + ref.getAttempt() + "/" + ref.getFencingToken();

@@ -29,12 +29,12 @@ import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.harness.TestApplication;
 import org.sitaf.core.verdict.CaseResult;
 
-/** One attempt from its assignment to an outcome: fetches the test application and builds it. */
+/** Runs one attempt: downloads the test application and builds it. */
 final class AttemptRun {
   private static final long MAX_APPLICATION_BYTES = 512L << 20;
   private static final int MAX_RECORDINGS = 100_000;
-  private static final int DAMAGED_TRIES = 3;
-  private static final long CATCHING_UP_MS = 2000;
+  private static final int MAX_DAMAGED_DOWNLOADS = 3;
+  private static final long SUSPEND_GRACE_MS = 2000;
 
   private final Attempt attempt;
   private final Assignment assignment;
@@ -43,11 +43,11 @@ final class AttemptRun {
   private final ServerCalls calls;
   private final FileCache cache;
 
-  private final Context.CancellableContext fetching = Context.ROOT.withCancellation();
+  private final Context.CancellableContext downloadContext = Context.ROOT.withCancellation();
   private final CountDownLatch stop = new CountDownLatch(1);
   private @Nullable String stopReason;
   private boolean stoppedByAgent;
-  private boolean over;
+  private boolean abandoned;
   private int casesLeft = Integer.MAX_VALUE;
   private @Nullable BuildRun build;
 
@@ -70,17 +70,17 @@ final class AttemptRun {
     return attempt;
   }
 
-  /** Where recordings lie that the server does not have yet; need not be there. */
+  /** Folder of recordings that were not uploaded yet; may not exist. */
   Path recordings() {
     return directory.resolve("recordings");
   }
 
-  /** Somebody does not want the build any more. */
+  /** Cancels the build for a user. */
   void cancel(String reason) {
     stop(reason);
   }
 
-  /** The agent ends; the build itself is still wanted. */
+  /** Stops because the agent ends; the server assigns the build again. */
   void stopForAgent() {
     synchronized (this) {
       stoppedByAgent = stopReason == null;
@@ -89,25 +89,25 @@ final class AttemptRun {
   }
 
   /**
-   * The attempt belongs to somebody else by now: only a result that is all but ready is kept, as
-   * the server keeps late ones for people.
+   * The server no longer accepts this attempt: stop, unless all cases have ended, because the
+   * server stores late results.
    */
-  void giveUp() {
+  void abandon() {
     synchronized (this) {
-      if (over) {
+      if (abandoned) {
         return;
       }
-      over = true;
+      abandoned = true;
     }
     Thread later = new Thread(this::stopUnlessAllCasesEnded, "sitaf-give-up");
     later.setDaemon(true);
     later.start();
   }
 
-  /** An agent that was silent has a moment to see how far its test application came meanwhile. */
+  /** Waits a moment for the progress of the test application after the agent was suspended. */
   private void stopUnlessAllCasesEnded() {
     try {
-      Thread.sleep(CATCHING_UP_MS);
+      Thread.sleep(SUSPEND_GRACE_MS);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }
@@ -116,7 +116,7 @@ final class AttemptRun {
         return;
       }
     }
-    stop("the attempt is over");
+    stop("the attempt has ended");
   }
 
   private void stop(String reason) {
@@ -128,23 +128,23 @@ final class AttemptRun {
       running = build;
     }
     stop.countDown();
-    fetching.cancel(null);
+    downloadContext.cancel(null);
     if (running != null) {
       running.cancel(reason);
     }
   }
 
-  /** Does the work; empty when nothing of the attempt is to be kept. */
+  /** Runs the attempt; empty if nothing has to be submitted. */
   Optional<BuildOutcome> run() {
     BuildOutcome outcome;
     try (RecordingUpload recordings = new RecordingUpload(attempt, calls);
         ProgressReport report =
-            new ProgressReport(attempt, calls, directory, recordings, this::giveUp)) {
+            new ProgressReport(attempt, calls, directory, recordings, this::abandon)) {
       report.stage(BuildStage.PREPARING);
-      outcome = fetchAndBuild(report);
+      outcome = downloadAndBuild(report);
     }
     synchronized (this) {
-      if (over && !(outcome instanceof BuildOutcome.Completed)) {
+      if (abandoned && !(outcome instanceof BuildOutcome.Completed)) {
         return Optional.empty();
       }
       return Optional.of(
@@ -172,9 +172,9 @@ final class AttemptRun {
             Math.max(0, order.getMaxBytes())));
   }
 
-  private BuildOutcome fetchAndBuild(ProgressReport report) {
+  private BuildOutcome downloadAndBuild(ProgressReport report) {
     try {
-      TestApplication application = TestApplication.read(fetch());
+      TestApplication application = TestApplication.read(download());
       BuildRun run = new BuildRun(application, directory, recorded(), counting(report));
       synchronized (this) {
         build = run;
@@ -186,7 +186,7 @@ final class AttemptRun {
       try {
         return run.run();
       } finally {
-        // The next build of the language finds its compiler ready.
+        // Start the compiler for the next build of this language.
         settings
             .toolchains()
             .startAhead(application.activity().profile().harness(), settings.sandbox());
@@ -203,11 +203,11 @@ final class AttemptRun {
       }
     } catch (IOException | UncheckedIOException | IllegalArgumentException e) {
       return new BuildOutcome.InfrastructureFailed(
-          "the test application cannot be fetched: " + e.getMessage());
+          "the test application cannot be downloaded: " + e.getMessage());
     }
   }
 
-  /** Tells the report, and knows how many cases are still to come. */
+  /** Forwards events to the report and counts the remaining cases. */
   private BuildListener counting(ProgressReport report) {
     return new BuildListener() {
       @Override
@@ -235,25 +235,24 @@ final class AttemptRun {
     };
   }
 
-  /** The attempt was stopped while it was fetched. */
+  /** The attempt was stopped during the download. */
   private static final class StoppedException extends Exception {
     private static final long serialVersionUID = 1L;
   }
 
-  private FileTree fetch() throws IOException, StoppedException {
+  private FileTree download() throws IOException, StoppedException {
     long size = assignment.getFilesList().stream().mapToLong(ApplicationFile::getSize).sum();
     if (size < 0 || size > MAX_APPLICATION_BYTES) {
-      throw new IOException(
-          "it has " + size + " bytes; at most " + MAX_APPLICATION_BYTES + " are taken");
+      throw new IOException("it has " + size + " bytes, but the limit is " + MAX_APPLICATION_BYTES);
     }
     Map<String, byte[]> files = new HashMap<>();
     for (ApplicationFile file : assignment.getFilesList()) {
-      files.put(FileTree.requireSafe(file.getPath()), fetch(file));
+      files.put(FileTree.requireSafe(file.getPath()), download(file));
     }
     return FileTree.of(files);
   }
 
-  private byte[] fetch(ApplicationFile file) throws IOException, StoppedException {
+  private byte[] download(ApplicationFile file) throws IOException, StoppedException {
     String sha256 = file.getSha256().toLowerCase(Locale.ROOT);
     Backoff backoff = new Backoff();
     int damaged = 0;
@@ -273,14 +272,14 @@ final class AttemptRun {
           throw new StoppedException();
         }
         if (e.getStatus().getCode() == Status.Code.FAILED_PRECONDITION) {
-          giveUp();
+          abandon();
           throw new StoppedException();
         }
         if (ServerCalls.meaningOf(e) != ServerCalls.Failure.LATER) {
           throw new IOException(file.getPath() + ": " + ServerCalls.describe(e.getStatus()), e);
         }
       } catch (IOException e) {
-        if (++damaged == DAMAGED_TRIES) {
+        if (++damaged == MAX_DAMAGED_DOWNLOADS) {
           throw new IOException(file.getPath() + ": " + e.getMessage(), e);
         }
       }
@@ -289,11 +288,11 @@ final class AttemptRun {
   }
 
   private void download(ApplicationFile file, String sha256) throws IOException {
-    Context previous = fetching.attach();
+    Context previous = downloadContext.attach();
     try {
       cache.add(sha256, out -> calls.download(attempt, sha256, file.getSize(), out));
     } finally {
-      fetching.detach(previous);
+      downloadContext.detach(previous);
     }
   }
 

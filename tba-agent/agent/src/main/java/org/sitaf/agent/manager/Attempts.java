@@ -124,7 +124,7 @@ final class Attempts {
       run = Optional.ofNullable(running.get(attempt.key()));
     }
     if (run.isPresent() && cancellation.getGivenUp()) {
-      run.get().giveUp();
+      run.get().abandon();
     } else if (run.isPresent()) {
       run.get().cancel(cancellation.getReason());
     } else if (!upload.owes(attempt)) {

@@ -2,11 +2,11 @@ package org.sitaf.agent.manager;
 
 import java.time.Duration;
 
-/** A thread that works beside the builds, and keeps no process from its end. */
+/** A daemon thread that works in the background of builds. */
 final class BackgroundThread {
   private final Thread thread;
 
-  /** Not begun. */
+  /** Creates the thread without starting it. */
   BackgroundThread(String name, Runnable work) {
     thread = new Thread(work, name);
     thread.setDaemon(true);
@@ -17,8 +17,8 @@ final class BackgroundThread {
   }
 
   /**
-   * Leaves the work, which has been told to end, so much time for it, and interrupts it then. That
-   * the caller is interrupted cuts the time short and is not forgotten.
+   * Waits for the thread, which was asked to end, and interrupts it after the timeout. An interrupt
+   * of the caller ends the wait and is restored.
    */
   void end(Duration atMost) {
     if (interruptAfter(atMost)) {
@@ -26,7 +26,7 @@ final class BackgroundThread {
     }
   }
 
-  /** Likewise, and does not return before the interrupted work has ended. */
+  /** Like above, and also waits for the interrupted thread to end. */
   void endSurely(Duration atMost) {
     boolean interrupted = interruptAfter(atMost);
     try {
@@ -39,7 +39,7 @@ final class BackgroundThread {
     }
   }
 
-  /** Whether the caller was interrupted meanwhile. */
+  /** Returns whether the caller was interrupted. */
   private boolean interruptAfter(Duration atMost) {
     boolean interrupted = false;
     try {

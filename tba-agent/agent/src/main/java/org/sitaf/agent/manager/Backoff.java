@@ -4,29 +4,29 @@ import java.time.Duration;
 import java.util.concurrent.ThreadLocalRandom;
 
 /**
- * How long to wait before the next try: doubling, with jitter, so that many agents do not come back
- * at the same moment. Not safe for several threads.
+ * Exponential backoff with jitter, so that many agents do not retry at the same time. Not
+ * thread-safe.
  */
 final class Backoff {
-  private static final long FIRST_MS = 200;
-  private static final long LAST_MS = 15_000;
+  private static final long INITIAL_MS = 200;
+  private static final long MAX_MS = 15_000;
 
-  private long nextMs = FIRST_MS;
-  private long lastMs = LAST_MS;
+  private long nextMs = INITIAL_MS;
+  private long maxMs = MAX_MS;
 
   Duration next() {
     long ms = nextMs / 2 + ThreadLocalRandom.current().nextLong(nextMs / 2 + 1);
-    nextMs = Math.min(lastMs, nextMs * 2);
+    nextMs = Math.min(maxMs, nextMs * 2);
     return Duration.ofMillis(ms);
   }
 
-  /** No wait is longer than this from now on. */
+  /** Limits the following waits. */
   void atMost(Duration longest) {
-    lastMs = Math.max(FIRST_MS, longest.toMillis());
-    nextMs = Math.min(lastMs, nextMs);
+    maxMs = Math.max(INITIAL_MS, longest.toMillis());
+    nextMs = Math.min(maxMs, nextMs);
   }
 
   void reset() {
-    nextMs = FIRST_MS;
+    nextMs = INITIAL_MS;
   }
 }

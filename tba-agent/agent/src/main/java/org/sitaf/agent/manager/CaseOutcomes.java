@@ -7,7 +7,7 @@ import org.sitaf.agent.v1.ProcessingTime;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.NamedValue;
 
-/** Results of cases as the server is told of them at once; whole they come with the result. */
+/** Short case results for the live view; complete ones are part of the final result. */
 final class CaseOutcomes {
   private static final int MAX_TEXT = 1000;
   private static final int MAX_VALUES = 100;

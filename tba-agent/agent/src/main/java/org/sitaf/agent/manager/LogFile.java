@@ -9,7 +9,8 @@ import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 
 /**
- * Cuts a log into chunks that the protocol takes: at most 64 KiB, each whole characters of UTF-8.
+ * Splits a log into chunks of at most 64 KiB that end at UTF-8 character boundaries, as the
+ * protocol requires.
  */
 final class LogFile {
   private static final int CONTINUATION_MASK = 0xC0;
@@ -17,10 +18,7 @@ final class LogFile {
 
   private LogFile() {}
 
-  /**
-   * The chunk that begins at an offset; empty at the end of the file, or where there is no file
-   * yet.
-   */
+  /** The chunk at an offset; empty at the end of the file or if the file does not exist yet. */
   static ByteString chunk(Path file, long offset) throws IOException {
     if (!Files.isRegularFile(file)) {
       return ByteString.EMPTY;

@@ -11,10 +11,10 @@ import java.util.concurrent.CompletionException;
 import java.util.function.Function;
 
 /**
- * Sends something large in parts, as fast as the server takes them.
+ * Sends a large message in parts, as fast as the server accepts them.
  *
- * @param <Q> a message that holds a part
- * @param <A> what answers the whole
+ * @param <Q> request message that holds a part
+ * @param <A> response to the whole message
  */
 final class PartsCall<Q, A> implements ClientResponseObserver<Q, A> {
   /** Largest part, by the protocol. */
@@ -32,9 +32,9 @@ final class PartsCall<Q, A> implements ClientResponseObserver<Q, A> {
   }
 
   /**
-   * Makes such a call and waits for its answer.
+   * Makes a call and waits for its response.
    *
-   * @throws StatusRuntimeException as of the protocol
+   * @throws StatusRuntimeException as specified in the protocol
    */
   static <Q, A> A send(
       ByteString whole,
@@ -67,8 +67,8 @@ final class PartsCall<Q, A> implements ClientResponseObserver<Q, A> {
   }
 
   @Override
-  public void onNext(A said) {
-    answer.complete(said);
+  public void onNext(A response) {
+    answer.complete(response);
   }
 
   @Override
@@ -79,6 +79,6 @@ final class PartsCall<Q, A> implements ClientResponseObserver<Q, A> {
   @Override
   public void onCompleted() {
     answer.completeExceptionally(
-        Status.INTERNAL.withDescription("the server gave no answer").asRuntimeException());
+        Status.INTERNAL.withDescription("the server sent no response").asRuntimeException());
   }
 }

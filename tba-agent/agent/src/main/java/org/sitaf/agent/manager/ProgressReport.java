@@ -17,8 +17,9 @@ import org.sitaf.agent.v1.CaseOutcome;
 import org.sitaf.core.verdict.CaseResult;
 
 /**
- * Tells the server how an attempt goes, from a thread of its own, so that a slow server never slows
- * a build. What is not told when the build ends does not matter: log and result go with the spool.
+ * Reports the progress of an attempt to the server in a background thread, so that a slow server
+ * never slows a build. Nothing is lost if the build ends before all is reported, because log and
+ * result are uploaded from the spool.
  */
 final class ProgressReport implements BuildListener, AutoCloseable {
   private static final System.Logger LOGGER = System.getLogger("org.sitaf.agent");
@@ -30,7 +31,7 @@ final class ProgressReport implements BuildListener, AutoCloseable {
   private final Attempt attempt;
   private final ServerCalls calls;
   private final Path log;
-  private final Runnable whenOver;
+  private final Runnable onAttemptEnded;
   private final RecordingUpload recordings;
   private final BackgroundThread thread;
 
@@ -39,30 +40,30 @@ final class ProgressReport implements BuildListener, AutoCloseable {
   private boolean logGrew;
   private boolean closed;
 
-  /** Only the reporting thread's. */
+  /** Used by the reporting thread only. */
   private long logOffset;
 
   private long nextBatch = 1;
   private List<CaseOutcome> batch = List.of();
 
   /**
-   * Begins to report.
+   * Starts to report.
    *
-   * @param directory the build's
-   * @param recordings takes what moved in the cases; the caller closes it
-   * @param whenOver what to do when the server says that the attempt is over
+   * @param directory folder of the build
+   * @param recordings uploads recordings; closed by the caller
+   * @param onAttemptEnded called when the server reports that the attempt has ended
    */
   ProgressReport(
       Attempt attempt,
       ServerCalls calls,
       Path directory,
       RecordingUpload recordings,
-      Runnable whenOver) {
+      Runnable onAttemptEnded) {
     this.attempt = attempt;
     this.calls = calls;
     this.log = directory.resolve(BuildRun.LOG);
     this.recordings = recordings;
-    this.whenOver = whenOver;
+    this.onAttemptEnded = onAttemptEnded;
     this.thread = new BackgroundThread("sitaf-progress", this::work);
     thread.start();
   }
@@ -99,19 +100,19 @@ final class ProgressReport implements BuildListener, AutoCloseable {
   private void work() {
     Backoff backoff = new Backoff();
     try {
-      while (awaitNews()) {
+      while (awaitEvents()) {
         Duration pause = PAUSE;
         try {
-          tell();
+          send();
           backoff.reset();
         } catch (StatusRuntimeException e) {
           switch (ServerCalls.meaningOf(e)) {
             case OVER -> {
-              whenOver.run();
+              onAttemptEnded.run();
               return;
             }
             case LATER -> pause = backoff.next();
-            case REFUSED -> refused(e);
+            case REFUSED -> rejected(e);
           }
         } catch (IOException e) {
           LOGGER.log(System.Logger.Level.WARNING, attempt + ": the log cannot be read: " + e);
@@ -123,14 +124,11 @@ final class ProgressReport implements BuildListener, AutoCloseable {
     }
   }
 
-  /**
-   * What the server will never take is not told again; the log goes on where the server has its
-   * end.
-   */
-  private void refused(StatusRuntimeException e) {
+  /** Skips what the server rejects; the log continues at the server's offset. */
+  private void rejected(StatusRuntimeException e) {
     LOGGER.log(
         System.Logger.Level.WARNING,
-        attempt + ": progress refused: " + ServerCalls.describe(e.getStatus()));
+        attempt + ": progress rejected: " + ServerCalls.describe(e.getStatus()));
     synchronized (this) {
       state = null;
       cases.clear();
@@ -142,7 +140,7 @@ final class ProgressReport implements BuildListener, AutoCloseable {
     }
   }
 
-  private synchronized boolean awaitNews() throws InterruptedException {
+  private synchronized boolean awaitEvents() throws InterruptedException {
     while (state == null && cases.isEmpty() && !logGrew) {
       if (closed) {
         return false;
@@ -152,9 +150,7 @@ final class ProgressReport implements BuildListener, AutoCloseable {
     return true;
   }
 
-  /**
-   * News that come meanwhile wait for the next message; the end of the build cuts the pause short.
-   */
+  /** Collects further events into the next message; the end of the build ends the pause. */
   private synchronized void pause(Duration duration) throws InterruptedException {
     long end = System.nanoTime() + duration.toNanos();
     for (long left = duration.toMillis();
@@ -164,7 +160,7 @@ final class ProgressReport implements BuildListener, AutoCloseable {
     }
   }
 
-  /** As many from the first on as a message holds; one holds a case, however large. */
+  /** As many cases as fit into a message, at least one. */
   private static List<CaseOutcome> fitting(List<CaseResult> ended) {
     List<CaseOutcome> fitting = new ArrayList<>();
     long size = 0;
@@ -179,7 +175,7 @@ final class ProgressReport implements BuildListener, AutoCloseable {
     return fitting;
   }
 
-  private void tell() throws IOException {
+  private void send() throws IOException {
     AttemptState newState;
     List<CaseResult> ended = List.of();
     synchronized (this) {
@@ -199,7 +195,7 @@ final class ProgressReport implements BuildListener, AutoCloseable {
       }
     }
     if (!batch.isEmpty()) {
-      // A batch that was not answered is sent again as it was, under its number.
+      // A batch without response is sent again unchanged with the same sequence number.
       calls.reportCases(attempt, nextBatch, batch);
       synchronized (this) {
         cases.subList(0, batch.size()).clear();
@@ -208,7 +204,7 @@ final class ProgressReport implements BuildListener, AutoCloseable {
       nextBatch++;
     }
     try {
-      tellLog();
+      sendLog();
     } catch (StatusRuntimeException e) {
       synchronized (this) {
         logGrew = true;
@@ -217,7 +213,7 @@ final class ProgressReport implements BuildListener, AutoCloseable {
     }
   }
 
-  private void tellLog() throws IOException {
+  private void sendLog() throws IOException {
     ByteString chunk = LogFile.chunk(log, logOffset);
     while (!chunk.isEmpty()) {
       logOffset = calls.appendLog(attempt, logOffset, chunk);
@@ -225,7 +221,7 @@ final class ProgressReport implements BuildListener, AutoCloseable {
     }
   }
 
-  /** Ends reporting; what is still to tell has a moment to be told. */
+  /** Stops reporting after a last attempt to send the rest. */
   @Override
   public void close() {
     synchronized (this) {

@@ -10,9 +10,8 @@ import java.util.Deque;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Brings the recordings of a running attempt to the server, each as soon as it is there, for people
- * who watch. A file that the server has, or will never take, is deleted: what is left in the end
- * goes with the spool.
+ * Uploads the recordings of a running attempt for the live view. Files that the server has stored
+ * or rejected are deleted; the rest is uploaded from the spool.
  */
 final class RecordingUpload implements AutoCloseable {
   private static final System.Logger LOGGER = System.getLogger("org.sitaf.agent");
@@ -33,7 +32,7 @@ final class RecordingUpload implements AutoCloseable {
   }
 
   /**
-   * Takes a recording.
+   * Adds a recording.
    *
    * @param file {@code NO.glb}
    */
@@ -59,7 +58,7 @@ final class RecordingUpload implements AutoCloseable {
     }
   }
 
-  /** Null when there is nothing more to do. */
+  /** Null if there is nothing more to do. */
   private synchronized @Nullable Path next() throws InterruptedException {
     while (waiting.isEmpty() && !closed) {
       wait();
@@ -67,7 +66,7 @@ final class RecordingUpload implements AutoCloseable {
     return waiting.poll();
   }
 
-  /** Where the server is away at the end of the build, the spool waits for it, not the build. */
+  /** Retries later; at the end of the build the file stays for the spool instead. */
   private synchronized void putBack(Path file, Duration pause) throws InterruptedException {
     if (closed) {
       waiting.clear();
@@ -78,10 +77,10 @@ final class RecordingUpload implements AutoCloseable {
   }
 
   /**
-   * Gives a recording to the server.
+   * Uploads a recording.
    *
    * @param file {@code NO.glb}
-   * @return whether there is nothing more to do for it, in which case its file is deleted
+   * @return whether the upload is complete and the file deleted
    */
   static boolean upload(Attempt attempt, ServerCalls calls, Path file) throws IOException {
     String name = file.getFileName().toString();
@@ -97,21 +96,21 @@ final class RecordingUpload implements AutoCloseable {
           attempt
               + ": the recording of case "
               + no
-              + " is not taken: "
+              + " was rejected: "
               + ServerCalls.describe(e.getStatus()));
     }
     Files.delete(file);
     return true;
   }
 
-  /** Ends; what is still to be sent has a moment to go. */
+  /** Stops after a last attempt to upload the rest. */
   @Override
   public void close() {
     synchronized (this) {
       closed = true;
       notifyAll();
     }
-    // What it has in its hand is either there or not before the spool looks.
+    // Wait for the current upload, so that the spool does not see a file that is being deleted.
     thread.endSurely(FLUSH);
   }
 }

@@ -10,12 +10,11 @@ import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How an agent gets in at its server.
+ * Credentials and TLS settings of an agent.
  *
- * @param enrolmentToken lets the agent in for the first time; null for one that has its key
- * @param authorities file of the certificates that vouch for the server, in PEM; null for those
- *     that this machine trusts
- * @param plaintext whether to speak without TLS beyond the loopback
+ * @param enrolmentToken for the first start; null if the agent has a key
+ * @param authorities file of trusted certificates in PEM; null for those of this machine
+ * @param plaintext whether to connect without TLS to servers on other machines
  */
 public record ServerAccess(
     @Nullable String enrolmentToken, @Nullable Path authorities, boolean plaintext) {
@@ -28,12 +27,12 @@ public record ServerAccess(
     }
   }
 
-  /** Access to a server on the same machine. */
+  /** Access to a server on this machine. */
   public static ServerAccess byToken(String enrolmentToken) {
     return new ServerAccess(enrolmentToken, null, false);
   }
 
-  /** TLS, except on the loopback: the agent's key must not be read on the way. */
+  /** TLS, except on the loopback interface, because calls contain the agent's key. */
   ChannelCredentials channelCredentials(String server) throws IOException {
     if (authorities != null) {
       return TlsChannelCredentials.newBuilder().trustManager(authorities.toFile()).build();

@@ -15,8 +15,8 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * Several servers with one database, HOST:PORT joined by commas: an agent speaks with the first
- * that answers. Each agent tries them in an order of its own, so that not all come to the same.
+ * Resolves several servers with one database, HOST:PORT joined by commas. The agent connects to the
+ * first one that answers. Each agent shuffles the addresses to distribute the load.
  */
 final class ServerAddresses extends NameResolverProvider {
   private static final String SCHEME = "sitaf-servers";
@@ -26,7 +26,7 @@ final class ServerAddresses extends NameResolverProvider {
     NameResolverRegistry.getDefaultRegistry().register(new ServerAddresses());
   }
 
-  /** The gRPC target of one server or several. */
+  /** The gRPC target of one or several servers. */
   static String target(String servers) {
     if (!servers.contains(",")) {
       return servers;
@@ -78,7 +78,7 @@ final class ServerAddresses extends NameResolverProvider {
 
       @Override
       public void start(Listener2 listener) {
-        // Names are looked up anew each time: a server may have moved.
+        // Host names are resolved each time, because a server may have moved.
         List<EquivalentAddressGroup> addresses =
             servers.stream().map(server -> new EquivalentAddressGroup(parse(server))).toList();
         listener.onResult(
@@ -89,7 +89,7 @@ final class ServerAddresses extends NameResolverProvider {
 
       @Override
       public void shutdown() {
-        // Nothing is held.
+        // Nothing to release.
       }
     };
   }

@@ -27,8 +27,7 @@ import org.sitaf.agent.v1.SubmitResultResponse;
 import org.sitaf.agent.v1.UploadRecordingRequest;
 
 /**
- * The calls about an attempt, each with a deadline, so that a server that hangs is one that is
- * away.
+ * Calls about an attempt, each with a deadline, so that a server that hangs counts as unavailable.
  */
 final class ServerCalls {
   /** Largest chunk of a log, by the protocol. */
@@ -43,13 +42,13 @@ final class ServerCalls {
     this.channel = channel;
   }
 
-  /** What a failed call means for the one who made it. */
+  /** How to handle a failed call. */
   enum Failure {
-    /** The server is away or overloaded: try again. */
+    /** The server is unavailable or overloaded: retry. */
     LATER,
-    /** The attempt is over for this agent: keep nothing of it. */
+    /** The attempt has ended for this agent: discard its data. */
     OVER,
-    /** The server will never take this. */
+    /** The server rejects the request: do not retry. */
     REFUSED
   }
 
@@ -61,22 +60,22 @@ final class ServerCalls {
     };
   }
 
-  /** A status in one line, without the stack that may hang on it. */
+  /** A status in one line, without stack trace. */
   static String describe(Status status) {
-    StringBuilder said = new StringBuilder(status.getCode().name());
+    StringBuilder text = new StringBuilder(status.getCode().name());
     String last = status.getDescription();
     if (last != null) {
-      said.append(": ").append(last);
+      text.append(": ").append(last);
     }
-    // The reason why a certificate is not trusted lies some causes deep.
+    // The reason why a certificate is not trusted is a cause of a cause.
     for (Throwable cause = status.getCause(); cause != null; cause = cause.getCause()) {
       String message = cause.getMessage();
       if (message != null && !message.equals(last)) {
-        said.append(": ").append(message);
+        text.append(": ").append(message);
         last = message;
       }
     }
-    return said.toString();
+    return text.toString();
   }
 
   void reportState(Attempt attempt, AttemptState state) {
@@ -91,7 +90,10 @@ final class ServerCalls {
                 .build());
   }
 
-  /** Where the log ends now, in bytes; with an empty chunk at 0 it only asks. */
+  /**
+   * Appends to the log and returns its new length in bytes; an empty chunk at 0 only returns the
+   * length.
+   */
   long appendLog(Attempt attempt, long offset, ByteString chunk) {
     return stub(DEADLINE_S)
         .appendLog(
@@ -106,7 +108,7 @@ final class ServerCalls {
   /**
    * Reports a batch of cases.
    *
-   * @param sequence counts the batches of an attempt, from 1
+   * @param sequence number of the batch in the attempt, from 1
    */
   void reportCases(Attempt attempt, long sequence, List<CaseOutcome> outcomes) {
     stub(DEADLINE_S)
@@ -119,10 +121,10 @@ final class ServerCalls {
   }
 
   /**
-   * Gives the server what moved in a case.
+   * Uploads the recording of a case.
    *
-   * @throws StatusRuntimeException as of the protocol, and DATA_LOSS when the server has something
-   *     else
+   * @throws StatusRuntimeException as specified in the protocol; DATA_LOSS if the server confirms
+   *     different content
    */
   void uploadRecording(Attempt attempt, int caseNo, byte[] gltf) {
     String sha256 = SubmitMessages.sha256(gltf);
@@ -142,11 +144,13 @@ final class ServerCalls {
                     ::uploadRecordingInParts)
             .getSha256();
     if (!stored.equals(sha256)) {
-      throw Status.DATA_LOSS.withDescription("the server confirms another").asRuntimeException();
+      throw Status.DATA_LOSS
+          .withDescription("the server confirmed different content")
+          .asRuntimeException();
     }
   }
 
-  /** What the server has of the attempt now, and whether it counts. */
+  /** Submits the result; the response tells what the server has stored and whether it counts. */
   SubmitResultResponse submit(SubmitResultRequest request) {
     if (!request.hasResultDescriptor()) {
       return stub(TRANSFER_DEADLINE_S).submitResult(request);
@@ -159,9 +163,7 @@ final class ServerCalls {
             ::submitResultInParts);
   }
 
-  /**
-   * As one message where that is small, and where the server is of a release that knows no parts.
-   */
+  /** Sends one message if it is small, or if the server does not support parts. */
   private static <Q, A> A send(
       ByteString whole,
       Function<ByteString, Q> message,
@@ -179,7 +181,7 @@ final class ServerCalls {
     return atOnce.apply(message.apply(whole));
   }
 
-  /** Writes a file of the attempt's test application, at most so many bytes of it. */
+  /** Downloads a file of the attempt's test application, up to a size limit. */
   void download(Attempt attempt, String sha256, long atMost, OutputStream out) throws IOException {
     Iterator<DownloadFileResponse> chunks =
         stub(TRANSFER_DEADLINE_S)
@@ -193,7 +195,7 @@ final class ServerCalls {
       ByteString chunk = chunks.next().getChunk();
       written += chunk.size();
       if (written > atMost) {
-        throw new IOException("the file is larger than the " + atMost + " bytes announced");
+        throw new IOException("the file exceeds the announced size of " + atMost + " bytes");
       }
       chunk.writeTo(out);
     }

@@ -23,8 +23,8 @@ import org.sitaf.agent.v1.Registered;
 import org.sitaf.agent.v1.ServerMessage;
 
 /**
- * The agent's one stream: registers, sends heartbeats, and dials again when the stream ends. All of
- * it happens in one thread that does nothing else, so that no build can starve it.
+ * The agent's bidirectional stream: registers, sends heartbeats, and reconnects when the stream
+ * ends. Uses its own thread, so that builds cannot delay heartbeats.
  */
 final class ServerConnection implements AutoCloseable {
   private static final System.Logger LOGGER = System.getLogger("org.sitaf.agent");
@@ -33,26 +33,26 @@ final class ServerConnection implements AutoCloseable {
   private static final int HEARTBEATS_PER_LEASE = 3;
 
   /**
-   * A server that comes back grants everybody a whole lease: each agent dials a few times within
-   * it.
+   * After a restart, a server grants every agent a full lease; an agent tries to connect several
+   * times within it.
    */
-  private static final int DIALS_PER_LEASE = 3;
+  private static final int CONNECTS_PER_LEASE = 3;
 
-  private static final Duration USUAL_LEASE = Duration.ofSeconds(15);
+  private static final Duration DEFAULT_LEASE = Duration.ofSeconds(15);
 
   private final ManagedChannel channel;
   private final AgentKey key;
   private final Supplier<Register> registration;
   private final Supplier<List<AttemptRef>> running;
-  private final Supplier<String> refuses;
+  private final Supplier<String> refusal;
   private final Listener listener;
   private final CountDownLatch closing = new CountDownLatch(1);
-  private final AtomicBoolean hurried = new AtomicBoolean();
+  private final AtomicBoolean heartbeatRequested = new AtomicBoolean();
   private final Thread thread = new Thread(this::work, "sitaf-heartbeat");
 
-  /** What the server says, told from gRPC's threads. */
+  /** Receives the server's messages, in gRPC's threads. */
   interface Listener {
-    /** The server knows the agent now. */
+    /** The server has registered the agent. */
     void registered(Registered registered);
 
     /** An assignment or a cancellation. */
@@ -64,13 +64,13 @@ final class ServerConnection implements AutoCloseable {
       AgentKey key,
       Supplier<Register> registration,
       Supplier<List<AttemptRef>> running,
-      Supplier<String> refuses,
+      Supplier<String> refusal,
       Listener listener) {
     this.channel = channel;
     this.key = key;
     this.registration = registration;
     this.running = running;
-    this.refuses = refuses;
+    this.refusal = refusal;
     this.listener = listener;
     thread.setDaemon(true);
   }
@@ -81,11 +81,11 @@ final class ServerConnection implements AutoCloseable {
 
   private void work() {
     Backoff backoff = new Backoff();
-    backoff.atMost(USUAL_LEASE.dividedBy(DIALS_PER_LEASE));
+    backoff.atMost(DEFAULT_LEASE.dividedBy(CONNECTS_PER_LEASE));
     String lastComplaint = "";
     try {
       while (closing.getCount() > 0) {
-        // Our own waiting holds; the channel's would grow to minutes.
+        // Use our own backoff; the channel's would grow to minutes.
         channel.resetConnectBackoff();
         Stream stream = new Stream();
         Status status = enrolled();
@@ -97,15 +97,15 @@ final class ServerConnection implements AutoCloseable {
         }
         Duration lease = stream.lease;
         if (lease != null) {
-          backoff.atMost(lease.dividedBy(DIALS_PER_LEASE));
+          backoff.atMost(lease.dividedBy(CONNECTS_PER_LEASE));
           backoff.reset();
           lastComplaint = "";
         }
         if (closing.getCount() > 0) {
-          String complaint = "no connection to the server: " + ServerCalls.describe(status);
-          if (!complaint.equals(lastComplaint)) {
-            LOGGER.log(System.Logger.Level.WARNING, complaint);
-            lastComplaint = complaint;
+          String problem = "no connection to the server: " + ServerCalls.describe(status);
+          if (!problem.equals(lastComplaint)) {
+            LOGGER.log(System.Logger.Level.WARNING, problem);
+            lastComplaint = problem;
           }
           if (closing.await(backoff.next().toMillis(), TimeUnit.MILLISECONDS)) {
             return;
@@ -117,7 +117,7 @@ final class ServerConnection implements AutoCloseable {
     }
   }
 
-  /** Sees to it that there is a key to show. */
+  /** Ensures that the agent has a key. */
   private Status enrolled() {
     try {
       key.enrol(channel);
@@ -125,7 +125,7 @@ final class ServerConnection implements AutoCloseable {
     } catch (StatusRuntimeException e) {
       return e.getStatus();
     } catch (IOException e) {
-      return Status.INTERNAL.withDescription("the key cannot be kept").withCause(e);
+      return Status.INTERNAL.withDescription("the key cannot be stored").withCause(e);
     }
   }
 
@@ -139,12 +139,12 @@ final class ServerConnection implements AutoCloseable {
     }
   }
 
-  /** Has the next heartbeat sent at once: what it says has changed. */
-  void beatSoon() {
-    hurried.set(true);
+  /** Sends the next heartbeat at once, because its content has changed. */
+  void requestHeartbeat() {
+    heartbeatRequested.set(true);
   }
 
-  /** One life of the stream. */
+  /** One stream, from connect to end. */
   private final class Stream implements ClientResponseObserver<AgentMessage, ServerMessage> {
     private final CountDownLatch ended = new CountDownLatch(1);
     private volatile Status status = Status.OK;
@@ -172,34 +172,36 @@ final class ServerConnection implements AutoCloseable {
             Heartbeat heartbeat =
                 Heartbeat.newBuilder()
                     .addAllRunning(running.get())
-                    .setRefuses(refuses.get())
+                    .setRefuses(refusal.get())
                     .build();
             sender.onNext(AgentMessage.newBuilder().setHeartbeat(heartbeat).build());
           } else if (System.nanoTime() - registrationEnd > 0) {
-            status = Status.DEADLINE_EXCEEDED.withDescription("the server does not register");
+            status =
+                Status.DEADLINE_EXCEEDED.withDescription(
+                    "the server does not answer the registration");
             break;
           }
         }
       } catch (IllegalStateException | StatusRuntimeException e) {
-        // The stream ended between two messages.
+        // The stream ended while a message was sent.
         LOGGER.log(System.Logger.Level.DEBUG, "stream ended while sending", e);
       } finally {
         ClientCallStreamObserver<AgentMessage> call = requests;
         if (call != null) {
-          call.cancel("the stream is over", null);
+          call.cancel("the stream has ended", null);
         }
       }
       return status;
     }
 
-    /** Waits for the end of the stream until the next heartbeat is due; closing is noticed soon. */
+    /** Waits for the end of the stream or the next heartbeat; returns soon after close. */
     private boolean awaitEnd(@Nullable Duration heartbeatInterval) throws InterruptedException {
       Duration step = Duration.ofMillis(50);
       long due =
           System.nanoTime() + (heartbeatInterval == null ? step : heartbeatInterval).toNanos();
       while (closing.getCount() > 0) {
         long left = due - System.nanoTime();
-        if (left <= 0 || (registered() && hurried.getAndSet(false))) {
+        if (left <= 0 || (registered() && heartbeatRequested.getAndSet(false))) {
           return ended.getCount() == 0;
         }
         if (ended.await(Math.min(left, step.toNanos()), TimeUnit.NANOSECONDS)) {

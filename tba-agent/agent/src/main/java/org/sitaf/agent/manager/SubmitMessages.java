@@ -12,7 +12,7 @@ import org.sitaf.agent.v1.Diagnostic;
 import org.sitaf.agent.v1.SubmitResultRequest;
 import org.sitaf.core.verdict.document.TestResultXml;
 
-/** What is submitted to the server for an outcome. */
+/** Creates the messages that submit outcomes to the server. */
 final class SubmitMessages {
   private static final int MAX_DIAGNOSTICS = 200;
   private static final int MAX_TEXT = 4000;
@@ -65,7 +65,7 @@ final class SubmitMessages {
     return SubmitResultRequest.newBuilder().setAttempt(attempt.ref()).setFailure(failure).build();
   }
 
-  /** A compiler may say more than a message holds, and than anybody reads. */
+  /** Shortens the text of a compiler to the limit of a message. */
   private static String cut(String text) {
     return text.length() <= MAX_TEXT ? text : text.substring(0, MAX_TEXT) + "…";
   }

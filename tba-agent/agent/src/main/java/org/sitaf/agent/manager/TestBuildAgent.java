@@ -24,21 +24,21 @@ import org.sitaf.agent.v1.ServerMessage;
 import org.sitaf.agent.v1.Toolchain;
 import org.sitaf.core.activity.ActivityProfile.Language;
 
-/** A test build agent at work, from its start to {@link #close()}. */
+/** A running test build agent. */
 public final class TestBuildAgent implements AutoCloseable {
   private static final System.Logger LOGGER = System.getLogger("org.sitaf.agent");
 
-  /** By this label a build can ask for an agent that keeps components in a sandbox. */
+  /** Label of agents that run components in a sandbox. */
   private static final String SANDBOXED = "sandbox";
 
   private static final int MAX_MESSAGE_BYTES = 16 << 20;
-  private static final Duration UNACKNOWLEDGED = Duration.ofSeconds(20);
-  private static final Duration STOP = Duration.ofSeconds(5);
+  private static final Duration KEEP_ALIVE_TIMEOUT = Duration.ofSeconds(20);
+  private static final Duration STOP_TIMEOUT = Duration.ofSeconds(5);
 
-  /** So that who exceeds a limit is seen to do so before its file system is full. */
-  private static final int BEYOND_MIB = 64;
+  /** Margin, so that the limits of a process take effect before its file system is full. */
+  private static final int MARGIN_MIB = 64;
 
-  private static final int BEYOND_FILES = 4000;
+  private static final int MARGIN_FILES = 4000;
 
   private final AgentSettings settings;
   private final Toolchains toolchains;
@@ -54,12 +54,10 @@ public final class TestBuildAgent implements AutoCloseable {
   private final ServerConnection connection;
 
   /**
-   * Starts an agent. It dials the server for as long as it lives, whether the server is there or
-   * not.
+   * Starts an agent, which connects to the server and reconnects until it is closed.
    *
-   * @param onRegistered is told the server's version each time that the server knows the agent
-   * @throws IOException if the agent's folder cannot be used, or a sandbox is required and there is
-   *     none
+   * @param onRegistered receives the server's version after each registration
+   * @throws IOException if the agent's folder cannot be used, or a required sandbox is missing
    */
   public TestBuildAgent(
       AgentSettings settings, Toolchains toolchains, Consumer<String> onRegistered)
@@ -70,7 +68,7 @@ public final class TestBuildAgent implements AutoCloseable {
     this.sandbox = settings.sandbox().open();
     LOGGER.log(System.Logger.Level.INFO, sandbox.description());
     this.directory = AgentDirectory.open(settings.directory());
-    // What an agent that was killed left running would disturb the builds to come.
+    // Processes that a killed agent left running would disturb builds.
     new ProcessGroup(ProcessGroup.markOf(directory.path())).kill();
     this.simulator = simulatorOf(settings, directory, sandbox);
     AgentKey key =
@@ -95,14 +93,14 @@ public final class TestBuildAgent implements AutoCloseable {
             directory.builds(
                 trash,
                 BuildRun.WRITTEN,
-                DiskLimits.COMPONENT.mebibytes() + BEYOND_MIB,
-                DiskLimits.COMPONENT.files() + BEYOND_FILES),
+                DiskLimits.COMPONENT.mebibytes() + MARGIN_MIB,
+                DiskLimits.COMPONENT.files() + MARGIN_FILES),
             builds,
             calls,
             directory.fileCache(),
             upload,
             disk,
-            this::beatSoon);
+            this::requestHeartbeat);
     this.connection =
         new ServerConnection(
             channel, key, this::registration, attempts::refs, disk::whyFull, new FromServer());
@@ -116,8 +114,8 @@ public final class TestBuildAgent implements AutoCloseable {
                 ServerAddresses.target(server), access.channelCredentials(server))
             .maxInboundMessageSize(MAX_MESSAGE_BYTES);
     if (Epoll.isAvailable()) {
-      // Heartbeats that nobody acknowledges tell of a server that vanished without a word.
-      builder.withOption(EpollChannelOption.TCP_USER_TIMEOUT, (int) UNACKNOWLEDGED.toMillis());
+      // Detects servers that disappear without closing the connection.
+      builder.withOption(EpollChannelOption.TCP_USER_TIMEOUT, (int) KEEP_ALIVE_TIMEOUT.toMillis());
     }
     return builder.build();
   }
@@ -136,8 +134,8 @@ public final class TestBuildAgent implements AutoCloseable {
             Simulator.UNLIMITED);
   }
 
-  private void beatSoon() {
-    connection.beatSoon();
+  private void requestHeartbeat() {
+    connection.requestHeartbeat();
   }
 
   private Register registration() {
@@ -177,38 +175,39 @@ public final class TestBuildAgent implements AutoCloseable {
         case ASSIGNMENT -> attempts.begin(message.getAssignment());
         case CANCELLATION -> attempts.cancel(message.getCancellation());
         default -> {
-          // A message of a later release; the builds do not depend on it.
+          // A message of a newer server; builds do not depend on it.
         }
       }
     }
   }
 
-  /** Stops what runs, tells the server if it is there, and ends the agent's own processes. */
+  /** Stops builds, informs the server if possible, and ends the agent's processes. */
   @Override
   public void close() {
-    // What cannot be ended properly must not keep the rest from its end.
-    orElseLogged(() -> attempts.stop(STOP));
-    orElseLogged(upload::close);
-    orElseLogged(connection::close);
-    orElseLogged(channel::shutdownNow);
-    orElseLogged(toolchains::stop);
-    orElseLogged(simulator::close);
-    orElseLogged(trash::close);
+    // A failing step must not prevent the others.
+    runAndLog(() -> attempts.stop(STOP_TIMEOUT));
+    runAndLog(upload::close);
+    runAndLog(connection::close);
+    runAndLog(channel::shutdownNow);
+    runAndLog(toolchains::stop);
+    runAndLog(simulator::close);
+    runAndLog(trash::close);
     try {
       directory.close();
     } catch (IOException e) {
-      // The lock goes with the process at the latest.
+      // The lock is released when the process ends.
     }
   }
 
   /**
-   * Also when its classes are gone, because the installation was replaced under a running agent.
+   * Catches errors, too, because classes are missing if the installation was replaced while the
+   * agent ran.
    */
-  private static void orElseLogged(Runnable step) {
+  private static void runAndLog(Runnable step) {
     try {
       step.run();
     } catch (RuntimeException | LinkageError e) {
-      LOGGER.log(System.Logger.Level.WARNING, "the agent does not end properly: " + e);
+      LOGGER.log(System.Logger.Level.WARNING, "error while the agent stops: " + e);
     }
   }
 }

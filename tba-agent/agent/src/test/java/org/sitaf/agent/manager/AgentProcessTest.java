@@ -19,7 +19,7 @@ import org.sitaf.agent.spool.Folders;
 import org.sitaf.agent.testing.EchoActivity;
 import org.sitaf.agent.v1.AttemptRef;
 
-/** The agent as a process of its own, as its launcher sees it. */
+/** The agent as a separate process. */
 @Tag("slow")
 @Timeout(120)
 class AgentProcessTest {
@@ -55,7 +55,7 @@ class AgentProcessTest {
                 System.getProperty("sitaf.runtimes")));
     command.addAll(List.of(more));
     ProcessBuilder builder = new ProcessBuilder(command).redirectError(errors().toFile());
-    builder.environment().put("SITAF_ENROLMENT_TOKEN", FakeDoor.ENROLMENT);
+    builder.environment().put("SITAF_ENROLMENT_TOKEN", FakeAuthentication.ENROLMENT);
     agent = builder.start();
     return agent.inputReader();
   }
@@ -71,19 +71,19 @@ class AgentProcessTest {
   }
 
   @Test
-  void saysOneLineWhenItIsRegisteredAndEndsWhenItIsTold() throws Exception {
+  void printsOneLineAfterRegistrationAndStops() throws Exception {
     BufferedReader output = start();
 
     assertThat(output.readLine())
         .isEqualTo("registered tester at " + server.address() + " (server test)");
-    // Process.destroy would close our end of its output too.
+    // Process.destroy would also close our end of its output.
     agent.toHandle().destroy();
     assertThat(agent.waitFor(10, TimeUnit.SECONDS)).isTrue();
     assertThat(output.readLine()).isNull();
   }
 
   @Test
-  void endsWhenItIsToldAlsoWhenItsInstallationWasReplacedMeanwhile() throws Exception {
+  void endsAfterItsInstallationWasReplaced() throws Exception {
     Path classes = directory.resolve("classes");
     Path compiled = Path.of("target", "classes").toAbsolutePath();
     try (Stream<Path> files = Files.walk(compiled)) {
@@ -111,7 +111,7 @@ class AgentProcessTest {
   }
 
   @Test
-  void whatIsGivenLaterWinsOverTheDefaultsOfALauncher() throws Exception {
+  void laterOptionsOverrideTheLaunchersDefaults() throws Exception {
     BufferedReader output =
         start("--bridge-command", "python", "--bridge", "127.0.0.1:1", "--name", "other");
 
@@ -120,7 +120,7 @@ class AgentProcessTest {
   }
 
   @Test
-  void aSettingThatIsWrongIsToldAndNothingIsStarted() throws Exception {
+  void reportsAnInvalidSetting() throws Exception {
     BufferedReader output = start("--slots", "0");
 
     assertThat(output.readLine()).isNull();
@@ -130,7 +130,7 @@ class AgentProcessTest {
   }
 
   @Test
-  void afterItWasKilledTheNextOneFindsNothingLeftRunning() throws Exception {
+  void killsProcessesThatAKilledAgentLeft() throws Exception {
     start().readLine();
     Path pidFile = directory.resolve("pid");
     server.assign(

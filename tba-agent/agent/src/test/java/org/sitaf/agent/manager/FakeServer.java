@@ -47,12 +47,12 @@ import org.sitaf.agent.v1.UploadRecordingResponse;
 import org.sitaf.core.activity.FileTree;
 
 /**
- * A server at the rim, on a free port of loopback: keeps the protocol, remembers what it was told,
+ * A fake server on a free port of the loopback interface: implements the protocol, records calls,
  * and fails on request.
  */
 final class FakeServer extends AgentServiceGrpc.AgentServiceImplBase implements AutoCloseable {
   private final Server server;
-  private final FakeDoor door = new FakeDoor();
+  private final FakeAuthentication door = new FakeAuthentication();
   private final Map<String, byte[]> files = new HashMap<>();
   private final List<Register> registrations = new ArrayList<>();
   private final List<Heartbeat> heartbeats = new ArrayList<>();
@@ -84,7 +84,7 @@ final class FakeServer extends AgentServiceGrpc.AgentServiceImplBase implements 
     return new FakeServer(0);
   }
 
-  /** Another server at the address of one that was closed. */
+  /** A new server at the address of a closed one. */
   static FakeServer startAt(String address) throws IOException {
     return new FakeServer(Integer.parseInt(address.substring(address.indexOf(':') + 1)));
   }
@@ -103,12 +103,12 @@ final class FakeServer extends AgentServiceGrpc.AgentServiceImplBase implements 
     }
   }
 
-  /** Who is let in. */
-  FakeDoor door() {
+  /** Authentication. */
+  FakeAuthentication door() {
     return door;
   }
 
-  // What tests tell it to do.
+  // Commands for tests.
 
   static AttemptRef attempt(String build, int number, long token) {
     return AttemptRef.newBuilder()
@@ -123,7 +123,7 @@ final class FakeServer extends AgentServiceGrpc.AgentServiceImplBase implements 
         Assignment.newBuilder().setAttempt(attempt).setActivity("echo").setModel("Echo");
     for (String path : application.paths()) {
       byte[] content = application.content(path).orElseThrow();
-      String digest = TestDigests.sha256(content);
+      String digest = Sha256.sha256(content);
       files.put(digest, content);
       assignment.addFiles(
           ApplicationFile.newBuilder().setPath(path).setSha256(digest).setSize(content.length));
@@ -135,7 +135,7 @@ final class FakeServer extends AgentServiceGrpc.AgentServiceImplBase implements 
     send(Cancellation.newBuilder().setAttempt(attempt).setReason(reason));
   }
 
-  /** As a server does that has not heard of the agent for a lease. */
+  /** Cancels like a server whose lease has expired. */
   synchronized void giveUp(AttemptRef attempt) {
     send(Cancellation.newBuilder().setAttempt(attempt).setReason("lost").setGivenUp(true));
   }
@@ -155,7 +155,7 @@ final class FakeServer extends AgentServiceGrpc.AgentServiceImplBase implements 
     damageDownloads = damage;
   }
 
-  synchronized void acceptNothingAnyMore() {
+  synchronized void rejectCalls() {
     superseded = true;
   }
 
@@ -167,7 +167,7 @@ final class FakeServer extends AgentServiceGrpc.AgentServiceImplBase implements 
     refuseAttempt = null;
   }
 
-  /** Every call about an attempt is answered so. */
+  /** Answers every call about an attempt with this status. */
   synchronized void refuseAttempt(Status status) {
     refuseAttempt = status;
   }
@@ -178,7 +178,7 @@ final class FakeServer extends AgentServiceGrpc.AgentServiceImplBase implements 
     }
   }
 
-  // What tests ask it.
+  // Queries for tests.
 
   synchronized void await(Predicate<FakeServer> condition) throws InterruptedException {
     long end = System.nanoTime() + 30_000_000_000L;
@@ -211,12 +211,12 @@ final class FakeServer extends AgentServiceGrpc.AgentServiceImplBase implements 
     return List.copyOf(submitted);
   }
 
-  /** As text, by case. */
+  /** Uploaded recordings as text, by case. */
   synchronized Map<Integer, String> recordings() {
     return Map.copyOf(recordings);
   }
 
-  /** In which order recordings and results came. */
+  /** The order in which recordings and results arrived. */
   synchronized List<String> order() {
     return List.copyOf(order);
   }
@@ -397,7 +397,7 @@ final class FakeServer extends AgentServiceGrpc.AgentServiceImplBase implements 
 
       @Override
       public void onError(Throwable failure) {
-        // Nothing is kept of it.
+        // Nothing is stored.
       }
 
       @Override
@@ -407,12 +407,12 @@ final class FakeServer extends AgentServiceGrpc.AgentServiceImplBase implements 
     };
   }
 
-  /** As a server of a release before it could put parts together. */
-  void knowNoParts() {
+  /** Behaves like a release without support for parts. */
+  void disableParts() {
     knowsParts = false;
   }
 
-  /** How many parts of results have come. */
+  /** The number of received parts of results. */
   int parts() {
     return parts;
   }

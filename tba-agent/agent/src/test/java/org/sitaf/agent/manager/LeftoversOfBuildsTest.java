@@ -35,7 +35,7 @@ class LeftoversOfBuildsTest {
     AgentSettings settings =
         new AgentSettings(
             server.address(),
-            ServerAccess.byToken(FakeDoor.ENROLMENT),
+            ServerAccess.byToken(FakeAuthentication.ENROLMENT),
             "tester",
             "1",
             directory,

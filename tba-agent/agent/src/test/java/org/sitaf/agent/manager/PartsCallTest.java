@@ -15,7 +15,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.sitaf.agent.v1.SubmitResultRequest;
 
-/** What is too large for a message comes in parts, where the server knows them. */
+/** Large messages are sent in parts if the server supports them. */
 class PartsCallTest {
   private static final int LARGE = (6 << 20) + 123;
 
@@ -25,7 +25,7 @@ class PartsCallTest {
   @BeforeEach
   void start() throws IOException {
     server = FakeServer.start();
-    server.door().letAllIn();
+    server.door().disableAuthentication();
     channel = NettyChannelBuilder.forTarget(server.address()).usePlaintext().build();
   }
 
@@ -36,7 +36,7 @@ class PartsCallTest {
   }
 
   @Test
-  void aLargeResultComesInPartsAndWhole() {
+  void sendsALargeResultInParts() {
     SubmitResultRequest request = request(LARGE);
     new ServerCalls(channel).submit(request);
     assertThat(server.parts()).isEqualTo(7);
@@ -44,7 +44,7 @@ class PartsCallTest {
   }
 
   @Test
-  void aSmallResultIsOneMessage() {
+  void sendsASmallResultInOneMessage() {
     SubmitResultRequest request = request(1000);
     new ServerCalls(channel).submit(request);
     assertThat(server.parts()).isZero();
@@ -52,15 +52,15 @@ class PartsCallTest {
   }
 
   @Test
-  void aServerThatKnowsNoPartsGetsOneMessage() {
-    server.knowNoParts();
+  void sendsOneMessageToAServerWithoutParts() {
+    server.disableParts();
     SubmitResultRequest request = request(LARGE);
     new ServerCalls(channel).submit(request);
     assertThat(server.submitted()).containsExactly(request);
   }
 
   @Test
-  void aRefusalOfPartsIsToldAsTheServerSaysIt() {
+  void reportsTheStatusOfRejectedParts() {
     server.refuseSubmit(Status.FAILED_PRECONDITION.withDescription("the attempt was given up"));
     assertThatThrownBy(() -> new ServerCalls(channel).submit(request(LARGE)))
         .isInstanceOf(StatusRuntimeException.class)

@@ -16,7 +16,7 @@ import org.sitaf.agent.spool.AgentDirectory;
 import org.sitaf.agent.spool.Spool;
 import org.sitaf.agent.v1.SubmitResultRequest;
 
-/** What becomes of recordings between the agent's disk and the server. */
+/** Upload of recordings from the agent's disk to the server. */
 @Timeout(60)
 class RecordingUploadTest {
   private static final Attempt ATTEMPT = Attempt.of(FakeServer.attempt("b-1", 1, 17));
@@ -29,7 +29,7 @@ class RecordingUploadTest {
   @BeforeEach
   void start() throws Exception {
     server = FakeServer.start();
-    server.door().letAllIn();
+    server.door().disableAuthentication();
     channel = NettyChannelBuilder.forTarget(server.address()).usePlaintext().build();
     calls = new ServerCalls(channel);
   }
@@ -46,7 +46,7 @@ class RecordingUploadTest {
   }
 
   @Test
-  void goesWhileTheBuildRunsAndIsDeletedOnceTheServerHasIt() throws Exception {
+  void uploadsRecordingsDuringTheBuild() throws Exception {
     Path first = recording(1);
     try (RecordingUpload upload = new RecordingUpload(ATTEMPT, calls)) {
       upload.add(first);
@@ -59,7 +59,7 @@ class RecordingUploadTest {
   }
 
   @Test
-  void isLeftForTheSpoolWhileTheServerIsAway() throws Exception {
+  void leavesRecordingsForTheSpoolDuringAnOutage() throws Exception {
     server.refuseAttempt(Status.UNAVAILABLE);
     Path first = recording(1);
     Path second = recording(2);
@@ -73,12 +73,13 @@ class RecordingUploadTest {
   }
 
   @Test
-  void isNotSentAgainWhenTheServerWillNeverTakeIt() throws Exception {
+  void doesNotRetryARejectedRecording() throws Exception {
     server.refuseAttempt(Status.INVALID_ARGUMENT);
     Path first = recording(1);
     try (RecordingUpload upload = new RecordingUpload(ATTEMPT, calls)) {
       upload.add(first);
-      // The end gives it two seconds, in which a busy machine may not even have connected.
+      // The agent stops within two seconds, which may be too short for a connection on a busy
+      // machine.
       for (long end = System.nanoTime() + 30_000_000_000L;
           Files.exists(first) && System.nanoTime() < end; ) {
         Thread.sleep(10);
@@ -89,7 +90,7 @@ class RecordingUploadTest {
   }
 
   @Test
-  void goesFromTheSpoolBeforeTheResultThatEndsTheAttempt() throws Exception {
+  void uploadsRecordingsFromTheSpoolBeforeTheResult() throws Exception {
     recording(3);
     try (AgentDirectory agent = AgentDirectory.open(directory.resolve("agent"))) {
       Spool spool = agent.spool();

@@ -37,7 +37,7 @@ class ServerAccessTest {
   }
 
   @Test
-  void authoritiesAndNoTlsContradictEachOther() {
+  void rejectsCertificatesWithoutTls() {
     assertThatThrownBy(() -> new ServerAccess(null, Path.of("ca.pem"), true))
         .hasMessageContaining("--plaintext and --ca exclude each other");
   }

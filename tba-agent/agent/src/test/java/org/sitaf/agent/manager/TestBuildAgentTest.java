@@ -28,7 +28,7 @@ import org.sitaf.agent.v1.SubmitResultRequest;
 import org.sitaf.core.verdict.TestResult;
 import org.sitaf.core.verdict.document.TestResultXml;
 
-/** The whole agent against a server at the rim. */
+/** The complete agent with a fake server. */
 @Tag("slow")
 @Timeout(120)
 class TestBuildAgentTest {
@@ -51,7 +51,7 @@ class TestBuildAgentTest {
     AgentSettings settings =
         new AgentSettings(
             server.address(),
-            ServerAccess.byToken(FakeDoor.ENROLMENT),
+            ServerAccess.byToken(FakeAuthentication.ENROLMENT),
             "tester",
             "1",
             directory,
@@ -113,14 +113,14 @@ class TestBuildAgentTest {
   }
 
   @Test
-  void anAssignmentBecomesAResultWithItsLogAndStates() throws Exception {
+  void buildsAnAssignmentAndSubmitsTheResult() throws Exception {
     startBoth();
     assign(GOOD);
 
     SubmitResultRequest submitted = theResult();
     assertThat(submitted.getAttempt()).isEqualTo(ATTEMPT);
     byte[] document = submitted.getResultDescriptor().toByteArray();
-    assertThat(submitted.getSha256()).isEqualTo(TestDigests.sha256(document));
+    assertThat(submitted.getSha256()).isEqualTo(Sha256.sha256(document));
     TestResult result = TestResultXml.read(new ByteArrayInputStream(document), "result");
     assertThat(result.summary().pass()).isEqualTo(5);
     assertThat(result.provenance().agent()).isEqualTo("tester 1");
@@ -133,7 +133,7 @@ class TestBuildAgentTest {
   }
 
   @Test
-  void theSameFilesAreNotFetchedTwice() throws Exception {
+  void downloadsAFileOnce() throws Exception {
     startBoth();
     assign(GOOD);
     server.await(s -> s.submitted().size() == 1);
@@ -145,7 +145,7 @@ class TestBuildAgentTest {
   }
 
   @Test
-  void heartbeatsGoOnDuringABuildAndNameIt() throws Exception {
+  void heartbeatsListTheRunningBuild() throws Exception {
     startBoth();
     assign(SLEEPING);
     server.await(s -> !s.cases().isEmpty());
@@ -170,7 +170,7 @@ class TestBuildAgentTest {
   }
 
   @Test
-  void anApplicationThatIsNotValidIsAFailureAndNotACrash() throws Exception {
+  void reportsAnInvalidApplication() throws Exception {
     startBoth();
     server.await(s -> !s.registrations().isEmpty());
     server.assign(
@@ -192,7 +192,7 @@ class TestBuildAgentTest {
   }
 
   @Test
-  void aCancellationOfABuildThatItDoesNotKnowIsAnswered() throws Exception {
+  void answersTheCancellationOfAnUnknownBuild() throws Exception {
     startBoth();
     server.await(s -> !s.registrations().isEmpty());
     server.cancel(ATTEMPT, "not wanted");
@@ -201,9 +201,9 @@ class TestBuildAgentTest {
   }
 
   @Test
-  void anAttemptThatWasGivenUpHandsInWhatHasRunToTheEnd() throws Exception {
+  void submitsTheResultOfAnAbandonedAttemptWhoseCasesHaveEnded() throws Exception {
     startBoth();
-    // The process outlives its last case for longer than an agent has to catch up with its cases.
+    // The process runs longer after its last case than an abandoned attempt waits.
     assign(
         EchoActivity.doing(
             "if (value == 5) new Thread(() -> { try { Thread.sleep(60000); }"
@@ -217,7 +217,7 @@ class TestBuildAgentTest {
   }
 
   @Test
-  void anAttemptThatWasGivenUpBeforeItsEndIsStoppedAndHandsNothingIn() throws Exception {
+  void stopsAnAbandonedAttemptWithoutAResult() throws Exception {
     startBoth();
     assign(SLEEPING);
     server.await(s -> !s.cases().isEmpty());
@@ -233,7 +233,7 @@ class TestBuildAgentTest {
   }
 
   @Test
-  void theResultOfAnAttemptThatIsOverIsDropped() throws Exception {
+  void dropsTheResultOfAnAttemptThatHasEnded() throws Exception {
     startBoth();
     assign(SLEEPING);
     server.await(s -> !s.cases().isEmpty());
@@ -250,7 +250,7 @@ class TestBuildAgentTest {
   }
 
   @Test
-  void anAttemptThatIsOverIsStoppedByItsOwnReports() throws Exception {
+  void stopsAnAttemptWhoseReportsAreRejected() throws Exception {
     startBoth();
     server.await(s -> !s.registrations().isEmpty());
     server.assign(
@@ -272,7 +272,7 @@ class TestBuildAgentTest {
   }
 
   @Test
-  void aResultThatCannotBeDeliveredSurvivesTheEndOfTheAgent() throws Exception {
+  void keepsAnUndeliveredResultAcrossRestarts() throws Exception {
     startBoth();
     server.refuseSubmit(Status.UNAVAILABLE);
     assign(GOOD);
@@ -281,7 +281,7 @@ class TestBuildAgentTest {
     agent.close();
     assertThat(spooled()).hasSize(1);
     startAgent();
-    // While the result is still owed, the agent says that it works on it.
+    // Until the result is uploaded, the agent reports the attempt as running.
     server.await(s -> s.registrations().size() > 1);
     server.refuseSubmit(null);
 
@@ -293,7 +293,7 @@ class TestBuildAgentTest {
   }
 
   @Test
-  void aServerThatWasAwayGetsResultAndLogWhenItIsBack() throws Exception {
+  void uploadsResultAndLogAfterAServerOutage() throws Exception {
     startBoth();
     assign(EchoActivity.doing("System.out.println(value); Thread.sleep(300); return value;"));
     server.await(s -> !s.cases().isEmpty());
@@ -311,7 +311,7 @@ class TestBuildAgentTest {
   }
 
   @Test
-  void aStreamThatEndsIsDialledAgain() throws Exception {
+  void reconnectsAfterTheEndOfTheStream() throws Exception {
     startBoth();
     server.await(s -> s.registrations().size() == 1);
     server.endStream();
@@ -320,9 +320,9 @@ class TestBuildAgentTest {
   }
 
   @Test
-  void aResultThatWasSupersededIsForgotten() throws Exception {
+  void deletesASupersededResult() throws Exception {
     startBoth();
-    server.acceptNothingAnyMore();
+    server.rejectCalls();
     assign(GOOD);
 
     theResult();
@@ -330,7 +330,7 @@ class TestBuildAgentTest {
   }
 
   @Test
-  void aResultThatTheServerRefusesIsPutAsideAndTheBuildEnds() throws Exception {
+  void setsARejectedResultAsideAndEndsTheBuild() throws Exception {
     startBoth();
     server.refuseSubmit(Status.INVALID_ARGUMENT.withDescription("not a descriptor"));
     assign(GOOD);
@@ -342,7 +342,7 @@ class TestBuildAgentTest {
   }
 
   @Test
-  void damagedFilesAreNotBuilt() throws Exception {
+  void doesNotBuildDamagedFiles() throws Exception {
     startBoth();
     server.damageDownloads(true);
     assign(GOOD);
@@ -353,7 +353,7 @@ class TestBuildAgentTest {
   }
 
   @Test
-  void moreBuildsThanSlotsAreSentBack() throws Exception {
+  void returnsBuildsIfAllSlotsAreTaken() throws Exception {
     startBoth();
     assign(SLEEPING);
     server.await(s -> !s.cases().isEmpty());
@@ -365,7 +365,7 @@ class TestBuildAgentTest {
   }
 
   @Test
-  void anAgentThatIsStoppedSaysSoOfItsBuilds() throws Exception {
+  void aStoppedAgentReportsItsBuilds() throws Exception {
     startBoth();
     assign(SLEEPING);
     server.await(s -> !s.cases().isEmpty());

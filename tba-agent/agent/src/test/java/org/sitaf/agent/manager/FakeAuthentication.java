@@ -14,16 +14,16 @@ import org.sitaf.agent.v1.EnrolRequest;
 import org.sitaf.agent.v1.EnrolResponse;
 
 /**
- * Lets agents into the server at the rim: refuses every call but enrolment that does not show a key
- * it has given.
+ * Authentication of the fake server: rejects every call except enrolment without a key that it has
+ * issued.
  */
-final class FakeDoor implements ServerInterceptor {
+final class FakeAuthentication implements ServerInterceptor {
   static final String ENROLMENT = "enrolment of the tests";
 
   private static final Metadata.Key<String> AUTHORIZATION =
       Metadata.Key.of("authorization", Metadata.ASCII_STRING_MARSHALLER);
 
-  /** As they are shown. */
+  /** The columns of the table. */
   private final List<String> keys = new ArrayList<>();
 
   private boolean open;
@@ -43,8 +43,8 @@ final class FakeDoor implements ServerInterceptor {
     return open || keys.contains(String.valueOf(key));
   }
 
-  /** Asks for no keys any more. */
-  synchronized void letAllIn() {
+  /** Accepts calls without a key. */
+  synchronized void disableAuthentication() {
     open = true;
   }
 

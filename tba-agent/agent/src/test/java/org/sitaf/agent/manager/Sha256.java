@@ -4,9 +4,9 @@ import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 
-/** SHA-256 by the test's own hand. */
-final class TestDigests {
-  private TestDigests() {}
+/** SHA-256 for tests, independent of the tested code. */
+final class Sha256 {
+  private Sha256() {}
 
   static String sha256(byte[] content) {
     try {
