@@ -64,8 +64,6 @@ record Builds(Simulator simulator, Toolchains toolchains, Sandbox sandbox, Path 
       String change,
       RecordingOrder.@Nullable Cases recorded)
       throws Exception {
-    // As between two changes that a person makes: the agent has the simulator of its next build.
-    simulator.awaitReady();
     long began = System.nanoTime();
     Activity activity = Activity.read(files(activityFolder, change));
     TestModel model = activity.models().get(0);

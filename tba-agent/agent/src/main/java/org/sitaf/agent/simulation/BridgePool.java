@@ -9,9 +9,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ExecutionException;
-import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.agent.spool.Folders;
@@ -19,6 +20,9 @@ import org.sitaf.agent.spool.Folders;
 /** Starts the agent's own bridges, a new one for each build. */
 final class BridgePool implements Simulator {
   private static final int MAX_KNOWN_WORLDS = 100;
+
+  /** Most builds are over by then, and need the processors for themselves until then. */
+  private static final long HEAD_START_MS = 1500;
 
   private final List<String> command;
   private final Path directory;
@@ -39,8 +43,8 @@ final class BridgePool implements Simulator {
    * Starts all bridges: a confined process ends with the thread that started it, and the thread of
    * a build ends before a bridge that was started ahead for the next one.
    */
-  private final ExecutorService starter =
-      Executors.newSingleThreadExecutor(
+  private final ScheduledExecutorService starter =
+      Executors.newSingleThreadScheduledExecutor(
           task -> {
             Thread thread = new Thread(task, "sitaf-bridge-starter");
             thread.setDaemon(true);
@@ -83,21 +87,6 @@ final class BridgePool implements Simulator {
     return new OwnSimulator(this);
   }
 
-  @Override
-  public void awaitReady() throws InterruptedException {
-    Future<BridgeProcess> next;
-    synchronized (this) {
-      next = idle;
-    }
-    if (next != null) {
-      try {
-        next.get();
-      } catch (ExecutionException e) {
-        // The build that needs the bridge reports the error.
-      }
-    }
-  }
-
   Sandbox sandbox() {
     return sandbox;
   }
@@ -120,6 +109,13 @@ final class BridgePool implements Simulator {
     if (!closed && idle == null && expected > 0) {
       expected -= expected == UNLIMITED ? 0 : 1;
       idle = starter.submit(this::start);
+    }
+  }
+
+  /** Starts the next bridge once the build that took the last one has run for a while. */
+  synchronized void startAheadLater() {
+    if (!closed) {
+      starter.schedule(this::startAhead, HEAD_START_MS, TimeUnit.MILLISECONDS);
     }
   }
 

@@ -134,7 +134,7 @@ final class OwnSimulator implements BuildSimulator {
     }
     current = bridges.take();
     bridge = current;
-    bridges.startAhead();
+    bridges.startAheadLater();
     return current;
   }
 
@@ -161,6 +161,7 @@ final class OwnSimulator implements BuildSimulator {
     if (bridge != null) {
       bridge.close();
       bridge = null;
+      bridges.startAhead();
     }
   }
 

@@ -18,9 +18,6 @@ public sealed interface Simulator extends AutoCloseable
    */
   BuildSimulator forBuild() throws SimulatorException, InterruptedException;
 
-  /** Waits until the simulator of the next build has started, if one is started ahead. */
-  default void awaitReady() throws InterruptedException {}
-
   @Override
   void close();
 
