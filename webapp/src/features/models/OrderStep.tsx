@@ -11,31 +11,31 @@ interface OrderStepProps {
 }
 
 const ORDERS = [
-  { value: '1', label: 'each value once' },
+  { value: '1', label: '1-way: every value' },
   { value: '2', label: '2-way: every pair' },
   { value: '3', label: '3-way' },
   { value: '4', label: '4-way' },
   { value: '5', label: '5-way' },
   { value: '6', label: '6-way' },
-  { value: 'all', label: 'all combinations' },
+  { value: 'all', label: 'All combinations' },
 ];
 
-/** Step 4 (Fig. 14(d)): the list of parameters, conditions, expected values, order of combinations. */
+/** Step 4 (Fig. 14(d)): expected values, conditions and the order of combinations. */
 export function OrderStep({ draft, preview, counting, onChange }: OrderStepProps) {
   const words = [
     ...draft.inputs.map(({ name, kind, realType }) => ({
       label: name,
       detail: `${kind} ${realType}`,
     })),
-    { label: 'valid', detail: 'true in a case without an invalid value' },
+    { label: 'valid', detail: 'true in cases without an invalid value' },
   ];
-  const afterwards = [
+  const outputWords = [
     ...words,
     { label: 'actual', detail: 'the return value' },
     ...draft.outputs.map(({ name }) => ({ label: `actual_${name}`, detail: 'output' })),
     { label: 'calls', detail: "calls of the stub: calls['Interface.Method'].size()" },
   ];
-  const elsewhere = (preview?.diagnostics ?? []).filter(
+  const otherProblems = (preview?.diagnostics ?? []).filter(
     ({ element }) => !draft.inputs.some(({ name }) => element.startsWith(`test_element ${name}`)),
   );
   return (
@@ -43,10 +43,10 @@ export function OrderStep({ draft, preview, counting, onChange }: OrderStepProps
       <Section title="Parameters">
         <ParameterTable draft={draft} preview={preview} />
       </Section>
-      <Section title="Expected">
+      <Section title="Expected values and tolerances">
         <Stack gap="sm">
           {draft.outputs.length === 0 && (
-            <Text c="dimmed">The method returns nothing; a post-condition can judge it.</Text>
+            <Text c="dimmed">The method has no output. Post-conditions can check its effects.</Text>
           )}
           {draft.outputs.map((output, index) => (
             <Output
@@ -62,7 +62,7 @@ export function OrderStep({ draft, preview, counting, onChange }: OrderStepProps
       </Section>
       <Conditions
         title="Pre-conditions"
-        help="A case that breaks one is never generated."
+        help="Cases that violate a pre-condition are not generated."
         words={words}
         texts={draft.preConditions}
         onChange={(preConditions) => {
@@ -71,8 +71,8 @@ export function OrderStep({ draft, preview, counting, onChange }: OrderStepProps
       />
       <Conditions
         title="Post-conditions"
-        help="Judged after each case."
-        words={afterwards}
+        help="They are checked after each case."
+        words={outputWords}
         texts={draft.postConditions}
         onChange={(postConditions) => {
           onChange({ ...draft, postConditions });
@@ -91,8 +91,8 @@ export function OrderStep({ draft, preview, counting, onChange }: OrderStepProps
           <NativeSelect
             label="Invalid values"
             data={[
-              { value: 'isolate', label: 'at most one in a case (isolate)' },
-              { value: 'combine', label: 'combined like all others (combine)' },
+              { value: 'isolate', label: 'at most one per case (isolate)' },
+              { value: 'combine', label: 'combined like valid values (combine)' },
             ]}
             value={draft.invalidValues}
             onChange={(event) => {
@@ -103,14 +103,14 @@ export function OrderStep({ draft, preview, counting, onChange }: OrderStepProps
             }}
           />
         </Group>
-        {elsewhere.length > 0 && <Diagnostics items={elsewhere} />}
+        {otherProblems.length > 0 && <Diagnostics items={otherProblems} />}
         {counting ? (
-          <Loading what="the exact number of cases" />
+          <Loading what="the number of cases" />
         ) : (
           <Text role="status" fw={600}>
             {preview?.counts
               ? `${preview.counts.total} cases: ${preview.counts.valid} valid, ${preview.counts.invalid} with an invalid value`
-              : 'The number of cases shows once nothing is wrong.'}
+              : 'The number of cases is shown when the model has no problems.'}
           </Text>
         )}
       </Section>
@@ -161,6 +161,13 @@ function ParameterTable({
   );
 }
 
+/** |actual − expected| may be up to the sum of the three. */
+const TOLERANCES = [
+  { name: 'absolute', label: 'Absolute' },
+  { name: 'relative', label: 'Relative' },
+  { name: 'ulp', label: 'ULP' },
+] as const;
+
 type Words = readonly { label: string; detail: string }[];
 
 function Output({
@@ -177,7 +184,7 @@ function Output({
       <div style={{ flex: 1 }}>
         <Formula
           label={`Expected ${output.name}`}
-          description="CEL over the parameters; left empty, it is filled in case by case"
+          description="A CEL expression over the parameters; leave it empty to enter the values case by case"
           text={output.expected}
           words={words}
           onChange={(expected) => {
@@ -185,24 +192,20 @@ function Output({
           }}
         />
       </div>
-      <TextInput
-        label="Tolerance"
-        w={110}
-        placeholder="0"
-        value={output.absolute}
-        onChange={(event) => {
-          onChange({ ...output, absolute: event.currentTarget.value });
-        }}
-      />
-      <TextInput
-        label="Relative"
-        w={110}
-        placeholder="0"
-        value={output.relative}
-        onChange={(event) => {
-          onChange({ ...output, relative: event.currentTarget.value });
-        }}
-      />
+      {TOLERANCES.map(({ name, label }) => (
+        <TextInput
+          key={name}
+          label={label}
+          aria-label={`${label} tolerance of ${output.name}`}
+          w={110}
+          placeholder="0"
+          value={output.tolerance[name] ?? ''}
+          onChange={(event) => {
+            const { value } = event.currentTarget;
+            onChange({ ...output, tolerance: { ...output.tolerance, [name]: value } });
+          }}
+        />
+      ))}
     </Group>
   );
 }

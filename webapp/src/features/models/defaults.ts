@@ -18,13 +18,13 @@ function abstractTypeOf(type: Type): string {
   return type.spelling.startsWith('string') ? 'STRING' : 'NUMERIC';
 }
 
-/** Something that may be added to a model, and why it is there. */
+/** An input that can be added to a model. */
 export interface Candidate {
   input: InputDraft;
   note: string;
 }
 
-/** The inputs of the method under test; of structs their members, of sequences their first element. */
+/** The inputs of the method under test: members of structs, first elements of sequences. */
 export function argumentsOf(method: Method): Candidate[] {
   return method.parameters
     .filter(({ direction }) => direction !== 'OUT')
@@ -35,10 +35,10 @@ export function argumentsOf(method: Method): Candidate[] {
     }));
 }
 
-/** What the world lets a test vary. */
+/** The parameters of the world. */
 export function worldInputs({ world }: Description): Candidate[] {
   return (world?.parameters ?? []).map(({ name, unit, min, max, defaultValue }) => {
-    // A boundary needs room on its outer side, which the world must still allow.
+    // The values outside the boundaries must still be in the range of the world.
     const offset = round((max - min) / 40);
     return {
       input: {
@@ -50,12 +50,12 @@ export function worldInputs({ world }: Description): Candidate[] {
         spec: boundaries(String(offset), String(round(min + offset)), String(round(max - offset))),
         userValues: [],
       },
-      note: `${min} to ${max} ${unit === '1' ? '' : unit}, by default ${defaultValue}`,
+      note: `${min} to ${max} ${unit === '1' ? '' : unit}, default ${defaultValue}`,
     };
   });
 }
 
-/** What the stub of a required interface returns. */
+/** The return values and out-parameters of the test stub. */
 export function stubInputs({ required }: Description): Candidate[] {
   return required.flatMap(({ name, methods }) =>
     methods.flatMap((method) => [
@@ -64,7 +64,7 @@ export function stubInputs({ required }: Description): Candidate[] {
         : [
             {
               input: inputOf(`${name}.${method.name}`, 'TDTS', method.returnType),
-              note: `returned, ${method.returnType.spelling}`,
+              note: `return value, ${method.returnType.spelling}`,
             },
           ]),
       ...method.parameters
@@ -92,7 +92,7 @@ function inputOf(name: string, kind: InputDraft['kind'], type: Type): InputDraft
     abstractType,
     realType: type.spelling,
     description: '',
-    // Booleans and enumerations list their values themselves.
+    // The values of booleans and enumerations follow from the type.
     spec:
       abstractType === 'NUMERIC'
         ? defaultSpec('BVA')
@@ -142,7 +142,7 @@ export function defaultSpec(scheme: Scheme): SpecDraft {
   }
 }
 
-/** A model of a method, with all that the interface says of it. */
+/** A new model of a method, with the inputs and outputs that the interface declares. */
 export function draftFor(
   interfaceName: string,
   method: Method,
@@ -177,8 +177,7 @@ export function outputsOf(method: Method): OutputDraft[] {
     realType: type.spelling,
     description: '',
     expected: '',
-    absolute: FLOATING.test(type.spelling) ? '1e-9' : '',
-    relative: '',
+    tolerance: FLOATING.test(type.spelling) ? { absolute: '1e-9' } : {},
   });
   return [
     ...(method.returnType.spelling === 'void'

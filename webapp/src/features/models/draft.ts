@@ -1,4 +1,4 @@
-/** A test model while it is being written: all settings as texts, as they stand in its document. */
+/** A test model in the editor. All settings are texts, as in the document. */
 export interface ModelDraft {
   name: string;
   description: string;
@@ -15,7 +15,7 @@ export interface ModelDraft {
   postConditions: string[];
   invalidValues: 'isolate' | 'combine';
   order: string;
-  /** Parts of the document that this editor does not show (mixed strength, kept cases), unchanged. */
+  /** Elements that the editor does not show (mixed strength, kept cases), as XML. */
   others: string[];
 }
 
@@ -37,18 +37,18 @@ export type Scheme = (typeof SCHEMES)[number];
 
 export interface SpecDraft {
   type: Scheme;
-  /** By the name of the attribute or element. */
+  /** By name of the attribute or element. */
   settings: Record<string, string>;
   classes: ClassDraft[];
   ranges: { min: string; max: string; weight: string }[];
 }
 
 export const CLASSES = [
-  { value: 'NEC_NUMERIC_TWO_BOUNDARY', label: 'between two boundaries' },
-  { value: 'NEC_NUMERIC_ONE_BOUNDARY', label: 'one boundary' },
-  { value: 'NEC_NUMERIC_CONSTANT', label: 'a constant' },
-  { value: 'NEC_NUMERIC_SET', label: 'a set of values' },
-  { value: 'NEC_BOOLEAN', label: 'true or false' },
+  { value: 'NEC_NUMERIC_TWO_BOUNDARY', label: 'A range' },
+  { value: 'NEC_NUMERIC_ONE_BOUNDARY', label: 'A range with one boundary' },
+  { value: 'NEC_NUMERIC_CONSTANT', label: 'A constant' },
+  { value: 'NEC_NUMERIC_SET', label: 'A set of values' },
+  { value: 'NEC_BOOLEAN', label: 'A boolean' },
 ] as const;
 
 export interface ClassDraft {
@@ -66,6 +66,6 @@ export interface OutputDraft {
   realType: string;
   description: string;
   expected: string;
-  absolute: string;
-  relative: string;
+  /** Attributes of the element `tolerance`, by name. */
+  tolerance: Record<string, string>;
 }

@@ -8,7 +8,10 @@ import type {
 } from './draft';
 import { INPUT_KINDS, OUTPUT_KINDS, SCHEMES } from './draft';
 
-/** Settings of a scheme that the document has as child elements; all others are attributes. */
+/** Child elements of a specification that are more than a setting. */
+const STRUCTURED = ['equiv_class', 'range', 'distribution'];
+
+/** Settings that are written as child elements; all others are written as attributes. */
 const STRING_SETTINGS = [
   'min_length',
   'max_length',
@@ -19,10 +22,14 @@ const STRING_SETTINGS = [
   'negative_char_list',
 ];
 
-/** Reads the document of a test model; throws where it is no XML. */
+/**
+ * Reads the document of a test model.
+ *
+ * @throws Error if it is not the XML of a test model
+ */
 export function readModel(xml: string): ModelDraft {
   const root = new DOMParser().parseFromString(xml, 'application/xml').documentElement;
-  if (root.tagName !== 'test_model') throw new Error('The document is no test model.');
+  if (root.tagName !== 'test_model') throw new Error('The document is not a test model.');
   const target = child(root, 'target');
   return {
     name: textOf(root, 'name'),
@@ -51,7 +58,7 @@ function readInput(element: Element): InputDraft {
   const spec = child(element, 'test_spec');
   return {
     name: textOf(element, 'name'),
-    kind: INPUT_KINDS.find((kind) => kind === type) ?? kindOfSpelling(type),
+    kind: INPUT_KINDS.find((kind) => kind === type) ?? kindOfAlias(type),
     abstractType: element.getAttribute('abstract_type') ?? '',
     realType: element.getAttribute('real_type') ?? '',
     description: textOf(element, 'description'),
@@ -60,29 +67,22 @@ function readInput(element: Element): InputDraft {
   };
 }
 
-/** TDS is how the paper's Table 2 spells it. */
-function kindOfSpelling(type: string): InputKind {
+/** The paper's Table 2 writes TDS. */
+function kindOfAlias(type: string): InputKind {
   return type === 'TDS' ? 'TDSD' : 'TDI';
 }
 
 function readSpec(element: Element): SpecDraft {
-  const type = element.getAttribute('type');
-  const settings: Record<string, string> = {};
-  for (const { name, value } of element.attributes) {
-    if (name !== 'type') settings[name] = value;
-  }
-  for (const part of element.children) {
-    if (part.tagName === 'distribution') {
-      settings['distribution'] = part.getAttribute('type') ?? part.textContent.trim();
-      for (const name of ['mean', 'standard_deviation']) {
-        const value = part.getAttribute(name);
-        if (value !== null) settings[name] = value;
-      }
-    } else if (part.tagName !== 'equiv_class' && part.tagName !== 'range') {
-      settings[part.tagName] = part.textContent;
-    }
-  }
+  const { type, ...settings } = attributesOf(element);
+  // As in the server's reader, an attribute has precedence over an element of the same name.
   const distribution = child(element, 'distribution');
+  if (distribution) {
+    const { type: name = distribution.textContent.trim(), ...own } = attributesOf(distribution);
+    Object.assign(settings, { ...own, ...(name && { distribution: name }), ...settings });
+  }
+  for (const { tagName, textContent } of element.children) {
+    if (!STRUCTURED.includes(tagName)) settings[tagName] ??= textContent;
+  }
   return {
     type: SCHEMES.find((scheme) => scheme === type) ?? 'BVA',
     settings,
@@ -96,12 +96,10 @@ function readSpec(element: Element): SpecDraft {
 }
 
 function readClass(element: Element): ClassDraft {
-  const attributes: Record<string, string> = {};
-  for (const { name, value } of element.attributes) {
-    if (name !== 'type') attributes[name] = value;
-  }
+  const { type = '', ...attributes } = attributesOf(element);
   return {
-    type: (element.getAttribute('type') ?? '').replace('_BOUDARY', '_BOUNDARY'),
+    // The paper misspells the names of two classes.
+    type: type.replace('_BOUDARY', '_BOUNDARY'),
     attributes,
     values: textsOf(element, 'value'),
   };
@@ -117,12 +115,11 @@ function readOutput(element: Element): OutputDraft {
     realType: element.getAttribute('real_type') ?? '',
     description: textOf(element, 'description'),
     expected: textOf(element, 'expected'),
-    absolute: tolerance?.getAttribute('absolute') ?? '',
-    relative: tolerance?.getAttribute('relative') ?? '',
+    tolerance: attributesOf(tolerance),
   };
 }
 
-/** Writes the document of a draft, in the order of its schema. */
+/** Writes the document of a test model, its elements in the order of the schema. */
 export function writeModel(draft: ModelDraft): string {
   const { target } = draft;
   const lines = [
@@ -206,11 +203,9 @@ function writeOutput(output: OutputDraft): string[] {
       ? [`      <description>${escape(output.description)}</description>`]
       : []),
     ...(output.expected ? [`      <expected>${escape(output.expected)}</expected>`] : []),
-    ...(output.absolute || output.relative
-      ? [
-          `      <tolerance${attributes({ absolute: output.absolute, relative: output.relative })}/>`,
-        ]
-      : []),
+    ...(attributes(output.tolerance) === ''
+      ? []
+      : [`      <tolerance${attributes(output.tolerance)}/>`]),
     '    </test_element>',
   ];
 }
@@ -238,6 +233,12 @@ function escape(text: string): string {
     .replaceAll('<', '&lt;')
     .replaceAll('>', '&gt;')
     .replaceAll('"', '&quot;');
+}
+
+function attributesOf(element: Element | undefined): Record<string, string> {
+  return Object.fromEntries(
+    [...(element?.attributes ?? [])].map(({ name, value }) => [name, value]),
+  );
 }
 
 function child(parent: Element | null | undefined, name: string): Element | undefined {
