@@ -18,12 +18,13 @@ final class ResultReport {
 
   private static final String STYLE =
       """
-      body{font:15px/1.5 system-ui,sans-serif;margin:2rem auto;max-width:75rem;padding:0 1rem;color:#1c2024;background:#fff}
+      body{font:15px/1.5 system-ui,sans-serif;margin:2rem auto;max-width:90rem;padding:0 1rem;color:#1c2024;background:#fff}
       h1{font-size:1.5rem;margin:0}p{margin:.3rem 0}.dim{color:#5c636a}
       dl{display:flex;flex-wrap:wrap;gap:.5rem 2rem}dt{color:#5c636a;font-size:.85rem}dd{margin:0;font-weight:600}
       .bar{display:flex;height:.8rem;border-radius:.4rem;overflow:hidden;margin:1rem 0}
-      table{border-collapse:collapse;width:100%;font-variant-numeric:tabular-nums}
-      th,td{padding:.3rem .6rem;border-bottom:1px solid #dde1e5;text-align:left;vertical-align:top;overflow-wrap:anywhere}
+      .cases{overflow-x:auto}table{border-collapse:collapse;min-width:100%;font-variant-numeric:tabular-nums}
+      th,td{padding:.3rem .6rem;border-bottom:1px solid #dde1e5;text-align:left;vertical-align:top}
+      bdi{display:inline-block;max-width:60ch;overflow-wrap:break-word}
       .PASS{color:#1b6e36}.FAIL,.ERROR{color:#a32018}.DONT{color:#704b00}tr.FAIL,tr.ERROR{background:#fdf0ee}
       .b-PASS{background:#2f9e55}.b-FAIL{background:#d64539}.b-ERROR{background:#8e1f18}.b-DONT{background:#c08a1e}
       @media (prefers-color-scheme:dark){body{background:#16191c;color:#e6e9ec}.dim,dt{color:#a3a9b0}th,td{border-color:#343a40}
@@ -128,7 +129,7 @@ final class ResultReport {
           .append(result.cases().size())
           .append(" cases, those that did not pass first; the CSV has all.</p>");
     }
-    html.append("<table><thead><tr><th>No</th>");
+    html.append("<div class=\"cases\"><table><thead><tr><th>No</th>");
     for (CaseParameter parameter : result.parameters()) {
       html.append("<th>").append(text(parameter.name())).append("</th>");
     }
@@ -151,7 +152,7 @@ final class ResultReport {
           .append(text(kase.message()))
           .append("</td></tr>");
     }
-    html.append("</tbody></table>");
+    html.append("</tbody></table></div>");
   }
 
   private static String number(double number) {
