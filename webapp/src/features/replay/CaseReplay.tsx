@@ -1,6 +1,6 @@
 import { Anchor, Stack } from '@mantine/core';
 import type { ReactNode } from 'react';
-import type { Build } from '@/shared/api';
+import type { Build, Verdict } from '@/shared/api';
 import { Loading, ProblemAlert } from '@/shared/ui';
 import { NotRecorded } from './NotRecorded';
 import { Player } from './Player';
@@ -9,13 +9,14 @@ import { useRecording } from './queries';
 interface CaseReplayProps {
   build: Build;
   caseNo: number;
-  /** What else is known of the case. */
+  verdict?: Verdict | undefined;
+  /** The result of the case. */
   facts: ReactNode;
   onRequested: (build: Build) => void;
 }
 
-/** What moved in a case. */
-export function CaseReplay({ build, caseNo, facts, onRequested }: CaseReplayProps) {
+/** The 3D replay of a case. */
+export function CaseReplay({ build, caseNo, verdict, facts, onRequested }: CaseReplayProps) {
   const recording = useRecording(build.id, caseNo);
   if (recording.isPending) return <Loading what="the recording" />;
   if (recording.error) {
@@ -31,7 +32,12 @@ export function CaseReplay({ build, caseNo, facts, onRequested }: CaseReplayProp
   }
   return (
     <Stack gap="sm">
-      <Player recording={recording.data} label={`What moved in case ${caseNo}`} facts={facts} />
+      <Player
+        recording={recording.data}
+        verdict={verdict}
+        label={`3D replay of case ${caseNo}`}
+        facts={facts}
+      />
       <Anchor
         size="sm"
         href={`/api/v1/builds/${encodeURIComponent(build.id)}/recordings/${caseNo}`}

@@ -19,21 +19,21 @@ interface LiveReplayProps {
 }
 
 /**
- * The newest case of a build of which there is a recording. One is played to its end, then comes the one that is the newest
- * by then: cases that end faster than they can be watched are passed over.
+ * Plays the newest recorded case of a build to its end, then the case that is the newest by then.
+ * Cases that end faster than they can be played are skipped.
  */
 export function LiveReplay({ build, running, caseLink }: LiveReplayProps) {
   const found = useNewestRecording(build.id, running);
   const [shown, setShown] = useState<Shown | null>(null);
-  const [seen, setSeen] = useState<Shown | null>(null);
+  const [played, setPlayed] = useState<Shown | null>(null);
   const newest = found.data?.newest ?? null;
-  // Before the first, both are null.
-  const free = seen === shown;
+  // Both are null before the first recording.
+  const idle = played === shown;
   const isNew = newest?.caseNo !== shown?.caseNo || newest?.sha256 !== shown?.sha256;
-  if (newest && free && isNew) setShown({ caseNo: newest.caseNo, sha256: newest.sha256 });
+  if (newest && idle && isNew) setShown({ caseNo: newest.caseNo, sha256: newest.sha256 });
   if (found.isPending) return <Loading what="recordings" />;
   if (found.error && !found.data) {
-    return <ProblemAlert title="Recordings could not be read" error={found.error} />;
+    return <ProblemAlert title="The recordings could not be read" error={found.error} />;
   }
   if (!shown) {
     return (
@@ -45,14 +45,14 @@ export function LiveReplay({ build, running, caseLink }: LiveReplayProps) {
   return (
     <Stack gap="sm">
       <Text role="status">
-        Case {caseLink(shown.caseNo)}; {plural(found.data?.total ?? 0, 'case')} recorded so far
-        {running ? '' : ', and the build has ended'}.
+        Case {caseLink(shown.caseNo)}; {plural(found.data?.total ?? 0, 'recorded case')}.
+        {!running && ' The build has ended.'}
       </Text>
-      <Film
+      <Replay
         build={build}
         shown={shown}
         onEnd={() => {
-          setSeen(shown);
+          setPlayed(shown);
         }}
       />
     </Stack>
@@ -60,14 +60,14 @@ export function LiveReplay({ build, running, caseLink }: LiveReplayProps) {
 }
 
 function waiting({ recordedCases }: Build, running: boolean): string {
-  if (recordedCases === 'NONE') return 'Nothing is recorded in this build.';
-  if (!running) return 'The build has ended, and nothing was recorded.';
+  if (recordedCases === 'NONE') return 'This build has no recordings.';
+  if (!running) return 'The build has ended without recordings.';
   return recordedCases === 'ALL'
-    ? 'The first case that ends is shown here.'
-    : 'The first case that ends as fail or error is shown here; others are not recorded in this build.';
+    ? 'Waiting for the first case to end.'
+    : 'Waiting for the first case that fails or ends with an error; other cases are not recorded.';
 }
 
-function Film({ build, shown, onEnd }: { build: Build; shown: Shown; onEnd: () => void }) {
+function Replay({ build, shown, onEnd }: { build: Build; shown: Shown; onEnd: () => void }) {
   const recording = useRecording(build.id, shown.caseNo, shown.sha256);
   if (recording.error) {
     return <ProblemAlert title="The recording could not be read" error={recording.error} />;
@@ -76,7 +76,7 @@ function Film({ build, shown, onEnd }: { build: Build; shown: Shown; onEnd: () =
   return (
     <Player
       recording={recording.data}
-      label={`What moved in case ${shown.caseNo}`}
+      label={`3D replay of case ${shown.caseNo}`}
       onEnd={recording.isPlaceholderData ? undefined : onEnd}
     />
   );

@@ -3,10 +3,10 @@ import type { Build, RecordedCases } from '@/shared/api';
 import { ProblemAlert } from '@/shared/ui';
 import { useRequestRecordedBuild } from './queries';
 
-const WHY: Record<RecordedCases, string> = {
-  ALL: 'Each case of this build was to be recorded; of this one nothing came. A case whose process was ended leaves no recording, and neither does one beyond the bounds; the log of the build says so.',
-  FAILED: 'Only cases that ended as fail or error were recorded in this build.',
-  NONE: 'Nothing was recorded in this build.',
+const REASONS: Record<RecordedCases, string> = {
+  ALL: 'There is no recording of this case. The process of the case was stopped, or the recording was too large; see the log of the build.',
+  FAILED: 'Only cases that failed or ended with an error were recorded in this build.',
+  NONE: 'Recording was switched off in this build.',
 };
 
 interface NotRecordedProps {
@@ -14,21 +14,26 @@ interface NotRecordedProps {
   onRequested: (build: Build) => void;
 }
 
-/** Why there is nothing to see, and what to do about it. */
+/** The reason why a case has no recording, and actions to record it. */
 export function NotRecorded({ build, onRequested }: NotRecordedProps) {
-  const request = useRequestRecordedBuild(build.suiteId);
-  const ask = (cases: RecordedCases) => () => {
+  const request = useRequestRecordedBuild(build);
+  const rebuild = (cases: RecordedCases) => () => {
     request.mutate(cases, { onSuccess: onRequested });
   };
   return (
     <Stack gap="sm" align="start">
-      <Text>{WHY[build.recordedCases]}</Text>
+      <Text>{REASONS[build.recordedCases]}</Text>
       <Group gap="sm">
-        <Button size="xs" loading={request.isPending} onClick={ask('ALL')}>
-          Build again and record all cases
+        <Button size="xs" loading={request.isPending} onClick={rebuild('ALL')}>
+          Build again, record all cases
         </Button>
-        <Button size="xs" variant="default" disabled={request.isPending} onClick={ask('FAILED')}>
-          Record only those that fail
+        <Button
+          size="xs"
+          variant="default"
+          disabled={request.isPending}
+          onClick={rebuild('FAILED')}
+        >
+          Build again, record failing cases
         </Button>
       </Group>
       {request.isError && (

@@ -1,5 +1,6 @@
 import { Button, Checkbox, Group, NativeSelect, Slider, Stack, Text } from '@mantine/core';
 import { useEffect, useRef, useState, type KeyboardEvent, type ReactNode } from 'react';
+import type { Verdict } from '@/shared/api';
 import { Readings, ReadingsTable } from './Readings';
 import { frameAt, type Recording } from './recording';
 import classes from './replay.module.css';
@@ -10,49 +11,52 @@ const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4] as const;
 
 interface PlayerProps {
   recording: Recording;
-  /** What is to be seen, in words. */
+  /** The verdict of the case, if it is known. */
+  verdict?: Verdict | undefined;
+  /** Describes the scene for screen readers. */
   label: string;
-  /** What else is known of the case; stands beside the scene. */
+  /** The result of the case, shown next to the scene. */
   facts?: ReactNode;
-  /** Called when the recording has come to its end. */
+  /** Called at the end of the recording. */
   onEnd?: (() => void) | undefined;
 }
 
-/** Plays a recording: the scene, the time, and what the devices read then. */
-export function Player({ recording, label, facts, onEnd }: PlayerProps) {
-  // Nothing moves by itself before those who asked for calm.
+/** Plays a recording: the scene, the time and the readings of the devices. */
+export function Player({ recording, verdict, label, facts, onEnd }: PlayerProps) {
+  // No autoplay if the user prefers reduced motion.
   const [autoplay] = useState(() => !window.matchMedia('(prefers-reduced-motion: reduce)').matches);
   const playback = usePlayback(recording.times, autoplay);
   const [body, setBody] = useState<string | null>(null);
-  const [following, setFollowing] = useState(false);
+  const [following, setFollowing] = useState(true);
   const frame = frameAt(recording, playback.time);
   const ended = playback.time >= playback.end;
-  const tell = useRef(onEnd);
+  const latestOnEnd = useRef(onEnd);
   useEffect(() => {
-    tell.current = onEnd;
+    latestOnEnd.current = onEnd;
   }, [onEnd]);
   useEffect(() => {
-    if (ended) tell.current?.();
+    if (ended) latestOnEnd.current?.();
   }, [ended, recording]);
 
-  function act(event: KeyboardEvent) {
-    const own = event.target instanceof Element && event.target.closest(OWN_KEYS) !== null;
-    if (own || event.ctrlKey || event.altKey || event.metaKey) return;
-    if (steer(event.key, playback, recording, frame)) event.preventDefault();
+  function handleKey(event: KeyboardEvent) {
+    const inControl = event.target instanceof Element && event.target.closest(CONTROLS) !== null;
+    if (inControl || event.ctrlKey || event.altKey || event.metaKey) return;
+    if (handlePlaybackKey(event.key, playback, recording, frame)) event.preventDefault();
   }
 
   return (
     <Stack gap="md">
       <div
-        className={facts ? classes.beside : classes.alone}
+        className={facts ? classes.withFacts : classes.alone}
         role="group"
         aria-label="Replay"
         tabIndex={0}
-        onKeyDown={act}
+        onKeyDown={handleKey}
       >
         <Stack gap="xs">
           <StageView
             recording={recording}
+            verdict={verdict}
             time={playback.time}
             following={following && body !== null}
             label={label}
@@ -72,9 +76,7 @@ export function Player({ recording, label, facts, onEnd }: PlayerProps) {
             />
             <Checkbox
               size="sm"
-              label={
-                body === null ? 'Camera follows (nothing moves about)' : `Camera follows ${body}`
-              }
+              label={body === null ? 'Follow (no moving body)' : `Follow ${body}`}
               disabled={body === null}
               checked={following && body !== null}
               onChange={(event) => {
@@ -83,8 +85,8 @@ export function Player({ recording, label, facts, onEnd }: PlayerProps) {
             />
           </Group>
           <Text size="xs" c="dimmed">
-            Space plays and pauses, comma and full stop go a frame back and on, Home and End to the
-            beginning and the end. Drag turns the view, the wheel brings it nearer.
+            Space: play or pause. Comma, full stop: previous or next frame. Home, End: start or end.
+            Drag: rotate. Mouse wheel: zoom.
           </Text>
           <Readings recording={recording} frame={frame} />
         </Stack>
@@ -95,16 +97,21 @@ export function Player({ recording, label, facts, onEnd }: PlayerProps) {
   );
 }
 
-/** Whatever takes these keys itself. */
-const OWN_KEYS = 'button, input, select, summary, a, [role="slider"]';
+/** Elements that handle these keys themselves. */
+const CONTROLS = 'button, input, select, summary, a, [role="slider"]';
 
-function steer(key: string, playback: Playback, { times }: Recording, frame: number): boolean {
+function handlePlaybackKey(
+  key: string,
+  playback: Playback,
+  { times }: Recording,
+  frame: number,
+): boolean {
   switch (key) {
     case ' ':
       playback.toggle();
       return true;
     case ',':
-      playback.seek(before(times, frame, playback.time));
+      playback.seek(previousFrame(times, frame, playback.time));
       return true;
     case '.':
       playback.seek(times[frame + 1] ?? playback.end);
@@ -120,8 +127,8 @@ function steer(key: string, playback: Playback, { times }: Recording, frame: num
   }
 }
 
-/** The time of the frame before; between two frames, of the one that was last. */
-function before(times: Float32Array, frame: number, time: number): number {
+/** The time of the previous frame. */
+function previousFrame(times: Float32Array, frame: number, time: number): number {
   const at = times[frame] ?? 0;
   return time > at ? at : (times[frame - 1] ?? at);
 }
@@ -132,23 +139,25 @@ function Controls({
   frame,
 }: {
   recording: Recording;
+  /** The verdict of the case, if it is known. */
+  verdict?: Verdict | undefined;
   playback: Playback;
   frame: number;
 }) {
   const { time, begin, end, running } = playback;
-  const still = end <= begin;
+  const singleFrame = end <= begin;
   return (
     <Group gap="sm">
-      <Button size="xs" w={80} disabled={still} onClick={playback.toggle}>
+      <Button size="xs" w={80} disabled={singleFrame} onClick={playback.toggle}>
         {running ? 'Pause' : 'Play'}
       </Button>
       <Button
         size="xs"
         variant="default"
-        aria-label="One frame back"
-        disabled={still}
+        aria-label="Previous frame"
+        disabled={singleFrame}
         onClick={() => {
-          playback.seek(before(times, frame, time));
+          playback.seek(previousFrame(times, frame, time));
         }}
       >
         ‹
@@ -156,8 +165,8 @@ function Controls({
       <Button
         size="xs"
         variant="default"
-        aria-label="One frame on"
-        disabled={still}
+        aria-label="Next frame"
+        disabled={singleFrame}
         onClick={() => {
           playback.seek(times[frame + 1] ?? end);
         }}
@@ -169,9 +178,9 @@ function Controls({
         thumbLabel="Time"
         thumbProps={{ 'aria-valuetext': `${formatSeconds(time - begin)} s` }}
         label={null}
-        disabled={still}
+        disabled={singleFrame}
         min={0}
-        max={still ? 1 : end - begin}
+        max={singleFrame ? 1 : end - begin}
         step={0.001}
         value={time - begin}
         onChange={(value) => {

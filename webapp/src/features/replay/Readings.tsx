@@ -4,21 +4,21 @@ import { ScrollTable, UserText } from '@/shared/ui';
 import { readingsIn, spreadFrames, type Recording } from './recording';
 import classes from './replay.module.css';
 
-/** More rows than anybody reads; what is between two of them moves with the slider. */
-const MOST_ROWS = 100;
+/** Maximum number of rows; the slider shows the frames between them. */
+const MAX_ROWS = 100;
 
-/** What the devices read, and the world shows, in a frame. */
+/** The readings of the devices and the observations in a frame. */
 export function Readings({ recording, frame }: { recording: Recording; frame: number }) {
   const values = readingsIn(recording, frame);
   if (values.length === 0) {
     return (
       <Text size="sm" c="dimmed">
-        The world has no device that reads numbers.
+        The world has no devices with numeric readings.
       </Text>
     );
   }
   return (
-    <dl className={classes.readings} aria-label="Readings at the time shown">
+    <dl className={classes.readings} aria-label="Current readings">
       {recording.columns.map((name, index) => (
         <div key={name}>
           <dt>
@@ -31,15 +31,15 @@ export function Readings({ recording, frame }: { recording: Recording; frame: nu
   );
 }
 
-/** The recording in numbers: for those who do not see it, and for those who want to know exactly. */
+/** The readings over time as a table, also for screen readers. */
 export function ReadingsTable({ recording }: { recording: Recording }) {
-  const frames = spreadFrames(recording, MOST_ROWS);
+  const frames = spreadFrames(recording, MAX_ROWS);
   const [begin] = recording.times;
   return (
     <details className={classes.details}>
       <summary>
-        Readings over time as a table ({plural(recording.times.length, 'frame')}
-        {frames.length < recording.times.length && `, ${frames.length} of them shown`})
+        Table of readings ({plural(recording.times.length, 'frame')}
+        {frames.length < recording.times.length && `, ${frames.length} shown`})
       </summary>
       <ScrollTable label="Readings over time" minWidth={120 + recording.columns.length * 110}>
         <Table.Thead>
@@ -71,7 +71,7 @@ export function ReadingsTable({ recording }: { recording: Recording }) {
   );
 }
 
-/** As many digits as a recording keeps (32-bit floats). */
+/** Six digits: recordings hold 32-bit floats. */
 function formatReading(value: number | undefined): string {
   return value === undefined ? '–' : String(Number(value.toPrecision(6)));
 }

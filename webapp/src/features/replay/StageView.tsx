@@ -1,26 +1,31 @@
 import { Alert, Loader, useComputedColorScheme } from '@mantine/core';
 import { useEffect, useRef, useState, type KeyboardEvent } from 'react';
+import type { Verdict } from '@/shared/api';
+import { VERDICT_COLOURS, VERDICT_LABELS } from '@/shared/lib/verdicts';
 import type { Recording } from './recording';
 import classes from './replay.module.css';
 import type { Stage } from './stage';
 
 interface StageViewProps {
   recording: Recording;
+  /** The verdict of the case, if it is known. */
+  verdict?: Verdict | undefined;
   time: number;
   following: boolean;
-  /** What is to be seen, in words. */
+  /** Describes the scene for screen readers. */
   label: string;
-  /** Called with the body that can be followed, or null, once the recording is on the stage. */
+  /** Called when the recording is loaded, with the body that the camera can follow or null. */
   onReady: (followable: string | null) => void;
 }
 
-const NO_WEBGL =
-  'This browser shows no 3D: WebGL is missing or switched off. The readings say the same in numbers.';
-const TURN = Math.PI / 24;
-const NEARER = 1.15;
+const NO_WEBGL = 'WebGL is not available in this browser. The table of readings has the same data.';
+const ROTATION = Math.PI / 24;
+/** The colour of the trail without a verdict. */
+const NEUTRAL = '#2a94a2';
+const ZOOM = 1.15;
 
-/** The 3D view of a recording; its library is loaded with the first one that is shown. */
-export function StageView({ recording, time, following, label, onReady }: StageViewProps) {
+/** The 3D view of a recording. three.js is loaded when the first one is shown. */
+export function StageView({ recording, verdict, time, following, label, onReady }: StageViewProps) {
   const place = useRef<HTMLDivElement>(null);
   const [stage, setStage] = useState<Stage | null>(null);
   const [loaded, setLoaded] = useState<Recording | null>(null);
@@ -32,44 +37,44 @@ export function StageView({ recording, time, following, label, onReady }: StageV
   }, [onReady]);
 
   useEffect(() => {
-    let opened: Stage | undefined;
-    let gone = false;
+    let created: Stage | undefined;
+    let disposed = false;
     import('./stage')
       .then(({ openStage }) => {
-        if (gone || !place.current) return;
-        opened = openStage(place.current);
-        setStage(opened);
+        if (disposed || !place.current) return;
+        created = openStage(place.current);
+        setStage(created);
       })
       .catch(() => {
         setFailure(NO_WEBGL);
       });
     return () => {
-      gone = true;
-      opened?.dispose();
+      disposed = true;
+      created?.dispose();
       setStage(null);
     };
   }, []);
 
   useEffect(() => {
     if (!stage) return;
-    let gone = false;
+    let disposed = false;
     stage
-      .load(recording)
+      .load(recording, verdict ? VERDICT_COLOURS[verdict] : NEUTRAL)
       .then(() => {
-        if (gone) return;
+        if (disposed) return;
         setLoaded(recording);
         ready.current(stage.followable());
       })
       .catch((cause: unknown) => {
-        setFailure(`The recording cannot be drawn: ${String(cause)}`);
+        setFailure(`The recording cannot be shown: ${String(cause)}`);
       });
     return () => {
-      gone = true;
+      disposed = true;
     };
-  }, [stage, recording]);
+  }, [stage, recording, verdict]);
 
   useEffect(() => {
-    stage?.dark(dark);
+    stage?.setDark(dark);
   }, [stage, dark]);
   useEffect(() => {
     if (loaded === recording) stage?.seek(time);
@@ -78,10 +83,10 @@ export function StageView({ recording, time, following, label, onReady }: StageV
     if (loaded === recording) stage?.follow(following);
   }, [stage, loaded, recording, following]);
 
-  function steer(event: KeyboardEvent) {
-    const done =
-      stage && !event.ctrlKey && !event.altKey && !event.metaKey && act(stage, event.key);
-    if (done) {
+  function handleKey(event: KeyboardEvent) {
+    const handled =
+      stage && !event.ctrlKey && !event.altKey && !event.metaKey && moveCamera(stage, event.key);
+    if (handled) {
       event.preventDefault();
       event.stopPropagation();
     }
@@ -100,44 +105,49 @@ export function StageView({ recording, time, following, label, onReady }: StageV
       className={classes.stage}
       role="application"
       aria-roledescription="3D view"
-      aria-label={`${label}. Arrow keys turn the camera, plus and minus bring it nearer or farther, R shows all.`}
+      aria-label={`${label}. Arrow keys rotate the camera, plus and minus zoom, R resets the view.`}
       tabIndex={0}
       data-loaded={loaded === recording}
-      onKeyDown={steer}
+      onKeyDown={handleKey}
     >
+      {verdict && (
+        <span className={classes.verdict} style={{ borderColor: VERDICT_COLOURS[verdict] }}>
+          <span aria-hidden>{VERDICT_LABELS[verdict].sign}</span> {VERDICT_LABELS[verdict].label}
+        </span>
+      )}
       {loaded !== recording && <Loader size="sm" className={classes.loading ?? ''} aria-hidden />}
     </div>
   );
 }
 
-/** Asked before the library is loaded, which is useless without. */
+/** Checked before three.js is loaded. */
 function hasWebGl(): boolean {
   const context = document.createElement('canvas').getContext('webgl2');
   context?.getExtension('WEBGL_lose_context')?.loseContext();
   return context !== null;
 }
 
-/** Whether the key means something to the camera. */
-function act(stage: Stage, key: string): boolean {
+/** Returns whether the key moves the camera. */
+function moveCamera(stage: Stage, key: string): boolean {
   switch (key) {
     case 'ArrowLeft':
-      stage.turn(-TURN, 0);
+      stage.rotate(-ROTATION, 0);
       return true;
     case 'ArrowRight':
-      stage.turn(TURN, 0);
+      stage.rotate(ROTATION, 0);
       return true;
     case 'ArrowUp':
-      stage.turn(0, -TURN);
+      stage.rotate(0, -ROTATION);
       return true;
     case 'ArrowDown':
-      stage.turn(0, TURN);
+      stage.rotate(0, ROTATION);
       return true;
     case '+':
     case '=':
-      stage.approach(NEARER);
+      stage.zoom(ZOOM);
       return true;
     case '-':
-      stage.approach(1 / NEARER);
+      stage.zoom(1 / ZOOM);
       return true;
     case 'r':
     case 'R':

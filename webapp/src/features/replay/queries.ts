@@ -1,15 +1,16 @@
 import { keepPreviousData, useMutation, useQuery, useQueryClient } from '@tanstack/react-query';
 import { ApiError, dataOf, useApi } from '@/shared/api';
-import type { RecordedCases } from '@/shared/api';
+import type { Build, RecordedCases } from '@/shared/api';
+import { buildAgain } from '@/shared/lib/buildAgain';
 import { readRecording } from './recording';
 
 const RECORDINGS = 'recordings';
 
-/** As many as a build of one agent can have. */
-const MOST_LISTED = 500;
+/** Maximum number of recordings of a build. */
+const MAX_LISTED = 500;
 const LIVE_REFRESH_MS = 1_000;
 
-/** What moved in a case; null where that was not recorded. */
+/** The recording of a case; null if there is none. */
 export function useRecording(buildId: string, caseNo: number, sha256?: string) {
   const api = useApi();
   return useQuery({
@@ -35,7 +36,7 @@ export function useRecording(buildId: string, caseNo: number, sha256?: string) {
   });
 }
 
-/** Which cases of a build were recorded, by number. */
+/** The recorded cases of a build, by number. */
 export function useRecordedCases(buildId: string) {
   const api = useApi();
   return useQuery({
@@ -43,18 +44,18 @@ export function useRecordedCases(buildId: string) {
     queryFn: ({ signal }) =>
       dataOf(
         api.GET('/api/v1/builds/{id}/recordings', {
-          params: { path: { id: buildId }, query: { size: MOST_LISTED } },
+          params: { path: { id: buildId }, query: { size: MAX_LISTED } },
           signal,
         }),
       ),
   });
 }
 
-/** The recording that came last, looked for again and again while the build runs. */
+/** The newest recording; updated while the build runs. */
 export function useNewestRecording(buildId: string, running: boolean) {
   const api = useApi();
   return useQuery({
-    // Asked once more when the build has ended: the last ones come with its end.
+    // `running` repeats the request when the build ends, because its last recordings arrive then.
     queryKey: [RECORDINGS, buildId, 'newest', running],
     queryFn: async ({ signal }) => {
       const { items, total } = await dataOf(
@@ -70,13 +71,13 @@ export function useNewestRecording(buildId: string, running: boolean) {
   });
 }
 
-/** Asks for a build of the suite that records these cases. */
-export function useRequestRecordedBuild(suiteId: string) {
+/** Requests another build with other recordings. */
+export function useRequestRecordedBuild(build: Build) {
   const api = useApi();
   const cache = useQueryClient();
   return useMutation({
     mutationFn: (recordings: RecordedCases) =>
-      dataOf(api.POST('/api/v1/builds', { body: { suiteId, recordings } })),
+      dataOf(api.POST('/api/v1/builds', { body: { ...buildAgain(build), recordings } })),
     onSuccess: () => cache.invalidateQueries({ queryKey: ['builds'] }),
   });
 }

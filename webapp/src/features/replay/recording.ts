@@ -1,13 +1,13 @@
-/** A device of the world, and the body on which it sits, where it has a place. */
+/** A device of the world and the body that it is attached to, if any. */
 export interface Device {
   name: string;
   kind: string;
   body?: string;
 }
 
-/** What moved in a case and what the devices read meanwhile. Frame `i` is at `times[i]`. */
+/** The motion of a case and the readings of its devices. Frame `i` is at `times[i]`. */
 export interface Recording {
-  /** The file as it came, for the stage. */
+  /** The binary glTF file. */
   glb: ArrayBuffer;
   /** File of the world's description. */
   world: string;
@@ -16,7 +16,7 @@ export interface Recording {
   times: Float32Array;
   /** `DEVICE.FIELD`, and the names of observations. */
   columns: readonly string[];
-  /** `columns.length` readings a frame. */
+  /** `columns.length` readings per frame. */
   rows: Float32Array;
 }
 
@@ -45,10 +45,10 @@ const HEADER_BYTES = 12;
 const CHUNK_HEADER_BYTES = 8;
 
 /**
- * Reads a recording. The component under test could write where it was made: what does not stand in the file itself,
- * or is not of a recording, is refused.
+ * Reads a recording. It is untrusted, because the component under test could have changed it: files
+ * that refer to anything outside themselves are refused.
  *
- * @throws Error when it is no recording
+ * @throws Error if the file is not a recording
  */
 export function readRecording(glb: ArrayBuffer): Recording {
   const view = new DataView(glb);
@@ -59,7 +59,7 @@ export function readRecording(glb: ArrayBuffer): Recording {
     view.getUint32(8, true) !== glb.byteLength ||
     view.getUint32(16, true) !== JSON_CHUNK
   ) {
-    throw new Error('The file is no binary glTF.');
+    throw new Error('The file is not a binary glTF file.');
   }
   const jsonBytes = view.getUint32(HEADER_BYTES, true);
   const gltf = JSON.parse(new TextDecoder().decode(new Uint8Array(glb, start, jsonBytes))) as Gltf;
@@ -68,7 +68,7 @@ export function readRecording(glb: ArrayBuffer): Recording {
     gltf.extensionsUsed !== undefined ||
     gltf.buffers?.some(({ uri }) => uri !== undefined)
   ) {
-    throw new Error('The file is not complete in itself, as recordings are.');
+    throw new Error('The file refers to other files.');
   }
   const extras = gltf.scenes?.[0]?.extras;
   const readings = extras?.readings;
@@ -77,7 +77,7 @@ export function readRecording(glb: ArrayBuffer): Recording {
   const times = floats(glb, binary, gltf.bufferViews?.[readings.times]);
   const rows = floats(glb, binary, gltf.bufferViews?.[readings.rows]);
   if (times.length === 0 || rows.length !== times.length * readings.columns.length) {
-    throw new Error('The recording says what the devices read at other times than its own.');
+    throw new Error('The readings do not match the frames of the recording.');
   }
   return {
     glb,
@@ -89,7 +89,7 @@ export function readRecording(glb: ArrayBuffer): Recording {
   };
 }
 
-/** The latest frame that is not after a time. */
+/** The last frame at or before a time. */
 export function frameAt({ times }: Recording, time: number): number {
   let low = 0;
   let high = times.length - 1;
@@ -101,14 +101,14 @@ export function frameAt({ times }: Recording, time: number): number {
   return low;
 }
 
-/** What each column reads in a frame. */
+/** The readings of a frame, by column. */
 export function readingsIn({ columns, rows }: Recording, frame: number): number[] {
   return [...rows.subarray(frame * columns.length, (frame + 1) * columns.length)];
 }
 
-/** At most so many frames, evenly spread, the first and the last among them. */
-export function spreadFrames({ times }: Recording, most: number): number[] {
-  const count = Math.min(most, times.length);
+/** At max `max` frames, evenly distributed, including the first and the last. */
+export function spreadFrames({ times }: Recording, max: number): number[] {
+  const count = Math.min(max, times.length);
   const step = count > 1 ? (times.length - 1) / (count - 1) : 0;
   return Array.from({ length: count }, (_, index) => Math.round(index * step));
 }
@@ -116,6 +116,6 @@ export function spreadFrames({ times }: Recording, most: number): number[] {
 function floats(glb: ArrayBuffer, binary: number, view: BufferView | undefined): Float32Array {
   if (!view) return new Float32Array();
   const from = binary + (view.byteOffset ?? 0);
-  // A slice, as the numbers need not lie on a multiple of their size.
+  // A copy, because the offset need not be a multiple of four.
   return new Float32Array(glb.slice(from, from + view.byteLength));
 }

@@ -8,12 +8,12 @@ export interface Playback {
   running: boolean;
   speed: number;
   toggle: () => void;
-  /** Stops, and shows a time. */
+  /** Pauses at a time. */
   seek: (time: number) => void;
   setSpeed: (speed: number) => void;
 }
 
-/** Lets the time of a recording pass, from its beginning; another recording begins anew. */
+/** The playback of a recording. It starts again when another recording is loaded. */
 export function usePlayback(times: Float32Array, autoplay: boolean): Playback {
   const begin = times[0] ?? 0;
   const end = times[times.length - 1] ?? begin;
@@ -28,11 +28,11 @@ export function usePlayback(times: Float32Array, autoplay: boolean): Playback {
   const running = playing && time < end;
   useEffect(() => {
     if (!running) return;
-    let before = performance.now();
+    let last = performance.now();
     const tick = (now: number) => {
-      // The clock of frames may lie a little before that of the page.
-      const passed = Math.max(0, now - before) / 1000;
-      before = now;
+      // The time of a frame may be slightly before performance.now().
+      const passed = Math.max(0, now - last) / 1000;
+      last = now;
       setTime((old) => Math.min(end, old + passed * speed));
       handle = requestAnimationFrame(tick);
     };

@@ -1,0 +1,78 @@
+import {
+  BufferGeometry,
+  Float32BufferAttribute,
+  Group,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh,
+  MeshBasicMaterial,
+  PlaneGeometry,
+} from 'three';
+import type { Frame } from './play';
+
+const PLANE = { light: '#dde3e8', dark: '#1f252b' } as const;
+const LINE = { light: '#aab4bd', dark: '#3d4852' } as const;
+const CELLS = 60;
+
+/** A floor with a grid, which replaces the floor planes of a world. */
+export interface Floor {
+  root: Group;
+  /** Puts the floor at a height in metres and selects the size of a cell. */
+  fit: (height: number, frame: Frame) => void;
+  setDark: (dark: boolean) => void;
+  dispose: () => void;
+}
+
+export function createFloor(): Floor {
+  const root = new Group();
+  // The offset keeps the grid and flat bodies on the floor in front of the plane.
+  const planeMaterial = new MeshBasicMaterial({
+    polygonOffset: true,
+    polygonOffsetFactor: 2,
+    polygonOffsetUnits: 2,
+  });
+  const plane = new Mesh(new PlaneGeometry(CELLS, CELLS), planeMaterial);
+  plane.rotation.x = -Math.PI / 2;
+  const lineMaterial = new LineBasicMaterial();
+  const grid = new LineSegments(gridGeometry(), lineMaterial);
+  root.add(plane, grid);
+  return {
+    root,
+    fit(height, { center, radius }) {
+      const cell = cellSize(radius);
+      root.scale.set(cell, 1, cell);
+      // On multiples of a cell, so that lines are at round coordinates.
+      root.position.set(
+        Math.round(center.x / cell) * cell,
+        height,
+        Math.round(center.z / cell) * cell,
+      );
+    },
+    setDark(dark) {
+      const scheme = dark ? 'dark' : 'light';
+      planeMaterial.color.set(PLANE[scheme]);
+      lineMaterial.color.set(LINE[scheme]);
+    },
+    dispose() {
+      plane.geometry.dispose();
+      planeMaterial.dispose();
+      grid.geometry.dispose();
+      lineMaterial.dispose();
+    },
+  };
+}
+
+/** The size of a cell in metres, a power of ten or half of it, such as 0.1, 0.5 or 1. */
+export function cellSize(radius: number): number {
+  const power = 10 ** Math.floor(Math.log10(radius));
+  return radius / power >= 5 ? power : power / 2;
+}
+
+function gridGeometry(): BufferGeometry {
+  const half = CELLS / 2;
+  const points: number[] = [];
+  for (let i = -half; i <= half; i++) {
+    points.push(i, 0, -half, i, 0, half, -half, 0, i, half, 0, i);
+  }
+  return new BufferGeometry().setAttribute('position', new Float32BufferAttribute(points, 3));
+}
