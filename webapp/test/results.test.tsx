@@ -12,8 +12,8 @@ eachWithServer((started) => {
 });
 
 describe('a result', () => {
-  test('shows the columns of Fig. 17(a) in order, inputs grouped by kind', async () => {
-    const cases = [resultCase(1, 'PASS')];
+  test('shows the verdict and the message first, then inputs and outputs by kind', async () => {
+    const cases = [resultCase(1, 'FAIL', { message: 'return is 10.0' })];
     server.cases.set('b1', cases);
     server.builds.push(doneBuild('b1', cases));
     openPortal(server, '/builds/b1');
@@ -21,20 +21,69 @@ describe('a result', () => {
     const [groups, names, first] = within(table).getAllByRole('row');
     expect(cells(groups)).toEqual([
       'No',
+      'Verdict',
+      'Message',
       'Input (TDI)',
       'Simulation (TDSD)',
-      'ER',
-      'MR',
-      'MR − ER',
-      'PF',
+      'Expected',
+      'Actual',
+      'Actual − expected',
       'Time (µs)',
-      'Message',
     ]);
-    expect(cells(names)).toEqual(['IndexOfSensor', 'NumOfSensor', 'Distance']);
-    expect(cells(first)).toEqual(['1', '2', '4', '5.0', '5.0', '5.0', '', '✓ Pass', '4.250', '']);
+    expect(cells(names)).toEqual([
+      'IndexOfSensor',
+      'NumOfSensor',
+      'Distance',
+      'return',
+      'return',
+      'return',
+    ]);
+    expect(cells(first)).toEqual([
+      '1',
+      '✕ Fail',
+      'return is 10.0',
+      '2',
+      '4',
+      '5.0',
+      '5.0',
+      '10.0',
+      '+5',
+      '4.250',
+    ]);
   });
 
-  test('sums up its verdicts and the processing time', async () => {
+  test('has a column for each output, and none for messages if all cases passed', async () => {
+    const outputs = { return: '5.0', quality: '3' };
+    const cases = [resultCase(1, 'PASS', { expected: { quality: '3' }, actual: outputs })];
+    server.cases.set('b1', cases);
+    server.builds.push(doneBuild('b1', cases));
+    openPortal(server, '/builds/b1');
+    const table = await screen.findByRole('table', { name: 'Cases' });
+    const [groups, names, first] = within(table).getAllByRole('row');
+    expect(cells(groups)).not.toContain('Message');
+    expect(cells(names).slice(3)).toEqual(['quality', 'return', 'quality', 'return']);
+    expect(cells(first).slice(5, -1)).toEqual(['3', '–', '3', '5.0']);
+  });
+
+  test('hides constant parameters', async () => {
+    const cases = resultCases(['PASS', 'FAIL', 'PASS']).map((item) => ({
+      ...item,
+      values: ['1', String(item.no), '5.0'],
+    }));
+    server.cases.set('b1', cases);
+    server.builds.push(doneBuild('b1', cases));
+    const { user } = openPortal(server, '/builds/b1');
+    expect(await screen.findByText('IndexOfSensor = 1, Distance = 5.0')).toBeVisible();
+    const inputs = () => {
+      const table = screen.getByRole('table', { name: 'Cases' });
+      return cells(within(table).getAllByRole('row')[1]).slice(0, -3);
+    };
+    expect(inputs()).toEqual(['NumOfSensor']);
+    await user.click(screen.getByRole('switch', { name: 'Show constant parameters' }));
+    expect(inputs()).toEqual(['IndexOfSensor', 'NumOfSensor', 'Distance']);
+  });
+
+  test('summarizes the verdicts and the processing time', async () => {
     const cases = resultCases(['PASS', 'PASS', 'FAIL', 'ERROR', 'DONT']);
     server.cases.set('b1', cases);
     server.builds.push(doneBuild('b1', cases));
@@ -75,7 +124,7 @@ describe('a result', () => {
     expect(history.location.search).toBe('');
   });
 
-  test('shows a case whole by its address, with what it printed as text', async () => {
+  test('shows a case by its address, with its output as text', async () => {
     const cases = resultCases(['PASS', 'FAIL']);
     server.cases.set('b1', cases);
     server.builds.push(doneBuild('b1', cases));
@@ -93,20 +142,20 @@ describe('a result', () => {
       expect(history.location.search).toBe('');
     });
     await user.click(screen.getByRole('button', { name: 'Case 1' }));
-    const nothing = await screen.findByText('It printed nothing.');
-    // The drawer slides in.
+    const nothing = await screen.findByText('No output.');
+    // The drawer has an animation.
     await waitFor(() => {
       expect(nothing).toBeVisible();
     });
     expect(history.location.search).toBe('?case=1');
   });
 
-  test('says which lines of the component were not reached', async () => {
+  test('shows the lines of the component that are not covered', async () => {
     const cases = resultCases(['PASS']);
     server.cases.set('b1', cases);
     server.builds.push(doneBuild('b1', cases));
     openPortal(server, '/builds/b1?tab=coverage');
-    expect(await screen.findByText('Not reached: line 4.')).toBeVisible();
+    expect(await screen.findByText('Not covered: line 4.')).toBeVisible();
     expect(screen.getByText('75.0 %')).toBeVisible();
   });
 

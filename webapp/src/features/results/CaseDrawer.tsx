@@ -1,7 +1,7 @@
 import { Drawer, Stack, Text } from '@mantine/core';
 import type { ReactNode } from 'react';
 import type { ResultCase, ResultParameter } from '@/shared/api';
-import { VERDICT_WORDS } from '@/shared/lib/verdicts';
+import { VERDICT_LABELS } from '@/shared/lib/verdicts';
 import { UserText } from '@/shared/ui';
 import { CaseFacts } from './CaseFacts';
 import classes from './results.module.css';
@@ -10,11 +10,11 @@ interface CaseDrawerProps {
   item: ResultCase | null;
   parameters: readonly ResultParameter[];
   onClose: () => void;
-  /** What else there is to see of a case, below its values; the app knows. */
+  /** More details of a case, provided by the app. */
   details?: (item: ResultCase) => ReactNode;
 }
 
-/** All of a case, nothing cut. */
+/** All data of a case. */
 export function CaseDrawer({ item, parameters, onClose, details }: CaseDrawerProps) {
   return (
     <Drawer
@@ -22,7 +22,7 @@ export function CaseDrawer({ item, parameters, onClose, details }: CaseDrawerPro
       onClose={onClose}
       position="right"
       size="lg"
-      title={item ? `Case ${item.no}: ${VERDICT_WORDS[item.verdict].label}` : ''}
+      title={item ? `Case ${item.no}: ${VERDICT_LABELS[item.verdict].label}` : ''}
       closeButtonProps={{ 'aria-label': 'Close' }}
     >
       {item && (

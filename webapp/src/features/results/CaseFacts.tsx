@@ -9,7 +9,7 @@ interface CaseFactsProps {
   parameters: readonly ResultParameter[];
 }
 
-/** What a case was given, what was expected of it, and what came of it. */
+/** The inputs of a case, its expected and actual outputs, and its times. */
 export function CaseFacts({ item, parameters }: CaseFactsProps) {
   return (
     <dl className={classes.facts}>
@@ -24,12 +24,19 @@ export function CaseFacts({ item, parameters }: CaseFactsProps) {
         <Fact key={`e ${name}`} name={`Expected ${name}`} value={value} />
       ))}
       {entriesOf(item.actual).map(([name, value]) => (
-        <Fact key={`a ${name}`} name={`Measured ${name}`} value={value} />
+        <Fact key={`a ${name}`} name={`Actual ${name}`} value={value} />
       ))}
-      <Fact name="Measured less expected" value={differenceOf(item.expected, item.actual) ?? '–'} />
-      <Fact name="Time of the component (µs)" value={formatTime(item.processingTimeUs)} />
-      <Fact name="In virtual hardware (µs)" value={formatTime(item.hardwareUs)} />
-      <Fact name="In stubs (µs)" value={formatTime(item.stubUs)} />
+      {entriesOf(item.actual).map(([name, value]) => {
+        const difference = differenceOf(item.expected?.[name], value);
+        return (
+          difference !== null && (
+            <Fact key={`d ${name}`} name={`Actual − expected ${name}`} value={difference} />
+          )
+        );
+      })}
+      <Fact name="Time in the component (µs)" value={formatTime(item.processingTimeUs)} />
+      <Fact name="Time in virtual hardware (µs)" value={formatTime(item.hardwareUs)} />
+      <Fact name="Time in stubs (µs)" value={formatTime(item.stubUs)} />
     </dl>
   );
 }

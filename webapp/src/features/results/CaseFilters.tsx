@@ -2,7 +2,7 @@ import { Button, Group, NativeSelect, SegmentedControl, TextInput } from '@manti
 import { useState, type SyntheticEvent } from 'react';
 import type { ResultParameter, ResultSummary } from '@/shared/api';
 import { formatCount } from '@/shared/lib/format';
-import { VERDICTS, VERDICT_WORDS, countOf } from '@/shared/lib/verdicts';
+import { VERDICTS, VERDICT_LABELS, countOf } from '@/shared/lib/verdicts';
 import type { CaseFilter } from './queries';
 
 interface CaseFiltersProps {
@@ -12,12 +12,12 @@ interface CaseFiltersProps {
   onFilter: (filter: CaseFilter) => void;
 }
 
-/** Which cases are listed: by verdict, and by the value of a parameter. */
+/** Filters the cases by verdict and by the value of a parameter. */
 export function CaseFilters({ summary, parameters, filter, onFilter }: CaseFiltersProps) {
   return (
     <Group justify="space-between" gap="sm">
       <SegmentedControl
-        aria-label="Cases shown"
+        aria-label="Filter by verdict"
         style={{ overflowX: 'auto' }}
         size="sm"
         value={filter.verdict ?? 'ALL'}
@@ -28,7 +28,7 @@ export function CaseFilters({ summary, parameters, filter, onFilter }: CaseFilte
           { value: 'ALL', label: `All ${formatCount(summary.total)}` },
           ...VERDICTS.map((known) => ({
             value: known,
-            label: `${VERDICT_WORDS[known].label} ${formatCount(countOf(summary, known))}`,
+            label: `${VERDICT_LABELS[known].label} ${formatCount(countOf(summary, known))}`,
           })),
         ]}
       />
@@ -70,7 +70,7 @@ function ValueFilter({ parameters, filter, onFilter }: Omit<CaseFiltersProps, 's
         />
         <TextInput
           aria-label="Value of the parameter"
-          placeholder="value"
+          placeholder="Value"
           size="sm"
           w={110}
           value={value}

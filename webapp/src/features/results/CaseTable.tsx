@@ -1,9 +1,9 @@
 import { Stack, Text } from '@mantine/core';
-import { useEffect } from 'react';
+import { useEffect, useState } from 'react';
 import type { QueryKey } from '@tanstack/react-query';
 import type { ResultCase } from '@/shared/api';
 import { formatCount, formatTime } from '@/shared/lib/format';
-import { VERDICT_WORDS } from '@/shared/lib/verdicts';
+import { VERDICT_LABELS } from '@/shared/lib/verdicts';
 import { ProblemAlert, UserText, useVirtualPages } from '@/shared/ui';
 import type { ColumnGroup } from '@/shared/lib/columns';
 import { differenceOf } from './difference';
@@ -12,7 +12,7 @@ import classes from './results.module.css';
 
 const ROW_HEIGHT = 34;
 
-/** Where the rows come from, a page at a time. */
+/** The source of the rows, page by page. */
 export interface CasePages {
   queryKey: QueryKey;
   fetchPage: (page: number, signal?: AbortSignal) => Promise<{ items: ResultCase[] }>;
@@ -23,12 +23,24 @@ interface CaseTableProps {
   groups: ColumnGroup[];
   total: number;
   onCase: (item: ResultCase) => void;
-  /** Whether the last row stays in sight while the table grows. */
+  /** Whether any case may have failed; otherwise there are no messages and no differences. */
+  failures: boolean;
+  /** Whether the table scrolls to the last row while it grows. */
   follow?: boolean;
 }
 
-/** Cases in the columns of the paper's Fig. 17(a): No, the inputs, ER, MR, PF, time. */
-export function CaseTable({ pages, groups, total, onCase, follow = false }: CaseTableProps) {
+/**
+ * The cases with the data of the paper's Fig. 17(a). The verdict and the message come first, so that
+ * they are visible however many parameters and outputs there are.
+ */
+export function CaseTable({
+  pages,
+  groups,
+  total,
+  onCase,
+  failures,
+  follow = false,
+}: CaseTableProps) {
   const { scroller, rows, above, below, error, scrollTo } = useVirtualPages<ResultCase>({
     total,
     pageSize: CASES_PER_PAGE,
@@ -37,10 +49,12 @@ export function CaseTable({ pages, groups, total, onCase, follow = false }: Case
   });
   useEffect(() => {
     if (follow && total > 0) scrollTo(total - 1);
-    // Only another total moves the table; the virtualiser is another object with each drawing.
+    // The virtualizer is a new object in each render; only a new total moves the table.
     // eslint-disable-next-line react-hooks/exhaustive-deps
   }, [follow, total]);
-  const inputs = widthsOf(groups);
+  const outputs = useOutputs(rows.flatMap(({ item }) => item ?? []));
+  const columns: Columns = { groups, outputs, failures };
+  const widths = widthsOf(columns);
   return (
     <Stack gap="xs">
       {error && <ProblemAlert title="Some cases could not be read" error={error} />}
@@ -49,15 +63,19 @@ export function CaseTable({ pages, groups, total, onCase, follow = false }: Case
           className={classes.cases}
           aria-label="Cases"
           aria-rowcount={total + 2}
-          style={{ minWidth: `${leastWidth(inputs)}rem` }}
+          style={{ minWidth: `${widths.reduce((sum, width) => sum + width, 0)}rem` }}
         >
-          <Columns inputs={inputs} />
-          <Head groups={groups} />
+          <colgroup>
+            {widths.map((width, index) => (
+              <col key={index} style={{ width: `${width}rem` }} />
+            ))}
+          </colgroup>
+          <Head {...columns} />
           <tbody>
             {above > 0 && <Space height={above} />}
             {rows.map(({ index, item }) =>
               item ? (
-                <CaseRow key={index} index={index} item={item} groups={groups} onCase={onCase} />
+                <CaseRow key={index} index={index} item={item} columns={columns} onCase={onCase} />
               ) : (
                 <tr key={index} style={{ height: ROW_HEIGHT }} aria-hidden />
               ),
@@ -73,6 +91,24 @@ export function CaseTable({ pages, groups, total, onCase, follow = false }: Case
   );
 }
 
+interface Columns {
+  groups: ColumnGroup[];
+  outputs: readonly string[];
+  failures: boolean;
+}
+
+/** The outputs of all cases seen so far. */
+function useOutputs(items: readonly ResultCase[]): readonly string[] {
+  const [known, setKnown] = useState<readonly string[]>([]);
+  const names = items.flatMap(({ expected, actual }) => [
+    ...Object.keys(expected ?? {}),
+    ...Object.keys(actual ?? {}),
+  ]);
+  const missing = [...new Set(names)].filter((name) => !known.includes(name));
+  if (missing.length > 0) setKnown([...known, ...missing]);
+  return known;
+}
+
 function Space({ height }: { height: number }) {
   return (
     <tr aria-hidden>
@@ -81,77 +117,83 @@ function Space({ height }: { height: number }) {
   );
 }
 
-/** Fixed widths, in rem: columns must not jump while rows come and go. The message takes what is left. */
-const WIDTHS = { no: 4, expected: 6, actual: 6, difference: 5.5, verdict: 8, time: 6.5 } as const;
-const LEAST_MESSAGE = 10;
+/** Widths in rem. They are fixed, so that columns do not move while rows are loaded. */
+const WIDTHS = { no: 4, verdict: 8.5, message: 18, value: 6, time: 6.5 } as const;
+/** Maximum width of a column. */
+const MAX_WIDTH = 18;
 
-/** What a heading of so many characters takes, in bold. */
+function widthsOf({ groups, outputs, failures }: Columns): number[] {
+  const inputs = groups.flatMap(({ label, columns }) => {
+    const least = widthOfText(label) / columns.length;
+    return columns.map(({ parameter }) => columnWidth(parameter.name, least));
+  });
+  const results = outputs.map((name) =>
+    columnWidth(name, failures ? widthOfText(DIFFERENCE) / outputs.length : 0),
+  );
+  return [
+    WIDTHS.no,
+    WIDTHS.verdict,
+    ...(failures ? [WIDTHS.message] : []),
+    ...inputs,
+    ...results,
+    ...results,
+    ...(failures ? results : []),
+    WIDTHS.time,
+  ];
+}
+
+function columnWidth(name: string, least: number): number {
+  return Math.min(MAX_WIDTH, Math.max(WIDTHS.value, least, widthOfText(name)));
+}
+
+/** The width of a heading. */
 function widthOfText(text: string): number {
   return 1.8 + 0.66 * text.length;
 }
 
-/** Each input as wide as its name, within reason, and those of a kind together as wide as theirs. */
-function widthsOf(groups: readonly ColumnGroup[]): number[] {
-  return groups.flatMap(({ label, columns }) => {
-    const least = widthOfText(label) / columns.length;
-    return columns.map(({ parameter }) =>
-      Math.min(18, Math.max(6, least, widthOfText(parameter.name))),
-    );
-  });
-}
+const DIFFERENCE = 'Actual − expected';
 
-function leastWidth(inputs: readonly number[]): number {
-  return [...Object.values(WIDTHS), ...inputs].reduce((sum, width) => sum + width, LEAST_MESSAGE);
-}
-
-function Columns({ inputs }: { inputs: readonly number[] }) {
-  const { no, ...others } = WIDTHS;
-  return (
-    <colgroup>
-      <col style={{ width: `${no}rem` }} />
-      {inputs.map((width, index) => (
-        <col key={index} style={{ width: `${width}rem` }} />
-      ))}
-      {Object.entries(others).map(([name, width]) => (
-        <col key={name} style={{ width: `${width}rem` }} />
-      ))}
-      <col />
-    </colgroup>
-  );
-}
-
-function Head({ groups }: { groups: ColumnGroup[] }) {
+function Head({ groups, outputs, failures }: Columns) {
+  const outputGroups = ['Expected', 'Actual', ...(failures ? [DIFFERENCE] : [])];
   return (
     <thead>
       <tr>
-        <th rowSpan={2}>No</th>
+        <th rowSpan={2} className={classes.no}>
+          No
+        </th>
+        <th rowSpan={2} className={classes.text}>
+          Verdict
+        </th>
+        {failures && (
+          <th rowSpan={2} className={classes.text}>
+            Message
+          </th>
+        )}
         {groups.map((group) => (
           <th key={group.type} colSpan={group.columns.length} scope="colgroup">
             {group.label}
           </th>
         ))}
-        <th rowSpan={2}>
-          <abbr title="Expected result">ER</abbr>
-        </th>
-        <th rowSpan={2}>
-          <abbr title="Measured result">MR</abbr>
-        </th>
-        <th rowSpan={2}>
-          <abbr title="Measured less expected">MR − ER</abbr>
-        </th>
-        <th rowSpan={2} className={classes.text}>
-          <abbr title="Pass or fail">PF</abbr>
-        </th>
+        {outputs.length > 0 &&
+          outputGroups.map((label) => (
+            <th key={label} colSpan={outputs.length} scope="colgroup">
+              {label}
+            </th>
+          ))}
         <th rowSpan={2}>Time (µs)</th>
-        <th rowSpan={2} className={classes.text}>
-          Message
-        </th>
       </tr>
       <tr>
         {groups.flatMap((group) =>
           group.columns.map(({ parameter, index }) => (
             <th key={index} title={parameter.name}>
               <UserText>{parameter.name}</UserText>
+            </th>
+          )),
+        )}
+        {outputGroups.flatMap((label) =>
+          outputs.map((name) => (
+            <th key={`${label} ${name}`} title={name}>
+              <UserText>{name}</UserText>
             </th>
           )),
         )}
@@ -163,15 +205,15 @@ function Head({ groups }: { groups: ColumnGroup[] }) {
 interface CaseRowProps {
   index: number;
   item: ResultCase;
-  groups: ColumnGroup[];
+  columns: Columns;
   onCase: (item: ResultCase) => void;
 }
 
-function CaseRow({ index, item, groups, onCase }: CaseRowProps) {
-  const { label, sign } = VERDICT_WORDS[item.verdict];
+function CaseRow({ index, item, columns: { groups, outputs, failures }, onCase }: CaseRowProps) {
+  const { label, sign } = VERDICT_LABELS[item.verdict];
   return (
     <tr data-verdict={item.verdict} aria-rowindex={index + 3} style={{ height: ROW_HEIGHT }}>
-      <td>
+      <td className={classes.no}>
         <button
           type="button"
           className={classes.open}
@@ -183,36 +225,41 @@ function CaseRow({ index, item, groups, onCase }: CaseRowProps) {
           {item.no}
         </button>
       </td>
-      {groups.flatMap((group) =>
-        group.columns.map((column) => (
-          <td key={column.index} title={item.values[column.index]}>
-            <UserText>{item.values[column.index] ?? ''}</UserText>
-          </td>
-        )),
-      )}
-      <td title={textOf(item.expected)}>
-        <UserText>{textOf(item.expected)}</UserText>
-      </td>
-      <td title={textOf(item.actual)}>
-        <UserText>{textOf(item.actual)}</UserText>
-      </td>
-      <td>{differenceOf(item.expected, item.actual) ?? ''}</td>
       <td className={classes.verdict}>
         <span aria-hidden>{sign}</span> {label}
       </td>
+      {failures && (
+        <td className={classes.message} title={item.message ?? undefined}>
+          {item.message && <UserText>{item.message}</UserText>}
+        </td>
+      )}
+      {groups.flatMap((group) =>
+        group.columns.map((column) => (
+          <Value key={column.index} text={item.values[column.index] ?? ''} />
+        )),
+      )}
+      {outputs.map((name) => (
+        <Value key={`e ${name}`} text={item.expected?.[name] ?? '–'} />
+      ))}
+      {outputs.map((name) => (
+        <Value key={`a ${name}`} text={item.actual?.[name] ?? '–'} />
+      ))}
+      {failures &&
+        outputs.map((name) => (
+          <Value
+            key={`d ${name}`}
+            text={differenceOf(item.expected?.[name], item.actual?.[name]) ?? ''}
+          />
+        ))}
       <td>{formatTime(item.processingTimeUs)}</td>
-      <td className={classes.message} title={item.message ?? undefined}>
-        {item.message && <UserText>{item.message}</UserText>}
-      </td>
     </tr>
   );
 }
 
-/** A single output needs no name; several are told apart by theirs. */
-function textOf(outputs: Record<string, string> | null | undefined): string {
-  const entries = Object.entries(outputs ?? {});
-  if (entries.length === 0) return '–';
-  return entries
-    .map(([name, value]) => (entries.length === 1 ? value : `${name} = ${value}`))
-    .join(', ');
+function Value({ text }: { text: string }) {
+  return (
+    <td title={text}>
+      <UserText>{text}</UserText>
+    </td>
+  );
 }

@@ -11,7 +11,7 @@ interface CoverageViewProps {
   onPath: (path: string) => void;
 }
 
-/** What the build reached of the component's sources, by file and line. */
+/** The coverage of the component's sources, by file and line. */
 export function CoverageView({ buildId, path, onPath }: CoverageViewProps) {
   const coverage = useCoverage(buildId);
   if (coverage.isPending) return <Loading what="the coverage" />;
@@ -22,8 +22,8 @@ export function CoverageView({ buildId, path, onPath }: CoverageViewProps) {
   if (!measured) {
     return (
       <Text c="dimmed">
-        This build did not measure coverage: the component comes without sources, or its agent was
-        told not to.
+        This build has no coverage: the component has no sources, or coverage is disabled on the
+        agent.
       </Text>
     );
   }
@@ -44,8 +44,8 @@ export function CoverageView({ buildId, path, onPath }: CoverageViewProps) {
         <Table.Thead>
           <Table.Tr>
             <Table.Th>File</Table.Th>
-            <Table.Th>Lines reached</Table.Th>
-            <Table.Th ta="right">Branches taken</Table.Th>
+            <Table.Th>Covered lines</Table.Th>
+            <Table.Th ta="right">Covered branches</Table.Th>
           </Table.Tr>
         </Table.Thead>
         <Table.Tbody>
@@ -64,7 +64,7 @@ export function CoverageView({ buildId, path, onPath }: CoverageViewProps) {
                 </button>
               </Table.Td>
               <Table.Td>
-                <Reached file={file} />
+                <Lines file={file} />
               </Table.Td>
               <Table.Td ta="right">
                 {file.branches > 0 ? `${file.taken} of ${file.branches}` : '–'}
@@ -78,7 +78,7 @@ export function CoverageView({ buildId, path, onPath }: CoverageViewProps) {
   );
 }
 
-function Reached({ file: { reached, lines } }: { file: CoverageFile }) {
+function Lines({ file: { reached, lines } }: { file: CoverageFile }) {
   return (
     <Group gap="sm" wrap="nowrap">
       <Text size="sm" w={90}>
@@ -88,7 +88,7 @@ function Reached({ file: { reached, lines } }: { file: CoverageFile }) {
         flex={1}
         miw={80}
         value={lines > 0 ? (100 * reached) / lines : 0}
-        aria-label="Lines reached"
+        aria-label="Covered lines"
       />
     </Group>
   );
@@ -108,22 +108,22 @@ function Source({ buildId, path }: { buildId: string; path: string }) {
     kind: !reached ? 'missed' : taken < branches ? 'partly' : 'reached',
     sign: !reached ? '✕' : branches > 0 ? `${taken}/${branches}` : '✓',
     title: !reached
-      ? 'not reached'
+      ? 'not covered'
       : branches > 0
-        ? `reached; ${taken} of ${branches} branches taken`
-        : 'reached',
+        ? `covered; ${taken} of ${branches} branches`
+        : 'covered',
   }));
   return (
     <Section title={path}>
       <Text size="sm">
         {missed.length === 0
-          ? 'Every line with a statement was reached.'
-          : `Not reached: ${missed.length === 1 ? 'line' : 'lines'} ${ranges(missed)}.`}
+          ? 'All lines with statements are covered.'
+          : `Not covered: ${missed.length === 1 ? 'line' : 'lines'} ${ranges(missed)}.`}
         {partly.length > 0 &&
-          ` Branches not taken: ${partly.length === 1 ? 'line' : 'lines'} ${partly.map(({ number }) => number).join(', ')}.`}
+          ` Partly covered branches: ${partly.length === 1 ? 'line' : 'lines'} ${partly.map(({ number }) => number).join(', ')}.`}
       </Text>
       {text == null ? (
-        <Text c="dimmed">The text of this file is not kept with the build.</Text>
+        <Text c="dimmed">The text of this file is not available.</Text>
       ) : (
         <CodeEditor label={`Text of ${path}`} path={path} text={text} marks={marks} />
       )}
@@ -135,7 +135,7 @@ function percent(value: number | null | undefined): string {
   return value == null ? '–' : `${value.toFixed(1)} %`;
 }
 
-/** `3, 7–9`: lines in a row as one range. */
+/** Consecutive lines as a range: `3, 7–9`. */
 export function ranges(lines: readonly number[]): string {
   const found: [number, number][] = [];
   for (const line of lines) {

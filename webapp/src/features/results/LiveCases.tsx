@@ -10,12 +10,12 @@ import { useLiveCases } from './queries';
 interface LiveCasesProps {
   buildId: string;
   parameters: readonly ResultParameter[];
-  /** Whether more may come. */
+  /** Whether the build is still running. */
   running: boolean;
   caseDetails?: (item: ResultCase) => ReactNode;
 }
 
-/** Cases as they finish, in the order in which they do; a result has them all in its own. */
+/** The finished cases of a running build, in the order in which they finished. */
 export function LiveCases({ buildId, parameters, running, caseDetails }: LiveCasesProps) {
   const { total, error, pages } = useLiveCases(buildId, running);
   const [follow, setFollow] = useState(true);
@@ -23,20 +23,14 @@ export function LiveCases({ buildId, parameters, running, caseDetails }: LiveCas
   if (error) return <ProblemAlert title="The cases could not be read" error={error} />;
   if (total === undefined) return <Loading what="cases" />;
   if (total === 0) {
-    return (
-      <Text c="dimmed">
-        {running
-          ? 'No case has finished yet; each stands here as soon as it has.'
-          : 'No case finished.'}
-      </Text>
-    );
+    return <Text c="dimmed">{running ? 'No cases have finished yet.' : 'No cases finished.'}</Text>;
   }
   return (
     <Stack gap="sm">
       {running && (
         <Group>
           <Switch
-            label="Follow the latest"
+            label="Follow new cases"
             checked={follow}
             onChange={(event) => {
               setFollow(event.currentTarget.checked);
@@ -49,6 +43,7 @@ export function LiveCases({ buildId, parameters, running, caseDetails }: LiveCas
         groups={groupColumns(parameters)}
         total={total}
         onCase={setShown}
+        failures
         follow={running && follow}
       />
       <CaseDrawer

@@ -12,7 +12,7 @@ interface ResultGraphsProps {
   onFilter: (filter: CaseFilter) => void;
 }
 
-/** The graph view of a result, as the paper's Fig. 17(b), and where the eye finds the faulty region. */
+/** The charts of a result, as in the paper's Fig. 17(b), and the verdicts by parameter value. */
 export function ResultGraphs({ buildId, onFilter }: ResultGraphsProps) {
   const result = useResult(buildId);
   const statistics = useStatistics(buildId);
@@ -21,7 +21,7 @@ export function ResultGraphs({ buildId, onFilter }: ResultGraphsProps) {
     return (
       <ProblemAlert
         title="The graphs could not be read"
-        error={result.error ?? statistics.error ?? new Error('no answer')}
+        error={result.error ?? statistics.error ?? new Error('The server did not answer.')}
       />
     );
   }
@@ -43,7 +43,7 @@ export function ResultGraphs({ buildId, onFilter }: ResultGraphsProps) {
           <OverCases times={times} />
         </Section>
       ) : (
-        <Text c="dimmed">No case was timed.</Text>
+        <Text c="dimmed">No times were measured.</Text>
       )}
       <Section title="Verdicts by parameter value">
         <SimpleGrid cols={{ base: 1, md: 2 }} spacing="xl">
@@ -68,7 +68,7 @@ function Verdicts({ summary }: { summary: Summary }) {
   const option = useMemo(() => verdictPie(summary), [summary]);
   return (
     <Chart
-      label={`Of ${plural(summary.total, 'case')} ${summary.pass} pass, ${summary.fail} fail, ${summary.error} in error, ${summary.dont} not executed`}
+      label={`Of ${plural(summary.total, 'case')} ${summary.pass} passed, ${summary.fail} failed, ${summary.error} with errors, ${summary.dont} not executed`}
       option={option}
     />
   );
@@ -90,10 +90,10 @@ function OverCases({ times }: { times: Times }) {
     ['Min (µs)', formatTime(times.min)],
     ['Average (µs)', formatTime(times.average)],
     ['Std dev. (µs)', formatTime(times.standardDeviation)],
-    ['50 % below (µs)', formatTime(times.p50)],
-    ['90 % below (µs)', formatTime(times.p90)],
-    ['95 % below (µs)', formatTime(times.p95)],
-    ['99 % below (µs)', formatTime(times.p99)],
+    ['50th percentile (µs)', formatTime(times.p50)],
+    ['90th percentile (µs)', formatTime(times.p90)],
+    ['95th percentile (µs)', formatTime(times.p95)],
+    ['99th percentile (µs)', formatTime(times.p99)],
     ['Max (µs)', formatTime(times.max)],
   ];
   return (
@@ -135,7 +135,7 @@ function ByParameter({
       />
       <Text size="sm" c="dimmed">
         <UserText>{faultyValues(parameter)}</UserText>
-        {parameter.leftOut > 0 && `; ${plural(parameter.leftOut, 'further value')} not drawn`}
+        {parameter.leftOut > 0 && `; ${plural(parameter.leftOut, 'other value')} not shown`}
       </Text>
     </div>
   );

@@ -2,9 +2,9 @@ import { Stack, Text } from '@mantine/core';
 import type { ResultSummary as Summary } from '@/shared/api';
 import { formatCount, formatTime, formatUnit, plural } from '@/shared/lib/format';
 import classes from './results.module.css';
-import { VERDICTS, VERDICT_WORDS, countOf } from '@/shared/lib/verdicts';
+import { VERDICTS, VERDICT_LABELS, countOf } from '@/shared/lib/verdicts';
 
-/** The head of the paper's Fig. 17(a): how many cases of each verdict, and the times of those that ran. */
+/** The number of cases for each verdict and the processing times, as in the paper's Fig. 17(a). */
 export function ResultSummary({ summary }: { summary: Summary }) {
   const time = summary.processingTime;
   const unit = formatUnit(time?.unit);
@@ -15,7 +15,7 @@ export function ResultSummary({ summary }: { summary: Summary }) {
         {VERDICTS.map((verdict) => (
           <Fact
             key={verdict}
-            name={VERDICT_WORDS[verdict].label}
+            name={VERDICT_LABELS[verdict].label}
             value={formatCount(countOf(summary, verdict))}
           />
         ))}
@@ -28,8 +28,8 @@ export function ResultSummary({ summary }: { summary: Summary }) {
       </dl>
       {summary.unjudged > 0 && (
         <Text size="sm" c="dimmed">
-          {plural(summary.unjudged, 'case')} passed without being judged: no expected value, no
-          post-condition.
+          {plural(summary.unjudged, 'case')} passed without a check: there is no expected value and
+          no post-condition.
         </Text>
       )}
     </Stack>

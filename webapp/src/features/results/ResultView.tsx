@@ -14,12 +14,12 @@ interface ResultViewProps {
   filter: CaseFilter;
   onFilter: (filter: CaseFilter) => void;
   caseDetails?: (item: ResultCase) => ReactNode;
-  /** Number of the case that is looked at; none: the table alone. */
+  /** Number of the selected case, if any. */
   caseNo?: number | undefined;
   onCase: (no: number | undefined) => void;
 }
 
-/** The result of a build in figures and as a table of its cases. */
+/** The summary of a result and the table of its cases. */
 export function ResultView({
   buildId,
   filter,
@@ -30,7 +30,7 @@ export function ResultView({
 }: ResultViewProps) {
   const result = useResult(buildId);
   const shown = useCase(buildId, caseNo);
-  // Asked for together with the figures, so that the table need not wait for them.
+  // Requested together with the summary, so that the table is shown earlier.
   useFirstCases(buildId, filter);
   if (result.isPending) return <Loading what="the result" />;
   if (!result.data) {
@@ -54,6 +54,7 @@ export function ResultView({
           buildId={buildId}
           parameters={parameters}
           filter={filter}
+          failures={summary.pass < summary.total}
           onCase={({ no }) => {
             onCase(no);
           }}

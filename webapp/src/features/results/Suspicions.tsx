@@ -1,7 +1,7 @@
 import { Alert, List } from '@mantine/core';
 import { UserText } from '@/shared/ui';
 
-/** Why the verdicts of a result cannot be trusted; nothing where they can. */
+/** The reasons why the verdicts of a result cannot be trusted, if any. */
 export function Suspicions({ reasons }: { reasons: readonly string[] }) {
   if (reasons.length === 0) return null;
   return (

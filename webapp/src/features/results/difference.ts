@@ -1,21 +1,15 @@
-/** Actual less expected where both are one number; nothing where they are equal or no numbers. */
+/** Actual − expected of two numbers; null if they are equal or not both finite numbers. */
 export function differenceOf(
-  expected: Record<string, string> | null | undefined,
-  actual: Record<string, string> | null | undefined,
+  expected: string | undefined,
+  actual: string | undefined,
 ): string | null {
-  const differences = Object.entries(expected ?? {}).flatMap(([name, wanted]) => {
-    const measured = actual?.[name];
-    if (measured === undefined || measured === wanted) return [];
-    const difference = Number(measured) - Number(wanted);
-    if (!Number.isFinite(difference) || difference === 0 || measured === '' || wanted === '') {
-      return [];
-    }
-    return [`${difference > 0 ? '+' : '−'}${formatMagnitude(Math.abs(difference))}`];
-  });
-  return differences.length > 0 ? differences.join(', ') : null;
+  if (!expected || !actual) return null;
+  const difference = Number(actual) - Number(expected);
+  if (!Number.isFinite(difference) || difference === 0) return null;
+  return `${difference > 0 ? '+' : '−'}${formatMagnitude(Math.abs(difference))}`;
 }
 
-/** Digits enough to tell one difference from another, and no noise of binary fractions. */
+/** Six digits, to hide the rounding errors of binary fractions. */
 function formatMagnitude(value: number): string {
   return String(Number(value.toPrecision(6)));
 }

@@ -1,7 +1,7 @@
 import type { EChartsCoreOption } from 'echarts/core';
 import type { ResultStatistics, ResultSummary } from '@/shared/api';
 import { formatTime } from '@/shared/lib/format';
-import { VERDICTS, VERDICT_COLOURS, VERDICT_WORDS, countOf } from '@/shared/lib/verdicts';
+import { VERDICTS, VERDICT_COLOURS, VERDICT_LABELS, countOf } from '@/shared/lib/verdicts';
 
 const LINE = '#2a94a2';
 
@@ -19,7 +19,7 @@ export function verdictPie(summary: ResultSummary): EChartsCoreOption {
         center: ['50%', '44%'],
         label: { formatter: '{d} %' },
         data: VERDICTS.filter((verdict) => countOf(summary, verdict) > 0).map((verdict) => ({
-          name: VERDICT_WORDS[verdict].label,
+          name: VERDICT_LABELS[verdict].label,
           value: countOf(summary, verdict),
           itemStyle: { color: VERDICT_COLOURS[verdict] },
         })),
@@ -53,7 +53,7 @@ export function timeHistogram({ histogram }: Times): EChartsCoreOption {
 }
 
 export function timesOverCases({ overCases }: Times): EChartsCoreOption {
-  const several = overCases.some(({ firstNo, lastNo }) => firstNo !== lastNo);
+  const aggregated = overCases.some(({ firstNo, lastNo }) => firstNo !== lastNo);
   const line = (
     name: string,
     pick: (point: (typeof overCases)[number]) => number,
@@ -82,7 +82,7 @@ export function timesOverCases({ overCases }: Times): EChartsCoreOption {
       max: 'dataMax',
     },
     yAxis: { type: 'value', name: 'µs', scale: true },
-    series: several
+    series: aggregated
       ? [
           line('max', ({ max }) => max, false),
           line('average', ({ average }) => average, true),
@@ -107,19 +107,19 @@ export function verdictsByValue({ name, values }: ByParameter): EChartsCoreOptio
     series: VERDICTS.map((verdict) => ({
       type: 'bar',
       stack: 'verdict',
-      name: VERDICT_WORDS[verdict].label,
+      name: VERDICT_LABELS[verdict].label,
       itemStyle: { color: VERDICT_COLOURS[verdict] },
       data: values.map((value) => countOf(value, verdict)),
     })),
   };
 }
 
-/** The values of a parameter in which cases fail, in words. */
+/** Describes the values of a parameter for which cases fail. */
 export function faultyValues({ name, values }: ByParameter): string {
   const faulty = values.filter(({ fail, error }) => fail + error > 0);
   return faulty.length === 0
-    ? `${name}: no value in which a case fails`
-    : `${name}: cases fail in ${faulty
+    ? `${name}: no failing values`
+    : `${name}: cases fail for ${faulty
         .map((v) => `${v.value} (${v.fail + v.error} of ${v.pass + v.fail + v.error + v.dont})`)
         .join(', ')}`;
 }

@@ -2,12 +2,12 @@ import { keepPreviousData, useQuery, useQueryClient } from '@tanstack/react-quer
 import { useEffect, useRef } from 'react';
 import { dataOf, useApi, type Verdict } from '@/shared/api';
 
-/** Cases that are fetched at once: a result of 100,000 is never loaded whole. */
+/** Page size: large results are loaded page by page. */
 export const CASES_PER_PAGE = 200;
 
 const RESULTS = 'results';
 
-/** Which cases are shown. */
+/** The filter of the cases. */
 export interface CaseFilter {
   verdict?: Verdict | undefined;
   parameter?: string | undefined;
@@ -51,7 +51,7 @@ export function useFetchCases(buildId: string, filter: CaseFilter) {
   };
 }
 
-/** The first page of a filter, which also says how many cases there are. */
+/** The first page of the filtered cases, with their total number. */
 export function useFirstCases(buildId: string, filter: CaseFilter) {
   const { queryKey, fetchPage } = useFetchCases(buildId, filter);
   return useQuery({
@@ -62,13 +62,13 @@ export function useFirstCases(buildId: string, filter: CaseFilter) {
   });
 }
 
-/** A case by its number; null where the result has no such case. */
+/** A case by its number; null if there is no such case. */
 export function useCase(buildId: string, no: number | undefined) {
   const api = useApi();
   return useQuery({
     queryKey: [RESULTS, buildId, 'case', no],
     queryFn: async ({ signal }) => {
-      // The cases of a suite are numbered from 1, without gaps.
+      // Cases are numbered from 1, without gaps.
       const { items } = await dataOf(
         api.GET('/api/v1/builds/{id}/result/cases', {
           params: { path: { id: buildId }, query: { page: (no ?? 1) - 1, size: 1 } },
@@ -84,7 +84,7 @@ export function useCase(buildId: string, no: number | undefined) {
 
 const LIVE_REFRESH_MS = 1_000;
 
-/** Cases that have ended of a build that has no result yet. */
+/** The finished cases of a build that has no result yet. */
 export function useLiveCases(buildId: string, running: boolean) {
   const api = useApi();
   const cache = useQueryClient();
@@ -105,7 +105,7 @@ export function useLiveCases(buildId: string, running: boolean) {
   const known = useRef(0);
   useEffect(() => {
     if (total === undefined || total === known.current) return;
-    // What is complete stays as it is; with fewer than before a new attempt has begun.
+    // Complete pages do not change. Fewer cases than before belong to a new attempt.
     const first = total < known.current ? 0 : Math.floor(known.current / CASES_PER_PAGE);
     known.current = total;
     void cache.invalidateQueries({
@@ -116,7 +116,7 @@ export function useLiveCases(buildId: string, running: boolean) {
   return { total, error: count.error, pages: { queryKey, fetchPage } };
 }
 
-/** What was reached of the component, by file. */
+/** The coverage of the component, by file. */
 export function useCoverage(buildId: string) {
   const api = useApi();
   return useQuery({
@@ -132,7 +132,7 @@ export function useCoverage(buildId: string) {
   });
 }
 
-/** A source of the component with its lines. */
+/** The coverage of a source file, by line. */
 export function useCoverageSource(buildId: string, path: string) {
   const api = useApi();
   return useQuery({
@@ -148,7 +148,7 @@ export function useCoverageSource(buildId: string, path: string) {
   });
 }
 
-export function useStatistics(buildId: string) {
+export function useStatistics(buildId: string, enabled = true) {
   const api = useApi();
   return useQuery({
     queryKey: [RESULTS, buildId, 'statistics'],
@@ -159,6 +159,7 @@ export function useStatistics(buildId: string) {
           signal,
         }),
       ),
+    enabled,
     staleTime: Infinity,
   });
 }

@@ -1,6 +1,6 @@
 import type { ResultParameter } from '@/shared/api';
 
-/** An input column: the parameter, and where its value stands in the values of a case. */
+/** An input column: the parameter and the index of its value in the values of a case. */
 export interface Column {
   parameter: ResultParameter;
   index: number;
@@ -19,7 +19,7 @@ const KINDS: readonly { type: ResultParameter['type']; label: string }[] = [
   { type: 'TDTS', label: 'Stub (TDTS)' },
 ];
 
-/** The parameters by kind, each kind in the suite's order; kinds without parameters are left out. */
+/** The parameters grouped by kind, in the order of the suite. Kinds without parameters are omitted. */
 export function groupColumns(parameters: readonly ResultParameter[]): ColumnGroup[] {
   const columns = parameters.map((parameter, index) => ({ parameter, index }));
   return KINDS.map(({ type, label }) => ({
