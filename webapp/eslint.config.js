@@ -4,17 +4,20 @@ import { defineConfig, globalIgnores } from 'eslint/config';
 import tseslint from 'typescript-eslint';
 
 /**
- * The walls: app imports features, features import shared, nothing the other way and no feature
- * another. A room is left by its alias only (`@/shared/ui`), so that a wall is a pattern.
+ * Import rules: app may import features and shared, features may import shared. Imports between
+ * folders use an alias (`@/shared/ui`), so that a rule is a pattern.
  */
-function wall(room, ...forbidden) {
+function importRule(folder, ...forbidden) {
   const patterns = [
-    { regex: '^\\.\\./', message: 'Leave a room by its alias: @/shared/ROOM, @/features/NAME.' },
+    {
+      regex: '^\\.\\./',
+      message: 'Import other folders by alias: @/shared/NAME, @/features/NAME.',
+    },
     { regex: '^@/features/[^/]+/', message: 'Import a feature by its index: @/features/NAME.' },
     ...forbidden,
   ];
   return {
-    files: [`src/${room}/**/*.{ts,tsx}`],
+    files: [`src/${folder}/**/*.{ts,tsx}`],
     rules: { 'no-restricted-imports': ['error', { patterns }] },
   };
 }
@@ -29,7 +32,7 @@ export default defineConfig(
     rules: {
       '@typescript-eslint/consistent-type-imports': 'error',
       '@typescript-eslint/restrict-template-expressions': ['error', { allowNumber: true }],
-      // Nulls from the wire stand where the document says "absent": `!= null` is meant.
+      // JSON has null where the OpenAPI document says "absent".
       '@typescript-eslint/no-unnecessary-condition': 'off',
     },
   },
@@ -37,13 +40,13 @@ export default defineConfig(
     files: ['scripts/**/*.mjs', '*.config.js'],
     languageOptions: { globals: { process: 'readonly', console: 'readonly' } },
   },
-  wall('app'),
-  wall('features', {
+  importRule('app'),
+  importRule('features', {
     regex: '^@/(app|features)(/|$)',
-    message: 'A feature imports shared only; app puts features together.',
+    message: 'Features may only import shared.',
   }),
-  wall('shared', {
+  importRule('shared', {
     regex: '^@/(app|features)(/|$)',
-    message: 'Shared knows neither app nor features.',
+    message: 'Shared must not import app or features.',
   }),
 );

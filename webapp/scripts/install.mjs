@@ -1,5 +1,5 @@
-// Installs what package-lock.json pins, and only when it has changed since: Maven calls this on every
-// build, and a second build must need neither the network nor the time.
+// Installs the packages of package-lock.json if it has changed. Maven runs this in every build, and
+// only the first one needs the network.
 import { spawnSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
@@ -20,6 +20,6 @@ if (installed !== wanted) {
     console.error(`npm could not be started: ${error.message}. Install Node.js 20.19 or newer.`);
   }
   if (status !== 0) process.exit(status ?? 1);
-  // Last, so that an interrupted install is done again.
+  // Written last, so that an interrupted installation is repeated.
   writeFileSync(STAMP, wanted);
 }

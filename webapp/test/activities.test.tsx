@@ -16,7 +16,7 @@ function zip(name = 'ir-sensor.zip') {
 }
 
 describe('the activities', () => {
-  test('are listed with their component and their test models', async () => {
+  test('are listed with their components and test models', async () => {
     server.activities.push(activity('a1'));
     openPortal(server, '/activities');
     const table = await screen.findByRole('table', { name: 'Activities' });
@@ -26,7 +26,7 @@ describe('the activities', () => {
     expect(row).toHaveTextContent('GetInfraredData');
   });
 
-  test('are fetched a page at a time, and the address says which', async () => {
+  test('are fetched page by page, with the page in the address', async () => {
     for (let n = 1; n <= 45; n++) server.activities.push(activity(`a${n}`, { name: `no-${n}` }));
     const { user, history } = openPortal(server, '/activities');
     await user.click(await screen.findByRole('button', { name: 'Page 3' }));
@@ -35,29 +35,29 @@ describe('the activities', () => {
     expect(history.location.search).toBe('?page=3');
   });
 
-  test('take a zip by button, byte for byte', async () => {
+  test('are created from a selected zip file', async () => {
     const { user } = openPortal(server, '/activities');
-    await user.upload(await screen.findByLabelText('Zip of an activity'), zip());
+    await user.upload(await screen.findByLabelText('Zip file of an activity'), zip());
     expect(await screen.findByRole('table', { name: 'Activities' })).toHaveTextContent('uploaded');
     expect(server.uploads.map((body) => body.toString())).toEqual(['PK\u0003\u0004']);
   });
 
-  test('take a zip by drag and drop', async () => {
+  test('are created from a dropped zip file', async () => {
     openPortal(server, '/activities');
     const zone = await screen.findByRole('group', { name: 'Upload an activity' });
     fireEvent.drop(zone, { dataTransfer: { files: [zip()] } });
     expect(await screen.findByRole('table', { name: 'Activities' })).toHaveTextContent('uploaded');
   });
 
-  test('refuse several zips dropped at once', async () => {
+  test('refuse several dropped zip files', async () => {
     openPortal(server, '/activities');
     const zone = await screen.findByRole('group', { name: 'Upload an activity' });
     fireEvent.drop(zone, { dataTransfer: { files: [zip('a.zip'), zip('b.zip')] } });
-    expect(await screen.findByText(/One zip at a time/)).toBeVisible();
+    expect(await screen.findByText(/one zip file at a time/)).toBeVisible();
     expect(server.uploads).toEqual([]);
   });
 
-  test('show what is wrong with a zip as file, line and message', async () => {
+  test('show the problems of a zip file', async () => {
     server.refusal = [
       {
         severity: 'ERROR',
@@ -75,7 +75,7 @@ describe('the activities', () => {
       },
     ];
     const { user } = openPortal(server, '/activities');
-    await user.upload(await screen.findByLabelText('Zip of an activity'), zip());
+    await user.upload(await screen.findByLabelText('Zip file of an activity'), zip());
     const list = await screen.findByRole('list', { name: 'Diagnostics' });
     expect(
       within(list)
@@ -85,7 +85,7 @@ describe('the activities', () => {
       'GetInfraredData.xml:12: equiv_class: min 7 is greater than max 1',
       'activity.yaml: warning: the world has no parameters',
     ]);
-    expect(screen.getByRole('alert', { name: 'ir-sensor.zip was not taken' })).toHaveTextContent(
+    expect(screen.getByRole('alert', { name: 'ir-sensor.zip was not uploaded' })).toHaveTextContent(
       'The input cannot be used',
     );
   });

@@ -1,7 +1,7 @@
-import { screen, waitFor } from '@testing-library/react';
-import { describe, expect, test } from 'vitest';
+import { screen, waitFor, within } from '@testing-library/react';
+import { describe, expect, test, vi } from 'vitest';
 import { eachWithServer } from './support/eachWithServer';
-import type { FakeServer } from './support/FakeServer';
+import { LOG_PART, type FakeServer } from './support/FakeServer';
 import { openPortal } from './support/openPortal';
 import { activity, build, doneBuild, resultCases } from './support/samples';
 
@@ -12,7 +12,73 @@ eachWithServer((started) => {
 });
 
 describe('a build', () => {
-  test('is started from an activity, followed live, and ends in the table of its result', async () => {
+  test('is built again with the same options', async () => {
+    const cases = resultCases(['PASS']);
+    server.cases.set('b1', cases);
+    const options = { priority: 7, shards: 3, retries: 1, toolchain: '17', labels: ['bench'] };
+    server.builds.push({ ...doneBuild('b1', cases), ...options, recordedCases: 'FAILED' });
+    const { user, history } = openPortal(server, '/builds/b1');
+    await user.click(await screen.findByRole('button', { name: 'Build again' }));
+    await screen.findByText('Queued');
+    expect(server.buildRequests).toEqual([{ suiteId: 's1', recordings: 'FAILED', ...options }]);
+    expect(history.location.pathname).toBe('/builds/b2');
+  });
+
+  test('is scheduled for later with its options', async () => {
+    server.activities.push(activity('a1'));
+    const { user } = openPortal(server, '/activities/a1');
+    await user.click(await screen.findByRole('button', { name: 'Build options' }));
+    const priority = await screen.findByLabelText('Priority');
+    await user.clear(priority);
+    await user.type(priority, '7');
+    await user.type(await screen.findByRole('combobox', { name: 'Agent labels' }), 'bench{Enter}');
+    await user.keyboard('{Escape}');
+    await user.click(screen.getByRole('button', { name: 'Build later' }));
+    await user.click(await screen.findByRole('button', { name: 'Create schedule' }));
+    await waitFor(() => {
+      expect(server.scheduleRequests).toMatchObject([
+        { activityId: 'a1', model: 'GetInfraredData', priority: 7, labels: ['bench'] },
+      ]);
+    });
+  });
+
+  test('is scheduled for later with its test cases', async () => {
+    server.activities.push(activity('a1'));
+    const { user } = openPortal(server, '/activities/a1');
+    await user.selectOptions(await screen.findByLabelText('Invalid values'), 'combine');
+    await user.click(screen.getByRole('button', { name: 'Build later' }));
+    await user.click(await screen.findByRole('button', { name: 'Create schedule' }));
+    await waitFor(() => {
+      expect(server.scheduleRequests).toMatchObject([{ suiteId: 's1' }]);
+    });
+    expect(server.suiteOptions).toEqual([{ invalidValues: 'combine' }]);
+  });
+
+  test('has a log that is downloaded completely', async () => {
+    server.builds.push(build('b1', { state: 'FAILED' }));
+    const log = 'ä line of the log\n'.repeat(LOG_PART / 4);
+    server.logs.set('b1', log);
+    const saved: Blob[] = [];
+    vi.stubGlobal(
+      'URL',
+      class extends URL {
+        static override createObjectURL = (blob: Blob) => {
+          saved.push(blob);
+          return '#log';
+        };
+        static override revokeObjectURL = () => undefined;
+      },
+    );
+    const { user } = openPortal(server, '/builds/b1');
+    await user.click(await screen.findByRole('button', { name: 'Download' }));
+    await waitFor(() => {
+      expect(saved).toHaveLength(1);
+    });
+    expect(await textOf(saved[0])).toBe(log);
+    vi.unstubAllGlobals();
+  });
+
+  test('is started from an activity, shown live, and ends with the table of its result', async () => {
     server.activities.push(activity('a1'));
     const { user, history } = openPortal(server, '/activities');
 
@@ -42,7 +108,7 @@ describe('a build', () => {
     });
   });
 
-  test('is generated with the choice of invalid values', async () => {
+  test('is generated with the selected treatment of invalid values', async () => {
     server.activities.push(activity('a1'));
     const { user } = openPortal(server, '/activities/a1');
     await user.selectOptions(await screen.findByLabelText('Invalid values'), 'combine');
@@ -51,24 +117,24 @@ describe('a build', () => {
     expect(server.suiteOptions).toEqual([{ invalidValues: 'combine' }]);
   });
 
-  test('is recorded as was asked for, and as the server has it where nobody asked', async () => {
+  test('sends the option for recordings', async () => {
     server.activities.push(activity('a1'));
     const { user } = openPortal(server, '/activities/a1');
-    await user.click(await screen.findByRole('button', { name: 'Agent, priority, recordings' }));
-    const recordings = await screen.findByLabelText('Recordings to see in 3D');
-    expect(recordings).toHaveDisplayValue('by default: all of up to 100 cases, none of more');
-    expect(recordings).toHaveAccessibleDescription(/some milliseconds/);
-    await user.selectOptions(recordings, 'cases that fail or end in an error');
+    await user.click(await screen.findByRole('button', { name: 'Build options' }));
+    const recordings = await screen.findByLabelText('3D recordings');
+    expect(recordings).toHaveDisplayValue('Default: all cases if there are at most 100');
+    expect(recordings).toHaveAccessibleDescription(/milliseconds/);
+    await user.selectOptions(recordings, 'failed cases and errors');
     await user.keyboard('{Escape}');
     expect(
-      await screen.findByRole('button', { name: 'With failing cases recorded' }),
+      await screen.findByRole('button', { name: 'Options: failing cases recorded' }),
     ).toBeVisible();
     await user.click(screen.getByRole('button', { name: 'Build now' }));
     await screen.findByText('Queued');
     expect(server.buildRequests).toEqual([{ suiteId: 's1', recordings: 'FAILED' }]);
   });
 
-  test('that does not compile shows the file and the line, and not a failed test', async () => {
+  test('that does not compile shows the file and the line', async () => {
     server.builds.push(
       build('b1', {
         state: 'FAILED',
@@ -95,7 +161,7 @@ describe('a build', () => {
     expect(screen.queryByText('Cases failed')).toBeNull();
   });
 
-  test('whose results cannot be trusted has not passed, and says why', async () => {
+  test('with suspicions has not passed, and shows the reasons', async () => {
     const cases = resultCases(['PASS', 'PASS']);
     server.cases.set('b1', cases);
     const suspicions = ['a line without number and token (3 times)'];
@@ -108,7 +174,7 @@ describe('a build', () => {
     expect(screen.queryByText('All passed')).toBeNull();
   });
 
-  test('whose results cannot be trusted is marked in the list, and its activity as failing', async () => {
+  test('with suspicions is marked in the list', async () => {
     const cases = resultCases(['PASS']);
     server.builds.push({ ...doneBuild('b1', cases), suspicions: ['a torn line'] });
     openPortal(server);
@@ -116,27 +182,47 @@ describe('a build', () => {
     expect(screen.queryByText('All passed')).toBeNull();
   });
 
-  test('is cancelled on demand', async () => {
+  test('can be cancelled', async () => {
     server.builds.push(build('b1', { state: 'RUNNING' }));
     const { user } = openPortal(server, '/builds/b1');
     await user.click(await screen.findByRole('button', { name: 'Cancel' }));
     expect(await screen.findByText('Cancelled')).toBeVisible();
   });
 
-  test('that does not exist is said to be no page', async () => {
+  test('that does not exist is reported', async () => {
     openPortal(server, '/builds/none');
-    expect(await screen.findByRole('heading', { name: 'No such page' })).toBeVisible();
+    expect(await screen.findByRole('heading', { name: 'Page not found' })).toBeVisible();
   });
 });
 
-test('a build that waits says why', async () => {
+test('a waiting build shows the reason', async () => {
   server.builds.push(build('b1', { waitingFor: 'no agent offers java' }));
   openPortal(server, '/builds/b1');
   expect(await screen.findByText('no agent offers java')).toBeVisible();
 });
 
-test('without an agent the portal says that builds wait', async () => {
+test('without an agent the portal reports that builds wait', async () => {
   server.agents = [];
   openPortal(server);
   expect(await screen.findByText('No agent online: builds wait')).toBeVisible();
 });
+
+test('without builds the home page leads to the activities', async () => {
+  openPortal(server);
+  const builds = await screen.findByText(/No builds yet\. Open an/);
+  expect(within(builds).getByRole('link', { name: 'activity' })).toHaveAttribute(
+    'href',
+    '/activities',
+  );
+});
+
+async function textOf(blob: Blob | undefined): Promise<string> {
+  // jsdom has no Blob.text().
+  const reader = new FileReader();
+  const loaded = new Promise((resolve) => {
+    reader.addEventListener('load', resolve);
+  });
+  reader.readAsText(blob ?? new Blob());
+  await loaded;
+  return typeof reader.result === 'string' ? reader.result : '';
+}

@@ -12,7 +12,7 @@ eachWithServer((started) => {
 });
 
 describe('a lost connection', () => {
-  test('is shown, keeps what was on the page, and heals by itself', async () => {
+  test('is reported, keeps the page, and is restored automatically', async () => {
     server.activities.push(activity('a1'));
     openPortal(server, '/activities');
     await screen.findByRole('link', { name: 'ir-sensor' });
@@ -21,13 +21,13 @@ describe('a lost connection', () => {
     expect(await screen.findByText(/No connection to the server/)).toBeVisible();
     expect(screen.getByRole('link', { name: 'ir-sensor' })).toBeVisible();
 
-    server.activities.push(activity('a2', { name: 'created-meanwhile' }));
+    server.activities.push(activity('a2', { name: 'created-later' }));
     await server.start();
-    expect(await screen.findByRole('link', { name: 'created-meanwhile' })).toBeVisible();
+    expect(await screen.findByRole('link', { name: 'created-later' })).toBeVisible();
     expect(screen.queryByText(/No connection to the server/)).toBeNull();
   });
 
-  test('is healed on a page that had not loaded', async () => {
+  test('is restored on a page that was not loaded', async () => {
     await server.stop();
     server.builds.push(build('b1', { state: 'RUNNING' }));
     openPortal(server, '/builds/b1');

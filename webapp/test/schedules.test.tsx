@@ -11,7 +11,7 @@ eachWithServer((started) => {
 });
 
 describe('a new schedule', () => {
-  test('shows its next ten times in words while it is written', async () => {
+  test('shows its next ten times', async () => {
     const { user } = openPortal(server, '/schedules/new?suite=s1');
     const list = await screen.findByRole('list', { name: 'Next times' });
     expect(within(list).getAllByRole('listitem')).toHaveLength(10);
@@ -19,16 +19,16 @@ describe('a new schedule', () => {
     const cron = screen.getByLabelText(/^Cron expression/);
     await user.clear(cron);
     await user.type(cron, 'soon');
-    expect(await screen.findByRole('alert', { name: 'No such times' })).toHaveTextContent(
-      'is no cron expression',
+    expect(await screen.findByRole('alert', { name: 'Invalid time' })).toHaveTextContent(
+      'is not a cron expression',
     );
   });
-  test('says of which cases its builds are recorded', async () => {
+  test('sends the option for recordings', async () => {
     const { user } = openPortal(server, '/schedules/new?suite=s1');
-    await user.click(await screen.findByRole('button', { name: 'Agent, priority, recordings' }));
-    await user.selectOptions(await screen.findByLabelText('Recordings to see in 3D'), 'none');
+    await user.click(await screen.findByRole('button', { name: 'Build options' }));
+    await user.selectOptions(await screen.findByLabelText('3D recordings'), 'none');
     await user.keyboard('{Escape}');
-    await user.click(screen.getByRole('button', { name: 'Schedule' }));
+    await user.click(screen.getByRole('button', { name: 'Create schedule' }));
     await waitFor(() => {
       expect(server.scheduleRequests).toMatchObject([{ suiteId: 's1', recordings: 'NONE' }]);
     });

@@ -3,7 +3,7 @@ import { expect, test } from 'vitest';
 import { formatAge, formatDuration, formatTime, plural } from '@/shared/lib/format';
 import { visible } from '@/shared/lib/visible';
 
-test('no control character and no mark of direction stays in visible text, whatever goes in', () => {
+test('visible text has no control characters and no direction marks', () => {
   const all = Array.from({ length: 0x3000 }, (_, code) => String.fromCharCode(code)).join('');
   const hidden = /[\p{Cc}\p{Bidi_Control}]/gu;
   expect(all.match(hidden)?.length).toBeGreaterThan(70);
@@ -11,19 +11,19 @@ test('no control character and no mark of direction stays in visible text, whate
 });
 
 test.each(['plain', 'Größe', '거리', '𝄞 and 🤖', 'two\nlines\tand a tab', ''])(
-  'what can be seen stays as it is: %j',
+  'visible characters are not changed: %j',
   (text) => {
     expect(visible(text)).toBe(text);
   },
 );
 
-test('times have three decimals, and a dash stands for what was not measured', () => {
+test('times have three decimals, and missing times are a dash', () => {
   expect(formatTime(4.605137)).toBe('4.605');
   expect(formatTime(1234.5)).toBe('1,234.500');
   expect([undefined, null, Number.NaN].map(formatTime)).toEqual(['–', '–', '–']);
 });
 
-test('ages grow from just now over minutes and days to a date', () => {
+test('ages are given in minutes, days or as a date', () => {
   const now = new Date('2026-03-10T12:00:00Z');
   expect(formatAge('2026-03-10T11:59:30Z', now)).toBe('just now');
   expect(formatAge('2026-03-10T11:55:00Z', now)).toBe('5 minutes ago');
@@ -31,14 +31,14 @@ test('ages grow from just now over minutes and days to a date', () => {
   expect(formatAge('2026-02-01T12:00:00Z', now)).toContain('2026');
 });
 
-test('durations are in seconds, from a minute on in minutes and seconds', () => {
+test('durations are given in seconds, or in minutes and seconds', () => {
   const start = '2026-03-10T12:00:00Z';
   expect(formatDuration(start, '2026-03-10T12:00:04.250Z')).toBe('4.3 s');
   expect(formatDuration(start, '2026-03-10T12:02:05Z')).toBe('2 min 5 s');
   expect(formatDuration('2026-03-10T12:00:01Z', start)).toBe('0.0 s');
 });
 
-test('one is singular', () => {
+test('a count of one has a singular noun', () => {
   expect([0, 1, 55].map((count) => plural(count, 'case'))).toEqual([
     '0 cases',
     '1 case',

@@ -5,7 +5,7 @@ import classes from './Shell.module.css';
 
 const PROBE_MS = 2_000;
 
-/** Says that the server does not answer, and asks until it does. */
+/** Shown while the server does not respond. */
 export function ConnectionBanner() {
   const lost = useConnectionState() === 'lost';
   useProbe(lost);
@@ -14,8 +14,8 @@ export function ConnectionBanner() {
       {lost && (
         <div className={classes.lost}>
           <Container size="xl">
-            <strong>No connection to the server.</strong> What you see may be out of date; the
-            portal keeps trying.
+            <strong>No connection to the server.</strong> This page may be out of date. The portal
+            tries to reconnect.
           </Container>
         </div>
       )}
@@ -23,7 +23,7 @@ export function ConnectionBanner() {
   );
 }
 
-/** Any request tells the connection how it went; while nothing else asks, this one does. */
+/** Sends requests while the connection is lost, so that the portal notices when it is back. */
 function useProbe(active: boolean) {
   const api = useApi();
   useEffect(() => {

@@ -5,19 +5,19 @@ import { ProblemAlert, RouteLink } from '@/shared/ui';
 export function NotFound() {
   return (
     <Stack gap="sm">
-      <title>No such page · SITAF</title>
-      <Title order={1}>No such page</Title>
+      <title>Page not found · SITAF</title>
+      <Title order={1}>Page not found</Title>
       <Text>
-        The address is wrong, or the page is gone.{' '}
+        The address is wrong, or the page was deleted.{' '}
         <RouteLink to="/" underline="always">
-          To the activities
+          Home
         </RouteLink>
       </Text>
     </Stack>
   );
 }
 
-/** A page that broke; the rest of the portal stands. */
+/** Replaces a page that failed to render. */
 export function PageError({ error }: ErrorComponentProps) {
   return (
     <ProblemAlert

@@ -14,7 +14,7 @@ interface PageTabsProps<T extends string> {
   onTab: (tab: T) => void;
 }
 
-/** The parts of a page; each has an address, and only the one in sight is made. */
+/** The tabs of a page. Each tab has an address; only the selected tab is rendered. */
 export function PageTabs<T extends string>({ label, tabs, value, onTab }: PageTabsProps<T>) {
   return (
     <Tabs

@@ -13,11 +13,11 @@ interface PortalProps {
   history?: RouterHistory;
 }
 
-/** The whole portal on one server. */
+/** The portal for one server. */
 export function Portal({ server, history }: PortalProps) {
   const [router] = useState(() => createPortalRouter(history));
   const [queries] = useState(createQueryClient);
-  useEffect(() => refreshWhenHealed(server, queries), [server, queries]);
+  useEffect(() => refreshWhenReconnected(server, queries), [server, queries]);
   return (
     <MantineProvider theme={theme} defaultColorScheme="auto">
       <ServerContext value={server}>
@@ -33,15 +33,15 @@ function createQueryClient(): QueryClient {
   const queries = new QueryClient({
     queryCache: new QueryCache({
       onError: (error) => {
-        // The session has ended: the frame shows the way in.
+        // The session has ended: the shell redirects to the sign-in page.
         if (error instanceof ApiError && error.status === 401) {
           void queries.invalidateQueries({ queryKey: ['session'] });
         }
       },
     }),
     defaultOptions: {
-      // A refusal stays one, and a lost connection heals for all queries at once (below).
-      // The browser's own idea of being online says nothing of a server on this machine.
+      // No retries: a refusal is final, and all queries are repeated after a reconnect (below).
+      // The online state of the browser says nothing about a server on this machine.
       queries: { retry: false, networkMode: 'always' },
       mutations: { retry: false, networkMode: 'always' },
     },
@@ -49,8 +49,8 @@ function createQueryClient(): QueryClient {
   return queries;
 }
 
-/** What was shown while the connection was lost may be old: everything is asked for again. */
-function refreshWhenHealed({ connection }: Server, queries: QueryClient): () => void {
+/** Data may be outdated after a lost connection, so all queries are repeated. */
+function refreshWhenReconnected({ connection }: Server, queries: QueryClient): () => void {
   return connection.subscribe(() => {
     if (connection.state() === 'up') void queries.invalidateQueries();
   });

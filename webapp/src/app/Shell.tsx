@@ -15,8 +15,8 @@ import { Loading, RouteLink, UserText } from '@/shared/ui';
 import { ConnectionBanner } from './ConnectionBanner';
 import classes from './Shell.module.css';
 
-const PLACES = [
-  // A suite belongs to an activity.
+const NAVIGATION = [
+  // The page of a suite belongs to its activity.
   { to: '/activities', label: 'Activities', also: '/suites/' },
   { to: '/builds', label: 'Builds' },
   { to: '/schedules', label: 'Schedules' },
@@ -24,18 +24,18 @@ const PLACES = [
   { to: '/settings', label: 'Settings' },
 ] as const;
 
-/** The frame around every page; who is not signed in sees the page to do so first. */
+/** The header of every page. Redirects to the sign-in page if signedOut is signed in. */
 export function Shell() {
   const session = useSession();
   const navigate = useNavigate();
   const { pathname, href } = useLocation();
-  const outside = pathname === '/sign-in';
-  const nobody = session.data === null;
+  const onSignInPage = pathname === '/sign-in';
+  const signedOut = session.data === null;
   useEffect(() => {
-    if (nobody && !outside) {
+    if (signedOut && !onSignInPage) {
       void navigate({ to: '/sign-in', search: href === '/' ? {} : { to: href }, replace: true });
     }
-  }, [nobody, outside, href, navigate]);
+  }, [signedOut, onSignInPage, href, navigate]);
   return (
     <>
       <a className={classes.skip} href="#content">
@@ -48,14 +48,14 @@ export function Shell() {
               <img src="/favicon.svg" alt="" width={24} height={24} />
               SITAF
             </RouteLink>
-            <nav aria-label="Main" className={classes.places} hidden={nobody}>
-              {PLACES.map(({ to, label, ...place }) => (
+            <nav aria-label="Main" className={classes.navigation} hidden={signedOut}>
+              {NAVIGATION.map(({ to, label, ...item }) => (
                 <Link
                   key={to}
                   to={to}
-                  className={classes.place}
-                  {...('also' in place &&
-                    pathname.startsWith(place.also) && { 'aria-current': 'page' as const })}
+                  className={classes.navigationItem}
+                  {...('also' in item &&
+                    pathname.startsWith(item.also) && { 'aria-current': 'page' as const })}
                   activeProps={{ 'aria-current': 'page' }}
                 >
                   {label}
@@ -73,7 +73,7 @@ export function Shell() {
       <ConnectionBanner />
       <Container component="main" size="xl" py="lg" id="content" tabIndex={-1}>
         <Suspense fallback={<Loading what="the page" />}>
-          {(session.data !== null || outside) && <Outlet />}
+          {(session.data !== null || onSignInPage) && <Outlet />}
         </Suspense>
       </Container>
     </>
@@ -104,7 +104,7 @@ function Account({ name }: { name: string }) {
 function SchemeSwitch() {
   const { setColorScheme } = useMantineColorScheme();
   const dark = useComputedColorScheme('light') === 'dark';
-  const label = dark ? 'Use light colours' : 'Use dark colours';
+  const label = dark ? 'Switch to light mode' : 'Switch to dark mode';
   return (
     <ActionIcon
       variant="default"

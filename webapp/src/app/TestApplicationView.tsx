@@ -12,7 +12,7 @@ interface TestApplicationViewProps {
   onPath: (path: string) => void;
 }
 
-/** The generated sources; the concrete test driver is the user's, who may write it anew. */
+/** The generated sources. The user can replace the concrete test driver. */
 export function TestApplicationView({ suite, path, onPath }: TestApplicationViewProps) {
   const activity = useActivity(suite.activityId);
   const harness = useHarness(suite.id, activity.data?.version ?? 0);
@@ -21,7 +21,7 @@ export function TestApplicationView({ suite, path, onPath }: TestApplicationView
     return (
       <ProblemAlert
         title="The test application could not be generated"
-        error={harness.error ?? activity.error ?? new Error('no answer')}
+        error={harness.error ?? activity.error ?? new Error('The server did not answer.')}
       />
     );
   }
@@ -43,7 +43,7 @@ export function TestApplicationView({ suite, path, onPath }: TestApplicationView
           >
             <UserText>{file.path.slice(file.path.lastIndexOf('/') + 1)}</UserText>
             <Text size="xs" c="dimmed">
-              {file.generated != null ? 'yours' : file.editable ? 'yours to edit' : 'generated'}
+              {file.generated != null ? 'modified' : file.editable ? 'editable' : 'generated'}
             </Text>
           </button>
         ))}
@@ -75,10 +75,10 @@ function Driver({ activity, file, keptPath }: DriverProps) {
   const [view, setView] = useState('edit');
   const text = edited ?? file.content;
   const generated = file.generated ?? file.content;
-  const own = file.generated != null;
+  const modified = file.generated != null;
   const changed = edited !== undefined && edited !== file.content;
 
-  function store(content: string | undefined) {
+  function saveFile(content: string | undefined) {
     save.mutate(
       {
         changes: [{ path: keptPath, ...(content !== undefined && { content }) }],
@@ -102,35 +102,35 @@ function Driver({ activity, file, keptPath }: DriverProps) {
           onChange={setView}
           data={[
             { value: 'edit', label: 'Edit' },
-            { value: 'difference', label: 'Difference to the generated' },
+            { value: 'difference', label: 'Compare with generated' },
           ]}
         />
         <Group gap="xs">
           <Button
             size="xs"
             variant="default"
-            disabled={!own}
+            disabled={!modified}
             loading={save.isPending}
             onClick={() => {
-              store(undefined);
+              saveFile(undefined);
             }}
           >
-            Use the generated again
+            Restore generated version
           </Button>
           <Button
             size="xs"
             disabled={!changed}
             loading={save.isPending}
             onClick={() => {
-              store(edited);
+              saveFile(edited);
             }}
           >
-            Save as mine
+            Save
           </Button>
         </Group>
       </Group>
       <Text size="sm" c="dimmed">
-        Kept in the activity as <UserText>{keptPath}</UserText>; no generation overwrites it.
+        Saved in the activity as <UserText>{keptPath}</UserText>. It is never overwritten.
       </Text>
       {save.isError && (
         <ProblemAlert title="The driver was not saved" error={save.error} onClose={save.reset} />

@@ -143,7 +143,7 @@ const schedule = createRoute({
   component: lazyRouteComponent(() => import('./pages/SchedulePage'), 'SchedulePage'),
 });
 
-/** Every page has an address of its own; the server answers unknown paths with the portal. */
+/** Every page has an address. The server answers unknown paths with the portal. */
 export function createPortalRouter(history?: RouterHistory) {
   return createRouter({
     routeTree: root.addChildren([

@@ -1,7 +1,9 @@
+import type { RequestedOptions } from '@/features/builds';
 import type { Verdict } from '@/shared/api';
+import { RECORDINGS } from '@/shared/lib/recordings';
 import { VERDICTS } from '@/shared/lib/verdicts';
 
-/** What the addresses of the pages say after the `?`: pages count from 1 there, absent means the first. */
+/** The query parameters of the pages. Page numbers start at 1; the first page has none. */
 export interface ListSearch {
   page?: number;
 }
@@ -35,8 +37,8 @@ export interface BuildSearch {
   file?: string;
 }
 
-/** What is to be built at a time to come: a suite as it is, or a model of an activity. */
-export interface NewScheduleSearch {
+/** What a new schedule builds, a suite or a model of an activity, and the options of its builds. */
+export interface NewScheduleSearch extends RequestedOptions {
   suite?: string;
   activity?: string;
   model?: string;
@@ -47,12 +49,14 @@ export interface CompareSearch {
 }
 
 export interface SignInSearch {
-  /** Where to go then. */
+  /** The page to open after signing in. */
   to?: string;
   link?: string;
 }
 
 type Raw = Record<string, unknown>;
+
+const RECORDED_CASES = RECORDINGS.flatMap(({ value }) => (value === '' ? [] : [value]));
 
 export function listSearch(raw: Raw): ListSearch {
   return numberIn(raw, 'page', 2);
@@ -82,7 +86,17 @@ export function buildSearch(raw: Raw): BuildSearch {
 }
 
 export function newScheduleSearch(raw: Raw): NewScheduleSearch {
-  return { ...textIn(raw, 'suite'), ...textIn(raw, 'activity'), ...textIn(raw, 'model') };
+  return {
+    ...textIn(raw, 'suite'),
+    ...textIn(raw, 'activity'),
+    ...textIn(raw, 'model'),
+    ...numberIn(raw, 'priority', -100),
+    ...numberIn(raw, 'shards', 2),
+    ...numberIn(raw, 'retries', 0),
+    ...textIn(raw, 'toolchain'),
+    ...textsIn(raw, 'labels'),
+    ...choiceIn(raw, 'recordings', RECORDED_CASES),
+  };
 }
 
 export function compareSearch(raw: Raw): CompareSearch {
@@ -93,17 +107,17 @@ export function signInSearch(raw: Raw): SignInSearch {
   return { ...textIn(raw, 'to'), ...textIn(raw, 'link') };
 }
 
-/** The page from 0, as the server counts. */
+/** The page number of the server, from 0. */
 export function toIndex(page: number | undefined): number {
   return (page ?? 1) - 1;
 }
 
-/** The page for an address, from 0; the first is left out, so that a page has one address. */
+/** The page number of an address; undefined for the first page, so that a page has one address. */
 export function fromIndex(index: number): number | undefined {
   return index > 0 ? index + 1 : undefined;
 }
 
-/** What is absent leaves no trace in the address. */
+/** Removes absent and empty parameters. */
 export function withoutAbsent<T extends object>(search: {
   [K in keyof T]: T[K] | undefined;
 }): T {
@@ -112,9 +126,9 @@ export function withoutAbsent<T extends object>(search: {
   ) as T;
 }
 
-/** Addresses are written by people too: what is no such number is left out. */
+/** People edit addresses: an invalid number is ignored. */
 function numberIn<K extends string>(raw: Raw, key: K, least: number): Partial<Record<K, number>> {
-  const number = Number(raw[key]);
+  const number = raw[key] === undefined ? NaN : Number(raw[key]);
   const valid = Number.isSafeInteger(number) && number >= least && number < 10_000_000;
   return (valid ? { [key]: number } : {}) as Partial<Record<K, number>>;
 }
@@ -129,9 +143,14 @@ function choiceIn<K extends string, V extends string>(
 }
 
 function textIn<K extends string>(raw: Raw, key: K): Partial<Record<K, string>> {
-  // A number in an address is read as a number; the value that it stands for is its text.
+  // The router parses numbers, but the value of a test parameter is a text.
   const value = typeof raw[key] === 'number' ? String(raw[key]) : raw[key];
   return (typeof value === 'string' && value !== '' ? { [key]: value } : {}) as Partial<
     Record<K, string>
   >;
+}
+
+function textsIn<K extends string>(raw: Raw, key: K): Partial<Record<K, string[]>> {
+  const values = Array.isArray(raw[key]) ? raw[key].map(String) : [];
+  return (values.length > 0 ? { [key]: values } : {}) as Partial<Record<K, string[]>>;
 }

@@ -13,7 +13,7 @@ const petrol: MantineColorsTuple = [
   '#00525c',
 ];
 
-/** The shades of the two schemes are chosen for a contrast of 4.5 to 1 or more (WCAG AA). */
+/** The shades have a contrast of at least 4.5:1 in both colour schemes (WCAG AA). */
 export const theme = createTheme({
   colors: { petrol },
   primaryColor: 'petrol',

@@ -2,14 +2,19 @@ import { createServer, type IncomingMessage, type Server, type ServerResponse } 
 import type { AddressInfo } from 'node:net';
 import type {
   Activity,
+  ActivityDescription,
   Agent,
   Build,
   BuildRequest,
   Diagnostic,
+  ModelPreview,
   ResultCase,
   SuiteCase,
 } from '@/shared/api';
 import { AGENT, activity, build, result, suite } from './samples';
+
+/** Size of a part of a log in bytes. */
+export const LOG_PART = 1_000;
 
 type Handler = (context: {
   request: IncomingMessage;
@@ -22,8 +27,9 @@ interface Answer {
   status: number;
   json?: unknown;
   text?: string;
-  /** Instead of JSON. */
+  /** A binary body. */
   bytes?: Uint8Array;
+  headers?: Record<string, string>;
   problem?: boolean;
 }
 
@@ -32,17 +38,20 @@ interface ExpectedChange {
   literal?: string;
 }
 
-/** The fixed parts of paths; all others are identifiers. */
+/** The fixed segments of paths; all other segments are identifiers. */
 const NOUNS = [
   'activities',
+  'activity-checks',
   'agents',
   'builds',
   'cancel',
   'calendars',
   'cases',
   'coverage',
+  'description',
   'expected',
   'log',
+  'model-previews',
   'models',
   'preview',
   'recordings',
@@ -52,28 +61,41 @@ const NOUNS = [
   'suites',
 ];
 
-/** The server's REST interface with lists in memory, on a free port of loopback. */
+/** The REST interface of the server with data in memory, on a free port of the loopback interface. */
 export class FakeServer {
   readonly activities: Activity[] = [];
   readonly builds: Build[] = [];
   readonly cases = new Map<string, ResultCase[]>();
-  /** Cases that have ended of builds that have no result yet. */
+  /** Finished cases of builds that have no result yet. */
   readonly liveCases = new Map<string, ResultCase[]>();
-  /** What cases printed, by build and number, such as `b1 7`. */
+  /** The logs of builds. Like the server, it sends them in parts of at most `LOG_PART` bytes. */
+  readonly logs = new Map<string, string>();
+  /** The output of cases by build and number, such as `b1 7`. */
   readonly caseLogs = new Map<string, string>();
   /** Binary glTF by build and case: `b1 7`. */
   readonly recordings = new Map<string, Uint8Array>();
   agents: Agent[] = [AGENT];
   readonly buildRequests: BuildRequest[] = [];
   readonly scheduleRequests: unknown[] = [];
-  /** What the next upload is refused for; none: taken. */
+  /** The problems of the next upload; it is accepted if there are none. */
   refusal: Diagnostic[] = [];
   /** `METHOD /path?query` of every request, in order. */
   readonly requests: string[] = [];
   readonly suiteOptions: unknown[] = [];
+  /** Documents of test models by name. */
+  readonly models = new Map<string, string>();
+  /** Documents for which a preview was requested. */
+  readonly previews: string[] = [];
+  /** What a preview answers. */
+  preview: ModelPreview = { inputs: [], diagnostics: [] };
+  description: ActivityDescription = { provided: [], required: [], warnings: [] };
+  /** Zip files whose problems were requested. */
+  readonly checks: Buffer[] = [];
+  /** The answer to these requests. */
+  problems: Diagnostic[] = [];
   suiteCases: SuiteCase[] = [];
   suiteVersion = 1;
-  /** Changes of expected values that were stored, each with the version it was meant for. */
+  /** Stored changes of expected values with the version of the request. */
   readonly suiteEdits: { ifMatch: string | undefined; changes: ExpectedChange[] }[] = [];
   readonly uploads: Buffer[] = [];
 
@@ -103,7 +125,7 @@ export class FakeServer {
     await new Promise((resolve) => http.close(resolve));
   }
 
-  /** A build moves on: whoever waits for it is told. */
+  /** Changes a build and answers the long polls. */
   advance(id: string, changes: Partial<Build>): void {
     const index = this.builds.findIndex((item) => item.id === id);
     const old = this.builds[index];
@@ -128,7 +150,7 @@ export class FakeServer {
     const path = url.pathname.split('/').slice(3).map(decodeURIComponent);
     const chunks: Buffer[] = [];
     for await (const chunk of request) chunks.push(chunk as Buffer);
-    const { status, json, text, bytes, problem } = await this.route(
+    const { status, json, text, bytes, problem, headers } = await this.route(
       request.method ?? 'GET',
       path,
     )({
@@ -144,10 +166,12 @@ export class FakeServer {
           : problem
             ? 'application/problem+json'
             : 'application/json',
-      // jsdom's page has another origin than this server.
+      // The page of jsdom has a different origin.
       'Access-Control-Allow-Origin': '*',
       'Access-Control-Allow-Methods': '*',
       'Access-Control-Allow-Headers': '*',
+      'Access-Control-Expose-Headers': 'ETag, Sitaf-Log-End',
+      ...headers,
     });
     response.end(bytes ?? text ?? JSON.stringify(json));
   }
@@ -166,6 +190,26 @@ export class FakeServer {
       this.suiteOptions.push(JSON.parse(body.toString()));
       return { status: 201, json: suite('s1', path[1] ?? '', path[3] ?? '') };
     },
+    'GET activities * models *': ({ path }) => {
+      const text = this.models.get(path[3] ?? '');
+      const version = this.activities.find(({ id }) => id === path[1])?.version ?? 1;
+      return text === undefined
+        ? notFound()
+        : { status: 200, text, headers: { ETag: `"${version}"` } };
+    },
+    'PUT activities * models *': ({ path, body }) => {
+      this.models.set(path[3] ?? '', body.toString());
+      return found(this.activities.find(({ id }) => id === path[1]));
+    },
+    'GET activities * description': () => ({ status: 200, json: this.description }),
+    'POST activities * model-previews': ({ body }) => {
+      this.previews.push(body.toString());
+      return { status: 200, json: this.preview };
+    },
+    'POST activity-checks': ({ body }) => {
+      this.checks.push(body);
+      return { status: 200, json: { diagnostics: this.problems } };
+    },
     'GET session': () => ({
       status: 200,
       json: { name: 'tester', role: 'TESTER', kind: 'PERSON' },
@@ -183,8 +227,9 @@ export class FakeServer {
     'POST builds': ({ body }) => {
       const request = JSON.parse(body.toString()) as BuildRequest;
       this.buildRequests.push(request);
-      const { suiteId } = request;
-      const created = build(`b${this.builds.length + 1}`, { suiteId });
+      const { recordings = 'ALL', ...options } = request;
+      const id = `b${this.builds.length + 1}`;
+      const created = build(id, { ...options, recordedCases: recordings });
       this.builds.unshift(created);
       return { status: 201, json: created };
     },
@@ -208,6 +253,15 @@ export class FakeServer {
       status: 200,
       json: pageOf(this.liveCases.get(path[1] ?? '') ?? [], query),
     }),
+    'GET builds * log': ({ path, query }) => {
+      const log = Buffer.from(this.logs.get(path[1] ?? '') ?? '');
+      const offset = Number(query.get('offset') ?? 0);
+      return {
+        status: 200,
+        bytes: log.subarray(offset, offset + LOG_PART),
+        headers: { 'Content-Type': 'text/plain', 'Sitaf-Log-End': String(log.length) },
+      };
+    },
     'GET builds * cases * log': ({ path }) => ({
       status: 200,
       text: this.caseLogs.get(`${path[1]} ${path[3]}`) ?? '',
@@ -248,7 +302,7 @@ export class FakeServer {
         : {
             status: 400,
             problem: true,
-            json: { title: 'Malformed', detail: 'is no cron expression', status: 400 },
+            json: { title: 'Malformed', detail: 'is not a cron expression', status: 400 },
           };
     },
     'GET builds * recordings': ({ path, query }) => {
@@ -281,7 +335,7 @@ export class FakeServer {
   private changeExpected(body: Buffer, request: IncomingMessage): Answer {
     const ifMatch = request.headers['if-match'];
     if (ifMatch !== `"${this.suiteVersion}"`) {
-      return { status: 412, problem: true, json: { title: 'Changed meanwhile', status: 412 } };
+      return { status: 412, problem: true, json: { title: 'Version conflict', status: 412 } };
     }
     const { changes } = JSON.parse(body.toString()) as { changes: ExpectedChange[] };
     this.suiteEdits.push({ ifMatch, changes });

@@ -1,7 +1,7 @@
 import { afterEach, beforeEach } from 'vitest';
 import { FakeServer } from './FakeServer';
 
-/** A server of its own for each test of the file. */
+/** A separate server for each test of a file. */
 export function eachWithServer(give: (server: FakeServer) => void) {
   let server: FakeServer;
 

@@ -1,7 +1,7 @@
 const HEADER_BYTES = 12;
 const CHUNK_HEADER_BYTES = 8;
 
-/** A recording of a body that slides a metre in a second, and of a sensor that sees it come; changed before it is written. */
+/** A recording of a body that moves one metre in one second, and of a range sensor. `change` edits the glTF. */
 export function recordingGlb(
   change: (gltf: Record<string, unknown>) => void = () => {},
 ): Uint8Array {

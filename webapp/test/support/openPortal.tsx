@@ -5,7 +5,7 @@ import { Portal } from '@/app/Portal';
 import { createApi, createConnection } from '@/shared/api';
 import type { FakeServer } from './FakeServer';
 
-/** Opens the portal at an address, as a browser would on a deep link. */
+/** Opens the portal at an address. */
 export function openPortal(server: FakeServer, address = '/') {
   const connection = createConnection();
   const history = createMemoryHistory({ initialEntries: [address] });

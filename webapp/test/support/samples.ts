@@ -10,7 +10,7 @@ import type {
   Verdict,
 } from '@/shared/api';
 
-const THEN = '2026-03-01T10:00:00Z';
+const CREATED = '2026-03-01T10:00:00Z';
 
 export const PARAMETERS: ResultParameter[] = [
   { name: 'IndexOfSensor', type: 'TDI', realType: 'int' },
@@ -25,8 +25,8 @@ export function activity(id: string, changes: Partial<Activity> = {}): Activity 
     description: 'Infrared range sensor, the evaluation of the paper',
     language: 'java',
     componentClass: 'org.sitaf.examples.ir.InfraredSensor',
-    created: THEN,
-    updated: THEN,
+    created: CREATED,
+    updated: CREATED,
     version: 1,
     files: [
       { path: 'activity.yaml', size: 412, sha256: 'a'.repeat(64) },
@@ -57,7 +57,7 @@ export function suite(id: string, activityId: string, model: string): Suite {
     total: 55,
     valid: 25,
     invalid: 30,
-    created: THEN,
+    created: CREATED,
     version: 1,
     undoable: 0,
     parameters: PARAMETERS,
@@ -83,25 +83,27 @@ export function build(id: string, changes: Partial<Build> = {}): Build {
     model: 'GetInfraredData',
     state: 'QUEUED',
     attempt: 1,
-    created: THEN,
+    created: CREATED,
     version: 1,
     casesTotal: 55,
     priority: 0,
     requirements: [],
     casesDone: 0,
     recordedCases: 'ALL',
+    labels: [],
+    retries: 2,
     suspicions: [],
     ...changes,
   };
 }
 
-/** A build that has ended, with the verdicts of its cases. */
+/** A finished build with the verdicts of its cases. */
 export function doneBuild(id: string, cases: readonly ResultCase[]): Build {
   const { total, pass, fail, error, dont, unjudged } = result(cases).summary;
   return build(id, {
     state: 'DONE',
     agent: 'bench-1',
-    started: THEN,
+    started: CREATED,
     finished: '2026-03-01T10:00:04.200Z',
     casesTotal: total,
     casesDone: total - dont,
@@ -161,8 +163,8 @@ export function result(cases: readonly ResultCase[]): Result {
       component: 'c'.repeat(64),
       agent: 'bench-1',
       bridge: 'sitaf_bridge',
-      started: THEN,
-      finished: THEN,
+      started: CREATED,
+      finished: CREATED,
     },
     suspicions: [],
   };
@@ -178,5 +180,46 @@ export const AGENT: Agent = {
   simulation: true,
   standing: 'ACTIVE',
   toolchains: [{ language: 'java', version: '17' }],
-  lastSeen: THEN,
+  lastSeen: CREATED,
 };
+
+/** The document of the test model that the suites are generated from. */
+export const MODEL = modelOf([{ name: 'return', type: 'RETURN', expected: 'Distance' }]);
+
+/** A test model with these outputs. */
+export function modelOf(outputs: { name: string; type: string; expected?: string }[]): string {
+  return `<?xml version="1.0" encoding="UTF-8"?>
+<test_model>
+  <name>GetInfraredData</name>
+  <target interface="InfraredSensorService" method="GetInfraredData"/>
+  <input_spec_list>
+    <test_element abstract_type="NUMERIC" real_type="int">
+      <name>IndexOfSensor</name>
+      <type>TDI</type>
+      <test_spec type="BVA" offset="1">
+        <equiv_class type="NEC_NUMERIC_TWO_BOUNDARY" min="1" max="7"/>
+      </test_spec>
+    </test_element>
+    <test_element abstract_type="NUMERIC" real_type="double">
+      <name>Distance</name>
+      <type>TDSD</type>
+      <user_value_list>
+        <value>5.0</value>
+      </user_value_list>
+    </test_element>
+  </input_spec_list>
+  <output_spec_list>
+${outputs.map(outputElement).join('')}  </output_spec_list>
+  <invalid_values>isolate</invalid_values>
+  <order_of_combinations>2</order_of_combinations>
+</test_model>
+`;
+}
+
+function outputElement(output: { name: string; type: string; expected?: string }): string {
+  return `    <test_element abstract_type="NUMERIC" real_type="double">
+      <name>${output.name}</name>
+      <type>${output.type}</type>
+${output.expected === undefined ? '' : `      <expected>${output.expected}</expected>\n`}    </test_element>
+`;
+}

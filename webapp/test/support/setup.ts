@@ -4,10 +4,10 @@ import { afterEach } from 'vitest';
 
 afterEach(cleanup);
 
-// Machines that run many things at once are slow; nothing waits this long when all is well.
+// For slow machines; a passing test does not wait this long.
 configure({ asyncUtilTimeout: 8_000 });
 
-// What browsers have, Mantine asks for, and jsdom lacks.
+// Browser APIs that Mantine needs and jsdom does not have.
 if (typeof window !== 'undefined') {
   window.matchMedia = (query) =>
     Object.assign(new EventTarget(), {
@@ -19,7 +19,7 @@ if (typeof window !== 'undefined') {
     });
   window.scrollTo = () => undefined;
   Element.prototype.scrollTo = () => undefined;
-  // jsdom lays nothing out; lists draw the rows that fit in this height.
+  // jsdom has no layout; virtual lists render the rows that fit into this height.
   Object.defineProperty(Element.prototype, 'clientHeight', { get: () => 600 });
   Object.defineProperty(Element.prototype, 'clientWidth', { get: () => 1000 });
   window.ResizeObserver = class {
@@ -27,6 +27,6 @@ if (typeof window !== 'undefined') {
     unobserve = () => undefined;
     disconnect = () => undefined;
   };
-  // Axe looks for icon fonts on a canvas; without one it does without.
+  // Axe checks icon fonts on a canvas if there is one.
   HTMLCanvasElement.prototype.getContext = () => null;
 }

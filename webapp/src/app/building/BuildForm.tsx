@@ -2,24 +2,26 @@ import { Button, NativeSelect, Group, Stack, Text } from '@mantine/core';
 import { useState, type SyntheticEvent } from 'react';
 import type { Activity, SuiteOptions } from '@/shared/api';
 import { DEFAULT_OPTIONS } from '@/features/builds';
-import { ButtonLink, ProblemAlert } from '@/shared/ui';
-import { HowToBuild } from './HowToBuild';
+import { ProblemAlert } from '@/shared/ui';
+import { BuildOptionsButton } from './BuildOptionsButton';
+import { useBuildLater } from './useBuildLater';
 import { useStartBuild } from './useStartBuild';
 
 const INVALID_VALUES = [
-  { value: '', label: 'as the model says' },
-  { value: 'isolate', label: 'at most one in a case (isolate)' },
-  { value: 'combine', label: 'combined like all others (combine)' },
+  { value: '', label: 'as in the model' },
+  { value: 'isolate', label: 'at most one per case (isolate)' },
+  { value: 'combine', label: 'combined like valid values (combine)' },
 ] as const;
 
-/** Chooses a test model and how its cases are generated, then builds. */
+/** Chooses a test model, the options of its cases and of the build, then builds now or later. */
 export function BuildForm({ activity }: { activity: Activity }) {
   const start = useStartBuild();
+  const later = useBuildLater();
   const [model, setModel] = useState(activity.models[0]?.name);
   const [invalidValues, setInvalidValues] = useState('');
-  const [how, setHow] = useState(DEFAULT_OPTIONS);
+  const [buildOptions, setBuildOptions] = useState(DEFAULT_OPTIONS);
   const chosen = activity.models.find(({ name }) => name === model);
-  if (!chosen) return <Text c="dimmed">The activity has no test model.</Text>;
+  if (!chosen) return <Text c="dimmed">The activity has no test models.</Text>;
 
   function submit(event: SyntheticEvent) {
     event.preventDefault();
@@ -28,7 +30,7 @@ export function BuildForm({ activity }: { activity: Activity }) {
         activityId: activity.id,
         model: chosen.name,
         options: optionsOf(invalidValues),
-        how,
+        buildOptions,
       });
     }
   }
@@ -53,22 +55,36 @@ export function BuildForm({ activity }: { activity: Activity }) {
             }}
             data={[...INVALID_VALUES]}
           />
-          <HowToBuild options={how} onOptions={setHow} />
-          <ButtonLink
+          <BuildOptionsButton options={buildOptions} onOptions={setBuildOptions} />
+          <Button
             variant="default"
-            to="/schedules/new"
-            search={{ activity: activity.id, model: chosen.name }}
+            loading={later.isPending}
+            onClick={() => {
+              later.mutate({
+                activityId: activity.id,
+                model: chosen.name,
+                options: optionsOf(invalidValues),
+                buildOptions,
+              });
+            }}
           >
             Build later
-          </ButtonLink>
+          </Button>
           <Button type="submit" loading={start.isPending}>
             Build now
           </Button>
         </Group>
       </form>
+      {later.isError && (
+        <ProblemAlert
+          title={`No test cases were generated from ${later.variables.model}`}
+          error={later.error}
+          onClose={later.reset}
+        />
+      )}
       {start.isError && (
         <ProblemAlert
-          title={`${start.variables.model} was not built`}
+          title={`The build of ${start.variables.model} was not started`}
           error={start.error}
           onClose={start.reset}
         />

@@ -1,4 +1,5 @@
 export { BuildForm } from './BuildForm';
+export { BuildAgain } from './BuildAgain';
 export { BuildNow } from './BuildNow';
-export { HowToBuild } from './HowToBuild';
+export { BuildOptionsButton } from './BuildOptionsButton';
 export { useStartBuild } from './useStartBuild';

@@ -3,16 +3,16 @@ import { useNavigate } from '@tanstack/react-router';
 import { DEFAULT_OPTIONS, requestOf, useRequestBuild, type BuildOptions } from '@/features/builds';
 import { useGenerateSuite, type SuiteOf } from '@/features/suites';
 
-/** Generates a suite of a test model, asks for a build of it, and goes to that build. */
+/** Generates a suite from a test model, requests a build of it, and opens that build. */
 export function useStartBuild() {
   const suite = useGenerateSuite();
   const build = useRequestBuild();
   const navigate = useNavigate();
   return useMutation({
-    mutationFn: async ({ how, ...of }: SuiteOf & { how?: BuildOptions }) =>
+    mutationFn: async ({ buildOptions, ...of }: SuiteOf & { buildOptions?: BuildOptions }) =>
       build.mutateAsync({
         suiteId: (await suite.mutateAsync(of)).id,
-        ...requestOf(how ?? DEFAULT_OPTIONS),
+        ...requestOf(buildOptions ?? DEFAULT_OPTIONS),
       }),
     onSuccess: ({ id }) => navigate({ to: '/builds/$buildId', params: { buildId: id } }),
   });

@@ -7,7 +7,7 @@ import { ProblemAlert, ButtonLink } from '@/shared/ui';
 
 const route = getRouteApi('/activities');
 
-/** All activities, and the two ways to get a new one. */
+/** All activities, with the two ways to create one. */
 export function ActivitiesPage() {
   const { page } = route.useSearch();
   const navigate = route.useNavigate();
@@ -24,7 +24,7 @@ export function ActivitiesPage() {
       <UploadActivity />
       {start.isError && (
         <ProblemAlert
-          title={`${start.variables.model} was not built`}
+          title={`The build of ${start.variables.model} was not started`}
           error={start.error}
           onClose={start.reset}
         />

@@ -89,7 +89,7 @@ export function ActivityPage() {
         </Text>
       </div>
       <PageTabs
-        label="Parts of the activity"
+        label="Activity"
         tabs={tabs}
         value={shown.tab ?? 'overview'}
         onTab={(tab) => {

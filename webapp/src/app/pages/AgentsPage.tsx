@@ -14,13 +14,13 @@ export function AgentsPage() {
           Agents
         </Title>
         <Text c="dimmed" size="sm">
-          Programs that compile and execute test applications; each runs as many builds at a time as
-          it has slots.
+          Agents compile and execute test applications. The number of slots is the number of builds
+          that an agent runs at the same time.
         </Text>
       </div>
       <AgentTable mayChange={administrator} />
       {administrator && (
-        <Section title="Let an agent in">
+        <Section title="Enroll an agent">
           <Enrolments />
         </Section>
       )}

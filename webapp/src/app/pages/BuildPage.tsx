@@ -1,6 +1,7 @@
 import { Group, Stack, Text, Title } from '@mantine/core';
 import { getRouteApi } from '@tanstack/react-router';
 import type { ReactNode } from 'react';
+import { BuildAgain } from '@/app/building';
 import { NotFound } from '@/app/NotFound';
 import { PageTabs, type PageTab } from '@/app/PageTabs';
 import { withoutAbsent, type BuildSearch, type BuildTab } from '@/app/search';
@@ -41,7 +42,7 @@ export function BuildPage() {
   const caseDetails = ({ no }: ResultCase) => (
     <>
       <RouteLink to="/builds/$buildId/cases/$caseNo" params={{ buildId, caseNo: String(no) }}>
-        See it in 3D
+        3D replay
       </RouteLink>
       <CaseLog buildId={buildId} no={no} />
     </>
@@ -67,7 +68,7 @@ export function BuildPage() {
             caseDetails={caseDetails}
           />
         ) : (
-          <CasesSoFar build={build.data} caseDetails={caseDetails} />
+          <LiveTable build={build.data} caseDetails={caseDetails} />
         ),
     },
     ...(done
@@ -103,7 +104,7 @@ export function BuildPage() {
       content: () => <ResultHistory activityId={activityId} model={model} />,
     },
   ];
-  // Where nothing ran, the log says why.
+  // The log has the reason why a build did not run.
   const wanted = shown.tab ?? (state === 'FAILED' ? 'log' : 'table');
   return (
     <Stack gap="lg">
@@ -122,17 +123,18 @@ export function BuildPage() {
         <Group gap="md">
           {!isFinished(build.data) && (
             <RouteLink to="/builds/$buildId/live" params={{ buildId }} size="sm">
-              Watch it
+              Live view
             </RouteLink>
           )}
           <RouteLink to="/suites/$suiteId" params={{ suiteId }} size="sm">
             Test cases
           </RouteLink>
+          {isFinished(build.data) && <BuildAgain build={build.data} />}
         </Group>
       </Group>
       <BuildOverview build={build.data} />
       <PageTabs
-        label="Parts of the build"
+        label="Build"
         tabs={tabs}
         value={tabs.some(({ value }) => value === wanted) ? wanted : 'log'}
         onTab={(tab) => {
@@ -147,13 +149,13 @@ export function BuildPage() {
   );
 }
 
-interface CasesSoFarProps {
+interface LiveTableProps {
   build: Build;
   caseDetails: (item: ResultCase) => ReactNode;
 }
 
-/** The table grows while the build runs; the suite says what its columns are. */
-function CasesSoFar({ build, caseDetails }: CasesSoFarProps) {
+/** A table that grows while the build runs; its columns come from the suite. */
+function LiveTable({ build, caseDetails }: LiveTableProps) {
   const suite = useSuite(build.suiteId);
   if (suite.isPending) return <Loading what="the suite" />;
   if (!suite.data) return <ProblemAlert title="The suite could not be read" error={suite.error} />;

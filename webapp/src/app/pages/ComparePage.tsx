@@ -8,7 +8,7 @@ import { RouteLink, UserText } from '@/shared/ui';
 
 const route = getRouteApi('/builds/$buildId/compare');
 
-/** Two builds against each other. */
+/** Compares the results of two builds. */
 export function ComparePage() {
   const { buildId } = route.useParams();
   const { with: other } = route.useSearch();
@@ -20,7 +20,7 @@ export function ComparePage() {
         Comparison of two builds
       </Title>
       <Text>
-        <BuildName buildId={buildId} /> against <BuildName buildId={other} />
+        <BuildName buildId={buildId} /> compared with <BuildName buildId={other} />
       </Text>
       <ResultComparison buildId={buildId} other={other} />
     </Stack>

@@ -4,7 +4,7 @@ import { BuildList, FailingActivities } from '@/features/builds';
 import { ScheduleList } from '@/features/schedules';
 import { RouteLink, Section } from '@/shared/ui';
 
-/** How everything stands, at a glance. */
+/** An overview of builds, agents and schedules. */
 export function HomePage() {
   return (
     <Stack gap="xl">

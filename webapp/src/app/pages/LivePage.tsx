@@ -8,7 +8,7 @@ import { Loading, ProblemAlert, RouteLink, UserText } from '@/shared/ui';
 
 const route = getRouteApi('/builds/$buildId/live');
 
-/** A build that runs, case by case. */
+/** Shows the cases of a running build in 3D. */
 export function LivePage() {
   const { buildId } = route.useParams();
   const build = useBuild(buildId);
@@ -31,11 +31,10 @@ export function LivePage() {
           </RouteLink>
         </Text>
         <Title order={1} size="h2">
-          Live
+          Live view
         </Title>
         <Text size="sm" c="dimmed">
-          The newest case that has ended, played from its recording; a case that still runs is not
-          shown.
+          Plays the recording of the case that ended last.
         </Text>
       </div>
       <BuildOverview build={build.data} />

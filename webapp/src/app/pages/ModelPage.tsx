@@ -30,7 +30,7 @@ export function ModelPage() {
     ) : (
       <ProblemAlert
         title="The test model could not be read"
-        error={document.error ?? new Error('no answer')}
+        error={document.error ?? new Error('The server did not answer.')}
       />
     );
   }
@@ -59,7 +59,7 @@ function Editor({ activityId, existing }: EditorProps) {
     ) : (
       <ProblemAlert
         title="The activity could not be read"
-        error={activity.error ?? description.error ?? new Error('no answer')}
+        error={activity.error ?? description.error ?? new Error('The server did not answer.')}
       />
     );
   }
@@ -79,7 +79,7 @@ function Editor({ activityId, existing }: EditorProps) {
       </div>
       {generate.isError && (
         <ProblemAlert
-          title="No cases were generated"
+          title="The test cases were not generated"
           error={generate.error}
           onClose={generate.reset}
         />

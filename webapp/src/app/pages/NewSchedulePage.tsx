@@ -1,21 +1,21 @@
 import { NativeSelect, Stack, Text, Title } from '@mantine/core';
 import { getRouteApi } from '@tanstack/react-router';
 import { useState } from 'react';
-import { HowToBuild } from '@/app/building';
+import { BuildOptionsButton } from '@/app/building';
 import { withoutAbsent, type NewScheduleSearch } from '@/app/search';
 import { useActivityChoice } from '@/features/activities';
-import { DEFAULT_OPTIONS, requestOf } from '@/features/builds';
+import { optionsFrom, requestOf } from '@/features/builds';
 import { ScheduleForm } from '@/features/schedules';
 import { useSuite } from '@/features/suites';
 import { Loading, ProblemAlert, RouteLink, UserText } from '@/shared/ui';
 
 const route = getRouteApi('/schedules/new');
 
-/** A build at a time to come, or again and again. */
+/** Schedules a build, once or repeatedly. */
 export function NewSchedulePage() {
-  const { suite, activity, model } = route.useSearch();
+  const { suite, activity, model, ...requested } = route.useSearch();
   const navigate = route.useNavigate();
-  const [how, setHow] = useState(DEFAULT_OPTIONS);
+  const [options, setOptions] = useState(() => optionsFrom(requested));
   const subject = suite ? { suiteId: suite } : { activityId: activity ?? '', model: model ?? '' };
   return (
     <Stack gap="lg">
@@ -24,9 +24,9 @@ export function NewSchedulePage() {
         New schedule
       </Title>
       <ScheduleForm
-        subject={{ ...subject, ...requestOf(how) }}
+        subject={{ ...subject, ...requestOf(options) }}
         ready={suite !== undefined || (activity !== undefined && model !== undefined)}
-        onMade={({ id }) =>
+        onCreated={({ id }) =>
           void navigate({ to: '/schedules/$scheduleId', params: { scheduleId: id } })
         }
       >
@@ -37,12 +37,15 @@ export function NewSchedulePage() {
             activity={activity}
             model={model}
             onChoice={(choice) =>
-              void navigate({ search: withoutAbsent<NewScheduleSearch>(choice), replace: true })
+              void navigate({
+                search: withoutAbsent<NewScheduleSearch>({ ...requested, ...choice }),
+                replace: true,
+              })
             }
           />
         )}
         <div>
-          <HowToBuild options={how} onOptions={setHow} />
+          <BuildOptionsButton options={options} onOptions={setOptions} />
         </div>
       </ScheduleForm>
     </Stack>
@@ -55,11 +58,11 @@ function SuiteSubject({ suiteId }: { suiteId: string }) {
   if (!suite.data) return <ProblemAlert title="The suite could not be read" error={suite.error} />;
   return (
     <Text size="sm">
-      The test cases{' '}
+      Builds the test cases{' '}
       <RouteLink to="/suites/$suiteId" params={{ suiteId }} underline="always">
         <UserText>{suite.data.name}</UserText>
       </RouteLink>{' '}
-      as they are at the time.
+      as they are at that time.
     </Text>
   );
 }
@@ -85,7 +88,7 @@ function ModelSubject({ activity, model, onChoice }: ModelSubjectProps) {
         required
         value={activity ?? ''}
         data={[
-          { value: '', label: 'choose one' },
+          { value: '', label: 'Select an activity' },
           ...items.map(({ id, name }) => ({ value: id, label: name })),
         ]}
         onChange={({ currentTarget: { value } }) => {
@@ -95,7 +98,7 @@ function ModelSubject({ activity, model, onChoice }: ModelSubjectProps) {
       />
       <NativeSelect
         label="Test model"
-        description="its test cases are generated anew each time"
+        description="Its test cases are generated again for each build"
         required
         disabled={!chosen}
         value={model ?? ''}

@@ -5,17 +5,19 @@ import { useBuild } from '@/features/builds';
 import { CaseReplay, useRecordedCases } from '@/features/replay';
 import { CaseFacts, useResult, useCase } from '@/features/results';
 import { ApiError } from '@/shared/api';
-import { VERDICT_WORDS } from '@/shared/lib/verdicts';
+import { VERDICT_LABELS } from '@/shared/lib/verdicts';
 import { Loading, ProblemAlert, RouteLink, Section, UserText } from '@/shared/ui';
 
 const route = getRouteApi('/builds/$buildId/cases/$caseNo');
 
-/** A case of a build, seen again. */
+/** The 3D replay of a case with its result. */
 export function ReplayPage() {
   const { buildId, caseNo } = route.useParams();
   const navigate = route.useNavigate();
   const build = useBuild(buildId);
   const no = Number(caseNo);
+  const done = build.data?.state === 'DONE';
+  const item = useCase(buildId, done ? no : undefined);
   if (!Number.isSafeInteger(no) || no < 1) return <NotFound />;
   if (build.isPending) return <Loading what="the build" />;
   if (!build.data) {
@@ -25,7 +27,7 @@ export function ReplayPage() {
       <ProblemAlert title="The build could not be read" error={build.error} />
     );
   }
-  const { model, activityName, state } = build.data;
+  const { model, activityName } = build.data;
   return (
     <Stack gap="lg">
       <title>{`Case ${no} · ${model} · SITAF`}</title>
@@ -46,7 +48,8 @@ export function ReplayPage() {
         key={no}
         build={build.data}
         caseNo={no}
-        facts={state === 'DONE' && <CaseOfResult buildId={buildId} no={no} />}
+        verdict={item.data?.verdict}
+        facts={done && <CaseOfResult buildId={buildId} no={no} />}
         onRequested={({ id }) => {
           void navigate({ to: '/builds/$buildId', params: { buildId: id } });
         }}
@@ -63,7 +66,7 @@ function CaseOfResult({ buildId, no }: { buildId: string; no: number }) {
     return error && <ProblemAlert title="The case could not be read" error={error} />;
   }
   return (
-    <Section title={`Result: ${VERDICT_WORDS[item.data.verdict].label}`}>
+    <Section title={`Result: ${VERDICT_LABELS[item.data.verdict].label}`}>
       {item.data.message && (
         <Text role="note">
           <UserText>{item.data.message}</UserText>
@@ -74,26 +77,26 @@ function CaseOfResult({ buildId, no }: { buildId: string; no: number }) {
   );
 }
 
-/** The recorded cases before and after this one. */
+/** Links to the previous and the next recorded case. */
 function Neighbours({ buildId, no }: { buildId: string; no: number }) {
   const recorded = useRecordedCases(buildId);
   const numbers = recorded.data?.items.map(({ caseNo }) => caseNo) ?? [];
-  const before = numbers.filter((other) => other < no).at(-1);
-  const after = numbers.find((other) => other > no);
-  const link = (other: number | undefined, words: string) =>
+  const previous = numbers.filter((other) => other < no).at(-1);
+  const next = numbers.find((other) => other > no);
+  const link = (other: number | undefined, label: string) =>
     other === undefined ? null : (
       <RouteLink
         to="/builds/$buildId/cases/$caseNo"
         params={{ buildId, caseNo: String(other) }}
         size="sm"
       >
-        {words} {other}
+        {label} {other}
       </RouteLink>
     );
   return (
     <Group gap="md" component="nav" aria-label="Recorded cases">
-      {link(before, '← Case')}
-      {link(after, '→ Case')}
+      {link(previous, '← Case')}
+      {link(next, '→ Case')}
     </Group>
   );
 }

@@ -50,7 +50,7 @@ export function SchedulePage() {
               params={{ activityId: data.activityId, model: data.model }}
               size="sm"
             >
-              <UserText>{`Test model ${data.model}, generated anew each time`}</UserText>
+              <UserText>{`Test model ${data.model}, generated for each build`}</UserText>
             </RouteLink>
           )}
         </Group>

@@ -18,7 +18,7 @@ export function SchedulesPage() {
             Schedules
           </Title>
           <Text c="dimmed" size="sm">
-            Builds at times to come, once or again and again.
+            Schedules start builds at set times, once or repeatedly.
           </Text>
         </div>
         <ButtonLink to="/schedules/new">New schedule</ButtonLink>

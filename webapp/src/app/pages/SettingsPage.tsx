@@ -11,7 +11,7 @@ export function SettingsPage() {
       <Title order={1} size="h2">
         Settings
       </Title>
-      <Section title="Tokens for scripts">
+      <Section title="Access tokens">
         <Tokens />
       </Section>
       {session.data?.role === 'ADMINISTRATOR' && (

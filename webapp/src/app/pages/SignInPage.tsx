@@ -12,9 +12,9 @@ export function SignInPage() {
       <SignIn
         expiredLink={link === 'expired'}
         onSignedIn={() => {
-          // Only a place within the portal: an address is anybody's.
-          const place = to?.startsWith('/') && !to.startsWith('//') ? to : '/';
-          void navigate({ href: place, replace: true });
+          // Only a page of the portal: anybody can write a link.
+          const page = to?.startsWith('/') && !to.startsWith('//') ? to : '/';
+          void navigate({ href: page, replace: true });
         }}
       />
     </>

@@ -1,20 +1,21 @@
 import { Button, Group, Stack, Text, Title } from '@mantine/core';
 import { getRouteApi, useNavigate } from '@tanstack/react-router';
 import { useState } from 'react';
-import { HowToBuild } from '@/app/building';
+import { BuildOptionsButton } from '@/app/building';
 import { NotFound } from '@/app/NotFound';
 import { PageTabs, type PageTab } from '@/app/PageTabs';
 import { withoutAbsent, type SuiteSearch, type SuiteTab } from '@/app/search';
 import { TestApplicationView } from '@/app/TestApplicationView';
 import { useActivity } from '@/features/activities';
 import { DEFAULT_OPTIONS, requestOf, useRequestBuild } from '@/features/builds';
+import { readModel, useModelDocument } from '@/features/models';
 import { CaseGrid, CombinationView, SuiteChangesView, useSuite } from '@/features/suites';
 import { ApiError, type Suite } from '@/shared/api';
 import { ButtonLink, Diagnostics, Loading, ProblemAlert, RouteLink, UserText } from '@/shared/ui';
 
 const route = getRouteApi('/suites/$suiteId');
 
-/** The test cases of a model (Fig. 15), and what executes them. */
+/** The test cases of a model (Fig. 15) and the test application that executes them. */
 export function SuitePage() {
   const { suiteId } = route.useParams();
   const shown = route.useSearch();
@@ -30,7 +31,7 @@ export function SuitePage() {
   }
   const { data } = suite;
   const tabs: PageTab<SuiteTab>[] = [
-    { value: 'cases', label: 'Cases', content: () => <CaseGrid suite={data} /> },
+    { value: 'cases', label: 'Cases', content: () => <Cases suite={data} /> },
     {
       value: 'combinations',
       label: 'Combinations',
@@ -55,7 +56,7 @@ export function SuitePage() {
       <Head suite={data} />
       {data.notes.length > 0 && <Diagnostics items={data.notes} />}
       <PageTabs
-        label="Parts of the suite"
+        label="Suite"
         tabs={tabs}
         value={shown.tab ?? 'cases'}
         onTab={(tab) =>
@@ -69,11 +70,27 @@ export function SuitePage() {
   );
 }
 
+/** The grid needs the outputs of the model: a case names only the outputs it has a value for. */
+function Cases({ suite }: { suite: Suite }) {
+  const model = useModelDocument(suite.activityId, suite.model);
+  if (model.isPending) return <Loading what="the test model" />;
+  if (!model.data) {
+    return (
+      <Stack gap="sm">
+        <ProblemAlert title="The test model could not be read" error={model.error} />
+        <CaseGrid suite={suite} outputs={['return']} />
+      </Stack>
+    );
+  }
+  const outputs = readModel(model.data.document).outputs.map(({ name }) => name);
+  return <CaseGrid suite={suite} outputs={outputs} />;
+}
+
 function Head({ suite }: { suite: Suite }) {
   const activity = useActivity(suite.activityId);
   const build = useRequestBuild();
   const navigate = useNavigate();
-  const [how, setHow] = useState(DEFAULT_OPTIONS);
+  const [options, setOptions] = useState(DEFAULT_OPTIONS);
   return (
     <Stack gap="sm">
       <Group justify="space-between" align="start">
@@ -95,15 +112,19 @@ function Head({ suite }: { suite: Suite }) {
           </Title>
         </div>
         <Group gap="sm">
-          <HowToBuild options={how} onOptions={setHow} />
-          <ButtonLink variant="default" to="/schedules/new" search={{ suite: suite.id }}>
+          <BuildOptionsButton options={options} onOptions={setOptions} />
+          <ButtonLink
+            variant="default"
+            to="/schedules/new"
+            search={{ suite: suite.id, ...requestOf(options) }}
+          >
             Build later
           </ButtonLink>
           <Button
             loading={build.isPending}
             onClick={() => {
               build.mutate(
-                { suiteId: suite.id, ...requestOf(how) },
+                { suiteId: suite.id, ...requestOf(options) },
                 {
                   onSuccess: ({ id }) =>
                     void navigate({ to: '/builds/$buildId', params: { buildId: id } }),
@@ -116,7 +137,11 @@ function Head({ suite }: { suite: Suite }) {
         </Group>
       </Group>
       {build.isError && (
-        <ProblemAlert title="It was not built" error={build.error} onClose={build.reset} />
+        <ProblemAlert
+          title="The build was not requested"
+          error={build.error}
+          onClose={build.reset}
+        />
       )}
     </Stack>
   );

@@ -1,11 +1,11 @@
 import { Button, Stack, Table, Text, TextInput } from '@mantine/core';
 import { useState } from 'react';
 import { formatInstant } from '@/shared/lib/format';
-import { Age, IssueForm, Loading, ProblemAlert, ScrollTable, UserText } from '@/shared/ui';
+import { Age, SecretForm, Loading, ProblemAlert, ScrollTable, UserText } from '@/shared/ui';
 import { useAddToken, useRevokeToken, useTokens, type Role } from './queries';
 import { RoleSelect } from './Users';
 
-/** Tokens with which scripts act for their owner. */
+/** Access tokens for scripts, which act for the owner of the token. */
 export function Tokens() {
   const tokens = useTokens();
   const add = useAddToken();
@@ -20,15 +20,15 @@ export function Tokens() {
 
   return (
     <Stack gap="sm">
-      <IssueForm
+      <SecretForm
         issue={add}
-        wish={{ name, role, days: Number(days) }}
-        action="Make"
-        refused="Not made"
+        variables={{ name, role, days: Number(days) }}
+        action="Create token"
+        failed="The token was not created"
         secretOf={({ token, secret }) => ({ title: `Token ${token.name}`, secret })}
       >
         <TextInput
-          label="Name of a new token"
+          label="Token name"
           required
           value={name}
           onChange={(event) => {
@@ -37,22 +37,26 @@ export function Tokens() {
         />
         <RoleSelect label="Role" value={role} onRole={setRole} />
         <TextInput
-          label="Days"
+          label="Valid for (days)"
           type="number"
           min={1}
           required
-          w={90}
+          w={130}
           value={days}
           onChange={(event) => {
             setDays(event.currentTarget.value);
           }}
         />
-      </IssueForm>
+      </SecretForm>
       {revoke.isError && (
-        <ProblemAlert title="Not revoked" error={revoke.error} onClose={revoke.reset} />
+        <ProblemAlert
+          title="The token was not revoked"
+          error={revoke.error}
+          onClose={revoke.reset}
+        />
       )}
       {tokens.data.items.length === 0 ? (
-        <Text c="dimmed">No token yet.</Text>
+        <Text c="dimmed">No tokens yet.</Text>
       ) : (
         <ScrollTable label="Tokens" minWidth={560}>
           <Table.Thead>
@@ -60,7 +64,7 @@ export function Tokens() {
               <Table.Th>Name</Table.Th>
               <Table.Th>Owner</Table.Th>
               <Table.Th>Role</Table.Th>
-              <Table.Th>Ends</Table.Th>
+              <Table.Th>Expires</Table.Th>
               <Table.Th>Last used</Table.Th>
               <Table.Th aria-label="Actions" />
             </Table.Tr>
@@ -76,7 +80,7 @@ export function Tokens() {
                 </Table.Td>
                 <Table.Td>{token.role.toLowerCase()}</Table.Td>
                 <Table.Td>{formatInstant(token.expires)}</Table.Td>
-                <Table.Td>{token.lastUsed ? <Age at={token.lastUsed} /> : 'never'}</Table.Td>
+                <Table.Td>{token.lastUsed ? <Age at={token.lastUsed} /> : 'Never'}</Table.Td>
                 <Table.Td ta="right">
                   <Button
                     size="compact-xs"
@@ -85,7 +89,7 @@ export function Tokens() {
                     onClick={() => {
                       revoke.mutate(token.id, {
                         onSuccess: () => {
-                          // Its secret is of no use any more.
+                          // The secret of a revoked token is useless.
                           if (add.data?.token.id === token.id) add.reset();
                         },
                       });

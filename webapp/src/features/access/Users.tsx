@@ -1,9 +1,9 @@
 import { NativeSelect, Stack, Switch, Table, TextInput } from '@mantine/core';
 import { useState } from 'react';
-import { Age, IssueForm, Loading, ProblemAlert, ScrollTable, UserText } from '@/shared/ui';
+import { Age, SecretForm, Loading, ProblemAlert, ScrollTable, UserText } from '@/shared/ui';
 import { ROLES, useAddUser, useChangeUser, useUsers, type Role } from './queries';
 
-/** Who may sign in, and as what; for administrators. */
+/** User accounts and their roles, for administrators. */
 export function Users() {
   const users = useUsers();
   const add = useAddUser();
@@ -15,15 +15,15 @@ export function Users() {
 
   return (
     <Stack gap="sm">
-      <IssueForm
+      <SecretForm
         issue={add}
-        wish={{ name, role }}
-        action="Add"
-        refused="Not added"
+        variables={{ name, role }}
+        action="Add user"
+        failed="The user was not added"
         secretOf={({ user, password }) => ({ title: `Password of ${user.name}`, secret: password })}
       >
         <TextInput
-          label="Name of a new user"
+          label="User name"
           required
           value={name}
           onChange={(event) => {
@@ -31,17 +31,21 @@ export function Users() {
           }}
         />
         <RoleSelect label="Role" value={role} onRole={setRole} />
-      </IssueForm>
+      </SecretForm>
       {change.isError && (
-        <ProblemAlert title="Not changed" error={change.error} onClose={change.reset} />
+        <ProblemAlert
+          title="The user was not changed"
+          error={change.error}
+          onClose={change.reset}
+        />
       )}
       <ScrollTable label="Users" minWidth={560}>
         <Table.Thead>
           <Table.Tr>
             <Table.Th>Name</Table.Th>
             <Table.Th>Role</Table.Th>
-            <Table.Th>May sign in</Table.Th>
-            <Table.Th>Last signed in</Table.Th>
+            <Table.Th>Enabled</Table.Th>
+            <Table.Th>Last sign-in</Table.Th>
           </Table.Tr>
         </Table.Thead>
         <Table.Tbody>
@@ -52,7 +56,7 @@ export function Users() {
               </Table.Td>
               <Table.Td>
                 <RoleSelect
-                  hidden={`Role of ${user.name}`}
+                  ariaLabel={`Role of ${user.name}`}
                   value={user.role}
                   onRole={(next) => {
                     change.mutate({ id: user.id, role: next });
@@ -61,14 +65,14 @@ export function Users() {
               </Table.Td>
               <Table.Td>
                 <Switch
-                  aria-label={`${user.name} may sign in`}
+                  aria-label={`Enable ${user.name}`}
                   checked={user.enabled}
                   onChange={(event) => {
                     change.mutate({ id: user.id, enabled: event.currentTarget.checked });
                   }}
                 />
               </Table.Td>
-              <Table.Td>{user.lastSignIn ? <Age at={user.lastSignIn} /> : 'never'}</Table.Td>
+              <Table.Td>{user.lastSignIn ? <Age at={user.lastSignIn} /> : 'Never'}</Table.Td>
             </Table.Tr>
           ))}
         </Table.Tbody>
@@ -79,17 +83,17 @@ export function Users() {
 
 interface RoleSelectProps {
   label?: string;
-  /** A label for those who do not see the table around it. */
-  hidden?: string;
+  /** A label for screen readers. */
+  ariaLabel?: string;
   value: Role;
   onRole: (role: Role) => void;
 }
 
-export function RoleSelect({ label, hidden, value, onRole }: RoleSelectProps) {
+export function RoleSelect({ label, ariaLabel, value, onRole }: RoleSelectProps) {
   return (
     <NativeSelect
       {...(label && { label })}
-      {...(hidden && { 'aria-label': hidden })}
+      {...(ariaLabel && { 'aria-label': ariaLabel })}
       value={value}
       data={ROLES.map((role) => ({ value: role, label: role.toLowerCase() }))}
       onChange={(event) => {

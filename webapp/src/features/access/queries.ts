@@ -4,7 +4,7 @@ import { dataOf, useApi } from '@/shared/api';
 export const ROLES = ['VIEWER', 'TESTER', 'ADMINISTRATOR'] as const;
 export type Role = (typeof ROLES)[number];
 
-/** At most so many are listed; an installation with more is administered by scripts. */
+/** Maximum number of listed items. Larger installations are administered by scripts. */
 const LISTED = 200;
 
 export function useUsers() {

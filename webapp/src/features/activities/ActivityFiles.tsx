@@ -15,9 +15,9 @@ interface ActivityFilesProps {
 const TEXT =
   /\.(java|c|cc|cpp|cxx|h|hpp|hxx|idl|proto|py|xml|xsd|ya?ml|txt|md|json|csv|msg|srv|action|urdf|cfg|ini|toml|properties|cmake)$/i;
 
-/** The files of an activity as a tree (Fig. 13(e)), and an editor for the one that is chosen. */
+/** The files of an activity (Fig. 13(e)), and an editor for the selected file. */
 export function ActivityFiles({ activity, path, onPath }: ActivityFilesProps) {
-  const chosen =
+  const selected =
     activity.files.find((file) => file.path === path) ??
     activity.files.find((file) => file.path === 'activity.yaml');
   return (
@@ -28,7 +28,7 @@ export function ActivityFiles({ activity, path, onPath }: ActivityFilesProps) {
             key={file.path}
             type="button"
             className={classes.file}
-            aria-current={file === chosen}
+            aria-current={file === selected}
             onClick={() => {
               onPath(file.path);
             }}
@@ -40,7 +40,7 @@ export function ActivityFiles({ activity, path, onPath }: ActivityFilesProps) {
           </button>
         ))}
       </nav>
-      {chosen && <FileEditor key={chosen.path} activity={activity} file={chosen} />}
+      {selected && <FileEditor key={selected.path} activity={activity} file={selected} />}
     </div>
   );
 }
@@ -51,8 +51,8 @@ interface FileEditorProps {
 }
 
 function FileEditor({ activity, file }: FileEditorProps) {
-  const [began] = useState({ version: activity.version, sha256: file.sha256 });
-  const [base, setBase] = useState(began);
+  const [initial] = useState({ version: activity.version, sha256: file.sha256 });
+  const [base, setBase] = useState(initial);
   const [edited, setEdited] = useState<string>();
   const content = useFileText(activity.id, file.path, base.sha256);
   const save = useChangeFiles(activity.id);
@@ -63,7 +63,7 @@ function FileEditor({ activity, file }: FileEditorProps) {
   if (!TEXT.test(file.path)) {
     return (
       <Text>
-        This file is not text. <a href={address}>Download it</a>
+        This file is not a text file. <a href={address}>Download</a>
       </Text>
     );
   }
@@ -77,7 +77,7 @@ function FileEditor({ activity, file }: FileEditorProps) {
       <Group justify="space-between">
         <Text fw={600}>
           <UserText>{file.path}</UserText>
-          {changed && ' (not saved)'}
+          {changed && ' (unsaved changes)'}
         </Text>
         <Group gap="xs">
           <Button component="a" href={address} size="xs" variant="default">
@@ -120,7 +120,7 @@ function FileEditor({ activity, file }: FileEditorProps) {
       </Group>
       {base.version !== activity.version && !changed && (
         <Text size="sm" c="dimmed">
-          The activity was changed since this was opened.{' '}
+          The activity has changed since you opened this file.{' '}
           <Button
             size="compact-xs"
             variant="default"
@@ -128,7 +128,7 @@ function FileEditor({ activity, file }: FileEditorProps) {
               setBase({ version: activity.version, sha256: file.sha256 });
             }}
           >
-            Show it as it is now
+            Reload
           </Button>
         </Text>
       )}

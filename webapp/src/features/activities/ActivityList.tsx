@@ -7,7 +7,7 @@ import { ACTIVITIES_PER_PAGE, useActivities } from './queries';
 interface ActivityListProps {
   page: number;
   onPage: (page: number) => void;
-  /** What can be done with a test model; the app knows. */
+  /** The actions on a test model, provided by the app. */
   modelAction: (activity: Activity, model: ActivityModel) => ReactNode;
 }
 
@@ -18,7 +18,8 @@ export function ActivityList({ page, onPage, modelAction }: ActivityListProps) {
     return <ProblemAlert title="The activities could not be read" error={activities.error} />;
   }
   const { items, total } = activities.data;
-  if (total === 0) return <Text c="dimmed">No activity yet. Make a new one, or drop a zip.</Text>;
+  if (total === 0)
+    return <Text c="dimmed">No activities yet. Create one, or upload a zip file.</Text>;
   return (
     <Stack gap="xs">
       <ScrollTable label="Activities" minWidth={720}>
@@ -27,7 +28,7 @@ export function ActivityList({ page, onPage, modelAction }: ActivityListProps) {
             <Table.Th miw={200}>Activity</Table.Th>
             <Table.Th>Component</Table.Th>
             <Table.Th>Test models</Table.Th>
-            <Table.Th>Changed</Table.Th>
+            <Table.Th>Last changed</Table.Th>
           </Table.Tr>
         </Table.Thead>
         <Table.Tbody>

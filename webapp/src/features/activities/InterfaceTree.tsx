@@ -8,7 +8,7 @@ type Interface = ActivityDescription['provided'][number];
 type Method = Interface['methods'][number];
 type Type = Method['returnType'];
 
-/** Methods and parameters of the component, provided and required, with their types resolved. */
+/** The provided and required methods of a component with their resolved types. */
 export function InterfaceTree({ activityId }: { activityId: string }) {
   const description = useDescription(activityId);
   if (description.isPending) return <Loading what="the interfaces" />;
@@ -20,16 +20,20 @@ export function InterfaceTree({ activityId }: { activityId: string }) {
     <Stack gap="xl">
       {warnings.length > 0 && <Diagnostics items={warnings} />}
       <Section title="Provided">
-        <Interfaces interfaces={provided} none="The component provides no interface." />
+        <Interfaces interfaces={provided} none="The component provides no interfaces." />
       </Section>
       <Section title="Required">
         <Interfaces
           interfaces={required}
-          none="The component requires no interface: its test needs no stub."
+          none="The component requires no interfaces, so the test needs no stub."
         />
       </Section>
       <Section title="World">
-        {world ? <World world={world} /> : <Text c="dimmed">It needs no simulation.</Text>}
+        {world ? (
+          <World world={world} />
+        ) : (
+          <Text c="dimmed">The activity needs no simulation.</Text>
+        )}
       </Section>
     </Stack>
   );

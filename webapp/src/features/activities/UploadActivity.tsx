@@ -5,12 +5,12 @@ import { ProblemAlert, RouteLink, UserText } from '@/shared/ui';
 import { useUploadActivity } from './queries';
 import classes from './UploadActivity.module.css';
 
-/** Takes the zip of an activity, chosen or dropped, and shows what the server finds wrong with it. */
+/** Uploads the zip file of an activity and shows the problems that the server reports. */
 export function UploadActivity() {
   const upload = useUploadActivity();
   const [over, setOver] = useState(false);
   const [tooMany, setTooMany] = useState(false);
-  useStrayDropGuard();
+  usePreventDropOutside();
 
   function take(files: readonly File[]) {
     const [zip] = files;
@@ -45,9 +45,10 @@ export function UploadActivity() {
       >
         <Group justify="space-between" gap="sm">
           <div>
-            <Text fw={600}>Drop the zip of an activity here</Text>
+            <Text fw={600}>Upload a zip file</Text>
             <Text size="sm" c="dimmed">
-              activity.yaml with its interfaces, test models, component and world
+              Drop it here or choose a file. It contains activity.yaml, interfaces, test models,
+              component and world.
             </Text>
           </div>
           <Group gap="sm">
@@ -55,8 +56,8 @@ export function UploadActivity() {
             <FileButton
               accept=".zip,application/zip"
               disabled={upload.isPending}
-              inputProps={{ 'aria-label': 'Zip of an activity' }}
-              // Reset, so that the same file can be chosen again once it is mended.
+              inputProps={{ 'aria-label': 'Zip file of an activity' }}
+              // Reset, so that the same file can be chosen again after it was fixed.
               key={upload.submittedAt}
               onChange={(zip) => {
                 if (zip) take([zip]);
@@ -64,7 +65,7 @@ export function UploadActivity() {
             >
               {(props) => (
                 <Button {...props} variant="default">
-                  Choose zip…
+                  Choose file…
                 </Button>
               )}
             </FileButton>
@@ -83,14 +84,14 @@ export function UploadActivity() {
             >
               <UserText>{upload.data.name}</UserText>
             </RouteLink>{' '}
-            is here, with {plural(upload.data.models.length, 'test model')}.
+            was uploaded with {plural(upload.data.models.length, 'test model')}.
           </Text>
         )}
-        {tooMany && <Text size="sm">One zip at a time: an activity is one zip.</Text>}
+        {tooMany && <Text size="sm">Upload one zip file at a time.</Text>}
       </div>
       {upload.isError && (
         <ProblemAlert
-          title={`${upload.variables.name} was not taken`}
+          title={`${upload.variables.name} was not uploaded`}
           error={upload.error}
           onClose={upload.reset}
         />
@@ -99,17 +100,17 @@ export function UploadActivity() {
   );
 }
 
-/** A file dropped beside the zone must not replace the portal in the browser's tab. */
-function useStrayDropGuard() {
+/** A file dropped outside the upload zone must not replace the page. */
+function usePreventDropOutside() {
   useEffect(() => {
-    const refuse = (event: Event) => {
+    const prevent = (event: Event) => {
       event.preventDefault();
     };
-    window.addEventListener('dragover', refuse);
-    window.addEventListener('drop', refuse);
+    window.addEventListener('dragover', prevent);
+    window.addEventListener('drop', prevent);
     return () => {
-      window.removeEventListener('dragover', refuse);
-      window.removeEventListener('drop', refuse);
+      window.removeEventListener('dragover', prevent);
+      window.removeEventListener('drop', prevent);
     };
   }, []);
 }

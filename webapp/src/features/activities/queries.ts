@@ -3,7 +3,7 @@ import { dataOf, useApi } from '@/shared/api';
 
 const ACTIVITIES = ['activities'] as const;
 
-/** Activities a page of the list holds. */
+/** Page size of the list. */
 export const ACTIVITIES_PER_PAGE = 20;
 
 /** A page of the activities; pages count from 0. */
@@ -22,7 +22,7 @@ export function useActivities(page: number) {
   });
 }
 
-/** The newest activities, to choose one of. */
+/** The newest activities, for a selection. */
 export function useActivityChoice() {
   const api = useApi();
   return useQuery({
@@ -41,7 +41,7 @@ export function useActivity(id: string) {
   });
 }
 
-/** What can be called, varied and observed in an activity. */
+/** The interfaces and the world of an activity. */
 export function useDescription(id: string) {
   const api = useApi();
   return useQuery({
@@ -51,13 +51,13 @@ export function useDescription(id: string) {
   });
 }
 
-/** The text of a file; `sha256` keeps what was read apart from what it was before. */
+/** The text of a file. `sha256` distinguishes its versions in the cache. */
 export function useFileText(id: string, path: string, sha256: string) {
   const api = useApi();
   return useQuery({
     queryKey: [...ACTIVITIES, 'one', id, 'file', path, sha256],
     queryFn: async ({ signal }) => {
-      // The path has slashes, which the client would encode.
+      // The client would encode the slashes of the path.
       const address = path.split('/').map(encodeURIComponent).join('/');
       const bytes = await dataOf(
         api.GET('/api/v1/activities/{id}/files/{path}', {
@@ -80,7 +80,7 @@ export interface FileChange {
   content?: string;
 }
 
-/** Changes files of an activity onto the version that their author saw. */
+/** Changes files of an activity if it still has the given version. */
 export function useChangeFiles(id: string) {
   const api = useApi();
   const cache = useQueryClient();
@@ -96,7 +96,7 @@ export function useChangeFiles(id: string) {
   });
 }
 
-/** Creates an activity from a zip; the server verifies it before it keeps anything. */
+/** Creates an activity from a zip file, which the server checks first. */
 export function useUploadActivity() {
   const api = useApi();
   const cache = useQueryClient();
@@ -104,7 +104,7 @@ export function useUploadActivity() {
     mutationFn: (zip: File) =>
       dataOf(
         api.POST('/api/v1/activities', {
-          // The document knows a binary body only as a string.
+          // OpenAPI declares a binary body as a string.
           body: zip as unknown as string,
           bodySerializer: () => zip,
           headers: { 'Content-Type': 'application/zip' },

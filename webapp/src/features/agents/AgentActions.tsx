@@ -2,20 +2,20 @@ import { Button, Group, Stack } from '@mantine/core';
 import { useState } from 'react';
 import type { Agent } from '@/shared/api';
 import { ProblemAlert } from '@/shared/ui';
-import { useForgetAgent, useSetStanding } from './queries';
+import { useRemoveAgent, useSetAgentState } from './queries';
 
-/** How an agent stands, for administrators. What takes work away or shuts out is asked for twice. */
+/** Actions of administrators on an agent. *Disable* and *Remove* need a confirmation. */
 export function AgentActions({ agent }: { agent: Agent }) {
-  const stand = useSetStanding();
-  const forget = useForgetAgent();
-  const standing = (to: Agent['standing'], label: string) => (
+  const setState = useSetAgentState();
+  const remove = useRemoveAgent();
+  const stateButton = (to: Agent['standing'], label: string) => (
     <Button
       size="compact-xs"
       variant="default"
       aria-label={`${label} ${agent.name}`}
-      disabled={stand.isPending}
+      disabled={setState.isPending}
       onClick={() => {
-        stand.mutate({ name: agent.name, standing: to });
+        setState.mutate({ name: agent.name, standing: to });
       }}
     >
       {label}
@@ -24,60 +24,68 @@ export function AgentActions({ agent }: { agent: Agent }) {
   return (
     <Stack gap={4}>
       <Group gap="xs" wrap="nowrap" justify="flex-end">
-        {agent.standing !== 'ACTIVE' && standing('ACTIVE', 'Activate')}
-        {agent.standing === 'ACTIVE' && standing('DRAINING', 'Drain')}
+        {agent.standing !== 'ACTIVE' && stateButton('ACTIVE', 'Activate')}
+        {agent.standing === 'ACTIVE' && stateButton('DRAINING', 'Drain')}
         {agent.standing !== 'DISABLED' && (
-          <Twice
+          <ConfirmedButton
             label="Disable"
             name={agent.name}
-            onSure={() => {
-              stand.mutate({ name: agent.name, standing: 'DISABLED' });
+            onConfirm={() => {
+              setState.mutate({ name: agent.name, standing: 'DISABLED' });
             }}
           />
         )}
         {agent.state === 'OFFLINE' && (
-          <Twice
-            label="Forget"
+          <ConfirmedButton
+            label="Remove"
             name={agent.name}
-            onSure={() => {
-              forget.mutate(agent.name);
+            onConfirm={() => {
+              remove.mutate(agent.name);
             }}
           />
         )}
       </Group>
-      {stand.isError && (
-        <ProblemAlert title="It stands as it did" error={stand.error} onClose={stand.reset} />
+      {setState.isError && (
+        <ProblemAlert
+          title="The agent was not changed"
+          error={setState.error}
+          onClose={setState.reset}
+        />
       )}
-      {forget.isError && (
-        <ProblemAlert title="It was not forgotten" error={forget.error} onClose={forget.reset} />
+      {remove.isError && (
+        <ProblemAlert
+          title="The agent was not removed"
+          error={remove.error}
+          onClose={remove.reset}
+        />
       )}
     </Stack>
   );
 }
 
-interface TwiceProps {
+interface ConfirmedButtonProps {
   label: string;
   name: string;
-  onSure: () => void;
+  onConfirm: () => void;
 }
 
-function Twice({ label, name, onSure }: TwiceProps) {
-  const [asked, setAsked] = useState(false);
+function ConfirmedButton({ label, name, onConfirm }: ConfirmedButtonProps) {
+  const [confirming, setConfirming] = useState(false);
   return (
     <Button
       size="compact-xs"
-      variant={asked ? 'filled' : 'default'}
-      {...(asked && { color: 'red.9' })}
-      aria-label={asked ? `Really ${label.toLowerCase()} ${name}` : `${label} ${name}`}
+      variant={confirming ? 'filled' : 'default'}
+      {...(confirming && { color: 'red.9' })}
+      aria-label={confirming ? `Confirm: ${label} ${name}` : `${label} ${name}`}
       onClick={() => {
-        if (asked) onSure();
-        setAsked(!asked);
+        if (confirming) onConfirm();
+        setConfirming(!confirming);
       }}
       onBlur={() => {
-        setAsked(false);
+        setConfirming(false);
       }}
     >
-      {asked ? `Really ${label.toLowerCase()}?` : label}
+      {confirming ? `Confirm: ${label}` : label}
     </Button>
   );
 }

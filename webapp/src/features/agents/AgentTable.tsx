@@ -5,19 +5,19 @@ import { AgentActions } from './AgentActions';
 import { useAgents } from './queries';
 
 interface AgentTableProps {
-  /** Without what only somebody who looks for an agent asks for. */
+  /** Shows the name, the state and the slots only. */
   brief?: boolean;
-  /** Whether who looks may change how agents stand. */
+  /** Shows the actions of administrators. */
   mayChange?: boolean;
 }
 
-const STANDINGS: Record<Agent['standing'], string> = {
+const REMARKS: Record<Agent['standing'], string> = {
   ACTIVE: '',
-  DRAINING: 'draining: takes no new builds',
+  DRAINING: 'draining: accepts no new builds',
   DISABLED: 'disabled',
 };
 
-/** The agents that are or once were connected, and what each is good for. */
+/** All agents that have connected, with their capabilities. */
 export function AgentTable({ brief = false, mayChange = false }: AgentTableProps) {
   const agents = useAgents();
   if (agents.isPending) return <Loading what="agents" />;
@@ -27,7 +27,7 @@ export function AgentTable({ brief = false, mayChange = false }: AgentTableProps
   if (agents.data.length === 0) {
     return (
       <Text c="dimmed">
-        No agent has ever connected: builds wait. “sitaf agent” starts one on any machine.
+        No agents yet. Start one with “./sitaf agent”; until then, builds wait in the queue.
       </Text>
     );
   }
@@ -43,7 +43,7 @@ export function AgentTable({ brief = false, mayChange = false }: AgentTableProps
               <Table.Th>Capabilities</Table.Th>
               <Table.Th>Labels</Table.Th>
               <Table.Th>Version</Table.Th>
-              <Table.Th>Last heard of</Table.Th>
+              <Table.Th>Last seen</Table.Th>
               {mayChange && <Table.Th aria-label="Actions" />}
             </>
           )}
@@ -101,7 +101,7 @@ export function AgentTable({ brief = false, mayChange = false }: AgentTableProps
 
 function State({ agent }: { agent: Agent }) {
   const online = agent.state === 'ONLINE';
-  const remark = agent.refuses ? `takes no builds: ${agent.refuses}` : STANDINGS[agent.standing];
+  const remark = agent.refuses ? `accepts no builds: ${agent.refuses}` : REMARKS[agent.standing];
   return (
     <>
       <span aria-hidden>{online ? '●' : '○'}</span> {online ? 'Online' : 'Offline'}

@@ -2,7 +2,7 @@ import { Text } from '@mantine/core';
 import { plural } from '@/shared/lib/format';
 import { useAgents } from './queries';
 
-/** How many agents would take a build now: with none, builds wait, and the user should know why. */
+/** The number of connected agents. Without any, the user learns why builds wait. */
 export function AgentsStatus() {
   const agents = useAgents();
   if (!agents.data) return null;

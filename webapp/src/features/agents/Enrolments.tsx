@@ -1,10 +1,10 @@
 import { Button, Code, NumberInput, Stack, Table, Text, TextInput } from '@mantine/core';
 import { useState } from 'react';
 import { formatInstant } from '@/shared/lib/format';
-import { IssueForm, Loading, ProblemAlert, ScrollTable, UserText } from '@/shared/ui';
+import { SecretForm, Loading, ProblemAlert, ScrollTable, UserText } from '@/shared/ui';
 import { useDeleteEnrolment, useEnrol, useEnrolments } from './queries';
 
-/** Tokens that let new agents in, for administrators. */
+/** Enrolment tokens for new agents, for administrators. */
 export function Enrolments() {
   const enrolments = useEnrolments();
   const enrol = useEnrol();
@@ -19,23 +19,23 @@ export function Enrolments() {
 
   return (
     <Stack gap="sm">
-      <IssueForm
+      <SecretForm
         issue={enrol}
-        wish={{
+        variables={{
           uses: Number(uses),
           hours: Number(hours),
           ...(agent.trim() !== '' && { agent: agent.trim() }),
         }}
-        action="Make a token"
-        refused="No token was made"
+        action="Create token"
+        failed="The token was not created"
         secretOf={({ secret }) => ({
-          title: 'Token for a new agent',
+          title: 'Enrolment token',
           secret,
-          use: (
+          instructions: (
             <>
               <Text size="sm" mt="sm">
-                On the machine of the agent, with the server’s address for agents in the place of
-                SERVER:9090:
+                Run this on the agent’s machine. Replace SERVER:9090 by the address of the server
+                for agents:
               </Text>
               <Code
                 block
@@ -45,47 +45,51 @@ export function Enrolments() {
         })}
       >
         <TextInput
-          label="Name of the agent"
-          placeholder="any that is new"
+          label="Agent name"
+          placeholder="Any new name"
           value={agent}
           onChange={(event) => {
             setAgent(event.currentTarget.value);
           }}
         />
         <NumberInput
-          label="Agents"
+          label="Number of agents"
           min={1}
           max={10_000}
           required
-          w={100}
+          w={150}
           value={uses}
           onChange={(value) => {
             setUses(String(value));
           }}
         />
         <NumberInput
-          label="Hours"
+          label="Valid for (hours)"
           min={1}
           max={720}
           required
-          w={100}
+          w={150}
           value={hours}
           onChange={(value) => {
             setHours(String(value));
           }}
         />
-      </IssueForm>
+      </SecretForm>
       {remove.isError && (
-        <ProblemAlert title="It was not deleted" error={remove.error} onClose={remove.reset} />
+        <ProblemAlert
+          title="The token was not deleted"
+          error={remove.error}
+          onClose={remove.reset}
+        />
       )}
       {enrolments.data.items.length > 0 && (
         <ScrollTable label="Enrolments" minWidth={560}>
           <Table.Thead>
             <Table.Tr>
-              <Table.Th>For</Table.Th>
-              <Table.Th ta="right">Agents left</Table.Th>
-              <Table.Th>Ends</Table.Th>
-              <Table.Th>Made by</Table.Th>
+              <Table.Th>Agent</Table.Th>
+              <Table.Th ta="right">Remaining uses</Table.Th>
+              <Table.Th>Expires</Table.Th>
+              <Table.Th>Created by</Table.Th>
               <Table.Th aria-label="Actions" />
             </Table.Tr>
           </Table.Thead>
@@ -93,7 +97,7 @@ export function Enrolments() {
             {enrolments.data.items.map((item) => (
               <Table.Tr key={item.id}>
                 <Table.Td>
-                  {item.agent ? <UserText>{item.agent}</UserText> : 'any new agent'}
+                  {item.agent ? <UserText>{item.agent}</UserText> : 'Any new agent'}
                 </Table.Td>
                 <Table.Td ta="right">{item.usesLeft}</Table.Td>
                 <Table.Td>{formatInstant(item.expires)}</Table.Td>
@@ -104,7 +108,7 @@ export function Enrolments() {
                   <Button
                     size="compact-xs"
                     variant="default"
-                    aria-label={`Delete the token for ${item.agent ?? 'any new agent'} made ${formatInstant(item.created)}`}
+                    aria-label={`Delete the token for ${item.agent ?? 'any new agent'} created ${formatInstant(item.created)}`}
                     onClick={() => {
                       remove.mutate(item.id);
                     }}

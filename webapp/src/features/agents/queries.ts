@@ -5,7 +5,7 @@ const REFRESH_MS = 5_000;
 const AGENTS = ['agents'] as const;
 const ENROLMENTS = ['enrolments'] as const;
 
-/** At most so many are listed; an installation with more is administered by scripts. */
+/** Maximum number of listed items. Larger installations are administered by scripts. */
 const LISTED = 200;
 
 export function useAgents() {
@@ -17,14 +17,14 @@ export function useAgents() {
   });
 }
 
-/** Labels that any agent has, each once. */
+/** The labels of all agents, without duplicates. */
 export function useAgentLabels(): string[] {
   const agents = useAgents();
   return [...new Set((agents.data ?? []).flatMap(({ labels }) => labels))].sort();
 }
 
-/** Has an agent take builds, drain, or be disabled. */
-export function useSetStanding() {
+/** Activates, drains or disables an agent. */
+export function useSetAgentState() {
   const api = useApi();
   const cache = useQueryClient();
   return useMutation({
@@ -39,7 +39,7 @@ export function useSetStanding() {
   });
 }
 
-export function useForgetAgent() {
+export function useRemoveAgent() {
   const api = useApi();
   const cache = useQueryClient();
   return useMutation({

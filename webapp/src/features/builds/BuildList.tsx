@@ -3,17 +3,17 @@ import type { Build } from '@/shared/api';
 import { formatDuration } from '@/shared/lib/format';
 import { useNow } from '@/shared/lib/useNow';
 import { Age, Loading, Pager, ProblemAlert, RouteLink, ScrollTable, UserText } from '@/shared/ui';
-import { BuildStanding } from './BuildStanding';
+import { BuildStatus } from './BuildStatus';
 import classes from './builds.module.css';
 import { BUILDS_PER_PAGE, useBuilds } from './queries';
 import { isFinished, progressOf } from './state';
 
 interface BuildListProps {
   page: number;
-  /** Left out: only this page is shown. */
+  /** Without it, there is no pager. */
   onPage?: (page: number) => void;
   size?: number;
-  /** Left out: the builds of all activities. */
+  /** Without it, the builds of all activities are listed. */
   activityId?: string;
 }
 
@@ -24,7 +24,16 @@ export function BuildList({ page, onPage, size = BUILDS_PER_PAGE, activityId }: 
     return <ProblemAlert title="The builds could not be read" error={builds.error} />;
   }
   const { items, total } = builds.data;
-  if (total === 0) return <Text c="dimmed">No build yet. “Build now” starts one.</Text>;
+  if (total === 0)
+    return (
+      <Text c="dimmed">
+        No builds yet. Open an{' '}
+        <RouteLink to="/activities" underline="always">
+          activity
+        </RouteLink>{' '}
+        to start one.
+      </Text>
+    );
   return (
     <Stack gap="xs">
       <ScrollTable label="Builds" minWidth={720}>
@@ -34,7 +43,7 @@ export function BuildList({ page, onPage, size = BUILDS_PER_PAGE, activityId }: 
             <Table.Th>State</Table.Th>
             <Table.Th>Cases</Table.Th>
             <Table.Th>Requested</Table.Th>
-            <Table.Th>Took</Table.Th>
+            <Table.Th>Duration</Table.Th>
             <Table.Th>Agent</Table.Th>
           </Table.Tr>
         </Table.Thead>
@@ -60,7 +69,7 @@ function BuildRow({ build }: { build: Build }) {
         </RouteLink>
       </Table.Td>
       <Table.Td>
-        <BuildStanding build={build} />
+        <BuildStatus build={build} />
         {build.waitingFor && (
           <Text size="xs" c="dimmed">
             <UserText>{build.waitingFor}</UserText>
@@ -73,8 +82,8 @@ function BuildRow({ build }: { build: Build }) {
       <Table.Td>
         <Age at={build.created} />
       </Table.Td>
-      <Table.Td className={classes.took}>
-        <Took build={build} />
+      <Table.Td className={classes.duration}>
+        <Duration build={build} />
       </Table.Td>
       <Table.Td>{build.agent ? <UserText>{build.agent}</UserText> : '–'}</Table.Td>
     </Table.Tr>
@@ -87,7 +96,7 @@ function Cases({ build }: { build: Build }) {
     const parts = [
       `${summary.pass} of ${summary.total} passed`,
       summary.fail > 0 && `${summary.fail} failed`,
-      summary.error > 0 && `${summary.error} in error`,
+      summary.error > 0 && `${summary.error} with errors`,
       summary.dont > 0 && `${summary.dont} not executed`,
     ];
     return <>{parts.filter(Boolean).join(', ')}</>;
@@ -103,7 +112,7 @@ function Cases({ build }: { build: Build }) {
   );
 }
 
-function Took({ build: { started, finished } }: { build: Build }) {
+function Duration({ build: { started, finished } }: { build: Build }) {
   const now = useNow(1_000);
   if (!started) return <>–</>;
   return <>{formatDuration(started, finished ?? now.toISOString())}</>;

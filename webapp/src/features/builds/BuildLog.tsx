@@ -1,15 +1,17 @@
 import { Button, Group, Stack, Switch, Text } from '@mantine/core';
+import { useMutation } from '@tanstack/react-query';
 import { useEffect, useRef, useState } from 'react';
 import { useApi } from '@/shared/api';
 import { visible } from '@/shared/lib/visible';
 import { ProblemAlert } from '@/shared/ui';
 import classes from './builds.module.css';
+import { readLog, wholeLog } from './wholeLog';
 
 const POLL_MS = 1_000;
-/** What the page keeps: the end of a log; all of it can be downloaded. */
+/** The page shows the end of a log, at most this many characters; the download is complete. */
 const MAX_SHOWN = 400_000;
 
-/** The log of a build, followed while it grows. Whatever stands in it is text. */
+/** The log of a build, followed while it grows, shown as plain text. */
 export function BuildLog({ buildId, live }: { buildId: string; live: boolean }) {
   const { text, cut, error } = useLog(buildId, live);
   const [follow, setFollow] = useState(true);
@@ -21,34 +23,65 @@ export function BuildLog({ buildId, live }: { buildId: string; live: boolean }) 
     <Stack gap="xs">
       <Group justify="space-between">
         <Switch
-          label="Follow the end"
+          label="Follow the log"
           checked={follow}
           onChange={(event) => {
             setFollow(event.currentTarget.checked);
           }}
         />
-        <Button
-          component="a"
-          size="xs"
-          variant="default"
-          href={`/api/v1/builds/${encodeURIComponent(buildId)}/log`}
-          download={`build-${buildId}.log`}
-        >
-          Download
-        </Button>
+        <DownloadButton buildId={buildId} />
       </Group>
       {error && <ProblemAlert title="The log could not be read" error={error} />}
       {cut && (
         <Text size="sm" c="dimmed">
-          Only the end is shown.
+          Only the end of the log is shown.
         </Text>
       )}
-      {/* A log is long: the keyboard must reach it to scroll. */}
+      {/* Focusable, so that it can be scrolled by keyboard. */}
       <pre ref={place} className={classes.log} tabIndex={0} role="log" aria-label="Log">
         {text === '' ? 'The log is empty.' : visible(text)}
       </pre>
     </Stack>
   );
+}
+
+function DownloadButton({ buildId }: { buildId: string }) {
+  const api = useApi();
+  const download = useMutation({
+    mutationFn: () => wholeLog(api, buildId),
+    onSuccess: (log) => {
+      saveAs(log, `build-${buildId}.log`);
+    },
+  });
+  return (
+    <>
+      <Button
+        size="xs"
+        variant="default"
+        loading={download.isPending}
+        onClick={() => {
+          download.mutate();
+        }}
+      >
+        Download
+      </Button>
+      {download.isError && (
+        <ProblemAlert
+          title="The log could not be downloaded"
+          error={download.error}
+          onClose={download.reset}
+        />
+      )}
+    </>
+  );
+}
+
+function saveAs(content: Blob, name: string) {
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(content);
+  link.download = name;
+  link.click();
+  URL.revokeObjectURL(link.href);
 }
 
 interface Log {
@@ -57,7 +90,7 @@ interface Log {
   error: Error | null;
 }
 
-/** Reads on from where it stopped, until the build has ended and the log with it. */
+/** Reads the log from the last offset on, until the build has ended and the log is complete. */
 function useLog(buildId: string, live: boolean): Log {
   const api = useApi();
   const [log, setLog] = useState<Log>({ text: '', cut: false, error: null });
@@ -69,16 +102,9 @@ function useLog(buildId: string, live: boolean): Log {
     const read = async () => {
       let more = live;
       try {
-        const { data, response } = await api.GET('/api/v1/builds/{id}/log', {
-          params: { path: { id: buildId }, query: { offset: offset.current } },
-          parseAs: 'arrayBuffer',
-          signal: gone.signal,
-        });
+        const { bytes, end } = await readLog(api, buildId, offset.current, gone.signal);
         if (gone.signal.aborted) return;
-        if (!response.ok || !data) throw new Error(`The server answered ${response.status}.`);
-        const bytes = data;
         offset.current += bytes.byteLength;
-        const end = Number(response.headers.get('Sitaf-Log-End') ?? offset.current);
         const added = partial.current.decode(bytes, { stream: true });
         setLog((old) => append(old, added));
         more = live || (bytes.byteLength > 0 && offset.current < end);

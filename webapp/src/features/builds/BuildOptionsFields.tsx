@@ -5,11 +5,11 @@ import type { BuildOptions } from './options';
 interface BuildOptionsFieldsProps {
   options: BuildOptions;
   onOptions: (options: BuildOptions) => void;
-  /** Labels that agents have, to choose from. */
+  /** Labels of the known agents, offered for completion. */
   knownLabels: readonly string[];
 }
 
-/** What the agent must be, how much the build matters, and what is recorded of it. */
+/** The fields for the agent, the priority and the recordings of a build. */
 export function BuildOptionsFields({ options, onOptions, knownLabels }: BuildOptionsFieldsProps) {
   const number = (key: 'priority' | 'shards' | 'retries') => ({
     value: options[key],
@@ -22,14 +22,14 @@ export function BuildOptionsFields({ options, onOptions, knownLabels }: BuildOpt
       <SimpleGrid cols={{ base: 1, xs: 3 }}>
         <NumberInput
           label="Priority"
-          description="higher goes first"
+          description="higher runs first"
           min={-100}
           max={100}
           {...number('priority')}
         />
         <NumberInput
           label="Shards"
-          description="so many agents"
+          description="number of agents"
           min={1}
           max={100}
           {...number('shards')}
@@ -37,14 +37,14 @@ export function BuildOptionsFields({ options, onOptions, knownLabels }: BuildOpt
         <NumberInput
           label="Retries"
           description="if an agent fails"
-          placeholder="as ever"
+          placeholder="default"
           min={0}
           max={99}
           {...number('retries')}
         />
       </SimpleGrid>
       <TextInput
-        label="Release of the toolchain"
+        label="Toolchain version"
         description="such as 17 or 3.11; empty for any"
         value={options.toolchain}
         onChange={({ currentTarget: { value } }) => {
@@ -52,8 +52,8 @@ export function BuildOptionsFields({ options, onOptions, knownLabels }: BuildOpt
         }}
       />
       <TagsInput
-        label="Labels that the agent must have"
-        description="Enter adds one"
+        label="Agent labels"
+        description="The agent must have all of them; Enter adds a label"
         data={[...knownLabels]}
         value={options.labels}
         onChange={(labels) => {
@@ -62,12 +62,12 @@ export function BuildOptionsFields({ options, onOptions, knownLabels }: BuildOpt
         clearButtonProps={{ 'aria-label': 'Remove all labels' }}
       />
       <NativeSelect
-        label="Recordings to see in 3D"
-        description="Each case takes some milliseconds longer, a quick one many times as long, whether its recording is kept or not."
+        label="3D recordings"
+        description="Recording adds a few milliseconds to each case."
         value={options.recordings}
         data={[...RECORDINGS].map(({ value, label }) => ({
           value,
-          label: value === '' ? `by default: ${label}` : label,
+          label: value === '' ? `Default: ${label}` : label,
         }))}
         onChange={({ currentTarget: { value } }) => {
           onOptions({

@@ -3,28 +3,28 @@ import type { Build } from '@/shared/api';
 import { formatDuration, formatInstant } from '@/shared/lib/format';
 import { useNow } from '@/shared/lib/useNow';
 import { Diagnostics, ProblemAlert, UserText } from '@/shared/ui';
-import { BuildStanding } from './BuildStanding';
+import { BuildStatus } from './BuildStatus';
 import { useCancelBuild } from './queries';
 import { isFinished, progressOf } from './state';
 
-/** How a build stands, where and since when; while it runs its progress, when it could not run the reason. */
+/** The status of a build with its times and its agent, its progress, and the reason of a failure. */
 export function BuildOverview({ build }: { build: Build }) {
   return (
     <Stack gap="sm">
       <Group gap="lg">
         <span role="status">
-          <BuildStanding build={build} />
+          <BuildStatus build={build} />
         </span>
         <Facts build={build} />
       </Group>
       {build.waitingFor && (
         <Text>
-          It waits: <UserText>{build.waitingFor}</UserText>
+          Waiting: <UserText>{build.waitingFor}</UserText>
         </Text>
       )}
       {!isFinished(build) && (build.requirements.length > 0 || build.priority !== 0) && (
         <Text size="sm" c="dimmed">
-          Needs an agent with <UserText>{build.requirements.join(', ')}</UserText>
+          Requires an agent with <UserText>{build.requirements.join(', ')}</UserText>
           {build.priority !== 0 && `; priority ${build.priority}`}
         </Text>
       )}
@@ -56,7 +56,7 @@ function Facts({ build }: { build: Build }) {
     <Text size="sm" c="dimmed">
       Requested {formatInstant(build.created)}
       {build.started &&
-        `, ${build.finished ? 'took' : 'running for'} ${formatDuration(build.started, build.finished ?? now.toISOString())}`}
+        `, ${build.finished ? 'duration' : 'running for'} ${formatDuration(build.started, build.finished ?? now.toISOString())}`}
       {build.agent && (
         <>
           {', on agent '}

@@ -4,7 +4,7 @@ import { Loading, ProblemAlert } from '@/shared/ui';
 import classes from './builds.module.css';
 import { useCaseLog } from './queries';
 
-/** What the component printed in one case; whatever it is, it is shown as text. */
+/** The output of the component in one case, shown as plain text. */
 export function CaseLog({ buildId, no }: { buildId: string; no: number }) {
   const log = useCaseLog(buildId, no);
   return (
@@ -18,7 +18,7 @@ export function CaseLog({ buildId, no }: { buildId: string; no: number }) {
         <ProblemAlert title="The log could not be read" error={log.error} />
       ) : log.data === '' ? (
         <Text size="sm" c="dimmed">
-          It printed nothing.
+          No output.
         </Text>
       ) : (
         <pre className={classes.log} tabIndex={0} data-case>

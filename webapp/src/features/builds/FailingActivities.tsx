@@ -1,24 +1,24 @@
 import { List, Text } from '@mantine/core';
 import type { Build } from '@/shared/api';
 import { Age, Loading, ProblemAlert, RouteLink, UserText } from '@/shared/ui';
-import { BuildStanding } from './BuildStanding';
+import { BuildStatus } from './BuildStatus';
 import { useBuilds } from './queries';
 import { isFinished, isSuspect } from './state';
 
-/** How far back the latest build of an activity is looked for. */
+/** The number of recent builds that are searched. */
 const LOOK_BACK = 200;
 
-/** Activities whose latest finished build of a model failed or could not run. */
+/** Test models whose latest finished build failed or could not run. */
 export function FailingActivities() {
   const builds = useBuilds(0, undefined, LOOK_BACK);
   if (builds.isPending) return <Loading what="failing activities" />;
   if (!builds.data) {
     return <ProblemAlert title="The builds could not be read" error={builds.error} />;
   }
-  if (builds.data.total === 0) return <Text c="dimmed">Nothing has been built yet.</Text>;
+  if (builds.data.total === 0) return <Text c="dimmed">No builds yet.</Text>;
   const failing = latestOfEach(builds.data.items).filter(isFailing);
   if (failing.length === 0) {
-    return <Text c="dimmed">None: the latest build of every activity is fine.</Text>;
+    return <Text c="dimmed">None: the latest build of each test model passed.</Text>;
   }
   return (
     <List listStyleType="none" spacing={4}>
@@ -27,7 +27,7 @@ export function FailingActivities() {
           <RouteLink to="/builds/$buildId" params={{ buildId: build.id }} fw={600} size="sm">
             <UserText>{`${build.activityName} / ${build.model}`}</UserText>
           </RouteLink>{' '}
-          <BuildStanding build={build} />{' '}
+          <BuildStatus build={build} />{' '}
           <Text span size="sm" c="dimmed">
             {build.summary &&
               `${build.summary.fail + build.summary.error} of ${build.summary.total} cases, `}

@@ -4,6 +4,13 @@ export { BuildOverview } from './BuildOverview';
 export { CaseLog } from './CaseLog';
 export { BuildOptionsFields } from './BuildOptionsFields';
 export { FailingActivities } from './FailingActivities';
-export { DEFAULT_OPTIONS, inWords, requestOf, type BuildOptions } from './options';
+export {
+  DEFAULT_OPTIONS,
+  describeOptions,
+  optionsFrom,
+  requestOf,
+  type BuildOptions,
+  type RequestedOptions,
+} from './options';
 export { isFinished } from './state';
 export { useBuild, useRequestBuild } from './queries';

@@ -1,14 +1,14 @@
 import type { BuildRequest } from '@/shared/api';
-import type { RecordingsWish } from '@/shared/lib/recordings';
+import type { RecordingsOption } from '@/shared/lib/recordings';
 
-/** How a build is executed, beyond what its files need anyway; as it is typed. */
+/** The options of a build, as typed in the form. */
 export interface BuildOptions {
   priority: string;
   shards: string;
   retries: string;
   toolchain: string;
   labels: string[];
-  recordings: RecordingsWish;
+  recordings: RecordingsOption;
 }
 
 export const DEFAULT_OPTIONS: BuildOptions = {
@@ -20,8 +20,24 @@ export const DEFAULT_OPTIONS: BuildOptions = {
   recordings: '',
 };
 
-/** As the server is asked; what is as ever is left out. */
-export function requestOf(options: BuildOptions): Omit<BuildRequest, 'suiteId'> {
+/** The options of a build as the server takes them. */
+export type RequestedOptions = Omit<BuildRequest, 'suiteId'>;
+
+/** The form's fields for options that were requested before. */
+export function optionsFrom(requested: RequestedOptions): BuildOptions {
+  const { priority = 0, shards = 1, retries, toolchain = '', labels = [], recordings } = requested;
+  return {
+    priority: String(priority),
+    shards: String(shards),
+    retries: retries === undefined ? '' : String(retries),
+    toolchain,
+    labels,
+    recordings: recordings ?? '',
+  };
+}
+
+/** The options to send; defaults are left out. */
+export function requestOf(options: BuildOptions): RequestedOptions {
   const { priority, shards, retries, toolchain, labels, recordings } = options;
   return {
     ...(Number(priority) !== 0 && { priority: Number(priority) }),
@@ -33,14 +49,14 @@ export function requestOf(options: BuildOptions): Omit<BuildRequest, 'suiteId'> 
   };
 }
 
-const RECORDED: Record<Exclude<RecordingsWish, ''>, string> = {
+const RECORDED: Record<Exclude<RecordingsOption, ''>, string> = {
   ALL: 'all cases recorded',
   FAILED: 'failing cases recorded',
   NONE: 'nothing recorded',
 };
 
-/** In a few words; empty where all is as ever. */
-export function inWords(options: BuildOptions): string {
+/** A short text for a button; empty if all options have their default. */
+export function describeOptions(options: BuildOptions): string {
   const { priority, shards, retries, toolchain, labels, recordings } = options;
   return [
     Number(priority) !== 0 && `priority ${priority}`,

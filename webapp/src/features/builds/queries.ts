@@ -4,15 +4,15 @@ import { isFinished } from './state';
 
 const BUILDS = ['builds'] as const;
 
-/** Builds a page of the list holds. */
+/** Page size of the list. */
 export const BUILDS_PER_PAGE = 20;
 
 const LIST_REFRESH_MS = 5_000;
 const LIVE_LIST_REFRESH_MS = 1_000;
-/** How long the server may hold a request for a build that has not changed. */
+/** How long the server may hold a long poll. */
 const LONG_POLL_S = 20;
-/** The least time between two requests for a build, should the server not hold them. */
-const POLL_REST_MS = 300;
+/** Minimum time between two polls, in case the server answers at once. */
+const POLL_INTERVAL_MS = 300;
 
 /** A page of the builds, newest first, of one activity or of all; pages count from 0. */
 export function useBuilds(page: number, activityId?: string, size = BUILDS_PER_PAGE) {
@@ -34,7 +34,7 @@ export function useBuilds(page: number, activityId?: string, size = BUILDS_PER_P
   });
 }
 
-/** One build, followed by long polls until it has ended. */
+/** One build, updated by long polls until it has ended. */
 export function useBuild(id: string) {
   const api = useApi();
   const cache = useQueryClient();
@@ -52,17 +52,17 @@ export function useBuild(id: string) {
       );
     },
     refetchInterval: ({ state }) =>
-      !state.data || state.error || isFinished(state.data) ? false : POLL_REST_MS,
+      !state.data || state.error || isFinished(state.data) ? false : POLL_INTERVAL_MS,
   });
 }
 
-/** What the log of a build holds of one case. */
+/** The part of the log that belongs to one case. */
 export function useCaseLog(buildId: string, no: number) {
   const api = useApi();
   return useQuery({
     queryKey: [...BUILDS, 'one', buildId, 'case-log', no],
     queryFn: async ({ signal }) =>
-      // An empty body is no data to the client.
+      // The client has no data for an empty body.
       (await dataOf(
         api.GET('/api/v1/builds/{id}/cases/{no}/log', {
           params: { path: { id: buildId, no } },
@@ -73,7 +73,7 @@ export function useCaseLog(buildId: string, no: number) {
   });
 }
 
-/** Asks for a build of a suite, now. */
+/** Requests a build of a suite. */
 export function useRequestBuild() {
   const api = useApi();
   const cache = useQueryClient();

@@ -1,20 +1,20 @@
 import type { Build, BuildState } from '@/shared/api';
-import { buildStateInWords } from '@/shared/lib/buildStates';
+import { labelOfState } from '@/shared/lib/buildStates';
 
 const FINISHED: readonly BuildState[] = ['DONE', 'FAILED', 'CANCELLED'];
 
-/** Whether nothing about the build changes any more. */
+/** Whether the build has reached a final state. */
 export function isFinished(build: Build): boolean {
   return FINISHED.includes(build.state);
 }
 
-/** How a build stands, in a word and a tone; the tone never speaks alone. */
-export interface Standing {
+/** The status of a build as text; the tone selects its colour. */
+export interface BuildStatus {
   label: string;
   tone: 'waiting' | 'active' | 'good' | 'bad' | 'neutral';
 }
 
-const TONES: Partial<Record<BuildState, Standing['tone']>> = {
+const TONES: Partial<Record<BuildState, BuildStatus['tone']>> = {
   QUEUED: 'waiting',
   LEASED: 'active',
   PREPARING: 'active',
@@ -24,13 +24,13 @@ const TONES: Partial<Record<BuildState, Standing['tone']>> = {
   FAILED: 'bad',
 };
 
-/** Whether the verdicts cannot be trusted; such a build never counts as passed. */
+/** Whether the verdicts cannot be trusted. Such a build never counts as passed. */
 export function isSuspect({ suspicions }: Build): boolean {
   return suspicions.length > 0;
 }
 
-/** A build that is done says what came of it; one that could not run is not a failed test. */
-export function standingOf(build: Build): Standing {
+/** The status of a finished build is its result. A build that could not run is not a failed test. */
+export function statusOf(build: Build): BuildStatus {
   if (build.state === 'DONE' && build.summary) {
     if (isSuspect(build)) return { label: 'Suspect', tone: 'bad' };
     const { total, pass, fail, error } = build.summary;
@@ -38,7 +38,7 @@ export function standingOf(build: Build): Standing {
     if (fail + error > 0) return { label: 'Cases failed', tone: 'bad' };
     return { label: 'Not all executed', tone: 'waiting' };
   }
-  return { label: buildStateInWords(build.state), tone: TONES[build.state] ?? 'neutral' };
+  return { label: labelOfState(build.state), tone: TONES[build.state] ?? 'neutral' };
 }
 
 /** Executed cases in percent, 0 to 100. */

@@ -1,7 +1,7 @@
 import { Stack, Table, Text } from '@mantine/core';
 import type { ComparedCase, ResultComparison as Comparison } from '@/shared/api';
 import { formatTime, plural } from '@/shared/lib/format';
-import { VERDICT_WORDS } from '@/shared/lib/verdicts';
+import { VERDICT_LABELS } from '@/shared/lib/verdicts';
 import { Loading, ProblemAlert, ScrollTable, Section, UserText } from '@/shared/ui';
 import { useComparison } from './queries';
 
@@ -11,7 +11,7 @@ const CHANGES = [
   { change: 'slower', title: 'Slower' },
 ] as const;
 
-/** What a result has become against an earlier one, by cases of the same values. */
+/** Compares a result with an earlier one, by cases with the same values. */
 export function ResultComparison({ buildId, other }: { buildId: string; other: string }) {
   const comparison = useComparison(buildId, other);
   if (comparison.isPending) return <Loading what="the comparison" />;
@@ -22,9 +22,9 @@ export function ResultComparison({ buildId, other }: { buildId: string; other: s
   return (
     <Stack gap="xl">
       <Text>
-        {plural(data.common, 'case')} in both
-        {data.onlyNow > 0 && `, ${data.onlyNow} only in this`}
-        {data.onlyBefore > 0 && `, ${data.onlyBefore} only in the other`}.
+        {plural(data.common, 'case')} in both results
+        {data.onlyNow > 0 && `, ${data.onlyNow} only in this result`}
+        {data.onlyBefore > 0 && `, ${data.onlyBefore} only in the other result`}.
       </Text>
       {CHANGES.map(({ change, title }) => (
         <Section key={change} title={`${title}: ${data[change]}`}>
@@ -75,8 +75,8 @@ function Cases({
                 <UserText>{value}</UserText>
               </Table.Td>
             ))}
-            <Table.Td>{VERDICT_WORDS[item.before].label}</Table.Td>
-            <Table.Td>{VERDICT_WORDS[item.now].label}</Table.Td>
+            <Table.Td>{VERDICT_LABELS[item.before].label}</Table.Td>
+            <Table.Td>{VERDICT_LABELS[item.now].label}</Table.Td>
             <Table.Td ta="right">{formatTime(item.timeBeforeUs)}</Table.Td>
             <Table.Td ta="right">{formatTime(item.timeNowUs)}</Table.Td>
             <Table.Td>{item.message && <UserText>{item.message}</UserText>}</Table.Td>

@@ -3,7 +3,7 @@ import { useMemo, useState } from 'react';
 import type { EChartsCoreOption } from 'echarts/core';
 import type { ResultOfBuild } from '@/shared/api';
 import { formatInstant, formatTime } from '@/shared/lib/format';
-import { VERDICTS, VERDICT_COLOURS, VERDICT_WORDS, countOf } from '@/shared/lib/verdicts';
+import { VERDICTS, VERDICT_COLOURS, VERDICT_LABELS, countOf } from '@/shared/lib/verdicts';
 import {
   ButtonLink,
   Chart,
@@ -20,18 +20,18 @@ interface ResultHistoryProps {
   model?: string;
 }
 
-/** The results of an activity over time; two of them can be chosen for a comparison. */
+/** The results of an activity over time. Two of them can be selected for a comparison. */
 export function ResultHistory({ activityId, model }: ResultHistoryProps) {
   const history = useHistory(activityId, model);
-  const [chosen, setChosen] = useState<string[]>([]);
+  const [selected, setSelected] = useState<string[]>([]);
   if (history.isPending) return <Loading what="the results" />;
   if (!history.data) {
     return <ProblemAlert title="The results could not be read" error={history.error} />;
   }
   const { items } = history.data;
-  if (items.length === 0) return <Text c="dimmed">No build has a result yet.</Text>;
-  const ordered = items.filter(({ buildId }) => chosen.includes(buildId));
-  const [now, before] = ordered;
+  if (items.length === 0) return <Text c="dimmed">No results yet.</Text>;
+  const newestFirst = items.filter(({ buildId }) => selected.includes(buildId));
+  const [now, before] = newestFirst;
   return (
     <Stack gap="sm">
       <HistoryGraph items={items} />
@@ -43,23 +43,23 @@ export function ResultHistory({ activityId, model }: ResultHistoryProps) {
             params={{ buildId: now.buildId }}
             search={{ with: before.buildId }}
           >
-            Compare the two
+            Compare selected results
           </ButtonLink>
         ) : (
           <Text size="sm" c="dimmed">
-            Choose two results to compare them.
+            Select two results to compare them.
           </Text>
         )}
       </Group>
       <ScrollTable label="Results" minWidth={720}>
         <Table.Thead>
           <Table.Tr>
-            <Table.Th aria-label="Chosen" />
+            <Table.Th aria-label="Selected" />
             <Table.Th>Received</Table.Th>
             {!model && <Table.Th>Test model</Table.Th>}
             {VERDICTS.map((verdict) => (
               <Table.Th key={verdict} ta="right">
-                {VERDICT_WORDS[verdict].label}
+                {VERDICT_LABELS[verdict].label}
               </Table.Th>
             ))}
             <Table.Th ta="right">Average (µs)</Table.Th>
@@ -71,12 +71,12 @@ export function ResultHistory({ activityId, model }: ResultHistoryProps) {
             <Table.Tr key={item.buildId}>
               <Table.Td>
                 <Checkbox
-                  aria-label={`Compare the result of ${formatInstant(item.received)}`}
-                  checked={chosen.includes(item.buildId)}
+                  aria-label={`Select the result of ${formatInstant(item.received)}`}
+                  checked={selected.includes(item.buildId)}
                   onChange={({ currentTarget: { checked } }) => {
-                    setChosen((old) => {
+                    setSelected((old) => {
                       const others = old.filter((id) => id !== item.buildId);
-                      // A third choice takes the place of the first.
+                      // A third selection replaces the first.
                       return checked ? [...others.slice(-1), item.buildId] : others;
                     });
                   }}
@@ -116,7 +116,7 @@ function HistoryGraph({ items }: { items: readonly ResultOfBuild[] }) {
   const option = useMemo(() => historyOption([...items].reverse()), [items]);
   if (items.length < 2) return null;
   return (
-    <Chart label={`Verdicts of the latest ${items.length} results`} option={option} height={220} />
+    <Chart label={`Verdicts of the last ${items.length} results`} option={option} height={220} />
   );
 }
 
@@ -139,7 +139,7 @@ function historyOption(oldestFirst: readonly ResultOfBuild[]): EChartsCoreOption
         type: 'bar',
         stack: 'verdict',
         barMaxWidth: 64,
-        name: VERDICT_WORDS[verdict].label,
+        name: VERDICT_LABELS[verdict].label,
         itemStyle: { color: VERDICT_COLOURS[verdict] },
         data: oldestFirst.map(({ summary }) => countOf(summary, verdict)),
       })),

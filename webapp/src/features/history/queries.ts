@@ -3,7 +3,7 @@ import { dataOf, useApi } from '@/shared/api';
 
 const HISTORY = 'history';
 
-/** Results of an activity, of one model or all, the newest first. */
+/** Results of an activity or of one of its models, newest first. */
 export function useHistory(activityId: string, model?: string) {
   const api = useApi();
   return useQuery({

@@ -6,7 +6,7 @@ import type { ModelDraft } from './draft';
 interface MethodStepProps {
   description: Description;
   draft: ModelDraft;
-  /** An existing model keeps its name: suites and builds know it by that. */
+  /** An existing model keeps its name, because suites and builds refer to it. */
   isNew: boolean;
   onChange: (draft: ModelDraft) => void;
   onMethod: (interfaceName: string, signature: string, name: string) => void;
@@ -64,7 +64,9 @@ export function MethodStep({ description, draft, isNew, onChange, onMethod }: Me
       <Group align="start" grow>
         <TextInput
           label="Name of the test model"
-          description={isNew ? 'Letters, digits, ., _ and -' : 'Suites and builds know it by this'}
+          description={
+            isNew ? 'Letters, digits, ., _ and -' : 'Suites and builds refer to this name'
+          }
           value={draft.name}
           readOnly={!isNew}
           onChange={(event) => {
@@ -73,7 +75,7 @@ export function MethodStep({ description, draft, isNew, onChange, onMethod }: Me
         />
         <TextInput
           label="Description"
-          description="What it tests"
+          description="What the model tests"
           value={draft.description}
           onChange={(event) => {
             onChange({ ...draft, description: event.currentTarget.value });
@@ -82,7 +84,7 @@ export function MethodStep({ description, draft, isNew, onChange, onMethod }: Me
       </Group>
       <Group align="start" grow>
         <TextInput
-          label="Simulation time before the call (s)"
+          label="Settling time before the call (s)"
           placeholder="0"
           value={target.settle}
           onChange={(event) => {
@@ -90,7 +92,7 @@ export function MethodStep({ description, draft, isNew, onChange, onMethod }: Me
           }}
         />
         <TextInput
-          label="Simulation time after the call (s)"
+          label="Run time after the call (s)"
           placeholder="0"
           value={target.runFor}
           onChange={(event) => {

@@ -1,6 +1,7 @@
 import { Alert, Button, Group, Stack, Stepper, Text } from '@mantine/core';
 import { useMemo, useState } from 'react';
 import { ApiError, type Activity } from '@/shared/api';
+import { plural } from '@/shared/lib/format';
 import { ProblemAlert } from '@/shared/ui';
 import { draftFor, outputsOf, argumentsOf, type Description } from './defaults';
 import type { ModelDraft } from './draft';
@@ -14,18 +15,18 @@ import { writeModel } from './xml';
 interface ModelEditorProps {
   activity: Activity;
   description: Description;
-  /** The model as it is; absent for a new one. */
+  /** The stored model; absent for a new one. */
   existing?: { name: string; draft: ModelDraft; version: number };
-  /** Called once all is stored and nothing more was asked for. */
+  /** Called after *Save*. */
   onSaved: (model: string) => void;
-  /** Called once all is stored and the cases are to be generated. */
+  /** Called after *Generate test cases*, when the model is saved. */
   onGenerate: (model: string) => void;
   generating: boolean;
 }
 
 const LAST_STEP = 3;
 
-/** A test model in four steps (Fig. 14); what it gives shows all the while. */
+/** Edits a test model in four steps (Fig. 14) with a preview of its values and cases. */
 export function ModelEditor({
   activity,
   description,
@@ -38,14 +39,14 @@ export function ModelEditor({
   const [draft, setDraft] = useState<ModelDraft>(
     () => existing?.draft ?? firstDraft(activity, description),
   );
-  const [stored, setStored] = useState(existing ? writeModel(existing.draft) : '');
-  // A new model that is stored is new no more, though the page is still the one it began on.
-  const [storedAs, setStoredAs] = useState(existing?.name);
+  const [saved, setSaved] = useState(existing ? writeModel(existing.draft) : '');
+  // Set when a new model has been saved for the first time.
+  const [savedAs, setSavedAs] = useState(existing?.name);
   const [version, setVersion] = useState(existing?.version ?? activity.version);
   const document = useMemo(() => writeModel(draft), [draft]);
   const preview = usePreview(activity.id, document, step === LAST_STEP);
-  const save = useSaveModel(activity, storedAs);
-  const changed = document !== stored;
+  const save = useSaveModel(activity, savedAs);
+  const changed = document !== saved;
   const method = description.provided
     .filter(({ name }) => draft.target.interface === '' || name === draft.target.interface)
     .flatMap(({ methods }) => methods)
@@ -55,18 +56,18 @@ export function ModelEditor({
         (draft.target.signature === '' || draft.target.signature === signature),
     );
 
-  function choose(interfaceName: string, signature: string, name: string) {
+  function chooseMethod(interfaceName: string, signature: string, name: string) {
     const methods =
       description.provided.find((known) => known.name === interfaceName)?.methods ?? [];
     const chosen = methods.find((m) => m.name === name && m.signature === signature);
     if (!chosen) return;
     const overloaded = methods.filter((m) => m.name === name).length > 1;
-    const fresh = draftFor(interfaceName, chosen, namesOf(activity), overloaded);
+    const initial = draftFor(interfaceName, chosen, namesOf(activity), overloaded);
     setDraft({
       ...draft,
-      name: storedAs === undefined ? fresh.name : draft.name,
-      target: { ...fresh.target, settle: draft.target.settle, runFor: draft.target.runFor },
-      // What the world and the stubs give stays; the arguments are another method's.
+      name: savedAs === undefined ? initial.name : draft.name,
+      target: { ...initial.target, settle: draft.target.settle, runFor: draft.target.runFor },
+      // Inputs of the world and of stubs do not depend on the method.
       inputs: [
         ...argumentsOf(chosen).map(({ input }) => input),
         ...draft.inputs.filter(({ kind }) => kind !== 'TDI'),
@@ -75,13 +76,13 @@ export function ModelEditor({
     });
   }
 
-  function store(then: (model: string) => void) {
+  function saveThen(then: (model: string) => void) {
     save.mutate(
       { name: draft.name, document, version },
       {
         onSuccess: (now) => {
-          setStored(document);
-          setStoredAs(draft.name);
+          setSaved(document);
+          setSavedAs(draft.name);
           setVersion(now.version);
           then(draft.name);
         },
@@ -93,18 +94,18 @@ export function ModelEditor({
   return (
     <Stack gap="lg">
       <Stepper active={step} onStepClick={setStep} size="sm">
-        <Stepper.Step label="Method" description="under test" />
-        <Stepper.Step label="Parameters" description="that vary" />
-        <Stepper.Step label="Specification" description="of their values" />
-        <Stepper.Step label="Combination" description="and conditions" />
+        <Stepper.Step label="Method" description="to test" />
+        <Stepper.Step label="Parameters" description="to vary" />
+        <Stepper.Step label="Values" description="of each parameter" />
+        <Stepper.Step label="Combination" description="and expected values" />
       </Stepper>
       {step === 0 && (
         <MethodStep
           description={description}
           draft={draft}
-          isNew={storedAs === undefined}
+          isNew={savedAs === undefined}
           onChange={setDraft}
-          onMethod={choose}
+          onMethod={chooseMethod}
         />
       )}
       {step === 1 && (
@@ -125,16 +126,16 @@ export function ModelEditor({
         />
       )}
       {preview.isError && (
-        <ProblemAlert title="The values could not be worked out" error={preview.error} />
+        <ProblemAlert title="The values could not be generated" error={preview.error} />
       )}
       {save.isError &&
         (save.error instanceof ApiError && save.error.status === 412 ? (
           <Alert role="alert" color="orange" variant="outline" title="The activity was changed">
-            Somebody else changed it meanwhile, and nothing was overwritten. Open the page anew to
-            see it; what you wrote is lost then.
+            Another user changed the activity since you opened it. Nothing was overwritten. Reload
+            the page to see the new version; your changes will be lost.
           </Alert>
         ) : (
-          <ProblemAlert title="The model was not stored" error={save.error} onClose={save.reset} />
+          <ProblemAlert title="The model was not saved" error={save.error} onClose={save.reset} />
         ))}
       <Group justify="space-between">
         <Button
@@ -148,10 +149,10 @@ export function ModelEditor({
         </Button>
         <Text size="sm" c={errors.length > 0 ? 'red' : 'dimmed'} role="status">
           {errors.length > 0
-            ? `${errors.length} to mend: ${errors[0]?.element ?? ''} ${errors[0]?.message ?? ''}`
+            ? `${plural(errors.length, 'problem')}: ${errors[0]?.element ?? ''} ${errors[0]?.message ?? ''}`
             : changed
-              ? 'Not stored yet'
-              : 'All stored'}
+              ? 'Unsaved changes'
+              : 'Saved'}
         </Text>
         <Group gap="sm">
           <Button
@@ -159,7 +160,7 @@ export function ModelEditor({
             disabled={!changed}
             loading={save.isPending}
             onClick={() => {
-              store(onSaved);
+              saveThen(onSaved);
             }}
           >
             Save
@@ -177,7 +178,7 @@ export function ModelEditor({
               loading={save.isPending || generating}
               disabled={errors.length > 0}
               onClick={() => {
-                if (changed) store(onGenerate);
+                if (changed) saveThen(onGenerate);
                 else onGenerate(draft.name);
               }}
             >
@@ -196,7 +197,7 @@ function namesOf({ models }: Activity): string[] {
 
 function firstDraft(activity: Activity, description: Description): ModelDraft {
   const [first] = description.provided;
-  // The method with the most to vary is the likeliest to be meant.
+  // The method with the most parameters is the most likely choice.
   const method = [...(first?.methods ?? [])].sort(
     (a, b) => b.parameters.length - a.parameters.length,
   )[0];

@@ -7,17 +7,17 @@ type Values = ModelPreview['inputs'][number]['values'];
 
 const WIDTH = 640;
 const EDGE = 28;
-/** Labels nearer to each other than this would lie on each other. */
+/** Minimum distance of two labels; closer labels would overlap. */
 const LABEL_GAP = 34;
 
-/** The values of an input on a line, valid and invalid apart; texts as two lists. */
+/** The valid and invalid values of an input on a number line and as two lists. */
 export function NumberLine({ values }: { values: Values }) {
-  if (values.length === 0) return <Text c="dimmed">No value.</Text>;
+  if (values.length === 0) return <Text c="dimmed">No values.</Text>;
   const numbers = values.map(({ literal }) => Number(literal));
-  const line = values.every(({ literal }, at) => literal !== '' && Number.isFinite(numbers[at]));
+  const numeric = values.every(({ literal }, at) => literal !== '' && Number.isFinite(numbers[at]));
   return (
     <div>
-      {line && <Line values={values} numbers={numbers} />}
+      {numeric && <Line values={values} numbers={numbers} />}
       <Listed label="Valid" values={values.filter(({ valid }) => valid)} />
       <Listed label="Invalid" values={values.filter(({ valid }) => !valid)} />
     </div>
@@ -47,11 +47,11 @@ function Line({ values, numbers }: { values: Values; numbers: readonly number[] 
           y2={28}
         />
       )}
-      {values.map(({ literal, valid: good }, index) => {
+      {values.map(({ literal, valid: isValid }, index) => {
         const x = at(numbers[index] ?? 0);
         return (
           <g key={literal}>
-            {good ? (
+            {isValid ? (
               <circle className={classes.valid} cx={x} cy={28} r={7} />
             ) : (
               <path
@@ -71,14 +71,14 @@ function Line({ values, numbers }: { values: Values; numbers: readonly number[] 
   );
 }
 
-/** The places that have room for a label, from the left. */
-function labelledOf(places: readonly number[]): Set<number> {
+/** The positions that have room for a label, from the left. */
+function labelledOf(positions: readonly number[]): Set<number> {
   const labelled = new Set<number>();
   let free = -Infinity;
-  for (const [index, place] of places.entries()) {
-    if (place - free >= LABEL_GAP) {
+  for (const [index, position] of positions.entries()) {
+    if (position - free >= LABEL_GAP) {
       labelled.add(index);
-      free = place;
+      free = position;
     }
   }
   return labelled;

@@ -17,32 +17,32 @@ interface ParametersStepProps {
   onChange: (draft: ModelDraft) => void;
 }
 
-/** Step 2 (Fig. 14(b)): what the test varies. */
+/** Step 2 (Fig. 14(b)): the parameters to vary. */
 export function ParametersStep({ description, method, draft, onChange }: ParametersStepProps) {
   const groups = [
     {
-      title: 'Input of the method (TDI)',
-      none: 'The method has no input.',
+      title: 'Method inputs (TDI)',
+      none: 'The method has no inputs.',
       candidates: method ? argumentsOf(method) : [],
     },
     {
-      title: 'Simulation (TDSD)',
-      none: 'The world declares nothing that a test may vary.',
+      title: 'Simulation parameters (TDSD)',
+      none: 'The world declares no parameters.',
       candidates: worldInputs(description),
     },
     {
-      title: 'Test stub (TDTS)',
-      none: 'The component requires no interface.',
+      title: 'Test stub return values (TDTS)',
+      none: 'The component requires no interfaces.',
       candidates: stubInputs(description),
     },
   ];
   const offered = groups.flatMap(({ candidates }) => candidates.map(({ input }) => input.name));
-  const others = draft.inputs.filter(({ name }) => !offered.includes(name));
+  const otherInputs = draft.inputs.filter(({ name }) => !offered.includes(name));
 
-  function toggle({ input }: Candidate, wanted: boolean) {
+  function toggle({ input }: Candidate, selected: boolean) {
     const without = draft.inputs.filter(({ name }) => name !== input.name);
-    const inputs = wanted ? [...without, input] : without;
-    // In the order of the paper's tables.
+    const inputs = selected ? [...without, input] : without;
+    // The order of the paper's tables.
     inputs.sort((a, b) => INPUT_KINDS.indexOf(a.kind) - INPUT_KINDS.indexOf(b.kind));
     onChange({ ...draft, inputs });
   }
@@ -70,10 +70,10 @@ export function ParametersStep({ description, method, draft, onChange }: Paramet
           )}
         </Section>
       ))}
-      {others.length > 0 && (
-        <Section title="Others in the model">
+      {otherInputs.length > 0 && (
+        <Section title="Other parameters of the model">
           <Stack gap="xs">
-            {others.map((input) => (
+            {otherInputs.map((input) => (
               <Checkbox
                 key={input.name}
                 label={<UserText>{input.name}</UserText>}

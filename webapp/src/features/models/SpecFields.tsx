@@ -6,7 +6,7 @@ interface SpecFieldsProps {
   onChange: (spec: SpecDraft) => void;
 }
 
-/** The settings of a scheme; each scheme has its own. */
+/** The settings of a specification; they depend on its scheme. */
 export function SpecFields({ spec, onChange }: SpecFieldsProps) {
   const setting = (name: string, label: string, placeholder = '') => (
     <TextInput
@@ -41,14 +41,14 @@ export function SpecFields({ spec, onChange }: SpecFieldsProps) {
             <ClassFields spec={spec} onChange={onChange} kinds={['TWO_BOUNDARY', 'ONE_BOUNDARY']} />
             {setting('offset', 'Offset')}
           </Group>
-          {option('special', 'Also NaN, infinities and the limits of the type')}
+          {option('special', 'Add NaN, infinities and the limits of the type')}
         </Stack>
       );
     case 'ECP':
       return (
         <Group align="end">
           <ClassFields spec={spec} onChange={onChange} />
-          {setting('representatives', 'Values of each class', '1')}
+          {setting('representatives', 'Values per class', '1')}
           {setting('offset', 'Offset', '1')}
         </Group>
       );
@@ -56,7 +56,7 @@ export function SpecFields({ spec, onChange }: SpecFieldsProps) {
       return (
         <Stack gap="sm">
           <Group align="end">
-            {setting('count', 'How many')}
+            {setting('count', 'Count')}
             {setting('min', 'From')}
             {setting('max', 'To')}
             <NativeSelect
@@ -86,9 +86,9 @@ export function SpecFields({ spec, onChange }: SpecFieldsProps) {
       return (
         <Stack gap="sm">
           <Group align="end">
-            {setting('min_length', 'Shortest')}
-            {setting('max_length', 'Longest')}
-            {setting('negative_char_list', 'Never in a valid one')}
+            {setting('min_length', 'Minimum length')}
+            {setting('max_length', 'Maximum length')}
+            {setting('negative_char_list', 'Excluded characters')}
           </Group>
           <Group>
             {option('alphabet', 'Letters')}
@@ -137,7 +137,7 @@ function ClassFields({ spec, onChange, kinds }: SpecFieldsProps & { kinds?: stri
   return (
     <>
       <NativeSelect
-        label="Valid are values"
+        label="Valid values"
         value={given.type}
         data={CLASSES.filter(({ value }) => !kinds || kinds.some((kind) => value.endsWith(kind)))}
         onChange={(event) => {
@@ -148,13 +148,13 @@ function ClassFields({ spec, onChange, kinds }: SpecFieldsProps & { kinds?: stri
         attribute('min', 'From'),
         attribute('max', 'To'),
         <Stack key="inclusive" gap={4}>
-          {inclusive('min_inclusive', 'from is valid')}
-          {inclusive('max_inclusive', 'to is valid')}
+          {inclusive('min_inclusive', 'From is valid')}
+          {inclusive('max_inclusive', 'To is valid')}
         </Stack>,
       ]}
       {given.type === 'NEC_NUMERIC_ONE_BOUNDARY' && [
         attribute('min', 'From'),
-        attribute('max', 'or up to'),
+        attribute('max', 'Or to'),
       ]}
       {given.type === 'NEC_NUMERIC_CONSTANT' && attribute('value', 'Value')}
       {given.type === 'NEC_NUMERIC_SET' && (
@@ -222,7 +222,7 @@ function Ranges({ spec, onChange }: SpecFieldsProps) {
             onChange({ ...spec, ranges: [...spec.ranges, { min: '', max: '', weight: '1' }] });
           }}
         >
-          Add a range
+          Add range
         </Button>
       </Group>
     </Stack>

@@ -13,17 +13,17 @@ interface SpecificationStepProps {
   onChange: (draft: ModelDraft) => void;
 }
 
-const SCHEME_WORDS = {
+const SCHEME_LABELS = {
   BVA: 'Boundary values (BVA)',
   ECP: 'Equivalence classes (ECP)',
   RANDOM: 'Random numbers',
   RANDOM_STRING: 'Random strings',
 } as const;
 
-/** Step 3 (Fig. 14(c)): how the values of each parameter are made, and which these are. */
+/** Step 3 (Fig. 14(c)): how the values of each parameter are generated, with a preview. */
 export function SpecificationStep({ draft, preview, onChange }: SpecificationStepProps) {
   if (draft.inputs.length === 0) {
-    return <Text c="dimmed">The test varies nothing: it has a single case.</Text>;
+    return <Text c="dimmed">The model varies no parameters: it has a single case.</Text>;
   }
   return (
     <Stack gap="md">
@@ -71,8 +71,8 @@ function Element({ input, values, problems, onChange }: ElementProps) {
             aria-label={`Scheme of ${input.name}`}
             value={input.spec?.type ?? ''}
             data={[
-              { value: '', label: 'Values of one’s own, or of the type' },
-              ...SCHEMES.map((value) => ({ value, label: SCHEME_WORDS[value] })),
+              { value: '', label: 'Custom values, or all values of the type' },
+              ...SCHEMES.map((value) => ({ value, label: SCHEME_LABELS[value] })),
             ]}
             onChange={(event) => {
               const scheme = SCHEMES.find((known) => known === event.currentTarget.value);
@@ -89,8 +89,8 @@ function Element({ input, values, problems, onChange }: ElementProps) {
           />
         )}
         <TextInput
-          label="Further values"
-          description="Specific candidate values, separated by commas"
+          label="Custom values"
+          description="Separated by commas; used in addition to the generated values"
           value={input.userValues.join(', ')}
           onChange={(event) => {
             const { value } = event.currentTarget;
@@ -107,14 +107,14 @@ function Element({ input, values, problems, onChange }: ElementProps) {
             <NumberLine values={values.values} />
             {values.leftOut.length > 0 && (
               <Text size="sm" c="dimmed">
-                Left out, as {input.realType} cannot hold them:{' '}
+                Omitted, because {input.realType} cannot represent them:{' '}
                 <UserText>{values.leftOut.join(', ')}</UserText>
               </Text>
             )}
           </>
         ) : (
           <Text size="sm" c="dimmed">
-            The values show once the model can be read.
+            The values are shown when the model has no problems.
           </Text>
         )}
       </Stack>

@@ -1,6 +1,6 @@
 import { isSeq, parseDocument } from 'yaml';
 
-/** The profile with one more test model; comments and the order of entries stay. */
+/** Adds a test model to the profile of an activity. Comments and the order of entries are kept. */
 export function withModel(profile: string, path: string): string {
   const document = parseDocument(profile);
   const models = document.get('models');

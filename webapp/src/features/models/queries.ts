@@ -1,9 +1,9 @@
-import { useMutation, useQuery, useQueryClient } from '@tanstack/react-query';
-import { useEffect, useState } from 'react';
+import { useDebouncedValue } from '@mantine/hooks';
+import { keepPreviousData, useMutation, useQuery, useQueryClient } from '@tanstack/react-query';
 import { dataOf, useApi, type Activity } from '@/shared/api';
 
 const XML = { 'Content-Type': 'application/xml' };
-const REST_MS = 300;
+const DEBOUNCE_MS = 300;
 
 export function useModelDocument(activityId: string, model: string) {
   const api = useApi();
@@ -19,45 +19,32 @@ export function useModelDocument(activityId: string, model: string) {
       const etag = answer.response.headers.get('ETag') ?? '"0"';
       return { document: document, version: Number(etag.replaceAll('"', '')) };
     },
-    // What is being edited is not to change under one's hands.
+    // The document must not change while it is being edited.
     staleTime: Infinity,
     gcTime: 0,
   });
 }
 
-/** What a draft gives, asked for when the hands rest. */
+/** The values and cases of a draft, requested when typing pauses. */
 export function usePreview(activityId: string, document: string, cases: boolean) {
   const api = useApi();
-  const rested = useRested(document);
+  const [debounced] = useDebouncedValue(document, DEBOUNCE_MS);
   return useQuery({
-    queryKey: ['models', 'preview', activityId, rested, cases],
+    queryKey: ['models', 'preview', activityId, debounced, cases],
     queryFn: ({ signal }) =>
       dataOf(
         api.POST('/api/v1/activities/{id}/model-previews', {
           params: { path: { id: activityId }, query: { cases } },
-          body: rested,
-          bodySerializer: () => rested,
+          body: debounced,
+          bodySerializer: () => debounced,
           headers: XML,
           signal,
         }),
       ),
-    enabled: rested !== '',
+    enabled: debounced !== '',
     staleTime: Infinity,
-    placeholderData: (old) => old,
+    placeholderData: keepPreviousData,
   });
-}
-
-function useRested(text: string): string {
-  const [rested, setRested] = useState(text);
-  useEffect(() => {
-    const timer = setTimeout(() => {
-      setRested(text);
-    }, REST_MS);
-    return () => {
-      clearTimeout(timer);
-    };
-  }, [text]);
-  return rested;
 }
 
 export interface SavedModel {
@@ -66,7 +53,7 @@ export interface SavedModel {
   version: number;
 }
 
-/** Puts a model in the place of the one it was, or adds it to the activity and its profile. */
+/** Replaces an existing model, or adds a new one to the activity and its profile. */
 export function useSaveModel(activity: Activity, existing: string | undefined) {
   const api = useApi();
   const cache = useQueryClient();

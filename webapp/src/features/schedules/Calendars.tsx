@@ -7,7 +7,7 @@ import { WEEKDAYS, weekdayName } from './words';
 
 const EMPTY = { name: '', weekdays: [] as string[], days: '' };
 
-/** Named sets of days on which schedules do not fire. */
+/** Calendars: named sets of days on which schedules do not run. */
 export function Calendars() {
   const calendars = useCalendars();
   const save = useSaveCalendar();
@@ -41,7 +41,7 @@ export function Calendars() {
           <Table.Thead>
             <Table.Tr>
               <Table.Th>Calendar</Table.Th>
-              <Table.Th>Days that are left out</Table.Th>
+              <Table.Th>Excluded days</Table.Th>
               <Table.Th aria-label="Actions" />
             </Table.Tr>
           </Table.Thead>
@@ -51,13 +51,13 @@ export function Calendars() {
                 <Table.Td>
                   <UserText>{calendar.name}</UserText>
                 </Table.Td>
-                <Table.Td>{inWords(calendar)}</Table.Td>
+                <Table.Td>{excludedDays(calendar)}</Table.Td>
                 <Table.Td>
                   <Group gap="xs" justify="flex-end" wrap="nowrap">
                     <Button
                       size="compact-xs"
                       variant="default"
-                      aria-label={`Change ${calendar.name}`}
+                      aria-label={`Edit ${calendar.name}`}
                       onClick={() => {
                         setDraft({
                           name: calendar.name,
@@ -66,7 +66,7 @@ export function Calendars() {
                         });
                       }}
                     >
-                      Change
+                      Edit
                     </Button>
                     <Button
                       size="compact-xs"
@@ -86,13 +86,17 @@ export function Calendars() {
         </ScrollTable>
       )}
       {remove.isError && (
-        <ProblemAlert title="It was not deleted" error={remove.error} onClose={remove.reset} />
+        <ProblemAlert
+          title="The calendar was not deleted"
+          error={remove.error}
+          onClose={remove.reset}
+        />
       )}
       <form onSubmit={submit}>
         <Stack gap="sm" maw={800}>
           <TextInput
-            label="Name of a calendar"
-            description="one that exists is changed"
+            label="Calendar name"
+            description="The name of an existing calendar changes that calendar"
             required
             value={draft.name}
             onChange={({ currentTarget: { value } }) => {
@@ -100,7 +104,7 @@ export function Calendars() {
             }}
           />
           <Checkbox.Group
-            label="Weekdays to leave out"
+            label="Excluded weekdays"
             value={draft.weekdays}
             onChange={(weekdays) => {
               setDraft({ ...draft, weekdays });
@@ -113,8 +117,8 @@ export function Calendars() {
             </Group>
           </Checkbox.Group>
           <Textarea
-            label="Days to leave out"
-            description="such as 2026-12-25, one a line"
+            label="Excluded dates"
+            description="One per line, such as 2026-12-25"
             autosize
             minRows={2}
             maxRows={8}
@@ -124,25 +128,29 @@ export function Calendars() {
             }}
           />
           {save.isError && (
-            <ProblemAlert title="It was not kept" error={save.error} onClose={save.reset} />
+            <ProblemAlert
+              title="The calendar was not saved"
+              error={save.error}
+              onClose={save.reset}
+            />
           )}
           <Group>
             <Button type="submit" variant="default" loading={save.isPending}>
-              Keep the calendar
+              Save calendar
             </Button>
           </Group>
         </Stack>
       </form>
       {calendars.data.length === 0 && (
         <Text c="dimmed" size="sm">
-          No calendar yet: a schedule can leave out weekends or holidays once they stand here.
+          No calendars yet. A calendar excludes days such as weekends or holidays from schedules.
         </Text>
       )}
     </Stack>
   );
 }
 
-function inWords({ weekdays, days }: Calendar): string {
+function excludedDays({ weekdays, days }: Calendar): string {
   return (
     [...WEEKDAYS.filter((day) => weekdays.includes(day)).map(weekdayName), ...days].join(', ') ||
     'none'

@@ -2,7 +2,7 @@ import { List, Text } from '@mantine/core';
 import { formatMoment, formatUntil } from '@/shared/lib/format';
 import { useNow } from '@/shared/lib/useNow';
 
-/** Times to come in words, in the zone of their schedule. */
+/** The next times of a schedule, in its time zone. */
 export function NextTimes({
   times,
   zone,
@@ -11,7 +11,7 @@ export function NextTimes({
   zone?: string | undefined;
 }) {
   const now = useNow(10_000);
-  if (times.length === 0) return <Text c="dimmed">It fires no more.</Text>;
+  if (times.length === 0) return <Text c="dimmed">The schedule has no further times.</Text>;
   return (
     <List type="ordered" size="sm" spacing={2} aria-label="Next times">
       {times.map((time) => (

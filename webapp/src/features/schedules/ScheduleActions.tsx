@@ -10,7 +10,7 @@ interface ScheduleActionsProps {
   onDeleted?: () => void;
 }
 
-/** Pause or resume, run now, give up. */
+/** Pauses, resumes, runs or deletes a schedule. */
 export function ScheduleActions({
   schedule,
   act,
@@ -37,7 +37,7 @@ export function ScheduleActions({
     <Group gap="xs" justify="flex-end" wrap="nowrap">
       {schedule.paused ? action('resume', 'Resume') : schedule.next && action('pause', 'Pause')}
       {action('run', 'Run now')}
-      {action('delete', 'Give up')}
+      {action('delete', 'Delete')}
     </Group>
   );
 }

@@ -1,8 +1,8 @@
 import { SimpleGrid, Stack, Table, Text } from '@mantine/core';
 import type { Schedule } from '@/shared/api';
-import { buildStateInWords } from '@/shared/lib/buildStates';
+import { labelOfState } from '@/shared/lib/buildStates';
 import { formatInstant } from '@/shared/lib/format';
-import { recordingsInWords } from '@/shared/lib/recordings';
+import { labelOfRecordings } from '@/shared/lib/recordings';
 import {
   Loading,
   Pager,
@@ -13,7 +13,12 @@ import {
   UserText,
 } from '@/shared/ui';
 import { NextTimes } from './NextTimes';
-import { FIRES_PER_PAGE, useFires, useFireTimes, useScheduleAction } from './queries';
+import {
+  FIRE_TIMES_PER_PAGE,
+  useFireTimes,
+  useScheduleAction,
+  useScheduleHistory,
+} from './queries';
 import { ScheduleActions } from './ScheduleActions';
 import { MISFIRES, stateOf, timesOf } from './words';
 
@@ -24,14 +29,14 @@ interface ScheduleDetailsProps {
   onDeleted: () => void;
 }
 
-/** When a schedule fires, how it builds, and what came of its times. */
+/** The times of a schedule, the options of its builds, and its history. */
 export function ScheduleDetails({ schedule, page, onPage, onDeleted }: ScheduleDetailsProps) {
   const times = useFireTimes(schedule.id);
   const act = useScheduleAction();
   return (
     <Stack gap="xl">
       {act.isError && (
-        <ProblemAlert title="The schedule stays as it was" error={act.error} onClose={act.reset} />
+        <ProblemAlert title="The schedule was not changed" error={act.error} onClose={act.reset} />
       )}
       <SimpleGrid cols={{ base: 1, md: 2 }} spacing="xl">
         <Section
@@ -44,7 +49,7 @@ export function ScheduleDetails({ schedule, page, onPage, onDeleted }: ScheduleD
         </Section>
         <Section title="Next times">
           {schedule.paused ? (
-            <Text c="dimmed">It is paused, and fires when it is resumed.</Text>
+            <Text c="dimmed">The schedule is paused.</Text>
           ) : times.data ? (
             <NextTimes times={times.data} zone={schedule.zone} />
           ) : times.isError ? (
@@ -55,7 +60,7 @@ export function ScheduleDetails({ schedule, page, onPage, onDeleted }: ScheduleD
         </Section>
       </SimpleGrid>
       <Section title="History">
-        <Fires id={schedule.id} page={page} onPage={onPage} />
+        <ScheduleHistory id={schedule.id} page={page} onPage={onPage} />
       </Section>
     </Stack>
   );
@@ -65,7 +70,7 @@ function Facts({ schedule }: { schedule: Schedule }) {
   const facts: [string, string][] = [
     ['Times', timesOf(schedule)],
     ['Missed times', MISFIRES.find(({ value }) => value === schedule.misfire)?.label ?? ''],
-    ['Left out', schedule.leaveOut.join(', ') || 'no days'],
+    ['Excluded days', schedule.leaveOut.join(', ') || 'none'],
     [
       'Agent',
       [
@@ -73,14 +78,14 @@ function Facts({ schedule }: { schedule: Schedule }) {
         schedule.labels.length > 0 && `labels ${schedule.labels.join(', ')}`,
       ]
         .filter(Boolean)
-        .join(', ') || 'any that offers what the files need',
+        .join(', ') || 'any agent with the required toolchain',
     ],
     ['Priority', String(schedule.priority)],
     ['Shards', String(schedule.shards)],
-    ['Recordings', recordingsInWords(schedule.recordings ?? '')],
+    ['Recordings', labelOfRecordings(schedule.recordings ?? '')],
   ];
   return (
-    <Table verticalSpacing={4} withRowBorders={false} aria-label="Facts">
+    <Table verticalSpacing={4} withRowBorders={false} aria-label="Details">
       <Table.Tbody>
         {facts.map(([name, value]) => (
           <Table.Tr key={name}>
@@ -97,33 +102,41 @@ function Facts({ schedule }: { schedule: Schedule }) {
   );
 }
 
-function Fires({ id, page, onPage }: { id: string; page: number; onPage: (page: number) => void }) {
-  const fires = useFires(id, page);
-  if (fires.isPending) return <Loading what="the history" />;
-  if (!fires.data) {
-    return <ProblemAlert title="The history could not be read" error={fires.error} />;
+function ScheduleHistory({
+  id,
+  page,
+  onPage,
+}: {
+  id: string;
+  page: number;
+  onPage: (page: number) => void;
+}) {
+  const history = useScheduleHistory(id, page);
+  if (history.isPending) return <Loading what="the history" />;
+  if (!history.data) {
+    return <ProblemAlert title="The history could not be read" error={history.error} />;
   }
-  if (fires.data.total === 0) return <Text c="dimmed">It has not fired yet.</Text>;
+  if (history.data.total === 0) return <Text c="dimmed">The schedule has not run yet.</Text>;
   return (
     <Stack gap="xs">
       <ScrollTable label="History" minWidth={480}>
         <Table.Thead>
           <Table.Tr>
             <Table.Th>Time</Table.Th>
-            <Table.Th>What came of it</Table.Th>
+            <Table.Th>Result</Table.Th>
           </Table.Tr>
         </Table.Thead>
         <Table.Tbody>
-          {fires.data.items.map((fire) => (
+          {history.data.items.map((fire) => (
             <Table.Tr key={fire.fireTime}>
               <Table.Td>{formatInstant(fire.fireTime)}</Table.Td>
               <Table.Td>
                 {fire.buildId && fire.buildState ? (
                   <RouteLink to="/builds/$buildId" params={{ buildId: fire.buildId }} size="sm">
-                    {`Build: ${buildStateInWords(fire.buildState).toLowerCase()}`}
+                    {`Build: ${labelOfState(fire.buildState).toLowerCase()}`}
                   </RouteLink>
                 ) : (
-                  <UserText>{fire.message ?? 'A build that is gone.'}</UserText>
+                  <UserText>{fire.message ?? 'The build was deleted.'}</UserText>
                 )}
               </Table.Td>
             </Table.Tr>
@@ -133,8 +146,8 @@ function Fires({ id, page, onPage }: { id: string; page: number; onPage: (page: 
       <Pager
         label="Pages of the history"
         page={page}
-        size={FIRES_PER_PAGE}
-        total={fires.data.total}
+        size={FIRE_TIMES_PER_PAGE}
+        total={history.data.total}
         onPage={onPage}
       />
     </Stack>

@@ -15,25 +15,25 @@ import { useState, type ReactNode, type SyntheticEvent } from 'react';
 import type { Schedule, ScheduleRequest } from '@/shared/api';
 import { Loading, ProblemAlert, Section } from '@/shared/ui';
 import { NextTimes } from './NextTimes';
-import { useCalendars, useMakeSchedule, usePreview } from './queries';
+import { useCalendars, useCreateSchedule, usePreview } from './queries';
 import { CRON_EXAMPLES, KINDS, MISFIRES, timingOf, type TimingDraft } from './words';
 
-const SETTLE_MS = 300;
+const DEBOUNCE_MS = 300;
 const MISFIRE = 'ONCE';
 
 interface ScheduleFormProps {
-  /** What is built, and how: the parts of the request that are not about time. */
+  /** What to build and the options of the build. */
   subject: ScheduleRequest;
-  /** Whether what is built is chosen. */
+  /** Whether the subject is complete. */
   ready: boolean;
-  /** The fields for it. */
+  /** The fields of the subject. */
   children: ReactNode;
-  onMade: (schedule: Schedule) => void;
+  onCreated: (schedule: Schedule) => void;
 }
 
-/** When something is built; the next times stand beside it while it is typed. */
-export function ScheduleForm({ subject, ready, children, onMade }: ScheduleFormProps) {
-  const make = useMakeSchedule();
+/** A new schedule, with a preview of its next times. */
+export function ScheduleForm({ subject, ready, children, onCreated }: ScheduleFormProps) {
+  const create = useCreateSchedule();
   const [name, setName] = useState('');
   const [timing, setTiming] = useState<TimingDraft>(() => ({
     kind: 'cron',
@@ -49,7 +49,7 @@ export function ScheduleForm({ subject, ready, children, onMade }: ScheduleFormP
   function submit(event: SyntheticEvent) {
     event.preventDefault();
     if (!when || !ready) return;
-    make.mutate(
+    create.mutate(
       {
         ...subject,
         ...when,
@@ -57,7 +57,7 @@ export function ScheduleForm({ subject, ready, children, onMade }: ScheduleFormP
         misfire,
         ...(leaveOut.length > 0 && { leaveOut }),
       },
-      { onSuccess: onMade },
+      { onSuccess: onCreated },
     );
   }
 
@@ -65,11 +65,11 @@ export function ScheduleForm({ subject, ready, children, onMade }: ScheduleFormP
     <form onSubmit={submit}>
       <SimpleGrid cols={{ base: 1, md: 2 }} spacing="xl">
         <Stack gap="lg">
-          <Section title="What">
+          <Section title="Build">
             {children}
             <TextInput
               label="Name"
-              description="for people; empty for the name of the test model"
+              description="Default: the name of the test model"
               maxLength={200}
               value={name}
               onChange={(event) => {
@@ -77,18 +77,18 @@ export function ScheduleForm({ subject, ready, children, onMade }: ScheduleFormP
               }}
             />
           </Section>
-          <Section title="When">
+          <Section title="Time">
             <TimingFields timing={timing} onTiming={setTiming} />
             <NativeSelect
-              label="Times that are missed"
-              description="while no server runs, or the schedule is paused"
+              label="Missed times"
+              description="If no server was running or the schedule was paused"
               value={misfire}
               data={[...MISFIRES]}
               onChange={({ currentTarget: { value } }) => {
                 setMisfire(MISFIRES.find((known) => known.value === value)?.value ?? MISFIRE);
               }}
             />
-            <LeftOut leaveOut={leaveOut} onLeaveOut={setLeaveOut} />
+            <Calendars leaveOut={leaveOut} onLeaveOut={setLeaveOut} />
           </Section>
         </Stack>
         <Section title="Next times">
@@ -96,12 +96,16 @@ export function ScheduleForm({ subject, ready, children, onMade }: ScheduleFormP
         </Section>
       </SimpleGrid>
       <Stack gap="sm" mt="lg">
-        {make.isError && (
-          <ProblemAlert title="It was not scheduled" error={make.error} onClose={make.reset} />
+        {create.isError && (
+          <ProblemAlert
+            title="The schedule was not created"
+            error={create.error}
+            onClose={create.reset}
+          />
         )}
         <Group>
-          <Button type="submit" loading={make.isPending} disabled={!when || !ready}>
-            Schedule
+          <Button type="submit" loading={create.isPending} disabled={!when || !ready}>
+            Create schedule
           </Button>
         </Group>
       </Stack>
@@ -121,7 +125,7 @@ function TimingFields({ timing, onTiming }: TimingFieldsProps) {
   return (
     <>
       <SegmentedControl
-        aria-label="Kind of times"
+        aria-label="Kind of schedule"
         fullWidth
         value={timing.kind}
         onChange={(kind) => {
@@ -159,7 +163,7 @@ function TimingFields({ timing, onTiming }: TimingFieldsProps) {
       )}
       {timing.kind === 'interval' && (
         <NumberInput
-          label="Minutes from one to the next"
+          label="Interval (minutes)"
           min={1}
           required
           value={timing.minutes}
@@ -171,8 +175,8 @@ function TimingFields({ timing, onTiming }: TimingFieldsProps) {
       {timing.kind !== 'cron' && (
         <TextInput
           type="datetime-local"
-          label={timing.kind === 'once' ? 'At' : 'First time'}
-          description={`in ${Intl.DateTimeFormat().resolvedOptions().timeZone}${timing.kind === 'once' ? '' : '; empty for now'}`}
+          label={timing.kind === 'once' ? 'Time' : 'First time'}
+          description={`Time zone ${Intl.DateTimeFormat().resolvedOptions().timeZone}${timing.kind === 'once' ? '' : '; default: now'}`}
           required={timing.kind === 'once'}
           value={timing.at}
           onChange={(event) => {
@@ -198,22 +202,22 @@ function zones(own: string): string[] {
   return [...new Set([own, 'UTC', ...Intl.supportedValuesOf('timeZone')])];
 }
 
-interface LeftOutProps {
+interface CalendarsProps {
   leaveOut: string[];
   onLeaveOut: (names: string[]) => void;
 }
 
-function LeftOut({ leaveOut, onLeaveOut }: LeftOutProps) {
+function Calendars({ leaveOut, onLeaveOut }: CalendarsProps) {
   const calendars = useCalendars();
   if (!calendars.data || calendars.data.length === 0) {
     return (
       <Text size="sm" c="dimmed">
-        Calendars of days to leave out are made on the page of schedules.
+        Calendars with excluded days can be added on the schedules page.
       </Text>
     );
   }
   return (
-    <Checkbox.Group label="Leave out the days of" value={leaveOut} onChange={onLeaveOut}>
+    <Checkbox.Group label="Excluded days" value={leaveOut} onChange={onLeaveOut}>
       <Group gap="md" mt={4}>
         {calendars.data.map(({ name }) => (
           <Checkbox key={name} value={name} label={name} />
@@ -230,16 +234,16 @@ interface PreviewProps {
 }
 
 function Preview({ when, leaveOut, zone }: PreviewProps) {
-  const [settled] = useDebouncedValue(
+  const [debounced] = useDebouncedValue(
     when && JSON.stringify({ ...when, ...(leaveOut.length > 0 && { leaveOut }) }),
-    SETTLE_MS,
+    DEBOUNCE_MS,
   );
   const times = usePreview(
-    settled === undefined ? undefined : (JSON.parse(settled) as ScheduleRequest),
+    debounced === undefined ? undefined : (JSON.parse(debounced) as ScheduleRequest),
   );
-  if (when === undefined) return <Text c="dimmed">Say when, and the next times stand here.</Text>;
-  if (times.error) return <ProblemAlert title="No such times" error={times.error} />;
+  if (when === undefined) return <Text c="dimmed">Enter a time to see the next times.</Text>;
+  if (times.error) return <ProblemAlert title="Invalid time" error={times.error} />;
   if (!times.data) return <Loading what="the next times" />;
-  if (times.data.length === 0) return <Text c="dimmed">It would never fire.</Text>;
+  if (times.data.length === 0) return <Text c="dimmed">This schedule would never run.</Text>;
   return <NextTimes times={times.data} zone={when.at && !when.everyMinutes ? undefined : zone} />;
 }

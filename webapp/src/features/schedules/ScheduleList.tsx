@@ -10,7 +10,7 @@ import { stateOf, timesOf, titleOf } from './words';
 interface ScheduleListProps {
   page: number;
   onPage?: (page: number) => void;
-  /** Whether only what is still to come is listed, in brief. */
+  /** Shows only the names and next times of active schedules. */
   upcoming?: boolean;
 }
 
@@ -23,12 +23,12 @@ export function ScheduleList({ page, onPage, upcoming = false }: ScheduleListPro
   }
   const items = schedules.data.items.filter(({ next, paused }) => !upcoming || (next && !paused));
   if (items.length === 0) {
-    return <Text c="dimmed">{upcoming ? 'Nothing is scheduled.' : 'No schedule yet.'}</Text>;
+    return <Text c="dimmed">{upcoming ? 'No scheduled builds.' : 'No schedules yet.'}</Text>;
   }
   return (
     <Stack gap="xs">
       {act.isError && (
-        <ProblemAlert title="The schedule stays as it was" error={act.error} onClose={act.reset} />
+        <ProblemAlert title="The schedule was not changed" error={act.error} onClose={act.reset} />
       )}
       <ScrollTable label="Schedules" minWidth={upcoming ? 320 : 720}>
         <Table.Thead>

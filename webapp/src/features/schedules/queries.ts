@@ -6,9 +6,9 @@ const CALENDARS = ['calendars'] as const;
 const REFRESH_MS = 10_000;
 
 export const SCHEDULES_PER_PAGE = 20;
-export const FIRES_PER_PAGE = 20;
+export const FIRE_TIMES_PER_PAGE = 20;
 
-/** How many times to come are told. */
+/** The number of future times to show. */
 export const NEXT_TIMES = 10;
 
 /** A page of the schedules; pages count from 0. */
@@ -54,7 +54,7 @@ export function useFireTimes(id: string) {
   });
 }
 
-/** The next times that a schedule would have; nothing is asked while there is none. */
+/** The next times of a schedule that is being edited. */
 export function usePreview(request: ScheduleRequest | undefined) {
   const api = useApi();
   return useQuery({
@@ -72,15 +72,15 @@ export function usePreview(request: ScheduleRequest | undefined) {
   });
 }
 
-/** What came of the times of a schedule, the latest first. */
-export function useFires(id: string, page: number) {
+/** The past times of a schedule with their builds, newest first. */
+export function useScheduleHistory(id: string, page: number) {
   const api = useApi();
   return useQuery({
     queryKey: [...SCHEDULES, 'one', id, 'history', page],
     queryFn: ({ signal }) =>
       dataOf(
         api.GET('/api/v1/schedules/{id}/history', {
-          params: { path: { id }, query: { page, size: FIRES_PER_PAGE } },
+          params: { path: { id }, query: { page, size: FIRE_TIMES_PER_PAGE } },
           signal,
         }),
       ),
@@ -89,7 +89,7 @@ export function useFires(id: string, page: number) {
   });
 }
 
-export function useMakeSchedule() {
+export function useCreateSchedule() {
   const api = useApi();
   const cache = useQueryClient();
   return useMutation({
@@ -100,7 +100,7 @@ export function useMakeSchedule() {
 
 export type ScheduleAction = 'pause' | 'resume' | 'run' | 'delete';
 
-/** Pauses, resumes, runs or gives up a schedule. */
+/** Pauses, resumes, runs or deletes a schedule. */
 export function useScheduleAction() {
   const api = useApi();
   const cache = useQueryClient();

@@ -3,11 +3,11 @@ import { formatMoment, plural } from '@/shared/lib/format';
 
 type Misfire = Schedule['misfire'];
 
-/** What becomes of times that are missed, as the server knows it and in words. */
+/** How missed times are handled. */
 export const MISFIRES: readonly { value: Misfire; label: string }[] = [
-  { value: 'ONCE', label: 'one build for all of them, as soon as possible' },
-  { value: 'SKIP', label: 'nothing: the next time to come counts' },
-  { value: 'ALL', label: 'one build for each of them' },
+  { value: 'ONCE', label: 'Build once as soon as possible' },
+  { value: 'SKIP', label: 'Skip' },
+  { value: 'ALL', label: 'Build once for each missed time' },
 ];
 
 export const WEEKDAYS = [
@@ -20,12 +20,12 @@ export const WEEKDAYS = [
   'SUNDAY',
 ] as const;
 
-/** `MONDAY` as people write it. */
+/** `Monday` for `MONDAY`. */
 export function weekdayName(day: string): string {
   return day.charAt(0) + day.slice(1).toLowerCase();
 }
 
-/** When a schedule fires, as it was asked for. */
+/** The times of a schedule, such as `every 5 minutes`. */
 export function timesOf({ at, cron, everyMinutes, zone }: Schedule): string {
   if (cron) return `${cron} (${zone === 'Z' ? 'UTC' : zone})`;
   if (everyMinutes) return `every ${plural(everyMinutes, 'minute')}`;
@@ -35,32 +35,32 @@ export function timesOf({ at, cron, everyMinutes, zone }: Schedule): string {
 export function stateOf({ paused, next, fired }: Schedule): string {
   if (paused) return 'Paused';
   if (next) return 'Waiting';
-  return fired ? 'Done' : 'Over';
+  return fired ? 'Done' : 'Expired';
 }
 
-/** The name that people gave it, or else what it builds. */
+/** The name of the schedule; default: the test model. */
 export function titleOf({ name, model }: Schedule): string {
   return name ?? model;
 }
 
 export const KINDS = [
   { value: 'once', label: 'Once' },
-  { value: 'interval', label: 'Every n minutes' },
-  { value: 'cron', label: 'Calendar (cron)' },
+  { value: 'interval', label: 'Interval' },
+  { value: 'cron', label: 'Cron' },
 ] as const;
 export type Kind = (typeof KINDS)[number]['value'];
 
-/** When, as it is typed. */
+/** The fields of the form. */
 export interface TimingDraft {
   kind: Kind;
-  /** As `datetime-local` has it, without a zone. */
+  /** Value of a `datetime-local` field, without a time zone. */
   at: string;
   minutes: string;
   cron: string;
   zone: string;
 }
 
-/** As the server is asked; nothing while it is not complete. */
+/** The times as the server takes them; undefined if the form is incomplete. */
 export function timingOf(draft: TimingDraft): ScheduleRequest | undefined {
   switch (draft.kind) {
     case 'once': {
@@ -82,18 +82,18 @@ export function timingOf(draft: TimingDraft): ScheduleRequest | undefined {
   }
 }
 
-/** As the clock on the wall shows it, with the zone that it is in. */
+/** Local time with its offset from UTC. */
 function withOffset(time: Date): string {
   const minutes = -time.getTimezoneOffset();
   const two = (value: number) => String(Math.floor(Math.abs(value))).padStart(2, '0');
-  const wall = new Date(time.getTime() + minutes * 60_000).toISOString().slice(0, 19);
-  return `${wall}${minutes < 0 ? '-' : '+'}${two(minutes / 60)}:${two(minutes % 60)}`;
+  const local = new Date(time.getTime() + minutes * 60_000).toISOString().slice(0, 19);
+  return `${local}${minutes < 0 ? '-' : '+'}${two(minutes / 60)}:${two(minutes % 60)}`;
 }
 
-/** What is often wanted. */
+/** Examples that fill in the field. */
 export const CRON_EXAMPLES: readonly { cron: string; label: string }[] = [
-  { cron: '0 3 * * *', label: 'every night at 3:00' },
+  { cron: '0 3 * * *', label: 'Every day at 3:00' },
   { cron: '0 22 * * 1-5', label: 'Monday to Friday at 22:00' },
-  { cron: '0 * * * *', label: 'every hour' },
-  { cron: '30 6 1 * *', label: 'on the first of each month at 6:30' },
+  { cron: '0 * * * *', label: 'Every hour' },
+  { cron: '30 6 1 * *', label: 'First day of the month at 6:30' },
 ];

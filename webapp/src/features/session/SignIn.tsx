@@ -4,7 +4,7 @@ import { ProblemAlert } from '@/shared/ui';
 import { useSignIn } from './queries';
 
 interface SignInProps {
-  /** Whether a link that would have signed in was too old. */
+  /** Whether the user came with a sign-in link that has expired. */
   expiredLink: boolean;
   onSignedIn: () => void;
 }
@@ -31,13 +31,13 @@ export function SignIn({ expiredLink, onSignedIn }: SignInProps) {
               role="alert"
               color="orange"
               variant="outline"
-              title="The link was used or is old"
+              title="The link was used or has expired"
             >
-              Sign in with a password, or have the launcher print another link.
+              Sign in with a password, or start the launcher again to get a new link.
             </Alert>
           )}
           <TextInput
-            label="Name"
+            label="User name"
             autoComplete="username"
             required
             value={name}
@@ -50,12 +50,12 @@ export function SignIn({ expiredLink, onSignedIn }: SignInProps) {
             autoComplete="current-password"
             required
             value={password}
-            visibilityToggleButtonProps={{ 'aria-label': 'Show the password' }}
+            visibilityToggleButtonProps={{ 'aria-label': 'Show password' }}
             onChange={(event) => {
               setPassword(event.currentTarget.value);
             }}
           />
-          {signIn.isError && <ProblemAlert title="Not signed in" error={signIn.error} />}
+          {signIn.isError && <ProblemAlert title="Sign-in failed" error={signIn.error} />}
           <Button type="submit" loading={signIn.isPending}>
             Sign in
           </Button>

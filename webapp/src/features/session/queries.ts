@@ -1,7 +1,7 @@
 import { useMutation, useQuery, useQueryClient } from '@tanstack/react-query';
 import { ApiError, dataOf, useApi } from '@/shared/api';
 
-/** Who is signed in; nobody is no error. */
+/** The signed-in user; null if nobody is signed in. */
 export function useSession() {
   const api = useApi();
   return useQuery({
@@ -24,7 +24,7 @@ export function useSignIn() {
   return useMutation({
     mutationFn: (body: { name: string; password: string }) =>
       dataOf(api.POST('/api/v1/session', { body })),
-    // What was refused before is asked for again.
+    // Requests that were refused before must be repeated.
     onSuccess: () => cache.resetQueries(),
   });
 }

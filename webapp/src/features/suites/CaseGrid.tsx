@@ -13,8 +13,14 @@ import { cellKey, useEdits, type Edits } from './useEdits';
 
 const ROW_HEIGHT = 34;
 
-/** The cases of a suite (Fig. 15), with what is expected of each to be filled in. */
-export function CaseGrid({ suite }: { suite: Suite }) {
+interface CaseGridProps {
+  suite: Suite;
+  /** Names of the outputs of the suite's test model. */
+  outputs: readonly string[];
+}
+
+/** The cases of a suite (Fig. 15) with their expected values, which can be edited. */
+export function CaseGrid({ suite, outputs }: CaseGridProps) {
   const edits = useEdits(suite);
   const fetched = useFetchCases(suite.id);
   const { scroller, rows, above, below, error, loading, scrollTo } = useVirtualPages<SuiteCase>({
@@ -23,12 +29,6 @@ export function CaseGrid({ suite }: { suite: Suite }) {
     rowHeight: ROW_HEIGHT,
     ...fetched,
   });
-  const [known, setKnown] = useState<readonly string[]>([]);
-  const present = new Set(rows.flatMap(({ item }) => (item ? Object.keys(item.expected) : [])));
-  const missing = [...present].filter((name) => !known.includes(name));
-  // What an output is called shows only in cases that expect something of it.
-  if (missing.length > 0) setKnown([...known, ...missing]);
-  const outputs = known.length > 0 ? known : ['return'];
   const groups = groupColumns(suite.parameters);
   const paste = usePaste(fetched, suite, outputs, edits);
 
@@ -39,7 +39,7 @@ export function CaseGrid({ suite }: { suite: Suite }) {
       {edits.conflict && <Conflict suite={suite} edits={edits} />}
       {edits.error && !edits.conflict && (
         <ProblemAlert
-          title="The change was not stored"
+          title="The change was not saved"
           error={edits.error}
           onClose={edits.discard}
         />
@@ -77,9 +77,11 @@ export function CaseGrid({ suite }: { suite: Suite }) {
                   {group.label}
                 </th>
               ))}
-              <th colSpan={outputs.length} scope="colgroup">
-                Expected
-              </th>
+              {outputs.length > 0 && (
+                <th colSpan={outputs.length} scope="colgroup">
+                  Expected
+                </th>
+              )}
             </tr>
             <tr>
               {groups.flatMap((group) =>
@@ -124,6 +126,7 @@ export function CaseGrid({ suite }: { suite: Suite }) {
                       <ExpectedCell
                         item={item}
                         output={output}
+                        stored={expectedOf(item, output, outputs)}
                         draft={edits.drafts.get(cellKey(item.no, nameOf(output, outputs)))}
                         onSet={(literal) => {
                           edits.set([change(item.no, output, outputs, literal)]);
@@ -153,7 +156,7 @@ export function CaseGrid({ suite }: { suite: Suite }) {
       <Text size="sm" c="dimmed" role="status">
         {formatCount(suite.total)} cases, {formatCount(suite.valid)} valid,{' '}
         {formatCount(suite.invalid)} with an invalid value
-        {edits.busy ? ' · storing…' : edits.drafts.size > 0 ? ' · not stored' : ' · all stored'}
+        {edits.busy ? ' · saving…' : edits.drafts.size > 0 ? ' · not saved' : ' · saved'}
       </Text>
     </Stack>
   );
@@ -162,6 +165,7 @@ export function CaseGrid({ suite }: { suite: Suite }) {
 interface ExpectedCellProps {
   item: SuiteCase;
   output: string;
+  stored: string;
   draft: string | undefined;
   place: string;
   onSet: (literal: string) => void;
@@ -169,8 +173,16 @@ interface ExpectedCellProps {
   onMove: (step: number) => void;
 }
 
-function ExpectedCell({ item, output, draft, place, onSet, onPaste, onMove }: ExpectedCellProps) {
-  const stored = item.expected[output] ?? '';
+function ExpectedCell({
+  item,
+  output,
+  stored,
+  draft,
+  place,
+  onSet,
+  onPaste,
+  onMove,
+}: ExpectedCellProps) {
   const [typed, setTyped] = useState<string>();
   const shown = typed ?? draft ?? stored;
 
@@ -207,7 +219,7 @@ function ExpectedCell({ item, output, draft, place, onSet, onPaste, onMove }: Ex
       onKeyDown={key}
       onPaste={(event: ClipboardEvent<HTMLInputElement>) => {
         const text = event.clipboardData.getData('text/plain');
-        // A single value goes where the cursor is, as everywhere.
+        // A single value is pasted at the cursor.
         if (!/[\n\t]/.test(text.trimEnd())) return;
         event.preventDefault();
         setTyped(undefined);
@@ -217,9 +229,15 @@ function ExpectedCell({ item, output, draft, place, onSet, onPaste, onMove }: Ex
   );
 }
 
-/** As cases name an output: not at all where there is only one. */
+/** The name of an output in the cases; a single output has none. */
 function nameOf(output: string, outputs: readonly string[]): string {
   return outputs.length === 1 ? '' : output;
+}
+
+/** The server lists the value of a single output under `return`, whatever the output is called. */
+function expectedOf(item: SuiteCase, output: string, outputs: readonly string[]): string {
+  const value = item.expected[output];
+  return value ?? (outputs.length === 1 ? item.expected['return'] : undefined) ?? '';
 }
 
 function change(
@@ -232,7 +250,7 @@ function change(
   return { no, ...(name && { output: name }), ...(literal !== '' && { literal }) };
 }
 
-/** Rows of a spreadsheet, from a cell on downwards and to the right. */
+/** Pastes rows of a spreadsheet from a cell downwards and to the right. */
 function usePaste(
   { queryKey, fetchPage }: ReturnType<typeof useFetchCases>,
   suite: Suite,
@@ -263,7 +281,7 @@ function usePaste(
   };
 }
 
-/** The row may only now have been drawn. */
+/** Focuses a cell after its row has been rendered. */
 function focusCell(scroller: HTMLElement | null, row: number, output: number) {
   requestAnimationFrame(() => {
     scroller?.querySelector<HTMLInputElement>(`input[data-place="${row} ${output}"]`)?.focus();

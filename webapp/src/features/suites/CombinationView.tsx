@@ -6,21 +6,22 @@ import { plural } from '@/shared/lib/format';
 import { Chart, Loading, ProblemAlert, ScrollTable, UserText } from '@/shared/ui';
 import { useCombinations } from './queries';
 
-/** Which pairs of values occur together in a case, as a picture. */
+/** Shows which pairs of values occur together in a case. */
 export function CombinationView({ suite }: { suite: Suite }) {
   const [first, setFirst] = useState(0);
   const [second, setSecond] = useState(1);
-  const several = suite.parameters.length > 1;
+  const hasPairs = suite.parameters.length > 1;
   const combinations = useCombinations(
     suite.id,
     suite.version,
-    several ? [first, second] : undefined,
+    hasPairs ? [first, second] : undefined,
   );
   if (combinations.isPending) return <Loading what="the combinations" />;
   if (!combinations.data) {
     return <ProblemAlert title="The combinations could not be read" error={combinations.error} />;
   }
-  if (!several) return <Text c="dimmed">A single parameter is combined with nothing.</Text>;
+  if (!hasPairs)
+    return <Text c="dimmed">The suite has a single parameter, so there are no combinations.</Text>;
   const { parameters, pairs, counts } = combinations.data;
   const names = parameters.map(({ name }, index) => ({ value: String(index), label: name }));
   return (
@@ -35,7 +36,7 @@ export function CombinationView({ suite }: { suite: Suite }) {
           }}
         />
         <NativeSelect
-          label="with"
+          label="With"
           data={names}
           value={String(second)}
           onChange={(event) => {
@@ -43,13 +44,13 @@ export function CombinationView({ suite }: { suite: Suite }) {
           }}
         />
       </Group>
-      {counts && <Picture parameters={parameters} counts={counts} />}
+      {counts && <Heatmap parameters={parameters} counts={counts} />}
       <ScrollTable label="Pairs of parameters" minWidth={420}>
         <Table.Thead>
           <Table.Tr>
             <Table.Th>Parameters</Table.Th>
-            <Table.Th ta="right">Pairs of values covered</Table.Th>
-            <Table.Th ta="right">Share</Table.Th>
+            <Table.Th ta="right">Covered pairs of values</Table.Th>
+            <Table.Th ta="right">Coverage</Table.Th>
           </Table.Tr>
         </Table.Thead>
         <Table.Tbody>
@@ -74,7 +75,7 @@ export function CombinationView({ suite }: { suite: Suite }) {
 
 type Counts = NonNullable<Combinations['counts']>;
 
-function Picture({
+function Heatmap({
   parameters,
   counts,
 }: {
@@ -117,7 +118,7 @@ function heatmap(parameters: Combinations['parameters'], counts: Counts): EChart
       pieces: [
         { value: 0, label: 'never', color: 'rgba(128,128,128,0.12)' },
         { value: 1, label: 'once', color: '#78bac3' },
-        ...(largest > 1 ? [{ min: 2, label: 'more often', color: '#0b6874' }] : []),
+        ...(largest > 1 ? [{ min: 2, label: 'repeatedly', color: '#0b6874' }] : []),
       ],
     },
     series: [
@@ -126,7 +127,7 @@ function heatmap(parameters: Combinations['parameters'], counts: Counts): EChart
         data,
         label: {
           show: counts.cases.flat().length <= 400,
-          // A pair that never occurs is a hole; a nought on grey is hard to read.
+          // An empty cell is easier to see than a zero.
           formatter: ({ value: [, , count] }: { value: [number, number, number] }) =>
             count === 0 ? '' : String(count),
         },

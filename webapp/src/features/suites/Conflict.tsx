@@ -4,16 +4,16 @@ import { plural } from '@/shared/lib/format';
 import { useSuite } from './queries';
 import type { Edits } from './useEdits';
 
-/** Two people changed one suite: nothing is overwritten, and the second decides. */
+/** Shown if another user changed the suite. Nothing is overwritten until the user decides. */
 export function Conflict({ suite, edits }: { suite: Suite; edits: Edits }) {
-  const present = useSuite(suite.id);
+  const stored = useSuite(suite.id);
   return (
-    <Alert role="alert" color="orange" variant="outline" title="Somebody else changed this suite">
+    <Alert role="alert" color="orange" variant="outline" title="Another user changed this suite">
       <Stack gap="sm">
         <Text size="sm">
           {edits.drafts.size > 0
-            ? `Your ${plural(edits.drafts.size, 'value')} did not overwrite it, and is still here.`
-            : 'Your change did not overwrite it.'}
+            ? `Nothing was overwritten. You have ${plural(edits.drafts.size, 'unsaved value')}.`
+            : 'Nothing was overwritten.'}
         </Text>
         <Group gap="sm">
           <Button
@@ -21,20 +21,20 @@ export function Conflict({ suite, edits }: { suite: Suite; edits: Edits }) {
             variant="default"
             onClick={() => {
               edits.discard();
-              void present.refetch();
+              void stored.refetch();
             }}
           >
-            Show theirs, drop mine
+            Discard my changes
           </Button>
           <Button
             size="xs"
             onClick={() =>
-              void present.refetch().then(({ data }) => {
+              void stored.refetch().then(({ data }) => {
                 if (data) edits.retry(data.version);
               })
             }
           >
-            Put mine onto theirs
+            Apply my changes
           </Button>
         </Group>
       </Stack>

@@ -26,17 +26,17 @@ const EXPORTS = [
   { label: 'XML', path: 'document', ending: 'xml' },
 ] as const;
 
-/** What is done to all cases at once. */
+/** Actions on all cases of a suite. */
 export function GridTools({ suite, outputs, edits }: GridToolsProps) {
   useUndoKey(suite.undoable > 0, () => void edits.apply({ kind: 'undo' }));
   return (
     <Group gap="sm">
-      <FillByFormula suite={suite} outputs={outputs} edits={edits} />
+      <FillWithFormula suite={suite} outputs={outputs} edits={edits} />
       <Button
         size="xs"
         variant="default"
         disabled={suite.undoable === 0 || edits.busy}
-        title="Ctrl+Z outside of a field"
+        title="Ctrl+Z outside text fields"
         onClick={() => void edits.apply({ kind: 'undo' })}
       >
         Undo
@@ -79,7 +79,7 @@ export function GridTools({ suite, outputs, edits }: GridToolsProps) {
   );
 }
 
-function FillByFormula({ suite, outputs, edits }: GridToolsProps) {
+function FillWithFormula({ suite, outputs, edits }: GridToolsProps) {
   const [opened, setOpened] = useState(false);
   const [expression, setExpression] = useState('');
   const [output, setOutput] = useState(outputs[0] ?? 'return');
@@ -89,7 +89,7 @@ function FillByFormula({ suite, outputs, edits }: GridToolsProps) {
       label: name,
       detail: `${type} ${realType}`,
     })),
-    { label: 'valid', detail: 'true in a case without an invalid value' },
+    { label: 'valid', detail: 'true in cases without an invalid value' },
   ];
   return (
     <Popover
@@ -107,10 +107,10 @@ function FillByFormula({ suite, outputs, edits }: GridToolsProps) {
             setOpened(!opened);
           }}
         >
-          Fill by formula
+          Fill with formula
         </Button>
       </Popover.Target>
-      <Popover.Dropdown aria-label="Fill expected values by a formula">
+      <Popover.Dropdown aria-label="Fill expected values with a formula">
         <Stack gap="sm">
           {outputs.length > 1 && (
             <NativeSelect
@@ -124,13 +124,13 @@ function FillByFormula({ suite, outputs, edits }: GridToolsProps) {
           )}
           <Formula
             label="Expected value"
-            description="CEL, such as: valid ? Distance : -1.0"
+            description="A CEL expression, such as: valid ? Distance : -1.0"
             text={expression}
             words={words}
             onChange={setExpression}
           />
           <Checkbox
-            label="Only where nothing is expected yet"
+            label="Only cases without an expected value"
             checked={onlyEmpty}
             onChange={(event) => {
               setOnlyEmpty(event.currentTarget.checked);
@@ -163,14 +163,14 @@ function FillByFormula({ suite, outputs, edits }: GridToolsProps) {
   );
 }
 
-/** Ctrl+Z undoes on the server; within a field it stays the field's own. */
-function useUndoKey(possible: boolean, undo: () => void) {
+/** Ctrl+Z undoes the last change of the suite. Inside a text field, the browser handles it. */
+function useUndoKey(enabled: boolean, undo: () => void) {
   useEffect(() => {
     const listen = (event: KeyboardEvent) => {
       const inField =
         event.target instanceof HTMLElement &&
         (event.target.matches('input, textarea, select') || event.target.isContentEditable);
-      if (possible && !inField && (event.ctrlKey || event.metaKey) && event.key === 'z') {
+      if (enabled && !inField && (event.ctrlKey || event.metaKey) && event.key === 'z') {
         event.preventDefault();
         undo();
       }

@@ -1,12 +1,15 @@
 import { Stack, Table, Text } from '@mantine/core';
 import type { CaseChange, Suite } from '@/shared/api';
-import { plural } from '@/shared/lib/format';
 import { Loading, ProblemAlert, RouteLink, ScrollTable, UserText } from '@/shared/ui';
 import { useSuiteChanges } from './queries';
 
-const WORDS = { added: 'New', removed: 'Gone', expected: 'Expects otherwise' } as const;
+const CHANGES = {
+  added: 'Added',
+  removed: 'Removed',
+  expected: 'Expected value changed',
+} as const;
 
-/** What changed since the suite of the same model that was made before. */
+/** The changes since the previous suite of the same model. */
 export function SuiteChangesView({ suite }: { suite: Suite }) {
   const changes = useSuiteChanges(suite.id, suite.version);
   if (changes.isPending) return <Loading what="the changes" />;
@@ -16,19 +19,19 @@ export function SuiteChangesView({ suite }: { suite: Suite }) {
   const { previousId, otherParameters, kept, added, removed, expectedChanged, items } =
     changes.data;
   if (!previousId) {
-    return <Text c="dimmed">This is the first suite of its model.</Text>;
+    return <Text c="dimmed">This is the first suite of this test model.</Text>;
   }
   return (
     <Stack gap="md">
       <Text>
         Since{' '}
         <RouteLink to="/suites/$suiteId" params={{ suiteId: previousId }} underline="always">
-          the suite before
+          the previous suite
         </RouteLink>
         :{' '}
         {otherParameters
-          ? 'the parameters are others, so no case can be compared.'
-          : `${plural(added, 'new case')}, ${removed} gone, ${expectedChanged} expecting otherwise, ${kept} as they were.`}
+          ? 'the parameters have changed, so cases cannot be compared.'
+          : `${added} added, ${removed} removed, ${expectedChanged} with changed expected values, ${kept} unchanged.`}
       </Text>
       {items.length > 0 && (
         <ScrollTable label="Changed cases" minWidth={640}>
@@ -60,7 +63,7 @@ function ChangeRow({ item }: { item: CaseChange }) {
   const shown = item.now ?? item.before;
   return (
     <Table.Tr>
-      <Table.Td>{WORDS[item.change]}</Table.Td>
+      <Table.Td>{CHANGES[item.change]}</Table.Td>
       <Table.Td>{shown?.no}</Table.Td>
       {shown?.values.map((value, index) => (
         <Table.Td key={index} ta="right">

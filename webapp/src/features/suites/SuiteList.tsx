@@ -3,7 +3,7 @@ import { formatCount } from '@/shared/lib/format';
 import { Age, Loading, ProblemAlert, RouteLink, ScrollTable, UserText } from '@/shared/ui';
 import { useSuites } from './queries';
 
-/** The suites of an activity, the newest first. */
+/** The suites of an activity, newest first. */
 export function SuiteList({ activityId }: { activityId: string }) {
   const suites = useSuites(activityId);
   if (suites.isPending) return <Loading what="the suites" />;
@@ -12,7 +12,7 @@ export function SuiteList({ activityId }: { activityId: string }) {
   }
   const { items } = suites.data;
   if (items.length === 0) {
-    return <Text c="dimmed">No suite yet: generate one from a test model.</Text>;
+    return <Text c="dimmed">No suites yet. Open a test model to generate test cases.</Text>;
   }
   return (
     <ScrollTable label="Suites" minWidth={560}>

@@ -3,17 +3,17 @@ import { dataOf, useApi, type Suite, type SuiteOptions } from '@/shared/api';
 
 const SUITES = 'suites';
 
-/** Cases that are fetched at once: a suite of 100,000 is never loaded whole. */
+/** Page size: large suites are loaded page by page. */
 export const CASES_PER_PAGE = 200;
 
-/** The test model a suite is generated from; options left out are the model's own. */
+/** The test model of a new suite. Missing options default to those of the model. */
 export interface SuiteOf {
   activityId: string;
   model: string;
   options?: SuiteOptions;
 }
 
-/** Generates and keeps a suite of test cases. */
+/** Generates and stores a suite of test cases. */
 export function useGenerateSuite() {
   const api = useApi();
   const cache = useQueryClient();
@@ -41,7 +41,7 @@ export function useSuite(id: string) {
       );
       const known = cache.getQueryData<Suite>(queryKey);
       if (known && known.version !== suite.version) {
-        // Somebody else changed it: the cases in sight are old.
+        // Another user changed the suite: the loaded cases are outdated.
         void cache.invalidateQueries({ queryKey: [SUITES, 'cases', id] });
       }
       return suite;
@@ -49,7 +49,7 @@ export function useSuite(id: string) {
   });
 }
 
-/** Suites of an activity, the newest first. */
+/** Suites of an activity, newest first. */
 export function useSuites(activityId: string) {
   const api = useApi();
   return useQuery({
@@ -64,7 +64,7 @@ export function useSuites(activityId: string) {
   });
 }
 
-/** Pages of a suite's cases. */
+/** The cases of a suite, page by page. */
 export function useFetchCases(id: string) {
   const api = useApi();
   return {
@@ -82,7 +82,7 @@ export function useFetchCases(id: string) {
 export interface ExpectedChange {
   no: number;
   output?: string;
-  /** Absent: nothing is expected. */
+  /** Absent to remove the expected value. */
   literal?: string;
 }
 
@@ -92,7 +92,7 @@ export interface Fill {
   onlyEmpty: boolean;
 }
 
-/** A change of a suite, onto the version that its author saw. */
+/** A change of a suite. */
 export type SuiteChange =
   | { kind: 'expected'; changes: ExpectedChange[] }
   | ({ kind: 'fill' } & Fill)
@@ -153,7 +153,7 @@ export function useChangeSuite(id: string) {
     },
     onSuccess: async (suite) => {
       cache.setQueryData([SUITES, 'one', id], suite);
-      // Before what was typed gives way to what is stored, that must be here.
+      // The stored cases must be loaded before the unsaved values are dropped.
       await cache.invalidateQueries({ queryKey: [SUITES, 'cases', id] });
     },
   });
@@ -184,7 +184,7 @@ export function useSuiteChanges(id: string, version: number) {
   });
 }
 
-/** The sources of the test application; `activityVersion` keeps them apart from older ones. */
+/** The sources of the test application. `activityVersion` distinguishes them in the cache. */
 export function useHarness(id: string, activityVersion: number) {
   const api = useApi();
   return useQuery({

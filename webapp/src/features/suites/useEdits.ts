@@ -3,20 +3,21 @@ import type { Suite } from '@/shared/api';
 import { ApiError } from '@/shared/api';
 import { useChangeSuite, type ExpectedChange, type SuiteChange } from './queries';
 
-/** The key of an expected value that is being changed. */
+/** Identifies an expected value. */
 export function cellKey(no: number, output: string): string {
   return `${no} ${output}`;
 }
 
 /**
- * Sends the changes of a suite one after another, each onto the version that the one before made.
- * What is typed meanwhile waits and goes together. A conflict stops it all: nothing is overwritten.
+ * Sends the changes of a suite one after another, each with the version that the previous change
+ * returned. Changes made in the meantime are sent together. A conflict stops sending, so that
+ * nothing is overwritten.
  */
 export function useEdits(suite: Suite) {
   const change = useChangeSuite(suite.id);
-  /** What was typed and is not yet stored, by cell; it is shown in the place of what is stored. */
+  /** Unsaved values by cell; they are shown instead of the stored values. */
   const [drafts, setDrafts] = useState<ReadonlyMap<string, string>>(new Map());
-  const waiting = useRef<Map<string, ExpectedChange>>(new Map());
+  const pending = useRef<Map<string, ExpectedChange>>(new Map());
   const sending = useRef(false);
   const version = useRef(suite.version);
   const [conflict, setConflict] = useState(false);
@@ -42,22 +43,22 @@ export function useEdits(suite: Suite) {
 
   async function flush() {
     if (sending.current) return;
-    while (waiting.current.size > 0) {
-      const batch = waiting.current;
-      waiting.current = new Map();
+    while (pending.current.size > 0) {
+      const batch = pending.current;
+      pending.current = new Map();
       const sent = await send({ kind: 'expected', changes: [...batch.values()] });
       if (!sent) {
-        // Kept, so that they can be sent again; newer ones of the same cell win.
-        waiting.current = new Map([...batch, ...waiting.current]);
+        // Kept for another attempt; newer values of the same cell have precedence.
+        pending.current = new Map([...batch, ...pending.current]);
         return;
       }
-      setDrafts((old) => new Map([...old].filter(([key]) => waiting.current.has(key))));
+      setDrafts((old) => new Map([...old].filter(([key]) => pending.current.has(key))));
     }
   }
 
   function set(changes: readonly ExpectedChange[]) {
     for (const item of changes) {
-      waiting.current.set(cellKey(item.no, item.output ?? ''), item);
+      pending.current.set(cellKey(item.no, item.output ?? ''), item);
     }
     setDrafts(
       (old) =>
@@ -73,7 +74,7 @@ export function useEdits(suite: Suite) {
   }
 
   function discard() {
-    waiting.current = new Map();
+    pending.current = new Map();
     setDrafts(new Map());
     setConflict(false);
     change.reset();
@@ -82,16 +83,16 @@ export function useEdits(suite: Suite) {
   return {
     drafts,
     set,
-    /** Anything but single values; what is typed goes first. */
+    /** Applies any other change, after the unsaved values were sent. */
     apply: async (next: SuiteChange) => {
       await flush();
-      return waiting.current.size === 0 && (await send(next));
+      return pending.current.size === 0 && (await send(next));
     },
     conflict,
     discard,
-    /** Sends what waits onto what is stored now. */
-    retry: (present: number) => {
-      version.current = present;
+    /** Sends the unsaved values again, based on the current version. */
+    retry: (currentVersion: number) => {
+      version.current = currentVersion;
       setConflict(false);
       change.reset();
       void flush();

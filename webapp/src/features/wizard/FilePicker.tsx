@@ -12,11 +12,11 @@ interface FilePickerProps {
   onFiles: (files: Files) => void;
   /** Whether a whole folder may be chosen. */
   folder?: boolean;
-  /** Whether more than one file makes sense. */
+  /** Whether a single file is expected. */
   single?: boolean;
 }
 
-/** Takes files, folders and zips, chosen or dropped. */
+/** Selects files, folders and zip files with a dialog or by drag and drop. */
 export function FilePicker({
   label,
   description,
@@ -29,13 +29,13 @@ export function FilePicker({
   const [error, setError] = useState<Error>();
   const folderInput = useRef<HTMLInputElement>(null);
 
-  async function take(given: readonly { path: string; file: File }[]) {
+  async function addFiles(given: readonly { path: string; file: File }[]) {
     if (given.length === 0) return;
     try {
       const { filesFrom } = await import('./archive');
-      const taken = await filesFrom(given);
+      const added = await filesFrom(given);
       setError(undefined);
-      onFiles(single ? new Map([...taken].slice(0, 1)) : new Map([...files, ...taken]));
+      onFiles(single ? new Map([...added].slice(0, 1)) : new Map([...files, ...added]));
     } catch (cause) {
       setError(cause instanceof Error ? cause : new Error(String(cause)));
     }
@@ -46,9 +46,9 @@ export function FilePicker({
     setOver(false);
     const entries = [...event.dataTransfer.items].flatMap((item) => item.webkitGetAsEntry() ?? []);
     if (entries.length > 0) {
-      void Promise.all(entries.map(filesBelow)).then((found) => take(found.flat()));
+      void Promise.all(entries.map(filesBelow)).then((found) => addFiles(found.flat()));
     } else {
-      void take([...event.dataTransfer.files].map((file) => ({ path: file.name, file })));
+      void addFiles([...event.dataTransfer.files].map((file) => ({ path: file.name, file })));
     }
   }
 
@@ -79,7 +79,9 @@ export function FilePicker({
             <FileButton
               multiple
               inputProps={{ 'aria-label': `Files: ${label}` }}
-              onChange={(chosen) => void take(chosen.map((file) => ({ path: file.name, file })))}
+              onChange={(chosen) =>
+                void addFiles(chosen.map((file) => ({ path: file.name, file })))
+              }
             >
               {(props) => (
                 <Button {...props} size="xs" variant="default">
@@ -94,11 +96,11 @@ export function FilePicker({
                   type="file"
                   hidden
                   multiple
-                  // React has no name for it; all browsers have.
+                  // React does not know this attribute; all browsers support it.
                   {...{ webkitdirectory: '' }}
                   aria-label={`Folder: ${label}`}
                   onChange={(event) =>
-                    void take(
+                    void addFiles(
                       [...(event.currentTarget.files ?? [])].map((file) => ({
                         path: file.webkitRelativePath || file.name,
                         file,
@@ -138,7 +140,7 @@ export function FilePicker({
   );
 }
 
-/** All files of what was dropped, with their paths from there. */
+/** All files of a dropped file or folder, with their paths relative to it. */
 async function filesBelow(entry: FileSystemEntry): Promise<{ path: string; file: File }[]> {
   if (entry.isFile) {
     const file = await new Promise<File>((resolve, reject) => {
@@ -149,12 +151,12 @@ async function filesBelow(entry: FileSystemEntry): Promise<{ path: string; file:
   const reader = (entry as FileSystemDirectoryEntry).createReader();
   const all: FileSystemEntry[] = [];
   for (;;) {
-    // A reader hands a folder out in parts, the last of which is empty.
-    const part = await new Promise<FileSystemEntry[]>((resolve, reject) => {
+    // A reader returns the entries in batches; the last one is empty.
+    const batch = await new Promise<FileSystemEntry[]>((resolve, reject) => {
       reader.readEntries(resolve, reject);
     });
-    if (part.length === 0) break;
-    all.push(...part);
+    if (batch.length === 0) break;
+    all.push(...batch);
   }
   return (await Promise.all(all.map(filesBelow))).flat();
 }

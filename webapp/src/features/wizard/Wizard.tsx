@@ -13,13 +13,20 @@ import {
 import { useState } from 'react';
 import type { Activity, Diagnostic } from '@/shared/api';
 import { Diagnostics, ProblemAlert, Section, UserText } from '@/shared/ui';
-import { EMPTY, LANGUAGES, likelyClass, pathsOf, type Language, type WizardDraft } from './draft';
+import {
+  EMPTY,
+  LANGUAGES,
+  suggestedClass,
+  pathsOf,
+  type Language,
+  type WizardDraft,
+} from './draft';
 import { FilePicker } from './FilePicker';
 import { useCheck, useCreateActivity } from './queries';
 
 const LAST_STEP = 3;
 
-/** A new activity in four steps (Fig. 13); what is wrong shows where it is mended. */
+/** Creates an activity in four steps (Fig. 13). Problems are shown next to the fields that cause them. */
 export function Wizard({ onCreated }: { onCreated: (activity: Activity) => void }) {
   const [step, setStep] = useState(0);
   const [draft, setDraft] = useState<WizardDraft>(EMPTY);
@@ -27,7 +34,7 @@ export function Wizard({ onCreated }: { onCreated: (activity: Activity) => void 
   const create = useCreateActivity();
   const problems = check.data?.diagnostics ?? [];
   const set = (changes: Partial<WizardDraft>) => {
-    // Files take a while to be read; what was typed meanwhile stays.
+    // Reading files takes time: keep what was typed in the meantime.
     setDraft((known) => ({ ...known, ...changes }));
   };
   const props: StepProps = { draft, set, problems };
@@ -35,10 +42,10 @@ export function Wizard({ onCreated }: { onCreated: (activity: Activity) => void 
   return (
     <Stack gap="lg">
       <Stepper active={step} onStepClick={setStep} size="sm">
-        <Stepper.Step label="Component" description="profile" />
-        <Stepper.Step label="Library" description="or sources" />
+        <Stepper.Step label="Component" description="and profile" />
+        <Stepper.Step label="Sources" description="or library" />
         <Stepper.Step label="Interfaces" description="and libraries" />
-        <Stepper.Step label="Skeleton" description="world, summary" />
+        <Stepper.Step label="Summary" description="and world" />
       </Stepper>
       {step === 0 && <ComponentStep {...props} />}
       {step === 1 && <SourcesStep {...props} />}
@@ -77,7 +84,7 @@ export function Wizard({ onCreated }: { onCreated: (activity: Activity) => void 
               create.mutate(draft, { onSuccess: onCreated });
             }}
           >
-            Create the activity
+            Create activity
           </Button>
         )}
       </Group>
@@ -91,14 +98,13 @@ interface StepProps {
   problems: readonly Diagnostic[];
 }
 
-/** The problem of an entry of the profile, once there is something to judge. */
+/** The problem of a field of the profile; none while the field is empty. */
 function problemOf(problems: readonly Diagnostic[], element: string, value: string) {
   return value === ''
     ? undefined
     : problems.find((p) => p.file === 'activity.yaml' && p.element === element)?.message;
 }
 
-/** Problems of files, or of entries that begin so. */
 function Problems({ items }: { items: readonly Diagnostic[] }) {
   return items.length > 0 ? <Diagnostics items={items} /> : null;
 }
@@ -135,10 +141,10 @@ function ComponentStep({ draft, set, problems }: StepProps) {
           }}
         />
         <NativeSelect
-          label="The component is made"
+          label="Component instance"
           data={[
-            { value: 'case', label: 'anew for each case' },
-            { value: 'suite', label: 'once for all cases' },
+            { value: 'case', label: 'New instance for each case' },
+            { value: 'suite', label: 'One instance for all cases' },
           ]}
           value={draft.lifeCycle}
           onChange={(event) => {
@@ -149,7 +155,7 @@ function ComponentStep({ draft, set, problems }: StepProps) {
       <Group align="start" grow>
         <Textarea
           label="Properties"
-          description="NAME: VALUE a line, set before the first call"
+          description="One NAME: VALUE per line, set before the first call"
           autosize
           value={draft.properties}
           onChange={(event) => {
@@ -157,8 +163,8 @@ function ComponentStep({ draft, set, problems }: StepProps) {
           }}
         />
         <Textarea
-          label="Calls before the one under test"
-          description="One a line, such as Enable()"
+          label="Calls before the method under test"
+          description="One per line, such as Enable()"
           autosize
           value={draft.before}
           onChange={(event) => {
@@ -168,7 +174,7 @@ function ComponentStep({ draft, set, problems }: StepProps) {
       </Group>
       <FilePicker
         label="Component profile"
-        description="The OPRoS XML of the component, where there is one"
+        description="OPRoS XML, optional"
         single
         files={draft.profile}
         onFiles={(profile) => {
@@ -182,12 +188,12 @@ function ComponentStep({ draft, set, problems }: StepProps) {
 
 function SourcesStep({ draft, set, problems }: StepProps) {
   const [kind, setKind] = useState(draft.library.size > 0 ? 'library' : 'sources');
-  const suggestion = likelyClass(draft);
+  const suggestion = suggestedClass(draft);
   const className = draft.className;
   return (
     <Stack gap="md">
       <SegmentedControl
-        aria-label="What the component is given as"
+        aria-label="Form of the component"
         value={kind}
         onChange={(value) => {
           setKind(value);
@@ -195,17 +201,17 @@ function SourcesStep({ draft, set, problems }: StepProps) {
         }}
         data={[
           { value: 'sources', label: 'Sources' },
-          { value: 'library', label: 'Built library' },
+          { value: 'library', label: 'Compiled library' },
         ]}
       />
       {kind === 'sources' ? (
         <FilePicker
           label="Sources of the component"
-          description="Drop a folder, a zip or files here"
+          description="Drop a folder, a zip file or files here"
           folder
           files={draft.sources}
           onFiles={(sources) => {
-            const found = likelyClass({ ...draft, sources });
+            const found = suggestedClass({ ...draft, sources });
             set({ sources, ...(className === '' && { className: found }) });
           }}
         />
@@ -221,11 +227,11 @@ function SourcesStep({ draft, set, problems }: StepProps) {
         />
       )}
       <TextInput
-        label="Class of the component"
+        label="Component class"
         description={
           suggestion && suggestion !== className
-            ? `Qualified as its language writes it; the sources declare ${suggestion}`
-            : 'Qualified as its language writes it'
+            ? `Qualified name; the sources declare ${suggestion}`
+            : 'Qualified name, such as org.example.Sensor'
         }
         required
         value={className}
@@ -250,7 +256,7 @@ function InterfacesStep({ draft, set, problems }: StepProps) {
   return (
     <Stack gap="md">
       <FilePicker
-        label="Interfaces that the component provides"
+        label="Provided interfaces"
         description="OPRoS XML, OMG IDL, ROS msg, srv or action, protobuf"
         files={draft.provided}
         onFiles={(provided) => {
@@ -258,8 +264,8 @@ function InterfacesStep({ draft, set, problems }: StepProps) {
         }}
       />
       <FilePicker
-        label="Interfaces that it requires"
-        description="The test stub stands in for these; none where it calls no other component"
+        label="Required interfaces"
+        description="Implemented by the test stub; optional"
         files={draft.required}
         onFiles={(required) => {
           set({ required });
@@ -267,7 +273,7 @@ function InterfacesStep({ draft, set, problems }: StepProps) {
       />
       <FilePicker
         label="External libraries"
-        description="What the component needs besides, optional"
+        description="Other libraries that the component needs, optional"
         files={draft.libraries}
         onFiles={(libraries) => {
           set({ libraries });
@@ -288,8 +294,8 @@ function SummaryStep({ draft, set, problems }: StepProps) {
   return (
     <Stack gap="md">
       <NativeSelect
-        label="Type of the skeleton code"
-        description="The language of the generated test application"
+        label="Language of the test application"
+        description="The default is the language of the component"
         data={[...LANGUAGES]}
         value={draft.harness}
         onChange={(event) => {
@@ -297,8 +303,8 @@ function SummaryStep({ draft, set, problems }: StepProps) {
         }}
       />
       <FilePicker
-        label="World of the simulation"
-        description="NAME.world.yaml with its MJCF; none where the component needs no simulation"
+        label="Simulation world"
+        description="NAME.world.yaml and its MJCF files, optional"
         folder
         files={draft.world}
         onFiles={(world) => {
@@ -307,7 +313,7 @@ function SummaryStep({ draft, set, problems }: StepProps) {
       />
       <Section title="Summary">
         <Text>
-          <UserText>{`${draft.name || 'Without a name'}: ${draft.className || 'no class'} in ${
+          <UserText>{`${draft.name || 'No name'}: ${draft.className || 'no class'} in ${
             LANGUAGES.find(({ value }) => value === draft.language)?.label ?? ''
           }`}</UserText>
         </Text>
@@ -317,7 +323,7 @@ function SummaryStep({ draft, set, problems }: StepProps) {
         {problems.length > 0 ? (
           <Diagnostics items={problems} />
         ) : (
-          <Text role="status">Nothing is wrong with it.</Text>
+          <Text role="status">No problems.</Text>
         )}
       </Section>
     </Stack>

@@ -2,7 +2,7 @@ import { unzipSync, zipSync } from 'fflate';
 import { parse, stringify } from 'yaml';
 import { filesOf, type Files, type WizardDraft } from './draft';
 
-/** The profile of the activity that a draft makes. */
+/** The profile (activity.yaml) of a draft. */
 export function profileOf(draft: WizardDraft): string {
   const [profile] = draft.profile.keys();
   const [library] = draft.library.keys();
@@ -36,7 +36,7 @@ function linesOf(text: string): string[] {
     .filter((line) => line !== '');
 }
 
-/** The zip of an activity. */
+/** The zip file of a draft. */
 export function archiveOf(draft: WizardDraft): Uint8Array<ArrayBuffer> {
   return zipSync({
     'activity.yaml': new TextEncoder().encode(profileOf(draft)),
@@ -44,7 +44,7 @@ export function archiveOf(draft: WizardDraft): Uint8Array<ArrayBuffer> {
   });
 }
 
-/** The files of what was dropped or chosen: zips are opened, folders keep their inner paths. */
+/** Selected files: zip files are unpacked, folders keep their relative paths. */
 export async function filesFrom(given: readonly { path: string; file: File }[]): Promise<Files> {
   const files = new Map<string, Uint8Array>();
   for (const { path, file } of given) {
@@ -60,13 +60,13 @@ export async function filesFrom(given: readonly { path: string; file: File }[]):
   return withoutCommonFolder(files);
 }
 
-/** A folder that holds everything is only the way it was packed. */
+/** Removes a top-level folder that contains all files. */
 function withoutCommonFolder(files: Files): Files {
   const paths = [...files.keys()];
   const folder = /^[^/]+\//.exec(paths[0] ?? '')?.[0];
-  // Packages of a language are folders too, and mean something.
-  const meaningful = ['com/', 'org/', 'net/', 'io/', 'src/', 'include/'];
-  if (!folder || meaningful.includes(folder) || !paths.every((path) => path.startsWith(folder))) {
+  // These folders are part of package names or include paths.
+  const significant = ['com/', 'org/', 'net/', 'io/', 'src/', 'include/'];
+  if (!folder || significant.includes(folder) || !paths.every((path) => path.startsWith(folder))) {
     return files;
   }
   return new Map([...files].map(([path, content]) => [path.slice(folder.length), content]));

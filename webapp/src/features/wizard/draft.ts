@@ -1,4 +1,4 @@
-/** Files by their path below the place where the activity keeps them. */
+/** Files by path, relative to their folder in the activity. */
 export type Files = ReadonlyMap<string, Uint8Array>;
 
 export const LANGUAGES = [
@@ -8,21 +8,21 @@ export const LANGUAGES = [
 ] as const;
 export type Language = (typeof LANGUAGES)[number]['value'];
 
-/** What the paper's wizard collects (Fig. 13). */
+/** The fields of the wizard (Fig. 13). */
 export interface WizardDraft {
   name: string;
   description: string;
   language: Language;
   className: string;
   lifeCycle: 'case' | 'suite';
-  /** `NAME: VALUE` a line, set before the first call. */
+  /** One `NAME: VALUE` per line, set before the first call. */
   properties: string;
-  /** A call a line, such as `Enable()`, before the one under test. */
+  /** One call per line, such as `Enable()`, before the method under test. */
   before: string;
   /** The component profile, optional. */
   profile: Files;
   sources: Files;
-  /** A built library in the place of sources. */
+  /** A compiled library instead of sources. */
   library: Files;
   provided: Files;
   required: Files;
@@ -51,8 +51,8 @@ export const EMPTY: WizardDraft = {
   world: NONE,
 };
 
-/** The class that the sources most likely mean, where the user has named none. */
-export function likelyClass({ language, sources }: WizardDraft): string {
+/** The first public class of the sources, as a suggestion. */
+export function suggestedClass({ language, sources }: WizardDraft): string {
   for (const [path, content] of sources) {
     const text = new TextDecoder().decode(content);
     const base = path.slice(path.lastIndexOf('/') + 1);
@@ -71,12 +71,12 @@ export function likelyClass({ language, sources }: WizardDraft): string {
   return '';
 }
 
-/** The paths of the activity that the draft makes. */
+/** The paths of all files of the activity. */
 export function pathsOf(draft: WizardDraft): string[] {
   return [...filesOf(draft).keys(), 'activity.yaml'].sort();
 }
 
-/** All files but the profile of the activity. */
+/** All files except activity.yaml. */
 export function filesOf(draft: WizardDraft): Map<string, Uint8Array> {
   const files = new Map<string, Uint8Array>();
   const add = (folder: string, some: Files) => {

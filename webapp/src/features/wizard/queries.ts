@@ -4,11 +4,11 @@ import type { WizardDraft } from './draft';
 
 const ZIP = { 'Content-Type': 'application/zip' };
 
-/** What is wrong with the draft so far. */
+/** The problems of a draft, reported by the server. */
 export function useCheck(draft: WizardDraft, step: number) {
   const api = useApi();
   return useQuery({
-    // Files are compared by their identity: another draft has another check.
+    // Drafts are immutable, so their identity is the key.
     queryKey: ['wizard', 'check', step, identityOf(draft)],
     queryFn: async ({ signal }) => {
       const { archiveOf } = await import('./archive');

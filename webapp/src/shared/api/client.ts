@@ -5,13 +5,13 @@ import type { paths } from './schema';
 
 export type ApiClient = Client<paths>;
 
-/** Longer than any long poll (20 s); an answer later than this counts as none. */
+/** Longer than any long poll (20 s). */
 const READ_TIMEOUT_MS = 40_000;
 
-/** What a gateway says in the place of a server that is not there. */
+/** The status codes of a gateway whose server is not available. */
 const GATEWAY_STATUS: readonly number[] = [502, 503, 504];
 
-/** A typed client of the server at `baseUrl` that reports to `connection` whether it answers. */
+/** A typed client of the server at `baseUrl`. Reports to `connection` whether the server responds. */
 export function createApi(baseUrl: string, connection: Connection): ApiClient {
   return createClient<paths>({
     baseUrl,
@@ -19,11 +19,11 @@ export function createApi(baseUrl: string, connection: Connection): ApiClient {
       const token = csrfToken();
       if (token !== undefined) request.headers.set('X-XSRF-TOKEN', token);
       try {
-        const response = await fetch(request, { signal: patience(request) });
+        const response = await fetch(request, { signal: timeoutOf(request) });
         connection.report(!GATEWAY_STATUS.includes(response.status));
         return response;
       } catch (cause) {
-        // Whoever asked has gone away: that says nothing of the server.
+        // An aborted request says nothing about the server.
         if (request.signal.aborted) throw cause;
         connection.report(false);
         throw new ConnectionLostError(cause);
@@ -32,13 +32,13 @@ export function createApi(baseUrl: string, connection: Connection): ApiClient {
   });
 }
 
-/** What the server gave this browser, and no other site can read: the proof that the portal asks. */
+/** The CSRF token. Other sites cannot read it, so it proves that the portal sent the request. */
 function csrfToken(): string | undefined {
   return /(?:^|; )XSRF-TOKEN=([^;]+)/.exec(document.cookie)?.[1];
 }
 
-/** Uploads may take as long as they need. */
-function patience(request: Request): AbortSignal {
+/** Uploads have no timeout. */
+function timeoutOf(request: Request): AbortSignal {
   return request.method === 'GET'
     ? AbortSignal.any([request.signal, AbortSignal.timeout(READ_TIMEOUT_MS)])
     : request.signal;

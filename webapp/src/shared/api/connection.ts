@@ -1,9 +1,9 @@
-/** Whether the server answers. `lost` says only that the last request got no answer at all. */
+/** `lost` if the last request got no response at all. */
 export type ConnectionState = 'up' | 'lost';
 
 export interface Connection {
   readonly state: () => ConnectionState;
-  /** Called by whoever tried: `true` when an answer came, whatever its status. */
+  /** Called after each request; `answered` if a response came, whatever its status. */
   readonly report: (answered: boolean) => void;
   readonly subscribe: (listener: () => void) => () => void;
 }

@@ -1,6 +1,6 @@
 import type { Diagnostic, Problem } from './types';
 
-/** The server answered, and the answer is a refusal (RFC 9457 problem details). */
+/** The server refused the request (RFC 9457 problem details). */
 export class ApiError extends Error {
   override readonly name = 'ApiError';
   readonly title: string;
@@ -17,12 +17,12 @@ export class ApiError extends Error {
   }
 }
 
-/** No answer came: the server is down, unreachable, or too slow. */
+/** There was no response: the server is down, unreachable or too slow. */
 export class ConnectionLostError extends Error {
   override readonly name = 'ConnectionLostError';
 
   constructor(cause: unknown) {
-    super('The server does not answer. Is it running?', { cause });
+    super('The server does not respond. Is it running?', { cause });
   }
 }
 
@@ -32,14 +32,14 @@ interface Answer<T> {
   response: Response;
 }
 
-/** The data of an answer; an {@link ApiError} when the server refused. */
+/** The data of a response. Throws an {@link ApiError} if the server refused the request. */
 export async function dataOf<T>(call: Promise<Answer<T>>): Promise<T> {
   const { data, error, response } = await call;
   if (!response.ok) throw new ApiError(response.status, asProblem(error));
   return data as T;
 }
 
-/** A proxy in between answers with HTML or text; only an object can be a problem. */
+/** A proxy may respond with HTML or text; only an object is a problem. */
 function asProblem(body: unknown): Partial<Problem> {
   return typeof body === 'object' && body !== null ? body : {};
 }

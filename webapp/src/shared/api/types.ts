@@ -1,6 +1,6 @@
 import type { components } from './schema';
 
-/** The nouns of the REST interface, under the names that the portal uses for them. */
+/** The resources of the REST interface. */
 type Schemas = components['schemas'];
 
 export type Activity = Schemas['Activity'];

@@ -1,9 +1,9 @@
 import type { BuildState } from '@/shared/api';
 
-/** What a build is doing, in words. */
+/** The states of a build, as shown to users. */
 const BUILD_STATES: Record<BuildState, string> = {
   QUEUED: 'Queued',
-  LEASED: 'Taken by an agent',
+  LEASED: 'Assigned to an agent',
   PREPARING: 'Preparing',
   COMPILING: 'Compiling',
   RUNNING: 'Running',
@@ -13,7 +13,7 @@ const BUILD_STATES: Record<BuildState, string> = {
   CANCELLED: 'Cancelled',
 };
 
-/** A newer server may know states that this portal does not; they are shown as they are. */
-export function buildStateInWords(state: string): string {
+/** Unknown states of a newer server are shown unchanged. */
+export function labelOfState(state: string): string {
   return state in BUILD_STATES ? BUILD_STATES[state as BuildState] : state;
 }

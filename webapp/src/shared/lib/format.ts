@@ -7,18 +7,18 @@ export function formatCount(count: number): string {
   return count.toLocaleString('en');
 }
 
-/** A measured time with three decimals, or a dash where nothing was measured. */
+/** A measured time with three decimals, or a dash if there is none. */
 export function formatTime(value: number | null | undefined): string {
   if (value == null || !Number.isFinite(value)) return '–';
   return value.toLocaleString('en', { minimumFractionDigits: 3, maximumFractionDigits: 3 });
 }
 
-/** `us`, as the result document writes it, in the sign that people read. */
+/** `µs` for `us`, the unit of result documents. */
 export function formatUnit(unit: string | null | undefined): string {
   return unit == null || unit === 'us' ? 'µs' : unit;
 }
 
-/** Local date and time to the second. */
+/** Local date and time with seconds. */
 export function formatInstant(iso: string): string {
   const date = new Date(iso);
   if (Number.isNaN(date.getTime())) return iso;
@@ -31,7 +31,7 @@ const AGES: readonly [Intl.RelativeTimeFormatUnit, number][] = [
   ['minute', 60],
 ];
 
-/** `5 minutes ago`; instants of the last minute are `just now`, older than a week a date. */
+/** `5 minutes ago`; `just now` within a minute; a date after a week. */
 export function formatAge(iso: string, now: Date): string {
   const seconds = (now.getTime() - new Date(iso).getTime()) / 1000;
   if (Number.isNaN(seconds) || seconds > 7 * 86_400) return formatInstant(iso);
@@ -43,7 +43,7 @@ export function formatAge(iso: string, now: Date): string {
   return 'just now';
 }
 
-/** The time between two instants: `0.8 s`, `2 min 5 s`. */
+/** The duration between two instants: `0.8 s`, `2 min 5 s`. */
 export function formatDuration(fromIso: string, toIso: string): string {
   const seconds = Math.max(0, (new Date(toIso).getTime() - new Date(fromIso).getTime()) / 1000);
   if (Number.isNaN(seconds)) return '–';
@@ -52,7 +52,7 @@ export function formatDuration(fromIso: string, toIso: string): string {
   return `${Math.floor(whole / 60)} min ${whole % 60} s`;
 }
 
-/** A time to come in words, in its zone: `Monday 23 November 2026 at 03:00`. */
+/** A date and time in a time zone: `Monday 23 November 2026 at 03:00`. */
 export function formatMoment(iso: string, zone?: string): string {
   const date = new Date(iso);
   if (Number.isNaN(date.getTime())) return iso;
@@ -70,22 +70,22 @@ export function formatMoment(iso: string, zone?: string): string {
       ...(zone && { timeZone: zone === 'Z' ? 'UTC' : zone }),
     });
   } catch {
-    // A zone that this browser does not know: its own then.
+    // The browser does not know the zone: use the local one.
     return date.toLocaleString('en-GB', parts);
   }
 }
 
-const LENGTHS: readonly [string, number][] = [
+const UNITS: readonly [string, number][] = [
   ['day', 86_400],
   ['hour', 3_600],
   ['minute', 60],
 ];
 
-/** How long until a time to come: `in 2 days 3 hours`, `in 5 minutes`, `now`. */
+/** The time until an instant: `in 2 days 3 hours`, `in 5 minutes`, `now`. */
 export function formatUntil(iso: string, now: Date): string {
   let seconds = Math.round((new Date(iso).getTime() - now.getTime()) / 1000);
   const parts: string[] = [];
-  for (const [unit, length] of LENGTHS) {
+  for (const [unit, length] of UNITS) {
     const count = Math.floor(seconds / length);
     if (count > 0 && parts.length < 2) parts.push(plural(count, unit));
     seconds -= Math.max(0, count) * length;

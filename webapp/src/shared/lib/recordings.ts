@@ -1,19 +1,19 @@
 import type { RecordedCases } from '@/shared/api';
 
-/** Suites of up to so many cases are recorded where nobody says otherwise: `RecordedCases` of the server. */
-const FEW = 100;
+/** By default, suites of up to this many cases are recorded: `RecordedCases` of the server. */
+const DEFAULT_LIMIT = 100;
 
-/** Of which cases it is recorded what moves; empty where the server is to decide. */
-export type RecordingsWish = RecordedCases | '';
+/** The cases to record; empty for the default of the server. */
+export type RecordingsOption = RecordedCases | '';
 
-export const RECORDINGS: readonly { value: RecordingsWish; label: string }[] = [
-  { value: '', label: `all of up to ${FEW} cases, none of more` },
+export const RECORDINGS: readonly { value: RecordingsOption; label: string }[] = [
+  { value: '', label: `all cases if there are at most ${DEFAULT_LIMIT}` },
   { value: 'ALL', label: 'all cases' },
-  { value: 'FAILED', label: 'cases that fail or end in an error' },
+  { value: 'FAILED', label: 'failed cases and errors' },
   { value: 'NONE', label: 'none' },
 ];
 
-/** Such as `cases that fail or end in an error`. */
-export function recordingsInWords(wish: RecordingsWish): string {
-  return RECORDINGS.find(({ value }) => value === wish)?.label ?? '';
+/** Such as `failed cases and errors`. */
+export function labelOfRecordings(option: RecordingsOption): string {
+  return RECORDINGS.find(({ value }) => value === option)?.label ?? '';
 }

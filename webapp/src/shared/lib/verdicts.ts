@@ -2,15 +2,15 @@ import type { Verdict } from '@/shared/api';
 
 export const VERDICTS: readonly Verdict[] = ['PASS', 'FAIL', 'ERROR', 'DONT'];
 
-/** The paper's verdicts in words, with a sign so that colour never speaks alone. */
-export const VERDICT_WORDS: Record<Verdict, { label: string; sign: string }> = {
+/** The labels of the verdicts. The sign makes them readable without colour. */
+export const VERDICT_LABELS: Record<Verdict, { label: string; sign: string }> = {
   PASS: { label: 'Pass', sign: '✓' },
   FAIL: { label: 'Fail', sign: '✕' },
   ERROR: { label: 'Error', sign: '!' },
   DONT: { label: 'Not executed', sign: '–' },
 };
 
-/** Apart from each other for the colour-blind, and visible on light and dark ground. */
+/** Distinguishable for colour-blind users on light and dark backgrounds. */
 export const VERDICT_COLOURS = {
   PASS: '#2f9e6b',
   FAIL: '#d9503f',
@@ -18,7 +18,7 @@ export const VERDICT_COLOURS = {
   DONT: '#b98a1f',
 } as const;
 
-/** How many cases of each verdict. */
+/** The number of cases for each verdict. */
 interface Counts {
   pass: number;
   fail: number;

@@ -1,6 +1,6 @@
 /**
- * Text from outside with nothing invisible left in it: control characters become their pictures (␛, ␀),
- * marks that change the direction of writing become their code points. Line breaks and tabs stay.
+ * Makes invisible characters of untrusted text visible: control characters become symbols (␛, ␀),
+ * characters that change the text direction become code points. Line breaks and tabs are kept.
  */
 export function visible(text: string): string {
   let shown = '';

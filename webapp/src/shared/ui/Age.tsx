@@ -1,7 +1,7 @@
 import { formatAge, formatInstant } from '@/shared/lib/format';
 import { useNow } from '@/shared/lib/useNow';
 
-/** How long ago something was; the exact instant is its title. */
+/** The age of an instant; the exact time is the tooltip. */
 export function Age({ at }: { at: string }) {
   const now = useNow(10_000);
   return (

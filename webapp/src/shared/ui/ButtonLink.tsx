@@ -8,5 +8,5 @@ function PlainButton(props: Props) {
   return <Button component="a" {...props} />;
 }
 
-/** A link to a page of the portal that looks like a button: the main thing to do next. */
+/** A link to a page of the portal that looks like a button. */
 export const ButtonLink = createLink(PlainButton);

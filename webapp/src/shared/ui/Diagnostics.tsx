@@ -2,14 +2,14 @@ import type { Diagnostic, SourceProblem } from '@/shared/api';
 import { UserText } from './UserText';
 import classes from './text.module.css';
 
-/** A diagnostic of a document, or a compiler's of a source file; line 0 is an unknown line. */
+/** A diagnostic of a document or of a compiler; line 0 if the line is unknown. */
 type Item = Pick<Diagnostic, 'file' | 'line' | 'message'> &
   Partial<Pick<Diagnostic, 'severity' | 'element'> & Pick<SourceProblem, 'generated'>>;
 
-/** What is wrong with an input and where, one `file:line: message` a row, as compilers print it. */
+/** A list of problems in the format of compilers: `file:line: message`. */
 export function Diagnostics({ items }: { items: readonly Item[] }) {
   return (
-    // A long list scrolls; the keyboard must reach it.
+    // Focusable, so that a long list can be scrolled by keyboard.
     <ul className={classes.diagnostics} aria-label="Diagnostics" tabIndex={0}>
       {items.map((item, index) => (
         <li key={index}>

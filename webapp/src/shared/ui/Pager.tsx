@@ -3,14 +3,14 @@ import { formatCount } from '@/shared/lib/format';
 
 interface PagerProps {
   label: string;
-  /** From 0, as the server counts. */
+  /** From 0, as in the server. */
   page: number;
   size: number;
   total: number;
   onPage: (page: number) => void;
 }
 
-/** Which part of a list is shown, and the way to the others; nothing where one page holds all. */
+/** Page navigation of a list; not shown for a single page. */
 export function Pager({ label, page, size, total, onPage }: PagerProps) {
   const pages = Math.ceil(total / size);
   if (pages <= 1) return null;

@@ -4,16 +4,16 @@ import { Diagnostics } from './Diagnostics';
 import { UserText } from './UserText';
 
 interface ProblemAlertProps {
-  /** What was tried, as a sentence: "The upload was refused". */
+  /** A sentence such as "The build was not requested". */
   title: string;
   error: Error;
   onClose?: () => void;
 }
 
-/** A failed request: what was tried, what the server says, and where the input is wrong. */
+/** A failed request, with the message and the diagnostics of the server. */
 export function ProblemAlert({ title, error, onClose }: ProblemAlertProps) {
   const diagnostics = error instanceof ApiError ? error.diagnostics : [];
-  // The detail repeats the diagnostics in one text; in a list they are easier to read.
+  // The detail of a problem repeats its diagnostics, which are shown as a list.
   const text = error instanceof ApiError && diagnostics.length > 0 ? error.title : error.message;
   return (
     <Alert

@@ -1,6 +1,6 @@
 import { Table, type TableProps } from '@mantine/core';
 
-/** A table that scrolls sideways within itself, so that the page never does. */
+/** A table that scrolls horizontally, so that the page does not. */
 export function ScrollTable({
   label,
   minWidth,

@@ -8,7 +8,7 @@ interface SectionProps {
   children: ReactNode;
 }
 
-/** A titled region of a page; screen readers list it as a landmark. */
+/** A titled region of a page. */
 export function Section({ title, actions, children }: SectionProps) {
   const id = useId();
   return (

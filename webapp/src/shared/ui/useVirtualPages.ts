@@ -3,7 +3,7 @@ import { useVirtualizer } from '@tanstack/react-virtual';
 import { useRef } from 'react';
 
 interface VirtualPages<T> {
-  /** Items of all pages together. */
+  /** Number of items of all pages. */
   total: number;
   pageSize: number;
   rowHeight: number;
@@ -11,10 +11,10 @@ interface VirtualPages<T> {
   fetchPage: (page: number, signal: AbortSignal) => Promise<{ items: T[] }>;
 }
 
-/** Pages around what is seen, so that scrolling by a few rows asks for nothing. */
+/** Rows rendered outside the visible area. */
 const OVERSCAN_ROWS = 20;
 
-/** A long list of which only the pages in sight are fetched, and only the rows in sight are drawn. */
+/** A long list that fetches only the visible pages and renders only the visible rows. */
 export function useVirtualPages<T>({
   total,
   pageSize,

@@ -3,15 +3,15 @@ import type { EChartsCoreOption, EChartsType } from 'echarts/core';
 import { useEffect, useRef } from 'react';
 
 interface ChartProps {
-  /** What the graph says, in words: for those who do not see it. */
+  /** Describes the chart for screen readers. */
   label: string;
   option: EChartsCoreOption;
   height?: number;
-  /** Called with the name of what was clicked. */
+  /** Called with the name of a clicked item. */
   onPick?: (name: string) => void;
 }
 
-/** A graph; its library is loaded with the first one that is shown. */
+/** A chart. ECharts is loaded when the first one is shown. */
 export function Chart({ label, option, height = 280, onPick }: ChartProps) {
   const place = useRef<HTMLDivElement>(null);
   const dark = useComputedColorScheme('light') === 'dark';
@@ -21,10 +21,10 @@ export function Chart({ label, option, height = 280, onPick }: ChartProps) {
   }, [onPick]);
   useEffect(() => {
     let chart: EChartsType | undefined;
-    let gone = false;
+    let disposed = false;
     const resize = new ResizeObserver(() => chart?.resize());
     void import('./echarts').then(({ init }) => {
-      if (gone || !place.current) return;
+      if (disposed || !place.current) return;
       chart = init(place.current, dark ? 'dark' : undefined);
       chart.setOption({
         backgroundColor: 'transparent',
@@ -36,7 +36,7 @@ export function Chart({ label, option, height = 280, onPick }: ChartProps) {
       resize.observe(place.current);
     });
     return () => {
-      gone = true;
+      disposed = true;
       resize.disconnect();
       chart?.dispose();
     };

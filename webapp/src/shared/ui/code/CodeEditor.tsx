@@ -5,18 +5,18 @@ import type { Editor, LineMark } from './editor';
 
 interface CodeEditorProps {
   label: string;
-  /** Its ending says which language it is. */
+  /** The file extension selects the language. */
   path: string;
   text: string;
   onChange?: (text: string) => void;
-  /** The line to show, from 1. */
+  /** The line to scroll to, from 1. */
   line?: number | undefined;
   height?: string;
-  /** What is to be said of lines; beside text that nobody changes. */
+  /** Marks of lines; for read-only text. */
   marks?: readonly LineMark[];
 }
 
-/** Text of a file with its language's colours; its library is loaded with the first one shown. */
+/** An editor with syntax highlighting. CodeMirror is loaded when the first one is shown. */
 export function CodeEditor({
   label,
   path,
@@ -39,9 +39,9 @@ export function CodeEditor({
     if (line) editor.current?.reveal(line);
   }, [line]);
   useEffect(() => {
-    let gone = false;
+    let disposed = false;
     void import('./editor').then(({ createEditor }) => {
-      if (gone || !place.current) return;
+      if (disposed || !place.current) return;
       editor.current = createEditor({
         parent: place.current,
         path,
@@ -55,7 +55,7 @@ export function CodeEditor({
       if (latest.current.line) editor.current.reveal(latest.current.line);
     });
     return () => {
-      gone = true;
+      disposed = true;
       editor.current?.destroy();
       editor.current = undefined;
     };

@@ -9,19 +9,19 @@ interface DifferenceProps {
   now: string;
 }
 
-/** Two versions of a file beside each other. */
+/** Two versions of a file side by side. */
 export function Difference({ label, path, before, now }: DifferenceProps) {
   const place = useRef<HTMLDivElement>(null);
   const dark = useComputedColorScheme('light') === 'dark';
   useEffect(() => {
     let view: { destroy: () => void } | undefined;
-    let gone = false;
+    let disposed = false;
     void import('./editor').then(({ createDifference }) => {
-      if (gone || !place.current) return;
+      if (disposed || !place.current) return;
       view = createDifference({ parent: place.current, path, before, now, dark, label });
     });
     return () => {
-      gone = true;
+      disposed = true;
       view?.destroy();
     };
   }, [path, before, now, dark, label]);

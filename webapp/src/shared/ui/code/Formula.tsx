@@ -12,7 +12,7 @@ interface FormulaProps {
   onChange: (text: string) => void;
 }
 
-/** A field for a CEL expression that completes the names it may use. */
+/** A field for a CEL expression, with completion of names. */
 export function Formula({ label, description, error, text, words, onChange }: FormulaProps) {
   const place = useRef<HTMLDivElement>(null);
   const editor = useRef<Editor>(undefined);
@@ -24,9 +24,9 @@ export function Formula({ label, description, error, text, words, onChange }: Fo
     editor.current?.setText(text);
   }, [text, onChange]);
   useEffect(() => {
-    let gone = false;
+    let disposed = false;
     void import('./editor').then(({ createFormula }) => {
-      if (gone || !place.current) return;
+      if (disposed || !place.current) return;
       editor.current = createFormula({
         parent: place.current,
         text: latest.current.text,
@@ -39,7 +39,7 @@ export function Formula({ label, description, error, text, words, onChange }: Fo
       });
     });
     return () => {
-      gone = true;
+      disposed = true;
       editor.current?.destroy();
       editor.current = undefined;
     };

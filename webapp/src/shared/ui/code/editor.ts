@@ -44,7 +44,7 @@ const DARK = HighlightStyle.define([
   { tag: [tags.propertyName, tags.attributeName], color: '#e6c97a' },
 ]);
 
-/** What is said of a line: a sign beside it, a colour behind it, and words for both. */
+/** A mark of a line: a sign in the gutter, a colour and a tooltip. */
 export interface LineMark {
   /** From 1. */
   line: number;
@@ -67,7 +67,7 @@ class Sign extends GutterMarker {
   }
 }
 
-/** A bar, and no ground of its own: the colours of the language need the contrast to the editor's. */
+/** A bar instead of a background, to keep the contrast of the syntax colours. */
 const MARK_COLOURS = EditorView.baseTheme({
   '&light .cm-line-missed': { boxShadow: 'inset 4px 0 0 #a32018' },
   '&dark .cm-line-missed': { boxShadow: 'inset 4px 0 0 #ff9a91' },
@@ -109,7 +109,7 @@ function marked(marks: readonly LineMark[]): Extension {
 
 export interface EditorSettings {
   parent: HTMLElement;
-  /** Its ending says which language it is. */
+  /** The file extension selects the language. */
   path: string;
   text: string;
   dark: boolean;
@@ -130,7 +130,7 @@ function basics(path: string, dark: boolean, label: string): Extension[] {
   return [
     lineNumbers(),
     foldGutter(),
-    // Control and direction marks become visible.
+    // Shows control characters and direction marks.
     highlightSpecialChars(),
     drawSelection(),
     bracketMatching(),
@@ -154,7 +154,7 @@ export function createEditor(settings: EditorSettings): Editor {
         history(),
         readOnly ? [] : highlightActiveLine(),
         keymap.of([...defaultKeymap, ...historyKeymap]),
-        // Tab stays the way out of the editor for those who use the keyboard.
+        // Tab leaves the editor, for keyboard users.
         editable.of([EditorState.readOnly.of(readOnly)]),
         EditorView.updateListener.of((update) => {
           if (update.docChanged) onChange(update.state.doc.toString());
@@ -162,7 +162,7 @@ export function createEditor(settings: EditorSettings): Editor {
       ],
     }),
   });
-  // What is only read is scrolled by key, too.
+  // Focusable, so that it can be scrolled by keyboard.
   if (readOnly) view.scrollDOM.tabIndex = 0;
   return {
     destroy: () => {
@@ -189,7 +189,7 @@ export interface DifferenceSettings {
   label: string;
 }
 
-/** Two texts beside each other, their differences marked. */
+/** Two texts side by side with their differences. */
 export function createDifference(settings: DifferenceSettings): { destroy: () => void } {
   const { parent, path, before, now, dark, label } = settings;
   const side = (text: string, name: string) => ({
@@ -199,7 +199,7 @@ export function createDifference(settings: DifferenceSettings): { destroy: () =>
   const view = new MergeView({
     parent,
     a: side(before, 'generated'),
-    b: side(now, 'yours'),
+    b: side(now, 'modified'),
     collapseUnchanged: { margin: 3, minSize: 6 },
   });
   return {
@@ -214,12 +214,12 @@ export interface FormulaSettings {
   text: string;
   dark: boolean;
   label: string;
-  /** What can be written, with a word on each. */
+  /** Names for completion, with a description. */
   words: readonly { label: string; detail: string }[];
   onChange: (text: string) => void;
 }
 
-/** A line of CEL with completion of what it may name. */
+/** A CEL editor with completion of names. */
 export function createFormula(settings: FormulaSettings): Editor {
   const { parent, text, dark, label, words, onChange } = settings;
   const complete: CompletionSource = (context) => {

@@ -315,7 +315,7 @@ public class Build {
     return recordedCases;
   }
 
-  int maxAttempts() {
+  public int maxAttempts() {
     return maxAttempts;
   }
 

@@ -3,6 +3,7 @@ package org.sitaf.server.build.rest;
 import io.swagger.v3.oas.annotations.media.Schema;
 import java.time.Instant;
 import java.util.List;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.server.build.Build;
 import org.sitaf.server.build.BuildFailure;
@@ -50,7 +51,11 @@ record BuildView(
     @Schema(description = "build whose cases are spread over it and others")
         @Nullable String parentId,
     @Schema(description = "of which cases it is recorded what moves in the simulation")
-        RecordedCases recordedCases) {
+        RecordedCases recordedCases,
+    @Schema(description = "that the agent must have, as requested") List<String> labels,
+    @Schema(description = "release of the component's tools, as requested; absent for any")
+        @Nullable String toolchain,
+    @Schema(description = "allowed after failures of the infrastructure") int retries) {
 
   /** As {@link BuildState}, without what only attempts can be. */
   enum State {
@@ -168,6 +173,16 @@ record BuildView(
         build.parts() == 0 ? null : build.parts(),
         build.part() == 0 ? null : build.part(),
         build.parentId().orElse(null),
-        build.recordedCases());
+        build.recordedCases(),
+        requirements(build, Requirement.Label.class).map(Requirement.Label::name).toList(),
+        requirements(build, Requirement.Version.class)
+            .map(Requirement.Version::version)
+            .findFirst()
+            .orElse(null),
+        build.maxAttempts() - 1);
+  }
+
+  private static <R extends Requirement> Stream<R> requirements(Build build, Class<R> kind) {
+    return build.requirements().all().stream().filter(kind::isInstance).map(kind::cast);
   }
 }

@@ -5,16 +5,16 @@ import { expect, test } from 'vitest';
 const RULE = 'no-restricted-imports';
 const eslint = new ESLint({
   ruleFilter: ({ ruleId }) => ruleId === RULE,
-  // The rule needs no types, and reading the whole project for them takes seconds.
+  // The rule needs no types, which take seconds to load.
   overrideConfig: {
     files: ['**/*.{ts,tsx}'],
     languageOptions: { parserOptions: { projectService: false } },
   },
 });
 
-/** Whether a file of this place may import that module, by the lint rules as they stand. */
-async function mayImport(place: string, module: string): Promise<boolean> {
-  const [report] = await eslint.lintText(`import '${module}';\n`, { filePath: place });
+/** Whether the lint rules allow a file to import a module. */
+async function mayImport(file: string, module: string): Promise<boolean> {
+  const [report] = await eslint.lintText(`import '${module}';\n`, { filePath: file });
   const messages = report?.messages ?? [];
   expect(messages.filter((message) => message.fatal)).toEqual([]);
   return messages.every((message) => message.ruleId !== RULE);
@@ -28,8 +28,8 @@ test.each([
   ['src/shared/lib/format.ts', '@/app/theme'],
   ['src/shared/lib/format.ts', '../../features/results'],
   ['src/app/theme.ts', '@/features/results/queries'],
-])('%s may not import %s', async (place, module) => {
-  expect(await mayImport(place, module)).toBe(false);
+])('%s may not import %s', async (file, module) => {
+  expect(await mayImport(file, module)).toBe(false);
 });
 
 test.each([
@@ -38,6 +38,6 @@ test.each([
   ['src/features/builds/state.ts', '@/shared/api'],
   ['src/features/builds/state.ts', './queries'],
   ['src/shared/lib/format.ts', '@/shared/lib/visible'],
-])('%s may import %s', async (place, module) => {
-  expect(await mayImport(place, module)).toBe(true);
+])('%s may import %s', async (file, module) => {
+  expect(await mayImport(file, module)).toBe(true);
 });

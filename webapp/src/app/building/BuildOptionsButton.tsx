@@ -1,27 +1,28 @@
 import { Button, Popover, Text } from '@mantine/core';
 import { useAgentLabels } from '@/features/agents';
-import { BuildOptionsFields, inWords, type BuildOptions } from '@/features/builds';
+import { BuildOptionsFields, describeOptions, type BuildOptions } from '@/features/builds';
 
-interface HowToBuildProps {
+interface BuildOptionsButtonProps {
   options: BuildOptions;
   onOptions: (options: BuildOptions) => void;
 }
 
-const TITLE = 'Agent, priority, recordings';
+const TITLE = 'Build options';
 
-/** How a build that is about to be asked for is executed. */
-export function HowToBuild({ options, onOptions }: HowToBuildProps) {
+/** Opens the options of the build that is about to be requested. */
+export function BuildOptionsButton({ options, onOptions }: BuildOptionsButtonProps) {
   const labels = useAgentLabels();
-  const words = inWords(options);
+  const summary = describeOptions(options);
   return (
     <Popover width="min(440px, calc(100vw - 2rem))" position="bottom-end" trapFocus withRoles>
       <Popover.Target>
-        <Button variant="default">{words === '' ? TITLE : `With ${words}`}</Button>
+        <Button variant="default">{summary === '' ? TITLE : `Options: ${summary}`}</Button>
       </Popover.Target>
       <Popover.Dropdown aria-label={TITLE}>
         <BuildOptionsFields options={options} onOptions={onOptions} knownLabels={labels} />
         <Text size="xs" c="dimmed" mt="sm">
-          The component’s language and a simulation are asked for anyway.
+          The language of the component and a simulation are always required if the activity needs
+          them.
         </Text>
       </Popover.Dropdown>
     </Popover>

@@ -3,35 +3,35 @@ import type { UseMutationResult } from '@tanstack/react-query';
 import type { ReactNode } from 'react';
 import { ProblemAlert } from './ProblemAlert';
 
-interface IssueFormProps<Issued, Wish> {
-  /** Asks the server. */
-  issue: UseMutationResult<Issued, Error, Wish>;
-  /** What is asked for, as the fields say it. */
-  wish: Wish;
-  /** On the button. */
+interface SecretFormProps<Issued, Variables> {
+  /** The request. */
+  issue: UseMutationResult<Issued, Error, Variables>;
+  /** The variables of the request, from the fields. */
+  variables: Variables;
+  /** Label of the button. */
   action: string;
-  /** The title of a refusal. */
-  refused: string;
+  /** Title of the error message. */
+  failed: string;
   secretOf: (issued: Issued) => {
     title: string;
     secret: string;
-    /** What to do with it. */
-    use?: ReactNode;
+    /** How to use the secret. */
+    instructions?: ReactNode;
   };
   /** The fields. */
   children: ReactNode;
 }
 
-/** Asks for something that comes with a secret, which the server tells this once. */
-export function IssueForm<Issued, Wish>(props: IssueFormProps<Issued, Wish>) {
-  const { issue, wish, action, refused, secretOf, children } = props;
+/** A form that creates something with a secret, which is shown only once. */
+export function SecretForm<Issued, Variables>(props: SecretFormProps<Issued, Variables>) {
+  const { issue, variables, action, failed, secretOf, children } = props;
   const issued = issue.isSuccess ? secretOf(issue.data) : undefined;
   return (
     <>
       <form
         onSubmit={(event) => {
           event.preventDefault();
-          issue.mutate(wish);
+          issue.mutate(variables);
         }}
       >
         <Group align="end">
@@ -44,11 +44,11 @@ export function IssueForm<Issued, Wish>(props: IssueFormProps<Issued, Wish>) {
       {issued && (
         <Alert role="status" color="petrol" variant="outline" title={issued.title}>
           <Code block>{issued.secret}</Code>
-          <Text size="sm">Keep it now: it is not shown again.</Text>
-          {issued.use}
+          <Text size="sm">Copy it now. It is not shown again.</Text>
+          {issued.instructions}
         </Alert>
       )}
-      {issue.isError && <ProblemAlert title={refused} error={issue.error} onClose={issue.reset} />}
+      {issue.isError && <ProblemAlert title={failed} error={issue.error} onClose={issue.reset} />}
     </>
   );
 }
