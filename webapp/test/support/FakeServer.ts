@@ -50,6 +50,7 @@ const NOUNS = [
   'coverage',
   'description',
   'expected',
+  'files',
   'log',
   'model-previews',
   'models',
@@ -84,6 +85,10 @@ export class FakeServer {
   readonly suiteOptions: unknown[] = [];
   /** Documents of test models by name. */
   readonly models = new Map<string, string>();
+  /** The If-Match headers of changed models. */
+  readonly modelVersions: (string | undefined)[] = [];
+  /** Texts of files of the activity by path. */
+  readonly files = new Map<string, string>();
   /** Documents for which a preview was requested. */
   readonly previews: string[] = [];
   /** What a preview answers. */
@@ -197,8 +202,28 @@ export class FakeServer {
         ? notFound()
         : { status: 200, text, headers: { ETag: `"${version}"` } };
     },
-    'PUT activities * models *': ({ path, body }) => {
+    'PUT activities * models *': ({ path, body, request }) => {
+      const ifMatch = request.headers['if-match'];
+      const changed = this.activities.find(({ id }) => id === path[1]);
+      if (ifMatch !== `"${changed?.version ?? 0}"`) return conflict();
+      this.modelVersions.push(ifMatch);
       this.models.set(path[3] ?? '', body.toString());
+      return found(changed);
+    },
+    'GET activities * files *': ({ path }) => ({
+      status: 200,
+      text: this.files.get(path[3] ?? '') ?? '',
+    }),
+    'PATCH activities * files': ({ path, body }) => {
+      const { changes } = JSON.parse(body.toString()) as {
+        changes: { path: string; content: string }[];
+      };
+      for (const change of changes) {
+        this.files.set(change.path, change.content);
+        if (change.path.endsWith('.xml')) {
+          this.models.set(change.path.replace('.xml', ''), change.content);
+        }
+      }
       return found(this.activities.find(({ id }) => id === path[1]));
     },
     'GET activities * description': () => ({ status: 200, json: this.description }),
@@ -335,7 +360,7 @@ export class FakeServer {
   private changeExpected(body: Buffer, request: IncomingMessage): Answer {
     const ifMatch = request.headers['if-match'];
     if (ifMatch !== `"${this.suiteVersion}"`) {
-      return { status: 412, problem: true, json: { title: 'Version conflict', status: 412 } };
+      return conflict();
     }
     const { changes } = JSON.parse(body.toString()) as { changes: ExpectedChange[] };
     this.suiteEdits.push({ ifMatch, changes });
@@ -374,6 +399,10 @@ export class FakeServer {
 
 function found(item: unknown): Answer {
   return item ? { status: 200, json: item } : notFound();
+}
+
+function conflict(): Answer {
+  return { status: 412, problem: true, json: { title: 'Version conflict', status: 412 } };
 }
 
 function notFound(): Answer {

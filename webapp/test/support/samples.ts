@@ -1,5 +1,6 @@
 import type {
   Activity,
+  ActivityDescription,
   Agent,
   Build,
   Result,
@@ -223,3 +224,79 @@ function outputElement(output: { name: string; type: string; expected?: string }
 ${output.expected === undefined ? '' : `      <expected>${output.expected}</expected>\n`}    </test_element>
 `;
 }
+
+const scalar = (spelling: string) => ({
+  spelling,
+  kind: 'scalar' as const,
+  members: [],
+  literals: [],
+});
+
+/** The interfaces and the world of the sample activity. */
+export const DESCRIPTION: ActivityDescription = {
+  provided: [
+    {
+      name: 'InfraredSensorService',
+      source: 'InfraredSensorService.xml',
+      methods: [
+        {
+          name: 'GetInfraredData',
+          line: 3,
+          signature: 'int,Pose,sequence<double>',
+          callType: 'BLOCKING',
+          returnType: scalar('double'),
+          parameters: [
+            { name: 'IndexOfSensor', direction: 'IN', type: scalar('int') },
+            {
+              name: 'pose',
+              direction: 'IN',
+              type: {
+                ...scalar('Pose'),
+                kind: 'struct',
+                members: [{ name: 'x', type: scalar('double') }],
+              },
+            },
+            {
+              name: 'path',
+              direction: 'IN',
+              type: {
+                ...scalar('sequence<double>'),
+                kind: 'sequence',
+                members: [{ name: '[]', type: scalar('double') }],
+              },
+            },
+            { name: 'quality', direction: 'OUT', type: scalar('int') },
+          ],
+          raises: [],
+        },
+      ],
+    },
+  ],
+  required: [
+    {
+      name: 'Motor',
+      source: 'Motor.xml',
+      methods: [
+        {
+          name: 'State',
+          line: 3,
+          signature: '',
+          callType: 'BLOCKING',
+          returnType: { ...scalar('State'), kind: 'enumeration', literals: ['ON', 'OFF'] },
+          parameters: [{ name: 'ok', direction: 'OUT', type: scalar('boolean') }],
+          raises: [],
+        },
+      ],
+    },
+  ],
+  world: {
+    path: 'world/ir.world.yaml',
+    parameters: [
+      { name: 'Distance', unit: 'm', min: -10, max: 10, defaultValue: 5 },
+      { name: 'Friction', unit: '1', min: 0, max: 2, defaultValue: 1 },
+    ],
+    devices: [],
+    observations: [],
+  },
+  warnings: [],
+};

@@ -27,6 +27,18 @@ if (typeof window !== 'undefined') {
     unobserve = () => undefined;
     disconnect = () => undefined;
   };
+  // Growing text areas wait for fonts.
+  Object.defineProperty(document, 'fonts', { value: new EventTarget() });
+  Blob.prototype.arrayBuffer ??= function () {
+    return new Promise((resolve, reject) => {
+      const reader = new FileReader();
+      reader.addEventListener('load', () => {
+        resolve(reader.result as ArrayBuffer);
+      });
+      reader.addEventListener('error', reject);
+      reader.readAsArrayBuffer(this);
+    });
+  };
   // Axe checks icon fonts on a canvas if there is one.
   HTMLCanvasElement.prototype.getContext = () => null;
 }
