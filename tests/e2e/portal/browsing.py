@@ -1,4 +1,4 @@
-"""What people do in the portal, step by step, for the tests in a browser."""
+"""Steps of users in the portal, for the browser tests."""
 
 import base64
 import io
@@ -15,7 +15,7 @@ import pytest
 expect = pytest.importorskip(
     "playwright.sync_api", reason="the browser's driver is missing: pip install playwright"
 ).expect
-# Machines that run many things at once are slow; nothing waits this long when all is well.
+# For slow machines; a passing test does not wait this long.
 expect.set_options(timeout=30_000)
 
 ROOT = Path(__file__).resolve().parents[3]
@@ -24,14 +24,14 @@ PICTURES = os.environ.get("SITAF_PICTURES")
 
 
 def shot(page, name):
-    """A picture of the page, where SITAF_PICTURES names a folder for them, such as docs/portal."""
+    """Takes a screenshot if SITAF_PICTURES names a folder, such as docs/portal."""
     if PICTURES:
         page.evaluate("scrollTo(0, 0)")
         page.screenshot(path=Path(PICTURES) / f"{name}.png", animations="disabled")
 
 
-def go_on(page):
-    """By key: where the button is moves with the findings that come in above it, and a mouse may miss it."""
+def next_step(page):
+    """Uses the keyboard, because the button moves when problems are shown above it."""
     page.get_by_role("button", name="Next").press("Enter")
 
 
@@ -50,26 +50,26 @@ def create_activity(page, example, name, tmp_path):
     page.get_by_role("link", name="New activity").click()
     page.get_by_label("Name of the activity").fill(name)
     page.get_by_label("Properties").fill("Size: 7")
-    page.get_by_label("Calls before the one under test").fill("Enable()")
+    page.get_by_label("Calls before the method under test").fill("Enable()")
     page.get_by_label("Files: Component profile").set_input_files(folder / "InfraredSensorComp.xml")
     page.get_by_role("list", name=re.compile("^Component profile")).wait_for()
     shot(page, "wizard")
-    go_on(page)
+    next_step(page)
     page.get_by_label("Files: Sources of the component").set_input_files(
         zip_of(folder / "component", tmp_path / "component.zip")
     )
-    expect(page.get_by_label("Class of the component")).to_have_value("org.sitaf.examples.ir.InfraredSensor")
-    go_on(page)
-    page.get_by_label("Files: Interfaces that the component provides").set_input_files(
+    expect(page.get_by_label("Component class")).to_have_value("org.sitaf.examples.ir.InfraredSensor")
+    next_step(page)
+    page.get_by_label("Files: Provided interfaces").set_input_files(
         folder / "InfraredSensorService.xml"
     )
-    page.get_by_role("list", name=re.compile("^Interfaces that the component provides")).wait_for()
-    go_on(page)
-    page.get_by_label("Files: World of the simulation").set_input_files(
+    page.get_by_role("list", name=re.compile("^Provided interfaces")).wait_for()
+    next_step(page)
+    page.get_by_label("Files: Simulation world").set_input_files(
         [folder / "world" / "ir.world.yaml", folder / "world" / "ir.xml"]
     )
-    page.get_by_text("Nothing is wrong with it.").wait_for()
-    page.get_by_role("button", name="Create the activity").click()
+    page.get_by_text("No problems.").wait_for()
+    page.get_by_role("button", name="Create activity").click()
     page.get_by_role("navigation", name="Files of the activity").wait_for()
     page.locator(".cm-content").wait_for()
     shot(page, "files")
@@ -80,9 +80,9 @@ def write_model(page):
     page.get_by_role("tab", name="Tests").click()
     page.get_by_role("link", name="New test model").click()
     page.get_by_label(re.compile(r"double GetInfraredData\(int32 IndexOfSensor")).check()
-    go_on(page)
+    next_step(page)
     page.get_by_label("Distance").check()
-    go_on(page)
+    next_step(page)
     for parameter, low, high, offset in (
         ("IndexOfSensor", "1", "7", "1"),
         ("NumOfSensor", "1", "7", "1"),
@@ -94,7 +94,7 @@ def write_model(page):
         part.get_by_label("Offset").fill(offset)
     page.get_by_role("img", name="7 values from -0.5 to 10.5 on a number line").wait_for()
     shot(page, "model-editor")
-    go_on(page)
+    next_step(page)
     page.get_by_text("55 cases: 25 valid, 30 with an invalid value").wait_for()
     shot(page, "combination")
     page.get_by_role("button", name="Generate test cases").click()
@@ -102,7 +102,7 @@ def write_model(page):
 
 
 def fill_expected(page):
-    page.get_by_role("button", name="Fill by formula").click()
+    page.get_by_role("button", name="Fill with formula").click()
     page.get_by_role("textbox", name="Expected value").fill("valid && IndexOfSensor <= NumOfSensor ? Distance : -1.0")
     page.get_by_role("button", name="Fill", exact=True).click()
     page.get_by_role("textbox", name="Expected value").wait_for(state="hidden")
@@ -117,7 +117,7 @@ def build(page):
 
 
 def drop(zone, files):
-    """Drops files, by name and bytes, as if from the desktop."""
+    """Drops files on a zone. `files` maps names to bytes."""
     given = [{"name": name, "base64": base64.b64encode(content).decode()} for name, content in files.items()]
     transfer = zone.page.evaluate_handle(
         """files => {
@@ -135,7 +135,7 @@ def drop(zone, files):
 
 
 def zipped(files):
-    """A zip of texts by path."""
+    """The bytes of a zip file with these texts by path."""
     content = io.BytesIO()
     with zipfile.ZipFile(content, "w") as archive:
         for path, text in files.items():
@@ -148,8 +148,8 @@ def home_of(page):
     return re.match(r"https?://[^/]+", page.url).group(0)
 
 
-class Cable:
-    """Between a browser and the server; it can be pulled out and put in again."""
+class Proxy:
+    """A proxy between a browser and the server that can be disconnected."""
 
     def __init__(self, address):
         host, port = re.match(r"https?://([^:/]+):(\d+)", address).groups()
@@ -157,20 +157,20 @@ class Cable:
         self._listener = None
         self._open = []
         self._port = 0
-        self.put_in()
+        self.connect()
 
     @property
     def address(self):
-        # The name that the session is for: cookies know no ports.
+        # The host name of the session; cookies do not depend on the port.
         return f"http://localhost:{self._port}"
 
-    def put_in(self):
+    def connect(self):
         self._listener = socket.create_server(("127.0.0.1", self._port), reuse_port=False)
         self._port = self._listener.getsockname()[1]
         threading.Thread(target=self._accept, args=(self._listener,), daemon=True).start()
 
-    def pull_out(self):
-        # A listener on which somebody waits is let go only when it is shut down.
+    def disconnect(self):
+        # Closing a listener does not wake the thread that accepts on it.
         with suppress(OSError):
             self._listener.shutdown(socket.SHUT_RDWR)
         self._listener.close()
@@ -186,19 +186,19 @@ class Cable:
                 near, _ = listener.accept()
                 far = socket.create_connection(self._server)
                 self._open += [near, far]
-                for one, other in ((near, far), (far, near)):
-                    threading.Thread(target=self._carry, args=(one, other), daemon=True).start()
+                for source, target in ((near, far), (far, near)):
+                    threading.Thread(target=self._forward, args=(source, target), daemon=True).start()
 
     @staticmethod
-    def _carry(one, other):
+    def _forward(source, target):
         with suppress(OSError):
-            while data := one.recv(65536):
-                other.sendall(data)
-            other.shutdown(socket.SHUT_WR)
+            while data := source.recv(65536):
+                target.sendall(data)
+            target.shutdown(socket.SHUT_WR)
 
 
 def serious(page):
-    """What axe finds wrong on the page as it is, that would keep somebody from using it."""
+    """The serious and critical violations that axe finds on the page."""
     page.evaluate(AXE.read_text())
     found = page.evaluate("async () => (await axe.run(document)).violations")
     return [(v["id"], [n["html"][:200] for n in v["nodes"]]) for v in found if v["impact"] in ("serious", "critical")]

@@ -1,4 +1,4 @@
-"""Section 4 of the paper by mouse and keyboard, in a real browser on the whole system."""
+"""The evaluation of the paper (section 4) in a real browser with the whole system."""
 
 import re
 
@@ -13,10 +13,10 @@ def test_the_evaluation_of_the_paper_by_mouse_and_keyboard(page, tmp_path):
     build(page)
     page.get_by_text("All passed").wait_for()
     expect(page.get_by_role("table", name="Cases")).to_have_attribute("aria-rowcount", "57")
-    expect(page.get_by_text("without being judged")).to_have_count(0)
+    expect(page.get_by_text("without a check")).to_have_count(0)
     shot(page, "result-table")
     page.get_by_role("tab", name="Graphs").click()
-    page.get_by_role("img", name=re.compile("Of 55 cases 55 pass")).locator("canvas").wait_for()
+    page.get_by_role("img", name=re.compile("Of 55 cases 55 passed")).locator("canvas").wait_for()
     shot(page, "result-graphs")
     page.get_by_role("tab", name="Coverage").click()
     page.get_by_role("table", name="Files of the component").get_by_text("InfraredSensor.java").wait_for()
@@ -33,7 +33,7 @@ def test_a_faulty_component_shows_in_which_values_it_fails(page, tmp_path):
     fill_expected(page)
     build(page)
     page.get_by_text("Cases failed").wait_for()
-    page.get_by_role("radiogroup", name="Cases shown").get_by_text(re.compile("^Fail")).click()
+    page.get_by_role("radiogroup", name="Filter by verdict").get_by_text(re.compile("^Fail")).click()
     page.get_by_role("table", name="Cases").get_by_text("Fail").first.wait_for()
     page.get_by_label("Parameter to filter by").select_option("NumOfSensor")
     page.get_by_label("Value of the parameter").fill("4")
@@ -45,7 +45,7 @@ def test_a_faulty_component_shows_in_which_values_it_fails(page, tmp_path):
     expect(page.get_by_role("table", name="Cases")).to_have_attribute("aria-rowcount", "7")
     shot(page, "result-faulty-table")
     page.get_by_role("tab", name="Graphs").click()
-    page.get_by_text(re.compile("IndexOfSensor: cases fail in")).wait_for()
+    page.get_by_text(re.compile("IndexOfSensor: cases fail for")).wait_for()
     page.get_by_role("img", name=re.compile("Of 55 cases")).locator("canvas").wait_for()
     shot(page, "result-faulty-graphs")
 
@@ -68,8 +68,8 @@ def test_an_expected_value_is_edited_in_place_and_undone(page):
     shot(page, "test-application")
 
 
-def test_a_mended_component_is_compared_with_what_it_was(page):
-    """The file is mended in the portal, built anew, and set against the build before."""
+def test_a_fixed_component_is_compared_with_the_faulty_one(page):
+    """The file is fixed in the portal, built again and compared with the previous build."""
     suite = page.url
     page.get_by_role("link", name="ir-sensor-faulty").click()
     page.get_by_role("tab", name="Files").click()
@@ -79,7 +79,7 @@ def test_a_mended_component_is_compared_with_what_it_was(page):
     source = (ROOT / "examples/ir-sensor/component/org/sitaf/examples/ir/InfraredSensor.java").read_text()
     text.fill(source)
     page.get_by_role("button", name="Save").click()
-    expect(page.get_by_text("(not saved)")).to_have_count(0)
+    expect(page.get_by_text("(unsaved changes)")).to_have_count(0)
     page.goto(suite)
     build(page)
     page.get_by_text("All passed").wait_for()
@@ -89,14 +89,14 @@ def test_a_mended_component_is_compared_with_what_it_was(page):
     for box in results.get_by_role("checkbox").all():
         box.check()
     shot(page, "history")
-    page.get_by_role("link", name="Compare the two").click()
+    page.get_by_role("link", name="Compare selected results").click()
     page.get_by_role("heading", name="Fixed: 5").wait_for()
     page.get_by_role("heading", name="Newly failing: 0").wait_for()
     expect(page.get_by_role("table", name="Fixed").get_by_role("row")).to_have_count(6)
     shot(page, "comparison")
 
 
-def test_a_result_is_taken_along_in_four_forms(page):
+def test_a_result_is_downloaded_in_four_formats(page):
     page.get_by_role("link", name=re.compile("^GetInfraredData, ")).first.click()
     for name, beginning in (
         ("Result XML", b"<?xml"),
@@ -111,11 +111,11 @@ def test_a_result_is_taken_along_in_four_forms(page):
         assert content.count(b"\n") > 0
 
 
-def test_the_home_page_says_how_everything_stands(page):
+def test_the_home_page_shows_builds_agents_and_failures(page):
     page.get_by_role("link", name="SITAF").click()
     builds = page.get_by_role("table", name="Builds")
     expect(builds).to_contain_text("50 of 55 passed, 5 failed")
-    # The latest build is what counts.
+    # Only the latest build counts.
     expect(page.get_by_role("region", name="Failing activities")).to_contain_text("None")
     expect(page.get_by_role("table", name="Agents")).to_contain_text("Online")
     shot(page, "home")

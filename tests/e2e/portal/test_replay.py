@@ -1,4 +1,4 @@
-"""A case seen again in 3D, and a build watched while it runs: real agent, real simulation, real browser."""
+"""The 3D replay and the live view, with a real agent, a real simulation and a real browser."""
 
 import base64
 import re
@@ -8,10 +8,10 @@ import pytest
 
 from portal.browsing import ROOT, expect, home_of, serious, shot, zip_of
 
-# Simulated in a moment, but the cases are to end one by one.
+# The cases should end one by one.
 SLOW = "java.util.concurrent.locks.LockSupport.parkNanos(2_000_000_000L);"
 
-# The share of pixels that differ between two pictures.
+# The share of different pixels in two screenshots.
 DIFFERENCE = """async ([one, other]) => {
   const pixels = async (picture) => {
     const bytes = Uint8Array.from(atob(picture), (c) => c.charCodeAt(0));
@@ -31,7 +31,7 @@ DIFFERENCE = """async ([one, other]) => {
 
 @pytest.fixture(scope="module")
 def page(page, tab_of):
-    """A page of its own in the same session, of somebody who asked for calm."""
+    """A page in the same session whose user prefers reduced motion."""
     with tab_of(reduced_motion="reduce", storage_state=page.context.storage_state()) as tab:
         tab.goto(home_of(page))
         yield tab
@@ -39,7 +39,7 @@ def page(page, tab_of):
 
 @pytest.fixture(scope="module")
 def build(page, tmp_path_factory):
-    """The address of a build whose cases take two seconds each, just begun."""
+    """The address of a running build whose cases take two seconds each."""
     folder = tmp_path_factory.mktemp("activity")
     shutil.copytree(ROOT / "examples" / "wall-approach", folder / "slow")
     source = next(folder.rglob("WallApproach.java"))
@@ -47,25 +47,25 @@ def build(page, tmp_path_factory):
     begin = "  public boolean Approach(double distance) {\n"
     assert begin in text
     source.write_text(text.replace(begin, f"{begin}    {SLOW}\n"))
-    # On a machine that is busy with other tests.
+    # For slow machines.
     profile = folder / "slow" / "activity.yaml"
     profile.write_text(profile.read_text().replace("case_wall_s: 30", "case_wall_s: 240"))
     archive = zip_of(folder / "slow", folder / "slow.zip")
     page.get_by_role("link", name="Activities", exact=True).click()
-    page.get_by_label("Zip of an activity").set_input_files(archive)
+    page.get_by_label("Zip file of an activity").set_input_files(archive)
     page.get_by_role("button", name="Build now: wall-approach Approach").click()
     page.get_by_role("tab", name="Log").wait_for()
     return page.url.split("?")[0]
 
 
 def scene(page):
-    view = page.get_by_role("application", name=re.compile("^What moved in case"))
+    view = page.get_by_role("application", name=re.compile("^3D replay of case"))
     page.locator('[data-loaded="true"]').wait_for()
     return view
 
 
 def picture(page):
-    # Two frames: what was asked for is drawn with the next one.
+    # Two frames, because a change is rendered with the next frame.
     page.evaluate("() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
     return base64.b64encode(scene(page).locator("canvas").screenshot()).decode()
 
@@ -74,34 +74,34 @@ def seconds(page):
     return float(page.get_by_test_id("clock").inner_text().split()[0])
 
 
-def test_a_running_build_is_watched_case_by_case(page, build):
-    page.get_by_role("link", name="Watch it").click()
-    page.get_by_role("heading", name="Live").wait_for()
-    status = page.get_by_text(re.compile(r"recorded so far"))
+def test_the_live_view_plays_the_cases_of_a_running_build(page, build):
+    page.get_by_role("link", name="Live view").click()
+    page.get_by_role("heading", name="Live view").wait_for()
+    status = page.get_by_text(re.compile(r"recorded case"))
     status.wait_for()
-    assert "the build has ended" not in status.inner_text()
+    assert "The build has ended" not in status.inner_text()
     scene(page)
     first = page.get_by_text(re.compile(r"^Case \d+; ")).inner_text().split(";")[0]
-    # To its end, then comes the newest by then.
+    # At the end of a case, the newest case is played.
     page.get_by_role("group", name="Replay").press("End")
     expect(page.get_by_text(re.compile(r"^Case \d+; "))).not_to_contain_text(f"{first};", timeout=90_000)
     scene(page)
     shot(page, "live")
 
 
-def test_a_case_is_played_and_the_scene_changes_with_the_time(page, build):
+def test_a_case_is_played(page, build):
     page.goto(build)
     page.get_by_text("All passed").wait_for()
     page.get_by_role("table", name="Cases").get_by_role("button", name="Case 1", exact=True).click()
-    page.get_by_role("link", name="See it in 3D").click()
+    page.get_by_role("link", name="3D replay").click()
     page.get_by_role("heading", name="Case 1").wait_for()
     assert page.url == f"{build}/cases/1"
     scene(page)
     page.get_by_text("Result: Pass").wait_for()
-    # Whoever asked for calm is not played anything to.
+    # There is no autoplay with reduced motion.
     assert seconds(page) == 0
     player = page.get_by_role("group", name="Replay")
-    readings = page.get_by_label("Readings at the time shown")
+    readings = page.get_by_label("Current readings")
     at_begin, read_at_begin = picture(page), readings.inner_text()
     assert "robot_x" in read_at_begin
     assert page.evaluate(DIFFERENCE, [at_begin, picture(page)]) == 0
@@ -109,10 +109,10 @@ def test_a_case_is_played_and_the_scene_changes_with_the_time(page, build):
     at_end, read_at_end = picture(page), readings.inner_text()
     assert page.evaluate(DIFFERENCE, [at_begin, at_end]) > 0.002
     assert read_at_end != read_at_begin
-    # What is read at the end is what was measured.
-    measured = page.get_by_text("Measured robot_x").locator("xpath=../..").locator("dd").inner_text()
-    read = dict(re.findall(r"(\S+)\s*\n\s*(\S+)", read_at_end))["robot_x"]
-    assert float(read) == pytest.approx(float(measured), abs=1e-4)
+    # The last reading is the actual value.
+    actual = page.get_by_text("Actual robot_x").locator("xpath=../..").locator("dd").inner_text()
+    reading = dict(re.findall(r"(\S+)\s*\n\s*(\S+)", read_at_end))["robot_x"]
+    assert float(reading) == pytest.approx(float(actual), abs=1e-4)
 
     player.press("Home")
     assert page.evaluate(DIFFERENCE, [at_begin, picture(page)]) < 0.0005
@@ -130,7 +130,7 @@ def test_a_case_is_played_and_the_scene_changes_with_the_time(page, build):
     assert seconds(page) == stopped
 
 
-def test_the_camera_turns_by_key_and_follows_what_moves(page, build):
+def test_the_camera_is_rotated_by_keys_and_follows_the_robot(page, build):
     page.goto(f"{build}/cases/1")
     view = scene(page)
     before = picture(page)
@@ -140,15 +140,15 @@ def test_the_camera_turns_by_key_and_follows_what_moves(page, build):
     assert page.evaluate(DIFFERENCE, [before, turned]) > 0.01
     view.press("r")
     assert page.evaluate(DIFFERENCE, [before, picture(page)]) < 0.0005
-    page.get_by_label("Camera follows robot").check()
+    page.get_by_label("Follow robot").check()
     page.get_by_role("group", name="Replay").press("End")
     followed = picture(page)
     shot(page, "replay")
-    # The walls move past, as the robot stands still before the camera.
+    # The camera keeps the robot in the middle while the walls move.
     assert page.evaluate(DIFFERENCE, [before, followed]) > 0.01
 
 
-def test_the_recording_is_a_file_that_any_viewer_reads(page, build):
+def test_a_recording_is_a_binary_gltf_file(page, build):
     address = f"/api/v1/builds/{build.rsplit('/', 1)[1]}/recordings"
     recorded = page.evaluate("async (address) => (await fetch(address)).json()", address)
     numbers = [item["caseNo"] for item in recorded["items"]]
@@ -174,7 +174,7 @@ def test_axe_finds_nothing_serious(page, build, scheme):
     for place in (f"{build}/cases/1", f"{build}/live", f"{build}/cases/4711"):
         page.goto(place)
         if "4711" in place:
-            page.get_by_role("button", name="Build again and record all cases").wait_for()
+            page.get_by_role("button", name="Build again, record all cases").wait_for()
         else:
             scene(page)
         assert serious(page) == [], place
@@ -187,12 +187,12 @@ def test_axe_finds_nothing_serious(page, build, scheme):
 def test_a_browser_without_webgl_shows_the_readings(page, build):
     page.add_init_script("HTMLCanvasElement.prototype.getContext = () => null;")
     page.goto(f"{build}/cases/1")
-    page.get_by_text("This browser shows no 3D").wait_for()
-    page.get_by_label("Readings at the time shown").wait_for()
-    page.get_by_text(re.compile("^Readings over time as a table")).click()
+    page.get_by_text("WebGL is not available").wait_for()
+    page.get_by_label("Current readings").wait_for()
+    page.get_by_text(re.compile("^Table of readings")).click()
     table = page.get_by_role("table", name="Readings over time")
     expect(table.get_by_role("columnheader", name="robot_x")).to_be_visible()
 
 
-def test_the_browser_complained_of_nothing(page):
+def test_the_browser_reported_no_errors(page):
     assert page.complaints == []

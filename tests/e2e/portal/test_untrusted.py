@@ -1,8 +1,8 @@
-"""What others write is text, a lost connection heals, and nobody overwrites anybody."""
+"""Untrusted text is shown as text, a lost connection is restored, and no change is overwritten."""
 
 import re
 
-from portal.browsing import Cable, drop, expect, home_of, zipped
+from portal.browsing import Proxy, drop, expect, home_of, zipped
 
 MARKUP = "<img src=x onerror=alert(1)>"
 COMPONENT = """
@@ -59,12 +59,12 @@ def test_hostile_text_is_shown_as_text(page):
     drop(page.get_by_role("group", name="Upload an activity"), {"hostile.zip": zipped(files)})
     page.get_by_role("status").get_by_role("link", name="hostile").click()
     page.get_by_text(MARKUP).wait_for()
-    # The name of a schedule is for people, who may call it what they like.
+    # The name of a schedule may be any text.
     page.evaluate(SCHEDULE, [re.search(r"/activities/([^/?]+)", page.url).group(1), MARKUP])
     page.get_by_role("button", name="Build now", exact=True).click()
     page.get_by_text("Cases failed").wait_for()
     table = page.get_by_role("table", name="Cases")
-    # What XML cannot hold is spelled out by the test application already.
+    # The test application escapes what XML cannot represent.
     expect(table).to_contain_text(re.compile(r"<img src=x onerror=alert\(3\)> \\u001[bB]\[2J⟨U\+202E⟩evil"))
     table.get_by_role("button", name="Case 2").click()
     drawer = page.get_by_role("dialog")
@@ -81,28 +81,28 @@ def test_hostile_text_is_shown_as_text(page):
         assert page.evaluate("document.documentElement.scrollWidth <= innerWidth"), place
 
 
-def test_a_lost_connection_is_said_and_heals(page, browser):
-    cable = Cable(home_of(page))
+def test_a_lost_connection_is_reported_and_restored(page, browser):
+    proxy = Proxy(home_of(page))
     context = browser.new_context(storage_state=page.context.storage_state())
     try:
         other = context.new_page()
-        other.goto(cable.address + "/agents")
+        other.goto(proxy.address + "/agents")
         agents = other.get_by_role("table", name="Agents")
         expect(agents).to_contain_text("Online")
-        cable.pull_out()
+        proxy.disconnect()
         lost = other.get_by_text("No connection to the server.")
         lost.wait_for()
         expect(agents).to_contain_text("Online")
-        cable.put_in()
+        proxy.connect()
         lost.wait_for(state="detached")
         other.get_by_role("link", name="Builds", exact=True).click()
         other.get_by_role("table", name="Builds").wait_for()
     finally:
         context.close()
-        cable.pull_out()
+        proxy.disconnect()
 
 
-def test_two_who_edit_one_suite_hear_of_each_other(page):
+def test_two_users_who_edit_one_suite_overwrite_nothing(page):
     page.goto(home_of(page) + "/activities")
     page.get_by_role("link", name="hostile", exact=True).first.click()
     page.get_by_role("table", name="Suites").get_by_role("link").first.click()
@@ -114,15 +114,15 @@ def test_two_who_edit_one_suite_hear_of_each_other(page):
         theirs = other.get_by_label("Expected return of case 1", exact=True)
         theirs.fill("31")
         theirs.press("Enter")
-        other.get_by_text("all stored").wait_for()
+        other.get_by_text("· saved").wait_for()
         mine.fill("32")
         mine.press("Enter")
-        page.get_by_role("alert", name="Somebody else changed this suite").wait_for()
+        page.get_by_role("alert", name="Another user changed this suite").wait_for()
         other.reload()
         expect(theirs).to_have_value("31")
-        page.get_by_role("button", name="Put mine onto theirs").click()
-        page.get_by_role("alert", name="Somebody else changed this suite").wait_for(state="detached")
-        page.get_by_text("all stored").wait_for()
+        page.get_by_role("button", name="Apply my changes").click()
+        page.get_by_role("alert", name="Another user changed this suite").wait_for(state="detached")
+        page.get_by_text("· saved").wait_for()
         expect(mine).to_have_value("32")
         other.reload()
         expect(theirs).to_have_value("32")

@@ -1,4 +1,4 @@
-"""What holds on every page; runs last, when there is something on each."""
+"""Checks of every page; they run last, when all pages have content."""
 
 import re
 
@@ -39,5 +39,5 @@ def test_axe_finds_nothing_serious_on_any_page(page, scheme):
         assert serious(page) == [], place
 
 
-def test_the_browser_complained_of_nothing(page):
+def test_the_browser_reported_no_errors(page):
     assert page.complaints == []
