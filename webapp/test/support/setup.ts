@@ -29,7 +29,7 @@ if (typeof window !== 'undefined') {
   };
   // Growing text areas wait for fonts.
   Object.defineProperty(document, 'fonts', { value: new EventTarget() });
-  Blob.prototype.arrayBuffer ??= function () {
+  Blob.prototype.arrayBuffer = function () {
     return new Promise((resolve, reject) => {
       const reader = new FileReader();
       reader.addEventListener('load', () => {
