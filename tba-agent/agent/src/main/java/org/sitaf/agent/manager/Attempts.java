@@ -70,25 +70,19 @@ final class Attempts {
    */
   void begin(Assignment assignment) {
     Attempt attempt = Attempt.of(assignment.getAttempt());
-    if (upload.owes(attempt)) {
+    if (upload.isPending(attempt)) {
       return;
     }
     String full = disk.whyFull();
     if (!full.isEmpty()) {
       onFull.run();
-      owe(
-          attempt,
-          SubmitMessages.infrastructure(attempt, "the agent is full: " + full),
-          null,
-          null);
+      upload.refuse(
+          attempt, SubmitMessages.infrastructure(attempt, "the agent is full: " + full));
       return;
     }
     if (!takeSlot(attempt, assignment)) {
-      owe(
-          attempt,
-          SubmitMessages.infrastructure(attempt, "the agent has no free slot"),
-          null,
-          null);
+      upload.refuse(
+          attempt, SubmitMessages.infrastructure(attempt, "the agent has no free slot"));
     }
   }
 
@@ -127,15 +121,15 @@ final class Attempts {
       run.get().abandon();
     } else if (run.isPresent()) {
       run.get().cancel(cancellation.getReason());
-    } else if (!upload.owes(attempt)) {
+    } else if (!upload.isPending(attempt)) {
       BuildOutcome cancelled = new BuildOutcome.Cancelled(cancellation.getReason());
-      owe(attempt, SubmitMessages.of(attempt, cancelled), null, null);
+      upload.refuse(attempt, SubmitMessages.of(attempt, cancelled));
     }
   }
 
   /** What the server is told that the agent works on. */
   List<AttemptRef> refs() {
-    List<AttemptRef> refs = new ArrayList<>(upload.owed());
+    List<AttemptRef> refs = new ArrayList<>(upload.pending());
     synchronized (this) {
       running.values().forEach(run -> refs.add(run.attempt().ref()));
     }
@@ -154,7 +148,7 @@ final class Attempts {
       }
       outcome.ifPresentOrElse(
           ended ->
-              owe(
+              keepResult(
                   attempt,
                   SubmitMessages.of(attempt, ended),
                   directory.resolve(BuildRun.LOG),
@@ -164,7 +158,7 @@ final class Attempts {
       Thread.currentThread().interrupt();
     } catch (IOException | RuntimeException | Error e) {
       LOGGER.log(System.Logger.Level.ERROR, attempt + ": the agent failed", e);
-      owe(attempt, SubmitMessages.infrastructure(attempt, "the agent failed: " + e), null, null);
+      keepResult(attempt, SubmitMessages.infrastructure(attempt, "the agent failed: " + e), null, null);
     } finally {
       synchronized (this) {
         running.remove(attempt.key());
@@ -178,10 +172,10 @@ final class Attempts {
   }
 
   /**
-   * A result that cannot be put on the disk is tried again for as long as the agent lives; it holds
-   * its slot meanwhile.
+   * Puts a result into the spool, again and again until the agent stops. The attempt holds its slot
+   * meanwhile.
    */
-  private void owe(
+  private void keepResult(
       Attempt attempt, SubmitResultRequest message, @Nullable Path log, @Nullable Path recordings) {
     Backoff backoff = new Backoff();
     while (true) {

@@ -4,12 +4,17 @@ import java.time.Duration;
 
 /** A daemon thread that works in the background of builds. */
 final class BackgroundThread {
+  private static final System.Logger LOGGER = System.getLogger("org.sitaf.agent");
+
   private final Thread thread;
 
   /** Creates the thread without starting it. */
   BackgroundThread(String name, Runnable work) {
     thread = new Thread(work, name);
     thread.setDaemon(true);
+    thread.setUncaughtExceptionHandler(
+        (ended, e) ->
+            LOGGER.log(System.Logger.Level.ERROR, ended.getName() + " ended by a defect", e));
   }
 
   void start() {

@@ -4,13 +4,15 @@ import com.google.protobuf.ByteString;
 import com.google.protobuf.InvalidProtocolBufferException;
 import io.grpc.StatusRuntimeException;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Collection;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.spool.Spool;
 import org.sitaf.agent.v1.AttemptRef;
@@ -26,9 +28,22 @@ final class ResultUpload implements AutoCloseable {
   private static final System.Logger LOGGER = System.getLogger("org.sitaf.agent");
   private static final Duration FLUSH = Duration.ofSeconds(3);
 
+  /** With the pauses between them about a minute. */
+  private static final int UNREADABLE_TRIES = 10;
+
   private final Spool spool;
   private final ServerCalls calls;
-  private final Map<String, AttemptRef> owed = new ConcurrentHashMap<>();
+  private final Map<String, AttemptRef> pending = new ConcurrentHashMap<>();
+
+  /** Short answers that need no disk, by the key of their attempt. */
+  private final Map<String, SubmitResultRequest> refusals = new ConcurrentHashMap<>();
+
+  /** Failed attempts to read an entry, by its name; only the upload thread uses it. */
+  private final Map<String, Integer> unreadable = new HashMap<>();
+
+  /** Held while entries and {@link #pending} change together. */
+  private final Object entryLock = new Object();
+
   private final BackgroundThread thread = new BackgroundThread("sitaf-upload", this::work);
   private boolean news = true;
   private boolean closed;
@@ -38,9 +53,10 @@ final class ResultUpload implements AutoCloseable {
     this.spool = spool;
     this.calls = calls;
     for (Spool.Entry entry : spool.entries()) {
-      SubmitResultRequest message = read(entry);
-      if (message != null) {
-        owed.put(entry.name(), message.getAttempt());
+      try {
+        pending.put(entry.name(), read(entry).getAttempt());
+      } catch (IOException e) {
+        LOGGER.log(System.Logger.Level.WARNING, entry.name() + " in the spool cannot be read: " + e);
       }
     }
     thread.start();
@@ -50,18 +66,31 @@ final class ResultUpload implements AutoCloseable {
   void add(
       Attempt attempt, SubmitResultRequest message, @Nullable Path log, @Nullable Path recordings)
       throws IOException {
-    spool.put(attempt.key(), message.toByteArray(), log, recordings);
-    owed.put(attempt.key(), attempt.ref());
+    synchronized (entryLock) {
+      spool.put(attempt.key(), message.toByteArray(), log, recordings);
+      pending.put(attempt.key(), attempt.ref());
+    }
+    wake();
+  }
+
+  /**
+   * Takes over the answer to an assignment that the agent does not accept. It stays in memory: the
+   * disk may be full, and the caller, a thread of gRPC, must not wait. When the agent ends before
+   * the server has the answer, the lease of the attempt expires.
+   */
+  void refuse(Attempt attempt, SubmitResultRequest failure) {
+    refusals.put(attempt.key(), failure);
+    pending.put(attempt.key(), attempt.ref());
     wake();
   }
 
   /** Attempts whose result the server does not have yet. */
-  Collection<AttemptRef> owed() {
-    return List.copyOf(owed.values());
+  Collection<AttemptRef> pending() {
+    return List.copyOf(pending.values());
   }
 
-  boolean owes(Attempt attempt) {
-    return owed.containsKey(attempt.key());
+  boolean isPending(Attempt attempt) {
+    return pending.containsKey(attempt.key());
   }
 
   /** Tries again at once, because the server is there or there is something new. */
@@ -99,32 +128,104 @@ final class ResultUpload implements AutoCloseable {
 
   /** Tries each entry once; false when some are left. */
   private boolean uploadAll() throws InterruptedException {
-    boolean complete = true;
+    boolean complete = uploadRefusals();
+    List<Spool.Entry> entries;
     try {
-      for (Spool.Entry entry : spool.entries()) {
-        if (Thread.interrupted()) {
-          throw new InterruptedException();
-        }
-        try {
-          complete &= upload(entry);
-        } catch (IOException e) {
-          // The others do not wait for what cannot be read of this one.
-          LOGGER.log(
-              System.Logger.Level.WARNING, entry.name() + " in the spool cannot be read: " + e);
-          complete = false;
-        }
-      }
-    } catch (IOException e) {
+      entries = entries();
+    } catch (IOException | RuntimeException e) {
       LOGGER.log(System.Logger.Level.WARNING, "the spool cannot be read: " + e);
       return false;
+    }
+    for (Spool.Entry entry : entries) {
+      if (Thread.interrupted()) {
+        throw new InterruptedException();
+      }
+      // An entry that fails must not keep the others from the server.
+      try {
+        complete &= upload(entry);
+        unreadable.remove(entry.name());
+      } catch (IOException | RuntimeException e) {
+        complete &= failed(entry, e);
+      }
     }
     return complete;
   }
 
+  /** Also ends the leases of attempts whose entries are gone, such as those put aside. */
+  private List<Spool.Entry> entries() throws IOException {
+    synchronized (entryLock) {
+      List<Spool.Entry> entries = spool.entries();
+      Set<String> names = entries.stream().map(Spool.Entry::name).collect(Collectors.toSet());
+      pending.keySet().removeIf(key -> !names.contains(key) && !refusals.containsKey(key));
+      return entries;
+    }
+  }
+
+  private boolean uploadRefusals() {
+    boolean complete = true;
+    for (Map.Entry<String, SubmitResultRequest> refusal : refusals.entrySet()) {
+      try {
+        calls.submit(refusal.getValue());
+      } catch (StatusRuntimeException e) {
+        if (ServerCalls.meaningOf(e) == ServerCalls.Failure.LATER) {
+          complete = false;
+          continue;
+        }
+        LOGGER.log(
+            System.Logger.Level.INFO,
+            Attempt.of(refusal.getValue().getAttempt())
+                + ": the server does not take its refusal: "
+                + ServerCalls.describe(e.getStatus()));
+      }
+      refusals.remove(refusal.getKey());
+      pending.remove(refusal.getKey());
+    }
+    return complete;
+  }
+
+  /**
+   * An entry that stays unreadable is put aside. The lease of its attempt then expires, and the
+   * server gives the build to an agent again. True when nothing is left to do for it.
+   */
+  private boolean failed(Spool.Entry entry, Exception e) {
+    int failures = unreadable.merge(entry.name(), 1, Integer::sum);
+    if (failures == 1) {
+      LOGGER.log(
+          System.Logger.Level.WARNING, entry.name() + " in the spool cannot be uploaded: " + e, e);
+    }
+    if (failures < UNREADABLE_TRIES) {
+      return false;
+    }
+    try {
+      putAside(entry);
+      unreadable.remove(entry.name());
+      LOGGER.log(
+          System.Logger.Level.ERROR,
+          entry.name() + " in the spool cannot be uploaded and is put aside: " + e);
+      return true;
+    } catch (IOException | RuntimeException again) {
+      LOGGER.log(
+          System.Logger.Level.ERROR, entry.name() + " in the spool cannot be put aside: " + again);
+      return false;
+    }
+  }
+
+  private Path putAside(Spool.Entry entry) throws IOException {
+    synchronized (entryLock) {
+      Path aside = spool.reject(entry);
+      pending.remove(entry.name());
+      return aside;
+    }
+  }
+
   private boolean upload(Spool.Entry entry) throws IOException {
-    SubmitResultRequest message = read(entry);
-    if (message == null) {
-      spool.reject(entry);
+    SubmitResultRequest message;
+    try {
+      message = read(entry);
+    } catch (InvalidProtocolBufferException e) {
+      LOGGER.log(
+          System.Logger.Level.ERROR, entry.directory() + " is damaged and is put aside: " + e);
+      putAside(entry);
       return true;
     }
     Attempt attempt = Attempt.of(message.getAttempt());
@@ -212,36 +313,28 @@ final class ResultUpload implements AutoCloseable {
         System.Logger.Level.ERROR,
         attempt + ": the result is refused: " + ServerCalls.describe(e.getStatus()));
     if (message.hasFailure()) {
-      spool.reject(entry);
-      owed.remove(entry.name());
+      putAside(entry);
       return true;
     }
-    Path aside = spool.reject(entry);
     String reason = "the server refused the result: " + e.getStatus().getDescription();
-    spool.put(
-        entry.name(),
-        SubmitMessages.infrastructure(attempt, reason).toByteArray(),
-        aside.resolve("log"),
-        null);
+    synchronized (entryLock) {
+      spool.replace(entry, SubmitMessages.infrastructure(attempt, reason).toByteArray());
+    }
     return false;
   }
 
   private void forget(Spool.Entry entry) throws IOException {
-    spool.delete(entry);
-    owed.remove(entry.name());
-  }
-
-  private static @Nullable SubmitResultRequest read(Spool.Entry entry) throws IOException {
-    Path file = entry.directory();
-    try {
-      return Files.isDirectory(file) ? SubmitResultRequest.parseFrom(entry.message()) : null;
-    } catch (InvalidProtocolBufferException e) {
-      LOGGER.log(System.Logger.Level.ERROR, file + " is damaged and is put aside: " + e);
-      return null;
+    synchronized (entryLock) {
+      spool.delete(entry);
+      pending.remove(entry.name());
     }
   }
 
-  /** Ends; what is still owed has a moment to go, and stays in the spool otherwise. */
+  private static SubmitResultRequest read(Spool.Entry entry) throws IOException {
+    return SubmitResultRequest.parseFrom(entry.message());
+  }
+
+  /** Ends; what is still pending has a moment to go, and stays in the spool otherwise. */
   @Override
   public void close() {
     synchronized (this) {

@@ -75,6 +75,27 @@ public final class Spool {
     if (!NAME.matcher(name).matches()) {
       throw new IllegalArgumentException("'" + name + "' is not a valid name of a spool entry");
     }
+    Path work = write(name, message, log, attachments);
+    Path entry = directory.resolve(name);
+    if (Files.exists(entry)) {
+      delete(new Entry(name, entry));
+    }
+    return publish(work, name);
+  }
+
+  /**
+   * Sets an entry aside, as {@link #reject} does, and another message with the same log in its
+   * place. When the message cannot be written, the entry stays as it is.
+   */
+  public synchronized Entry replace(Entry entry, byte[] message) throws IOException {
+    Path work = write(entry.name(), message, entry.log(), null);
+    reject(entry);
+    return publish(work, entry.name());
+  }
+
+  private Path write(
+      String name, byte[] message, @Nullable Path log, @Nullable Path attachments)
+      throws IOException {
     Path work = directory.resolve(TEMPORARY + name);
     Folders.delete(work);
     Files.createDirectories(work);
@@ -90,10 +111,11 @@ public final class Spool {
     sync(work.resolve(MESSAGE));
     sync(work.resolve("log"));
     sync(work);
+    return work;
+  }
+
+  private Entry publish(Path work, String name) throws IOException {
     Path entry = directory.resolve(name);
-    if (Files.exists(entry)) {
-      delete(new Entry(name, entry));
-    }
     Files.move(work, entry, StandardCopyOption.ATOMIC_MOVE);
     sync(directory);
     return new Entry(name, entry);
@@ -152,7 +174,9 @@ public final class Spool {
   /** Sets aside an entry that the server rejected, for inspection by the administrator. */
   public synchronized Path reject(Entry entry) throws IOException {
     Path rejected = directory.resolve(REJECTED + entry.name());
-    Folders.delete(rejected);
+    for (int i = 2; Files.exists(rejected, LinkOption.NOFOLLOW_LINKS); i++) {
+      rejected = directory.resolve(REJECTED + entry.name() + "." + i);
+    }
     return Files.move(entry.directory(), rejected, StandardCopyOption.ATOMIC_MOVE);
   }
 

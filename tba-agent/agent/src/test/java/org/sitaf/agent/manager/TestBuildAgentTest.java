@@ -201,6 +201,18 @@ class TestBuildAgentTest {
   }
 
   @Test
+  void aCancellationOfAnUnknownBuildIsAnsweredWhileTheSpoolCannotBeWritten() throws Exception {
+    startBoth();
+    server.await(s -> !s.registrations().isEmpty());
+    Files.delete(directory.resolve("spool"));
+    Files.createFile(directory.resolve("spool"));
+    server.cancel(FakeServer.attempt("unknown", 3, 4), "not wanted");
+    server.cancel(FakeServer.attempt("unknown too", 3, 4), "not wanted");
+
+    server.await(s -> s.submitted().size() == 2);
+  }
+
+  @Test
   void submitsTheResultOfAnAbandonedAttemptWhoseCasesHaveEnded() throws Exception {
     startBoth();
     // The process runs longer after its last case than an abandoned attempt waits.

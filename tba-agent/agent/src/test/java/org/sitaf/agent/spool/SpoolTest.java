@@ -70,6 +70,30 @@ class SpoolTest {
   }
 
   @Test
+  void aReplacedEntryIsPutAsideAndItsLogIsKeptInBoth() throws Exception {
+    Spool spool = Spool.open(directory.resolve("spool"));
+    Path log = Files.writeString(directory.resolve("build.log"), "lines");
+    Spool.Entry replaced = spool.replace(spool.put("a", new byte[] {1}, log, null), new byte[] {2});
+
+    assertThat(spool.entries()).containsExactly(replaced);
+    assertThat(replaced.message()).containsExactly(2);
+    assertThat(replaced.log()).hasContent("lines");
+    assertThat(directory.resolve("spool/rejected.a/message")).hasBinaryContent(new byte[] {1});
+    assertThat(directory.resolve("spool/rejected.a/log")).hasContent("lines");
+  }
+
+  @Test
+  void twoRejectedEntriesOfOneNameAreBothKept() throws Exception {
+    Spool spool = Spool.open(directory);
+    Path first = spool.reject(spool.put("a", new byte[] {1}, null, null));
+    Path second = spool.reject(spool.put("a", new byte[] {2}, null, null));
+
+    assertThat(first.resolve("message")).hasBinaryContent(new byte[] {1});
+    assertThat(second.resolve("message")).hasBinaryContent(new byte[] {2});
+    assertThat(spool.entries()).isEmpty();
+  }
+
+  @Test
   void setsAnEntryWithoutAMessageAside() throws Exception {
     Spool spool = Spool.open(directory);
     spool.put("b", new byte[] {1}, null, null);

@@ -1,0 +1,124 @@
+package org.sitaf.agent.manager;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.grpc.ManagedChannel;
+import io.grpc.Status;
+import io.grpc.netty.shaded.io.grpc.netty.NettyChannelBuilder;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.sitaf.agent.spool.AgentDirectory;
+import org.sitaf.agent.v1.SubmitResultRequest;
+
+/** Entries of the spool that are damaged delay no others and renew no leases. */
+@Timeout(60)
+class ResultUploadTest {
+  private static final Attempt BROKEN = Attempt.of(FakeServer.attempt("b-1", 1, 17));
+  private static final Attempt GOOD = Attempt.of(FakeServer.attempt("b-2", 1, 18));
+
+  @TempDir private Path directory;
+  private FakeServer server;
+  private ManagedChannel channel;
+  private ServerCalls calls;
+  private AgentDirectory agent;
+
+  @BeforeEach
+  void start() throws Exception {
+    server = FakeServer.start();
+    server.door().letAllIn();
+    channel = NettyChannelBuilder.forTarget(server.address()).usePlaintext().build();
+    calls = new ServerCalls(channel);
+    agent = AgentDirectory.open(directory.resolve("agent"));
+  }
+
+  @AfterEach
+  void stop() throws Exception {
+    agent.close();
+    channel.shutdownNow();
+    server.close();
+  }
+
+  private static SubmitResultRequest failureOf(Attempt attempt) {
+    return SubmitMessages.infrastructure(attempt, "for the test");
+  }
+
+  private Path entry(Attempt attempt) {
+    return directory.resolve("agent/spool").resolve(attempt.key());
+  }
+
+  private static void awaitNothingPending(ResultUpload upload) throws InterruptedException {
+    while (!upload.pending().isEmpty()) {
+      upload.wake();
+      Thread.sleep(5);
+    }
+  }
+
+  @Test
+  void anEntryThatFailsWithARuntimeExceptionDelaysNoOther() throws Exception {
+    Path recordings = Files.createDirectories(directory.resolve("recordings"));
+    Files.writeString(recordings.resolve("not-a-number.glb"), "g");
+    try (ResultUpload upload = new ResultUpload(agent.spool(), calls)) {
+      upload.add(BROKEN, failureOf(BROKEN), null, recordings);
+      upload.add(GOOD, failureOf(GOOD), null, null);
+
+      server.await(s -> s.submitted().stream().anyMatch(m -> m.getAttempt().equals(GOOD.ref())));
+    }
+  }
+
+  @Test
+  void anEntryThatStaysUnreadableIsPutAsideAndItsLeaseEnds() throws Exception {
+    try (ResultUpload upload = new ResultUpload(agent.spool(), calls)) {
+      server.refuseAttempt(Status.UNAVAILABLE);
+      upload.add(BROKEN, failureOf(BROKEN), null, null);
+      Files.delete(entry(BROKEN).resolve("log"));
+      Files.createDirectory(entry(BROKEN).resolve("log"));
+      upload.add(GOOD, failureOf(GOOD), null, null);
+      server.takeAttempts();
+
+      awaitNothingPending(upload);
+    }
+    assertThat(server.submitted()).extracting(m -> m.getAttempt()).containsExactly(GOOD.ref());
+    assertThat(directory.resolve("agent/spool/rejected." + BROKEN.key())).isDirectory();
+  }
+
+  @Test
+  void theLeaseOfAnAttemptWhoseEntryIsGoneEnds() throws Exception {
+    server.refuseAttempt(Status.UNAVAILABLE);
+    try (ResultUpload upload = new ResultUpload(agent.spool(), calls)) {
+      upload.add(BROKEN, failureOf(BROKEN), null, null);
+      assertThat(upload.isPending(BROKEN)).isTrue();
+      Files.move(entry(BROKEN), directory.resolve("elsewhere"));
+
+      awaitNothingPending(upload);
+    }
+  }
+
+  @Test
+  void aDamagedEntryIsPutAsideWhenTheAgentStarts() throws Exception {
+    agent.spool().put(BROKEN.key(), new byte[] {-1, -1}, null, null);
+    agent.spool().put(GOOD.key(), failureOf(GOOD).toByteArray(), null, null);
+    try (ResultUpload upload = new ResultUpload(agent.spool(), calls)) {
+      assertThat(upload.isPending(BROKEN)).isFalse();
+      server.await(s -> !s.submitted().isEmpty());
+      awaitNothingPending(upload);
+    }
+    assertThat(directory.resolve("agent/spool/rejected." + BROKEN.key())).isDirectory();
+  }
+
+  @Test
+  void aRefusalOfAnAssignmentIsSentAgainUntilTheServerHasIt() throws Exception {
+    server.refuseAttempt(Status.UNAVAILABLE);
+    try (ResultUpload upload = new ResultUpload(agent.spool(), calls)) {
+      upload.refuse(GOOD, failureOf(GOOD));
+      assertThat(upload.isPending(GOOD)).isTrue();
+      server.takeAttempts();
+      awaitNothingPending(upload);
+    }
+    assertThat(server.submitted()).hasSize(1);
+  }
+}
