@@ -300,7 +300,10 @@ public final class BuildRun {
     if (recording == null || order == null) {
       return executor().execute(request, early, log, result -> announce(assembler.judge(result)));
     }
-    try (Recordings recordings = new Recordings(recording, order, listener, log)) {
+    Map<Integer, Path> folders =
+        executor().recordingFolders(application.suite(), recording);
+    Path taken = recording.resolveSibling("recording.taken");
+    try (Recordings recordings = new Recordings(folders, taken, order, listener, log)) {
       return executor()
           .execute(
               request,

@@ -13,6 +13,7 @@ import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
@@ -36,7 +37,7 @@ final class Recordings implements AutoCloseable {
   private static final int MAGIC = 0x46546C67;
   private static final long PAUSE_MS = 200;
 
-  private final Path from;
+  private final Map<Integer, Path> from;
   private final Path collected;
   private final RecordingOrder order;
   private final BuildListener listener;
@@ -62,11 +63,18 @@ final class Recordings implements AutoCloseable {
   /**
    * Starts to collect.
    *
-   * @param from folder of the test application; need not exist yet
+   * @param from folder of the test application, by the number of the case; need not exist yet
+   * @param collected folder for files that are moved out of those folders; the component cannot
+   *     access it
    */
-  Recordings(Path from, RecordingOrder order, BuildListener listener, OutputSink log) {
-    this.from = from;
-    this.collected = from.resolveSibling(from.getFileName() + ".collected");
+  Recordings(
+      Map<Integer, Path> from,
+      Path collected,
+      RecordingOrder order,
+      BuildListener listener,
+      OutputSink log) {
+    this.from = Map.copyOf(from);
+    this.collected = collected;
     this.order = order;
     this.listener = listener;
     this.log = log;
@@ -120,7 +128,7 @@ final class Recordings implements AutoCloseable {
   /** Returns false if the recording is missing or incomplete. */
   private boolean collect(Ended one) throws IOException {
     Path file = collected.resolve(one.no() + ".glb");
-    if (move(one.no() + ".glb", file)) {
+    if (move(one.no(), file)) {
       incomplete.add(one.no());
     } else if (!incomplete.contains(one.no())) {
       return false;
@@ -152,8 +160,12 @@ final class Recordings implements AutoCloseable {
   }
 
   /** Returns false if the file is missing. A process that has it open can still write to it. */
-  private boolean move(String name, Path to) throws IOException {
-    Path file = from.resolve(name);
+  private boolean move(int no, Path to) throws IOException {
+    Path folder = from.get(no);
+    if (folder == null) {
+      return false;
+    }
+    Path file = folder.resolve(no + ".glb");
     if (!Files.exists(file, LinkOption.NOFOLLOW_LINKS)) {
       return false;
     }

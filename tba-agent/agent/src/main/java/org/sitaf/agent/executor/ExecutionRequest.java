@@ -68,7 +68,21 @@ public record ExecutionRequest(
       TestSuiteXml.write(part, out);
     }
     return new ExecutionRequest(
-        application, sandbox, files, part, file, own, coverage, recording, world, limits);
+        application,
+        sandbox,
+        files,
+        part,
+        file,
+        own,
+        coverage,
+        // Each process runs as another user, who owns what it writes to.
+        recording == null ? null : recordingOfShard(recording, number),
+        world,
+        limits);
+  }
+
+  static Path recordingOfShard(Path recording, int number) {
+    return recording.resolve("part-" + number);
   }
 
   /** Opens the simulator endpoint of the next process; null if the activity has no world. */

@@ -1,9 +1,12 @@
 package org.sitaf.agent.executor;
 
 import java.io.IOException;
+import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
 import java.util.concurrent.ExecutionException;
@@ -43,6 +46,29 @@ public record ParallelExecutor(TestApplicationExecutor each, int sessions) {
     return Math.min(sessions, suite.cases().size() / MIN_CASES);
   }
 
+  private static List<TestCase> casesOfShard(TestSuite suite, int shard, int shards) {
+    List<TestCase> cases = suite.cases();
+    return cases.subList(cases.size() * (shard - 1) / shards, cases.size() * shard / shards);
+  }
+
+  /**
+   * The folder that holds the recording of each case, by the number of the case.
+   *
+   * @param recording the folder of the execution request
+   */
+  public Map<Integer, Path> recordingFolders(TestSuite suite, Path recording) {
+    int shards = shards(suite);
+    Map<Integer, Path> folders = new HashMap<>();
+    if (shards < 2) {
+      suite.cases().forEach(testCase -> folders.put(testCase.no(), recording));
+    }
+    for (int shard = 1; shards >= 2 && shard <= shards; shard++) {
+      Path folder = ExecutionRequest.recordingOfShard(recording, shard);
+      casesOfShard(suite, shard, shards).forEach(testCase -> folders.put(testCase.no(), folder));
+    }
+    return folders;
+  }
+
   /**
    * Runs the cases; see {@link TestApplicationExecutor#execute}.
    *
@@ -55,7 +81,6 @@ public record ParallelExecutor(TestApplicationExecutor each, int sessions) {
       OutputSink sink,
       UnaryOperator<CaseResult> onResult)
       throws IOException, InterruptedException {
-    List<TestCase> cases = request.suite().cases();
     int shards = shards(request.suite());
     if (shards < 2) {
       return each.execute(request, early, sink, onResult);
@@ -71,10 +96,9 @@ public record ParallelExecutor(TestApplicationExecutor each, int sessions) {
     List<Future<Execution>> running = new ArrayList<>();
     ExecutorService threads = Executors.newFixedThreadPool(shards);
     try {
-      for (int i = 0; i < shards; i++) {
-        List<TestCase> some =
-            cases.subList(cases.size() * i / shards, cases.size() * (i + 1) / shards);
-        ExecutionRequest part = request.part(i + 1, some);
+      for (int number = 1; number <= shards; number++) {
+        ExecutionRequest part =
+            request.part(number, casesOfShard(request.suite(), number, shards));
         running.add(threads.submit(() -> each.execute(part, null, sink, inTurn)));
       }
       return joined(running);

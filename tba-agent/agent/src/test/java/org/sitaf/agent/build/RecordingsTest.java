@@ -1,5 +1,6 @@
 package org.sitaf.agent.build;
 
+import static java.util.stream.Collectors.toMap;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
@@ -11,6 +12,8 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Map;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -28,8 +31,17 @@ class RecordingsTest {
 
   private Recordings recordings(Cases cases, int most, long bytes) throws IOException {
     Files.createDirectories(folder.resolve("from"));
+    return recordings(
+        IntStream.rangeClosed(1, 2000).boxed().collect(toMap(no -> no, no -> folder.resolve("from"))),
+        cases,
+        most,
+        bytes);
+  }
+
+  private Recordings recordings(Map<Integer, Path> from, Cases cases, int most, long bytes) {
     return new Recordings(
-        folder.resolve("from"),
+        from,
+        folder.resolve("taken"),
         new RecordingOrder(folder.resolve("to"), cases, most, bytes),
         new BuildListener() {
           @Override
@@ -102,6 +114,22 @@ class RecordingsTest {
     assertThat(remarks).hasSize(2);
     assertThat(remarks.get(0)).startsWith("recordings: 2 cases, 0.0 MiB");
     assertThat(remarks.get(1)).contains("some recordings are lost", "is not a regular file");
+  }
+
+  @Test
+  void takesEachCaseFromTheFolderOfTheProcessThatRunsIt() throws IOException {
+    Path one = Files.createDirectories(folder.resolve("part-1"));
+    Path two = Files.createDirectories(folder.resolve("part-2"));
+    try (Recordings recordings = recordings(Map.of(1, one, 2, two), Cases.ALL, 10, 1000)) {
+      recordings.expect(result(1, Verdict.PASS));
+      recordings.expect(result(2, Verdict.PASS));
+      Files.write(one.resolve("1.glb"), glb(16));
+      Files.write(one.resolve("2.glb"), glb(16));
+      Files.write(two.resolve("2.glb"), glb(24));
+    }
+
+    assertThat(kept()).containsExactly("1.glb", "2.glb");
+    assertThat(folder.resolve("to/2.glb")).hasSize(24);
   }
 
   @Test
