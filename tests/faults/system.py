@@ -10,6 +10,7 @@ import signal
 import socket
 import subprocess
 import sys
+import tempfile
 import threading
 import time
 import urllib.error
@@ -225,18 +226,24 @@ class Postgres:
     """A PostgreSQL server of this run alone."""
 
     def __enter__(self):
-        command = ["java", "-Xmx64m", "-cp", os.environ["SITAF_POSTGRES_CLASSPATH"], "Postgres"]
+        command = ["java", "-Xmx128m", "-cp", os.environ["SITAF_POSTGRES_CLASSPATH"], "Postgres"]
+        command.append(os.environ["SITAF_POSTGRES_FOLDER"])
+        self.errors = tempfile.TemporaryFile("w+")
         self.process = subprocess.Popen(
-            command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True
+            command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=self.errors, text=True
         )
         self.url = self.process.stdout.readline().strip()
         if not self.url.startswith("jdbc:"):
-            raise RuntimeError("PostgreSQL did not start")
+            self.process.kill()
+            self.process.wait()
+            self.errors.seek(0)
+            raise RuntimeError(f"PostgreSQL did not start: {self.errors.read()[-4000:]}")
         return self
 
     def __exit__(self, *_):
         self.process.stdin.close()
         self.process.wait(30)
+        self.errors.close()
 
 
 def processes_of(directory, word):

@@ -3,6 +3,7 @@ package org.sitaf.server.story;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.zonky.test.db.postgres.embedded.EmbeddedPostgres;
+import java.io.File;
 import java.io.IOException;
 import java.sql.Connection;
 import javax.sql.DataSource;
@@ -39,7 +40,10 @@ class BuildStoryOnPostgresTest extends BuildStory {
 
   private static EmbeddedPostgres start() {
     try {
-      return EmbeddedPostgres.start();
+      // Not the folder for temporary files, which other programs of this machine unpack into as well.
+      return EmbeddedPostgres.builder()
+          .setOverrideWorkingDirectory(new File("target/postgres"))
+          .start();
     } catch (IOException e) {
       throw new java.io.UncheckedIOException(e);
     }
