@@ -1,6 +1,7 @@
 package org.sitaf.agent.build;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.file.Path;
@@ -10,6 +11,8 @@ import org.sitaf.agent.build.BuildOutcome.Completed;
 import org.sitaf.agent.sandbox.SandboxMode;
 import org.sitaf.agent.testing.EchoActivity;
 import org.sitaf.agent.testing.Recording;
+import org.sitaf.agent.toolchain.Toolchains;
+import org.sitaf.core.activity.ActivityProfile.Language;
 import org.sitaf.core.verdict.Coverage;
 import org.sitaf.core.verdict.Coverage.Line;
 import org.sitaf.core.verdict.TestResult;
@@ -91,5 +94,31 @@ class CoverageTest {
         .filteredOn(line -> line.number() == 11)
         .allSatisfy(line -> assertThat(line.reached()).isTrue())
         .hasSize(1);
+  }
+
+  @Test
+  void aModuleThatCannotBeImportedIsTheReasonAndNotThatNothingWasReached() throws Exception {
+    Toolchains toolchains = EchoActivity.toolchains();
+    assumeTrue(
+        toolchains.of(Language.PYTHON).isPresent(),
+        () -> "skipped: " + toolchains.lackOf(Language.PYTHON));
+    TestResult result =
+        result(
+            EchoActivity.inPython("sensor.Sensor")
+                .file(
+                    "component/sensor.py",
+                    """
+                    import no_such_module
+
+                    class Sensor:
+                        def echo(self, value):
+                            return value
+                    """),
+            true);
+
+    assertThat(result.summary().dont()).isEqualTo(5);
+    assertThat(result.cases().get(0).message())
+        .contains("No module named 'no_such_module'")
+        .doesNotContain("CoverageWarning", "No data was collected");
   }
 }

@@ -39,6 +39,10 @@ record PythonCoverage(
   /** Python options that record into a folder, before the module. */
   List<String> recorder(Path directory) {
     return List.of(
+        // When a module cannot be imported, that is the last line of the error stream, and the
+        // message of the build.
+        "-W",
+        "ignore:No data was collected",
         "-m",
         "coverage",
         "run",
