@@ -23,6 +23,9 @@ import org.sitaf.agent.toolchain.cpp.inputs.Inputs;
 final class CppCompilation {
   private static final System.Logger LOGGER = System.getLogger("org.sitaf.agent.toolchain");
 
+  private static final String MISFIT = "the component does not fit the generated test application";
+  private static final String NOT_LINKED = "the test application cannot be linked";
+
   private final Compilation compilation;
   private final Compiler compiler;
   private final CppRuntime.Built runtime;
@@ -103,7 +106,7 @@ final class CppCompilation {
     thread.setDaemon(true);
     thread.start();
     try {
-      requireSuccess("the sources do not compile", ends);
+      requireSuccess("the sources do not compile", MISFIT, ends);
       link(all, cacheTask);
     } finally {
       await(cacheTask);
@@ -171,7 +174,8 @@ final class CppCompilation {
         units.stream().map(unit -> objects.resolve(unit.name() + TranslationUnit.OBJECT)).toList();
     ToolResult end = linking.link(linked, coverageEnabled());
     collectErrors(end);
-    requireSuccess("the test application cannot be linked", List.of(end));
+    // An undefined reference is the component's, whichever object it is in.
+    requireSuccess(NOT_LINKED, NOT_LINKED, List.of(end));
     await(cacheTask);
     if (inputs.size() == units.size()) {
       linking.note(inputs);
@@ -197,7 +201,11 @@ final class CppCompilation {
     }
   }
 
-  private void requireSuccess(String what, List<ToolResult> ends) throws CompilationException {
+  /**
+   * @param inGenerated what to report instead when all errors are in generated sources
+   */
+  private void requireSuccess(String what, String inGenerated, List<ToolResult> ends)
+      throws CompilationException {
     if (ends.stream().allMatch(end -> end.code() == 0)) {
       return;
     }
@@ -215,7 +223,7 @@ final class CppCompilation {
     boolean allGenerated = errors.stream().allMatch(SourceDiagnostic::generated);
     String number = errors.size() == 1 ? "1 error" : errors.size() + " errors";
     throw new CompilationException(
-        (allGenerated ? "the component does not fit the generated test application" : what)
+        (allGenerated ? inGenerated : what)
             + ": "
             + number
             + "; "

@@ -1,6 +1,7 @@
 package org.sitaf.agent.toolchain.cpp;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
@@ -27,6 +28,7 @@ import org.sitaf.agent.sandbox.SandboxMode;
 import org.sitaf.agent.spool.Folders;
 import org.sitaf.agent.testing.EchoActivity;
 import org.sitaf.agent.toolchain.Compilation;
+import org.sitaf.agent.toolchain.CompilationException;
 import org.sitaf.agent.toolchain.CompiledApplication;
 import org.sitaf.agent.toolchain.ProcessPlace;
 import org.sitaf.agent.toolchain.Toolchain;
@@ -141,6 +143,16 @@ class ObjectCacheTest {
       }
     }
     return units;
+  }
+
+  @Test
+  void aFunctionThatIsDeclaredOnlyIsAnErrorOfTheLinker() {
+    put("main.cpp", "int component();\n");
+
+    assertThatThrownBy(this::build)
+        .isInstanceOf(CompilationException.class)
+        .hasMessageStartingWith("the test application cannot be linked: 1 error; ")
+        .hasMessageContaining("undefined reference to");
   }
 
   @Test
