@@ -103,23 +103,29 @@ public record ActivityProfile(
   }
 
   /**
-   * Bounds of a case.
+   * Bounds of a build and its cases.
    *
    * @param caseWall wall-clock time of a case
    * @param caseSimulation simulation time of a case
    * @param memoryMiB memory of the test application
+   * @param preparation wall-clock time in which the packages of the component are fetched, built
+   *     and installed
    */
-  public record Limits(Duration caseWall, Duration caseSimulation, int memoryMiB) {
+  public record Limits(
+      Duration caseWall, Duration caseSimulation, int memoryMiB, Duration preparation) {
     /** What holds where the profile is silent. */
     public static final Limits DEFAULT =
-        new Limits(Duration.ofSeconds(10), Duration.ofSeconds(60), 1024);
+        new Limits(
+            Duration.ofSeconds(10), Duration.ofSeconds(60), 1024, Duration.ofMinutes(5));
 
     public Limits {
       if (caseWall.isZero()
           || caseWall.isNegative()
           || caseSimulation.isZero()
           || caseSimulation.isNegative()
-          || memoryMiB < 1) {
+          || memoryMiB < 1
+          || preparation.isZero()
+          || preparation.isNegative()) {
         throw new IllegalArgumentException("limits must be above 0");
       }
     }

@@ -177,11 +177,12 @@ final class ProfileReader {
   }
 
   private static Limits limits(YamlMapping entry) {
-    entry.knowOnly(Set.of("case_wall_s", "case_sim_s", "memory_mb"));
+    entry.knowOnly(Set.of("case_wall_s", "case_sim_s", "memory_mb", "prepare_s"));
     return new Limits(
         seconds(entry, "case_wall_s", Limits.DEFAULT.caseWall()),
         seconds(entry, "case_sim_s", Limits.DEFAULT.caseSimulation()),
-        (int) positive(entry, "memory_mb", Limits.DEFAULT.memoryMiB()));
+        (int) positive(entry, "memory_mb", Limits.DEFAULT.memoryMiB()),
+        seconds(entry, "prepare_s", Limits.DEFAULT.preparation()));
   }
 
   private static Duration seconds(YamlMapping entry, String name, Duration otherwise) {

@@ -9,6 +9,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
+import java.time.Duration;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -87,6 +88,13 @@ class ActivityTest {
     assertThat(activity.profile().name()).isEqualTo("ir");
     assertThat(activity.models()).hasSize(1);
     assertThat(activity.warnings()).isEmpty();
+  }
+
+  @Test
+  void theTimeForPreparingPackagesIsOneOfTheLimits() {
+    assertThat(read().profile().limits().preparation()).isEqualTo(Duration.ofMinutes(5));
+    files.merge("activity.yaml", "limits: {prepare_s: 900}\n", String::concat);
+    assertThat(read().profile().limits().preparation()).isEqualTo(Duration.ofMinutes(15));
   }
 
   @Test

@@ -16,12 +16,14 @@ record TimeLimit(Duration cases, Duration all) {
   /** Time for failed starts and restarts of the simulator. */
   private static final Duration RESTARTS = Duration.ofMinutes(5);
 
-  /** Time for preparation, compilation and the work after the cases. */
+  /** Time to start the simulation, for compilation and the work after the cases. */
   private static final Duration OTHER_STAGES = Duration.ofMinutes(30);
 
   static TimeLimit of(int cases, Limits limits, Duration atMost) {
     Duration own = limits.caseWall().plus(PROCESS_START).multipliedBy(cases).plus(RESTARTS);
     Duration granted = own.compareTo(atMost) < 0 ? own : atMost;
-    return new TimeLimit(granted, granted.plus(OTHER_STAGES));
+    Duration preparation =
+        limits.preparation().compareTo(atMost) < 0 ? limits.preparation() : atMost;
+    return new TimeLimit(granted, granted.plus(preparation).plus(OTHER_STAGES));
   }
 }

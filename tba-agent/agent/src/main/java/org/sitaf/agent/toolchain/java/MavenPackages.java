@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -149,7 +150,7 @@ final class MavenPackages {
                       .reading(installation())
                       .writing(List.of(repository))
                       .withNetwork(),
-                  compilation.atMost());
+                  limit(compilation));
     } catch (IOException e) {
       throw failure(coordinates.group() + ": Maven cannot be started: " + e.getMessage() + REMEDY);
     }
@@ -224,9 +225,15 @@ final class MavenPackages {
     return found;
   }
 
+  private static Duration limit(Compilation compilation) {
+    return compilation.application().activity().profile().limits().preparation();
+  }
+
   private static String errorOf(ToolResult end, Compilation compilation) {
     if (end.timedOut()) {
-      return "Maven did not finish within " + compilation.atMost().toSeconds() + " s";
+      return "Maven did not finish within "
+          + limit(compilation).toSeconds()
+          + " s; raise limits: prepare_s in activity.yaml";
     }
     if (end.code() == NOT_FOUND) {
       return "Maven is not installed" + REMEDY;

@@ -106,7 +106,8 @@ final class Environments {
     try {
       if (!Files.isDirectory(cache.entry(name))) {
         PackageTools tools =
-            new PackageTools(interpreter, settings, scratch, Instant.now().plus(atMost), sandbox);
+            new PackageTools(
+                interpreter, settings, scratch, atMost, Instant.now().plus(atMost), sandbox);
         try (SharedCache.Draft draft = cache.draft()) {
           Path fresh = draft.folder();
           // Tests run as other users than the one that creates the environment.

@@ -23,11 +23,21 @@ import org.sitaf.agent.sandbox.ToolResult;
  * package; those that may execute some have no network.
  *
  * @param scratch for their working folders
+ * @param limit time limit of all of them together
  * @param end deadline after which they are killed
  */
 record PackageTools(
-    Interpreter interpreter, PipSettings settings, Path scratch, Instant end, Sandbox sandbox) {
+    Interpreter interpreter,
+    PipSettings settings,
+    Path scratch,
+    Duration limit,
+    Instant end,
+    Sandbox sandbox) {
   private static final int MAX_ERROR_LINES = 12;
+
+  /** Added to the number of a signal, as shells do. */
+  private static final int SIGNAL_BASE = 128;
+
   private static final String SCRIPT = script();
 
   /** Creates a working folder. */
@@ -126,9 +136,16 @@ record PackageTools(
   /** A tool's error message in one line. */
   String errorOf(ToolResult end) {
     if (end.timedOut()) {
-      return "the time for creating the environment is over";
+      return "preparing the environment took longer than "
+          + limit.toSeconds()
+          + " s; raise limits: prepare_s in activity.yaml";
     }
     String text = (end.errors().isBlank() ? end.output() : end.errors()).strip();
+    if (text.isEmpty()) {
+      return end.code() > SIGNAL_BASE
+          ? "it was killed by signal " + (end.code() - SIGNAL_BASE) + ", perhaps for lack of memory"
+          : "it ended with exit code " + end.code() + " and no message";
+    }
     List<String> lines = text.lines().toList();
     List<String> errors = lines.stream().filter(l -> l.startsWith("ERROR")).toList();
     // The last line of a stack trace is the message.

@@ -185,7 +185,7 @@ public final class PythonToolchain implements Toolchain {
     return environments.with(
         Requirements.of(compilation.application().activity().profile(), compilation.activity()),
         compilation.scratch(),
-        compilation.atMost(),
+        compilation.application().activity().profile().limits().preparation(),
         compilation.sandbox());
   }
 
