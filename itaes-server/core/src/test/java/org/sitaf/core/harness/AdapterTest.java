@@ -12,6 +12,7 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.sitaf.core.activity.Activity;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.diagnostic.InvalidInputException;
@@ -97,6 +98,21 @@ class AdapterTest {
         .isInstanceOf(InvalidInputException.class)
         .hasMessageContaining("component.class")
         .hasMessageContaining("./sitaf harness ACTIVITY_DIR --adapter");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"Planner", "RangeFinder", "Mode", "Hardware"})
+  void aJavaAdapterMayHaveTheNameOfATypeThatItUses(String name) throws IOException {
+    String source =
+        InterfaceTestApplicationGenerator.adapter(
+                Activity.readWithoutComponent(activity("java", "robot." + name)))
+            .text("adapter/robot/" + name + ".java")
+            .orElseThrow();
+
+    assertThat(source)
+        .contains("public final class " + name + " implements ", "public " + name + "(")
+        .doesNotContainPattern("import [\\w.]+\\." + name + ";")
+        .containsPattern("(sitaf\\.interfaces|org\\.sitaf\\.runtime)\\." + name + "\\b");
   }
 
   @Test

@@ -3,10 +3,13 @@ package org.sitaf.core.harness.java;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeSet;
-import java.util.stream.Collectors;
+import java.util.function.UnaryOperator;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.harness.java.plan.JavaPlan.Interface;
 import org.sitaf.core.harness.java.plan.JavaPlan.JavaParameter;
@@ -15,7 +18,6 @@ import org.sitaf.core.harness.java.plan.JavaPlanner;
 import org.sitaf.core.harness.java.plan.JavaText;
 import org.sitaf.core.harness.java.plan.JavaType;
 import org.sitaf.core.harness.plan.HarnessPlan;
-import org.sitaf.core.harness.plan.HarnessPlanner;
 
 /** What the template of an adapter's beginning prints. */
 record AdapterView(
@@ -26,6 +28,8 @@ record AdapterView(
     String interfaces,
     String constructor,
     List<String> methods) {
+
+  private static final String HARDWARE = "org.sitaf.runtime.Hardware";
 
   static AdapterView of(HarnessPlan.Adapter plan, Diagnostics diagnostics) {
     List<Interface> interfaces = JavaPlanner.interfaces(plan, diagnostics);
@@ -47,24 +51,41 @@ record AdapterView(
     }
     plan.required().forEach(r -> imports.add(JavaType.INTERFACES + "." + r));
     if (plan.hardware()) {
-      imports.add("org.sitaf.runtime.Hardware");
+      imports.add(HARDWARE);
     }
-    if (imports.stream().anyMatch(i -> i.endsWith("." + name))) {
-      diagnostics.error(
-          HarnessPlanner.PROFILE,
-          0,
-          "component.class",
-          name + " is also a name of the interfaces; name the adapter otherwise");
-    }
+    List<String> interfaceNames = interfaces.stream().map(Interface::name).toList();
     return new AdapterView(
         dot < 0 ? "" : plan.className().substring(0, dot),
         imports,
         JavaText.javadoc(
             0, List.of("Binds the component to the interfaces of its test."), List.of()),
         name,
-        interfaces.stream().map(Interface::name).collect(Collectors.joining(", ")),
+        String.join(", ", interfaceNames),
         constructor(name, plan),
-        methods);
+        methods)
+        .withoutImportOf(name);
+  }
+
+  /** A type with the name of the adapter cannot be imported, and is written in full instead. */
+  private AdapterView withoutImportOf(String simpleName) {
+    Optional<String> same =
+        imports.stream().filter(imported -> imported.endsWith("." + simpleName)).findFirst();
+    if (same.isEmpty()) {
+      return this;
+    }
+    SortedSet<String> others = new TreeSet<>(imports);
+    others.remove(same.get());
+    Pattern type = Pattern.compile("(?<![.\\w\"])" + Pattern.quote(simpleName) + "(?![\\w(\"])");
+    UnaryOperator<String> inFull =
+        text -> type.matcher(text).replaceAll(Matcher.quoteReplacement(same.get()));
+    return new AdapterView(
+        packageName,
+        others,
+        documentation,
+        name,
+        inFull.apply(interfaces),
+        inFull.apply(constructor),
+        methods.stream().map(inFull).toList());
   }
 
   private static String constructor(String name, HarnessPlan.Adapter plan) {
