@@ -200,7 +200,7 @@ final class NumberValues {
   private BigDecimal one(TestSpec.RandomNumbers draw) {
     if (draw.distribution() instanceof TestSpec.Distribution.Normal normal) {
       double number = normal.mean() + normal.standardDeviation() * random.nextNormal();
-      BigDecimal decimal = new BigDecimal(Double.toString(number));
+      BigDecimal decimal = real(number);
       return isWhole() ? decimal.setScale(0, RoundingMode.HALF_EVEN) : decimal;
     }
     if (draw.distribution() instanceof TestSpec.Distribution.Weighted weighted) {
@@ -226,7 +226,16 @@ final class NumberValues {
               min.setScale(0, RoundingMode.CEILING).toBigInteger(),
               max.setScale(0, RoundingMode.FLOOR).toBigInteger()));
     }
-    return new BigDecimal(Double.toString(random.nextReal(min, max)));
+    return real(random.nextReal(min, max));
+  }
+
+  /** The shortest decimal of the nearest number that the type holds. */
+  private BigDecimal real(double number) {
+    boolean single = type instanceof DataType.Scalar scalar && scalar.type() == ScalarType.FLOAT;
+    return new BigDecimal(
+        single && Math.abs(number) <= Float.MAX_VALUE
+            ? Float.toString((float) number)
+            : Double.toString(number));
   }
 
   private BigDecimal middle(BigDecimal min, BigDecimal max) {

@@ -117,6 +117,21 @@ class TestDataGeneratorTest {
     assertThat(values(element("int", null, "5", "-3"))).isEqualTo("-3 5");
   }
 
+  @Property(tries = 50)
+  void randomNumbersOfAFloatAreFloats(@ForAll long seed) {
+    TestSpec draw =
+        new TestSpec.RandomNumbers(
+            20,
+            new BigDecimal("0.1"),
+            new BigDecimal("100"),
+            new TestSpec.Distribution.Uniform());
+    for (TestValue value :
+        TestDataGenerator.generate(element("float", draw), seed).values()) {
+      String literal = value.value().literal();
+      assertThat(Float.toString(Float.parseFloat(literal))).isEqualTo(literal);
+    }
+  }
+
   @Property(tries = 200)
   void randomNumbersStayInRangeAndComeFromTheSeed(
       @ForAll long seed, @ForAll @IntRange(min = 1, max = 50) int count) {
