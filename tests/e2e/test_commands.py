@@ -82,3 +82,14 @@ def test_an_unknown_command_ends_with_2_and_the_list(sitaf):
     assert unknown.returncode == 2
     assert "there is no command 'tset'" in unknown.stderr
     assert "demo" in unknown.stderr
+
+
+def test_the_server_lists_its_options_instead_of_starting(sitaf):
+    listed = sitaf("server", "--help")
+    assert listed.returncode == 0, listed.stderr
+    options = set(re.findall(r"^ +--((?:sitaf|server|spring)[\w.-]+)=", listed.stdout, re.MULTILINE))
+    assert {"server.port", "spring.grpc.server.port", "sitaf.data-directory"} <= options
+    assert "SITAF_DATABASE_URL" in listed.stdout
+    documented = (sitaf.root / "itaes-server/app/README.md").read_text() + (sitaf.root / "docs/security.md").read_text()
+    documented += (sitaf.root / "docs/deployment.md").read_text()
+    assert {option for option in options if option not in documented} == set()
