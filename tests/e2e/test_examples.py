@@ -4,7 +4,7 @@ import re
 
 import pytest
 
-SUMMARY = re.compile(r"(\w+): (\d+) cases, (\d+) PASS(?:, (\d+) FAIL, (\d+) ERROR, (\d+) not executed)?")
+SUMMARY = re.compile(r"(\w+): (\d+) cases, (\d+) PASS(?:, (\d+) FAIL, (\d+) ERROR, (\d+) DONT)?")
 
 
 def verdicts(run):

@@ -64,4 +64,4 @@ def test_a_component_in_python_that_ends_its_process_loses_no_other_case(sitaf, 
     )
     run = sitaf("run", python_activity)
     assert run.returncode == 1, run.stderr
-    assert "55 cases, 54 PASS, 0 FAIL, 1 ERROR, 0 not executed" in run.stdout
+    assert "55 cases, 54 PASS, 0 FAIL, 1 ERROR, 0 DONT" in run.stdout

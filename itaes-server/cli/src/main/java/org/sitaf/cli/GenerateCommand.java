@@ -21,6 +21,7 @@ import org.sitaf.core.suite.TestSuite;
 import org.sitaf.core.suite.document.TestSuiteXml;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -54,21 +55,14 @@ final class GenerateCommand implements Callable<Integer> {
   @Option(
       names = "--invalid",
       paramLabel = "isolate|combine",
-      converter = InvalidValuesConverter.class,
       description = "How invalid values take part; without it, the model's.")
   private @Nullable InvalidValues invalidValues;
 
-  @Option(
-      names = "--seed",
-      paramLabel = "S",
-      defaultValue = "1",
-      description = "Seed of everything random (default: ${DEFAULT-VALUE}).")
-  private long seed = 1;
+  @Mixin private final SeedOption seed = new SeedOption();
 
   @Option(
       names = "--effort",
       paramLabel = "fast|default|best",
-      converter = EffortConverter.class,
       defaultValue = "default",
       description = "How long to look for fewer cases (default: ${DEFAULT-VALUE}).")
   private Effort effort = Effort.DEFAULT;
@@ -83,7 +77,6 @@ final class GenerateCommand implements Callable<Integer> {
   @Option(
       names = "--format",
       paramLabel = "xml|csv|json",
-      converter = SuiteFormatConverter.class,
       defaultValue = "xml",
       description = "Format of the cases (default: ${DEFAULT-VALUE}).")
   private SuiteFormat format = SuiteFormat.XML;
@@ -97,7 +90,7 @@ final class GenerateCommand implements Callable<Integer> {
       generated =
           TestCaseGenerator.generate(
               parsed,
-              new GenerationOptions(strength, invalidValues, seed, effort, earlierSuite()),
+              new GenerationOptions(strength, invalidValues, seed.value(), effort, earlierSuite()),
               (rows, share) ->
                   progress.detail(
                       "%s: %d cases, looking for fewer, %.0f %%"
@@ -140,27 +133,6 @@ final class GenerateCommand implements Callable<Integer> {
       } catch (IllegalArgumentException e) {
         throw new CommandLine.TypeConversionException(e.getMessage());
       }
-    }
-  }
-
-  static final class InvalidValuesConverter implements CommandLine.ITypeConverter<InvalidValues> {
-    @Override
-    public InvalidValues convert(String value) {
-      return Words.parse(value, InvalidValues.values());
-    }
-  }
-
-  static final class EffortConverter implements CommandLine.ITypeConverter<Effort> {
-    @Override
-    public Effort convert(String value) {
-      return Words.parse(value, Effort.values());
-    }
-  }
-
-  static final class SuiteFormatConverter implements CommandLine.ITypeConverter<SuiteFormat> {
-    @Override
-    public SuiteFormat convert(String value) {
-      return Words.parse(value, SuiteFormat.values());
     }
   }
 }

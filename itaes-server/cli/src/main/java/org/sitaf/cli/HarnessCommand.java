@@ -20,9 +20,9 @@ import org.sitaf.core.model.TestModel;
 import org.sitaf.core.suite.GenerationOptions;
 import org.sitaf.core.suite.TestCaseGenerator;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
 /** The sources of a test application, to read or to begin a concrete test driver with. */
@@ -37,14 +37,7 @@ import picocli.CommandLine.Spec;
 final class HarnessCommand implements Callable<Integer> {
   @Spec private @Nullable CommandSpec spec;
 
-  @Parameters(paramLabel = "ACTIVITY_DIR", description = "Folder that holds activity.yaml.")
-  private Path folder = Path.of("");
-
-  @Option(
-      names = "--model",
-      paramLabel = "NAME",
-      description = "The test model; without it, all of the activity.")
-  private @Nullable String model;
+  @Mixin private final ActivityArguments arguments = new ActivityArguments();
 
   @Option(
       names = {"-o", "--output"},
@@ -67,27 +60,17 @@ final class HarnessCommand implements Callable<Integer> {
       adapter(out);
       return 0;
     }
-    Activity activity = Activity.read(UserFiles.folder(folder));
+    Activity activity = Activity.read(UserFiles.folder(arguments.folder()));
     Map<String, byte[]> files = new HashMap<>();
-    for (TestModel each : activity.models()) {
-      if (model == null || each.name().equals(model)) {
-        FileTree harness =
-            InterfaceTestApplicationGenerator.sources(
-                activity,
-                each,
-                TestCaseGenerator.generate(each, GenerationOptions.DEFAULT).suite());
-        harness.paths().forEach(p -> files.put(p, harness.content(p).orElseThrow()));
-      }
+    for (TestModel model : arguments.modelsOf(activity)) {
+      FileTree harness =
+          InterfaceTestApplicationGenerator.sources(
+              activity,
+              model,
+              TestCaseGenerator.generate(model, GenerationOptions.DEFAULT).suite());
+      harness.paths().forEach(p -> files.put(p, harness.content(p).orElseThrow()));
     }
     FileTree sources = FileTree.of(files);
-    if (files.isEmpty()) {
-      throw InvalidInputException.of(
-          "--model",
-          "there is no model "
-              + model
-              + "; there are "
-              + activity.models().stream().map(TestModel::name).toList());
-    }
     if (output == null) {
       print(sources, out);
     } else {
@@ -101,8 +84,8 @@ final class HarnessCommand implements Callable<Integer> {
   private void adapter(PrintWriter out) throws IOException {
     FileTree sources =
         InterfaceTestApplicationGenerator.adapter(
-            Activity.readWithoutComponent(UserFiles.folder(folder)));
-    Path below = output == null ? folder : output;
+            Activity.readWithoutComponent(UserFiles.folder(arguments.folder())));
+    Path below = output == null ? arguments.folder() : output;
     for (String path : sources.paths()) {
       if (Files.exists(below.resolve(path), LinkOption.NOFOLLOW_LINKS)) {
         throw InvalidInputException.of(

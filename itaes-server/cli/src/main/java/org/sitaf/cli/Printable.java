@@ -1,5 +1,7 @@
 package org.sitaf.cli;
 
+import java.util.stream.Collectors;
+
 /**
  * Text of users, made harmless for a terminal: escape sequences and other control characters become
  * visible.
@@ -7,7 +9,19 @@ package org.sitaf.cli;
 public final class Printable {
   private Printable() {}
 
-  /** One line of text. */
+  /**
+   * Text of one or more lines. The lines after the first are indented.
+   *
+   * @param indent of the lines after the first
+   */
+  public static String lines(String text, String indent) {
+    return text.strip()
+        .lines()
+        .map(line -> line(line.replace('\t', ' ')))
+        .collect(Collectors.joining(System.lineSeparator() + indent));
+  }
+
+  /** One line of text; a line break in it becomes visible like other control characters. */
   public static String line(String text) {
     StringBuilder printable = new StringBuilder(text.length());
     text.codePoints()

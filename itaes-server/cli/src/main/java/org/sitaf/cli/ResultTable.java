@@ -52,7 +52,7 @@ public final class ResultTable {
         line.append(rows.get(r).get(i)).append("  ");
       }
       String reason = r == 0 ? "" : cases.get(r - 1).message();
-      out.println((line + Printable.line(reason)).stripTrailing());
+      out.println((line + Printable.lines(reason, "    ")).stripTrailing());
     }
   }
 
@@ -65,13 +65,14 @@ public final class ResultTable {
     Summary summary = result.summary();
     out.printf(
         Locale.ROOT,
-        "%s: %d cases, %d PASS, %d FAIL, %d ERROR, %d not executed%s%n",
+        "%s: %d cases, %d PASS, %d FAIL, %d ERROR, %d DONT%s%s%n",
         result.name(),
         summary.total(),
         summary.pass(),
         summary.fail(),
         summary.error(),
         summary.dont(),
+        summary.dont() == 0 ? "" : " (not executed)",
         summary.unjudged() == 0 ? "" : ", " + summary.unjudged() + " unjudged");
     if (summary.times() != null) {
       out.printf(

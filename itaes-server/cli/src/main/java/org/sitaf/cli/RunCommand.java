@@ -27,9 +27,9 @@ import org.sitaf.core.verdict.TestResult;
 import org.sitaf.core.verdict.document.JunitXml;
 import org.sitaf.core.verdict.document.TestResultXml;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
 /** One activity from its files to verdicts, without a server. */
@@ -37,8 +37,8 @@ import picocli.CommandLine.Spec;
     name = "run",
     description = {
       "Tests one activity: generates cases and test application, compiles and executes them here.",
-      "Exit code 0: every case passed; 1: a case is FAIL or ERROR; 2: a case is DONT, or nothing"
-          + " ran (2 wins)."
+      "Exit code 0: every case passed; 1: a case is FAIL or ERROR, or the result is suspect; 2:"
+          + " no case failed, but a case is DONT (not executed) or nothing ran."
     },
     mixinStandardHelpOptions = true)
 final class RunCommand implements Callable<Integer> {
@@ -47,14 +47,7 @@ final class RunCommand implements Callable<Integer> {
 
   @Spec private @Nullable CommandSpec spec;
 
-  @Parameters(paramLabel = "ACTIVITY_DIR", description = "Folder that holds activity.yaml.")
-  private Path folder = Path.of("");
-
-  @Option(
-      names = "--model",
-      paramLabel = "NAME",
-      description = "The test model; without it, all of the activity.")
-  private @Nullable String modelName;
+  @Mixin private final ActivityArguments arguments = new ActivityArguments();
 
   @Option(
       names = "--junit",
@@ -69,12 +62,7 @@ final class RunCommand implements Callable<Integer> {
           "Also writes the test result descriptor; without --model a folder, with a file a model.")
   private @Nullable Path resultFile;
 
-  @Option(
-      names = "--seed",
-      paramLabel = "S",
-      defaultValue = "1",
-      description = "Seed of everything random (default: ${DEFAULT-VALUE}).")
-  private long seed = 1;
+  @Mixin private final SeedOption seed = new SeedOption();
 
   @Option(
       names = "--sandbox",
@@ -118,7 +106,8 @@ final class RunCommand implements Callable<Integer> {
   public Integer call() throws IOException, InterruptedException {
     PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
     PrintWriter err = spec.commandLine().getErr();
-    FileTree files = UserFiles.folder(folder);
+    requireWritable();
+    FileTree files = UserFiles.folder(arguments.folder());
     Activity activity = Activity.read(files);
     Sitaf.print(activity.warnings(), err);
     List<TestResult> results = new ArrayList<>();
@@ -138,20 +127,20 @@ final class RunCommand implements Callable<Integer> {
       PrintWriter out,
       PrintWriter err)
       throws IOException, InterruptedException {
-    List<TestModel> models = models(activity);
+    List<TestModel> models = arguments.modelsOf(activity);
     int exitCode = 0;
     try (OnExit onExit = new OnExit(Thread.currentThread()::interrupt)) {
       RemoteRun remote =
           RemoteRun.upload(address, System.getenv("SITAF_TOKEN"), plaintext, files, System.err);
       for (TestModel model : models) {
         try {
-          TestResult result = remote.test(model.name(), seed);
+          TestResult result = remote.test(model.name(), seed.value());
           print(result, out);
           results.add(result);
-          exitCode = Math.max(exitCode, exitCode(result));
+          exitCode = worse(exitCode, exitCode(result));
         } catch (InvalidInputException e) {
           Sitaf.print(e.diagnostics(), err);
-          exitCode = Sitaf.UNUSABLE;
+          exitCode = worse(exitCode, Sitaf.UNUSABLE);
         }
       }
     }
@@ -161,7 +150,7 @@ final class RunCommand implements Callable<Integer> {
   private int runHere(Activity activity, List<TestResult> results, PrintWriter out, PrintWriter err)
       throws IOException {
     int exitCode = 0;
-    List<TestModel> models = models(activity);
+    List<TestModel> models = arguments.modelsOf(activity);
     int withWorld = activity.profile().world() == null ? 0 : models.size();
     try (LocalBuilds builds =
         new LocalBuilds(
@@ -170,40 +159,20 @@ final class RunCommand implements Callable<Integer> {
       err.flush();
       for (TestModel model : models) {
         GeneratedSuite generated =
-            TestCaseGenerator.generate(model, GenerationOptions.DEFAULT.withSeed(seed));
+            TestCaseGenerator.generate(model, GenerationOptions.DEFAULT.withSeed(seed.value()));
         Sitaf.print(generated.notes(), err);
         BuildOutcome outcome = builds.run(activity, model, generated.suite());
         if (outcome instanceof BuildOutcome.Completed completed) {
           print(completed.result(), out);
           results.add(completed.result());
-          exitCode = Math.max(exitCode, exitCode(completed.result()));
+          exitCode = worse(exitCode, exitCode(completed.result()));
         } else {
           print(outcome, err);
-          exitCode = Sitaf.UNUSABLE;
+          exitCode = worse(exitCode, Sitaf.UNUSABLE);
         }
       }
     }
     return exitCode;
-  }
-
-  private List<TestModel> models(Activity activity) {
-    if (modelName == null) {
-      if (activity.models().isEmpty()) {
-        throw InvalidInputException.of(folder.toString(), "names no test model: nothing to run");
-      }
-      return activity.models();
-    }
-    return List.of(
-        activity
-            .model(modelName)
-            .orElseThrow(
-                () ->
-                    InvalidInputException.of(
-                        folder.toString(),
-                        "has no model "
-                            + modelName
-                            + "; it has "
-                            + activity.models().stream().map(TestModel::name).toList())));
   }
 
   private void print(TestResult result, PrintWriter out) {
@@ -222,21 +191,49 @@ final class RunCommand implements Callable<Integer> {
 
   private static void print(BuildOutcome outcome, PrintWriter err) {
     if (outcome instanceof BuildOutcome.CompilationFailed failed) {
-      failed.diagnostics().forEach(d -> err.println(Printable.line(d.toString())));
-      err.println("sitaf: " + Printable.line(failed.message()));
+      failed.diagnostics().forEach(d -> err.println(Printable.lines(d.toString(), "  ")));
+      err.println("sitaf: " + Printable.lines(failed.message(), "  "));
     } else if (outcome instanceof BuildOutcome.InfrastructureFailed failed) {
-      err.println("sitaf: " + Printable.line(failed.message()));
+      err.println("sitaf: " + Printable.lines(failed.message(), "  "));
     } else if (outcome instanceof BuildOutcome.Cancelled cancelled) {
       err.println("sitaf: cancelled: " + cancelled.reason());
     }
     err.flush();
   }
 
-  private static int exitCode(TestResult result) {
+  /** Of one result. */
+  static int exitCode(TestResult result) {
+    if (result.summary().fail() + result.summary().error() > 0) {
+      return TEST_FAILED;
+    }
     if (result.summary().dont() > 0 || result.summary().total() == 0) {
       return Sitaf.UNUSABLE;
     }
     return result.allPassed() ? 0 : TEST_FAILED;
+  }
+
+  /** A failed case counts more than a case that was not executed: CI must not take it for noise. */
+  static int worse(int one, int other) {
+    return one == TEST_FAILED || other == TEST_FAILED ? TEST_FAILED : Math.max(one, other);
+  }
+
+  /**
+   * Finds out before the run whether the results can be written.
+   *
+   * @throws InvalidInputException when one of the options names a wrong place
+   */
+  private void requireWritable() {
+    if (junit != null) {
+      UserFiles.requireWritableFile("--junit", junit);
+    }
+    if (resultFile != null && arguments.namesModel()) {
+      UserFiles.requireWritableFile("--result", resultFile);
+    } else if (resultFile != null) {
+      UserFiles.requireWritableFolder("--result", resultFile);
+    }
+    if (recording != null) {
+      UserFiles.requireWritableFolder("--recording", recording);
+    }
   }
 
   private void write(Activity activity, List<TestResult> results) throws IOException {
@@ -248,7 +245,7 @@ final class RunCommand implements Callable<Integer> {
     if (resultFile != null) {
       for (TestResult result : results) {
         Path file = resultFile;
-        if (modelName == null) {
+        if (!arguments.namesModel()) {
           Files.createDirectories(resultFile);
           file = resultFile.resolve(result.name() + ".xml");
         }

@@ -42,6 +42,7 @@ public final class Sitaf {
 
   static CommandLine commandLine() {
     return new CommandLine(new Sitaf())
+        .setCaseInsensitiveEnumValuesAllowed(true)
         .setExecutionExceptionHandler(
             (failure, command, parsed) -> {
               if (failure instanceof InterruptedException) {
@@ -72,7 +73,7 @@ public final class Sitaf {
   }
 
   static void print(Iterable<Diagnostic> diagnostics, PrintWriter err) {
-    diagnostics.forEach(d -> err.println(Printable.line(d.toString())));
+    diagnostics.forEach(d -> err.println(Printable.lines(d.toString(), "  ")));
     err.flush();
   }
 }

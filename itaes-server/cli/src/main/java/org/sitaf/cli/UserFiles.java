@@ -65,4 +65,45 @@ public final class UserFiles {
           Files.exists(file) ? "cannot be read: " + e.getMessage() : "there is no such file");
     }
   }
+
+  /**
+   * Checks that a file can be written.
+   *
+   * @param option the option that names it
+   * @throws InvalidInputException when it is a folder, or its folder cannot be written to
+   */
+  static void requireWritableFile(String option, Path file) {
+    if (Files.isDirectory(file)) {
+      throw InvalidInputException.of(option + " " + file, "is a folder; name a file");
+    }
+    Path folder = file.toAbsolutePath().getParent();
+    if (folder == null || !Files.isDirectory(folder)) {
+      throw InvalidInputException.of(
+          option + " " + file, "the folder " + folder + " does not exist; create it");
+    }
+    if (!Files.isWritable(Files.exists(file) ? file : folder)) {
+      throw InvalidInputException.of(option + " " + file, "cannot be written");
+    }
+  }
+
+  /**
+   * Creates a folder where there is none.
+   *
+   * @param option the option that names it
+   * @throws InvalidInputException when it is a file, or cannot be created or written to
+   */
+  static void requireWritableFolder(String option, Path folder) {
+    if (Files.exists(folder) && !Files.isDirectory(folder)) {
+      throw InvalidInputException.of(
+          option + " " + folder, "is a file; name a folder, into which a file a model is written");
+    }
+    try {
+      Files.createDirectories(folder);
+    } catch (IOException e) {
+      throw InvalidInputException.of(option + " " + folder, "cannot be created: " + e);
+    }
+    if (!Files.isWritable(folder)) {
+      throw InvalidInputException.of(option + " " + folder, "cannot be written to");
+    }
+  }
 }

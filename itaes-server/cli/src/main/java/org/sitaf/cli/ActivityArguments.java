@@ -1,0 +1,57 @@
+package org.sitaf.cli;
+
+import java.nio.file.Path;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.activity.Activity;
+import org.sitaf.core.diagnostic.InvalidInputException;
+import org.sitaf.core.model.TestModel;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** The activity and the test models of commands that work on an activity. */
+final class ActivityArguments {
+  @Parameters(paramLabel = "ACTIVITY_DIR", description = "Folder that holds activity.yaml.")
+  private Path folder = Path.of("");
+
+  @Option(
+      names = "--model",
+      paramLabel = "NAME",
+      description = "The test model; without it, all of the activity.")
+  private @Nullable String model;
+
+  Path folder() {
+    return folder;
+  }
+
+  /** Whether one model was asked for. */
+  boolean namesModel() {
+    return model != null;
+  }
+
+  /**
+   * The model of the option; without it, all models of the activity.
+   *
+   * @throws InvalidInputException when the activity has no such model, or none at all
+   */
+  List<TestModel> modelsOf(Activity activity) {
+    List<TestModel> all = activity.models();
+    if (all.isEmpty()) {
+      throw InvalidInputException.of(folder.toString(), "names no test model in activity.yaml");
+    }
+    if (model == null) {
+      return all;
+    }
+    return List.of(
+        activity
+            .model(model)
+            .orElseThrow(
+                () ->
+                    InvalidInputException.of(
+                        "--model " + model,
+                        "there is no such model; "
+                            + folder
+                            + " has "
+                            + String.join(", ", all.stream().map(TestModel::name).toList()))));
+  }
+}

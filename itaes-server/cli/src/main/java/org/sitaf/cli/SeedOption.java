@@ -1,0 +1,17 @@
+package org.sitaf.cli;
+
+import picocli.CommandLine.Option;
+
+/** The seed of commands that generate test cases. */
+final class SeedOption {
+  @Option(
+      names = "--seed",
+      paramLabel = "S",
+      defaultValue = "1",
+      description = "Seed of everything random (default: ${DEFAULT-VALUE}).")
+  private long seed = 1;
+
+  long value() {
+    return seed;
+  }
+}
