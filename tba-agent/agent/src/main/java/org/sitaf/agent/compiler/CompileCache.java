@@ -6,13 +6,11 @@ import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
-import java.nio.file.attribute.FileTime;
-import java.time.Instant;
-import java.util.Comparator;
 import java.util.List;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.sitaf.agent.spool.Folders;
+import org.sitaf.agent.spool.LeastRecentlyUsed;
 import org.sitaf.agent.spool.SharedCache;
 
 /**
@@ -48,7 +46,7 @@ record CompileCache(SharedCache shared, long limitBytes) {
     try {
       boolean current = check.isCurrent(entry.resolve(CONTENT));
       if (current) {
-        Files.setLastModifiedTime(entry, FileTime.from(Instant.now()));
+        LeastRecentlyUsed.touch(entry);
         copy(entry.resolve(CONTENT), output);
         current = TreeDigest.of(output).equals(Files.readString(entry.resolve(DIGEST)));
       }
@@ -84,36 +82,20 @@ record CompileCache(SharedCache shared, long limitBytes) {
   }
 
   private void shrink() throws IOException {
-    List<Path> newestFirst;
+    List<Path> kept;
     try (Stream<Path> entries = Files.list(shared.directory())) {
-      newestFirst =
-          entries
-              .filter(entry -> KEY.matcher(entry.getFileName().toString()).matches())
-              .sorted(Comparator.comparing(CompileCache::used).reversed())
-              .toList();
+      kept = entries.filter(entry -> KEY.matcher(entry.getFileName().toString()).matches()).toList();
     }
-    long bytes = 0;
-    int count = 0;
-    for (Path entry : newestFirst) {
-      bytes += size(entry.resolve(CONTENT));
-      // What was just added stays, however large it is.
-      if (++count > 1 && (bytes > limitBytes || count > MOST_ENTRIES)) {
-        shared.remove(entry.getFileName().toString());
-      }
-    }
+    new LeastRecentlyUsed(limitBytes, MOST_ENTRIES)
+        .shrink(
+            kept,
+            entry -> size(entry.resolve(CONTENT)),
+            entry -> shared.remove(entry.getFileName().toString()));
   }
 
   private static void requireKey(String key) {
     if (!KEY.matcher(key).matches()) {
       throw new IllegalArgumentException("'" + key + "' is no key");
-    }
-  }
-
-  private static FileTime used(Path entry) {
-    try {
-      return Files.getLastModifiedTime(entry);
-    } catch (IOException e) {
-      return FileTime.from(Instant.EPOCH);
     }
   }
 

@@ -3,14 +3,13 @@ package org.sitaf.agent.compiler;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
-import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.agent.spool.Sha256;
 import org.sitaf.agent.toolchain.Toolchain;
 import org.sitaf.core.activity.ActivityProfile;
 import org.sitaf.core.activity.ActivityProfile.Component;
@@ -30,7 +29,7 @@ final class CompileKey {
 
   static String of(TestApplication application, Toolchain toolchain, boolean coverage)
       throws IOException, InterruptedException {
-    CompileKey key = new CompileKey(sha256());
+    CompileKey key = new CompileKey(Sha256.start());
     key.add("format", new byte[] {FORMAT});
     key.add("toolchain", toolchain.identity().getBytes(StandardCharsets.UTF_8));
     key.add("coverage", new byte[] {(byte) (coverage ? 1 : 0)});
@@ -40,7 +39,7 @@ final class CompileKey {
     }
     key.add("harness/", application.harness());
     key.add("activity/", inputs(application, toolchain));
-    return HexFormat.of().formatHex(key.digest.digest());
+    return Sha256.hex(key.digest);
   }
 
   /**
@@ -101,13 +100,5 @@ final class CompileKey {
         (name.length() + " " + name + " " + content.length + "\n").getBytes(StandardCharsets.UTF_8);
     digest.update(head);
     digest.update(content);
-  }
-
-  private static MessageDigest sha256() {
-    try {
-      return MessageDigest.getInstance("SHA-256");
-    } catch (NoSuchAlgorithmException e) {
-      throw new IllegalStateException("every Java has SHA-256", e);
-    }
   }
 }

@@ -6,17 +6,16 @@ import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
-import java.util.HexFormat;
 import java.util.List;
 import java.util.stream.Stream;
+import org.sitaf.agent.spool.Sha256;
 
 /** SHA-256 over the files of a folder, with their paths and whether they can be executed. */
 final class TreeDigest {
   private TreeDigest() {}
 
   static String of(Path folder) throws IOException {
-    MessageDigest digest = sha256();
+    MessageDigest digest = Sha256.start();
     List<Path> files;
     try (Stream<Path> all = Files.walk(folder)) {
       files =
@@ -32,14 +31,6 @@ final class TreeDigest {
       digest.update(head.getBytes(StandardCharsets.UTF_8));
       digest.update(content);
     }
-    return HexFormat.of().formatHex(digest.digest());
-  }
-
-  private static MessageDigest sha256() {
-    try {
-      return MessageDigest.getInstance("SHA-256");
-    } catch (NoSuchAlgorithmException e) {
-      throw new IllegalStateException("every Java has SHA-256", e);
-    }
+    return Sha256.hex(digest);
   }
 }

@@ -14,6 +14,7 @@ import java.util.Iterator;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Function;
+import org.sitaf.agent.spool.Sha256;
 import org.sitaf.agent.v1.AgentServiceGrpc;
 import org.sitaf.agent.v1.AppendLogRequest;
 import org.sitaf.agent.v1.AttemptState;
@@ -127,7 +128,7 @@ final class ServerCalls {
    *     different content
    */
   void uploadRecording(Attempt attempt, int caseNo, byte[] gltf) {
-    String sha256 = SubmitMessages.sha256(gltf);
+    String sha256 = Sha256.hex(gltf);
     UploadRecordingRequest request =
         UploadRecordingRequest.newBuilder()
             .setAttempt(attempt.ref())

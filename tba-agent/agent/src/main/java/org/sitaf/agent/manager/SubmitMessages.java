@@ -2,9 +2,9 @@ package org.sitaf.agent.manager;
 
 import com.google.protobuf.ByteString;
 import java.io.ByteArrayOutputStream;
-import java.util.HexFormat;
 import java.util.List;
 import org.sitaf.agent.build.BuildOutcome;
+import org.sitaf.agent.spool.Sha256;
 import org.sitaf.agent.toolchain.SourceDiagnostic;
 import org.sitaf.agent.v1.BuildFailure;
 import org.sitaf.agent.v1.BuildFailure.Category;
@@ -27,7 +27,7 @@ final class SubmitMessages {
       return SubmitResultRequest.newBuilder()
           .setAttempt(attempt.ref())
           .setResultDescriptor(ByteString.copyFrom(bytes))
-          .setSha256(sha256(bytes))
+          .setSha256(Sha256.hex(bytes))
           .build();
     }
     if (outcome instanceof BuildOutcome.CompilationFailed failed) {
@@ -68,14 +68,5 @@ final class SubmitMessages {
   /** Shortens the text of a compiler to the limit of a message. */
   private static String cut(String text) {
     return text.length() <= MAX_TEXT ? text : text.substring(0, MAX_TEXT) + "…";
-  }
-
-  static String sha256(byte[] bytes) {
-    try {
-      return HexFormat.of()
-          .formatHex(java.security.MessageDigest.getInstance("SHA-256").digest(bytes));
-    } catch (java.security.NoSuchAlgorithmException e) {
-      throw new IllegalStateException("every Java has SHA-256", e);
-    }
   }
 }

@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.sandbox.Sandbox;
+import org.sitaf.agent.spool.Sha256;
 
 /** A bridge that serves one build; replaced by a new one if it dies. */
 final class OwnSimulator implements BuildSimulator {
@@ -142,17 +143,8 @@ final class OwnSimulator implements BuildSimulator {
     StringBuilder key = new StringBuilder(description);
     new TreeMap<>(files)
         .forEach(
-            (path, content) -> key.append('\0').append(path).append('\0').append(sha256(content)));
-    return sha256(key.toString().getBytes(StandardCharsets.UTF_8));
-  }
-
-  private static String sha256(byte[] content) {
-    try {
-      return java.util.HexFormat.of()
-          .formatHex(java.security.MessageDigest.getInstance("SHA-256").digest(content));
-    } catch (java.security.NoSuchAlgorithmException e) {
-      throw new IllegalStateException("every Java has SHA-256", e);
-    }
+            (path, content) -> key.append('\0').append(path).append('\0').append(Sha256.hex(content)));
+    return Sha256.hex(key.toString().getBytes(StandardCharsets.UTF_8));
   }
 
   @Override

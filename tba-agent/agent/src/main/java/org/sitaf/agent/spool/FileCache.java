@@ -5,13 +5,9 @@ import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
-import java.nio.file.attribute.FileTime;
 import java.security.DigestOutputStream;
 import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
-import java.time.Instant;
-import java.util.Comparator;
-import java.util.HexFormat;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.regex.Pattern;
@@ -20,7 +16,8 @@ import java.util.stream.Stream;
 /** Files by the SHA-256 of their content. Files appear in the cache by an atomic rename. */
 public final class FileCache {
   private static final Pattern SHA256 = Pattern.compile("[0-9a-f]{64}");
-  private static final long LIMIT_BYTES = 1L << 30;
+  private static final LeastRecentlyUsed BOUNDS =
+      new LeastRecentlyUsed(1L << 30, Integer.MAX_VALUE);
 
   private final Path directory;
 
@@ -31,26 +28,18 @@ public final class FileCache {
   /** Opens a cache, and removes the least recently used files until it holds at most 1 GiB. */
   static FileCache open(Path directory) throws IOException {
     Files.createDirectories(directory);
-    List<Path> newestFirst;
+    List<Path> kept = new ArrayList<>();
     try (Stream<Path> files = Files.list(directory)) {
-      newestFirst = files.sorted(Comparator.comparing(FileCache::lastUsed).reversed()).toList();
-    }
-    long size = 0;
-    for (Path file : newestFirst) {
-      size += Files.size(file);
-      if (size > LIMIT_BYTES || !SHA256.matcher(file.getFileName().toString()).matches()) {
-        Files.delete(file);
+      for (Path file : (Iterable<Path>) files::iterator) {
+        if (SHA256.matcher(file.getFileName().toString()).matches()) {
+          kept.add(file);
+        } else {
+          Files.delete(file);
+        }
       }
     }
+    BOUNDS.shrink(kept, file -> file.toFile().length(), Files::deleteIfExists);
     return new FileCache(directory);
-  }
-
-  private static FileTime lastUsed(Path file) {
-    try {
-      return Files.getLastModifiedTime(file);
-    } catch (IOException e) {
-      return FileTime.from(Instant.EPOCH);
-    }
   }
 
   /** Provides the content of a file. */
@@ -67,11 +56,11 @@ public final class FileCache {
       return Optional.empty();
     }
     byte[] content = Files.readAllBytes(file);
-    if (!HexFormat.of().formatHex(digest().digest(content)).equals(sha256)) {
+    if (!Sha256.hex(content).equals(sha256)) {
       Files.deleteIfExists(file);
       return Optional.empty();
     }
-    Files.setLastModifiedTime(file, FileTime.from(Instant.now()));
+    LeastRecentlyUsed.touch(file);
     return Optional.of(content);
   }
 
@@ -84,11 +73,11 @@ public final class FileCache {
     Path file = path(sha256);
     Path work = Files.createTempFile(directory, "tmp", "");
     try {
-      MessageDigest digest = digest();
+      MessageDigest digest = Sha256.start();
       try (OutputStream out = new DigestOutputStream(Files.newOutputStream(work), digest)) {
         source.writeTo(out);
       }
-      String actual = HexFormat.of().formatHex(digest.digest());
+      String actual = Sha256.hex(digest);
       if (!actual.equals(sha256)) {
         throw new IOException("the file has the digest " + actual + ", expected " + sha256);
       }
@@ -104,13 +93,5 @@ public final class FileCache {
           "'" + sha256 + "' is not a SHA-256 digest in lower-case hexadecimal");
     }
     return directory.resolve(sha256);
-  }
-
-  private static MessageDigest digest() {
-    try {
-      return MessageDigest.getInstance("SHA-256");
-    } catch (NoSuchAlgorithmException e) {
-      throw new IllegalStateException("every Java has SHA-256", e);
-    }
   }
 }

@@ -101,7 +101,7 @@ class CoverageTest {
     Toolchains toolchains = EchoActivity.toolchains();
     assumeTrue(
         toolchains.of(Language.PYTHON).isPresent(),
-        () -> "skipped: " + toolchains.lackOf(Language.PYTHON));
+        () -> "skipped: " + toolchains.missingMessage(Language.PYTHON));
     TestResult result =
         result(
             EchoActivity.inPython("sensor.Sensor")

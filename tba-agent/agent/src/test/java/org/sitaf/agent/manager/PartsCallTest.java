@@ -13,6 +13,7 @@ import java.util.Random;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.sitaf.agent.spool.Sha256;
 import org.sitaf.agent.v1.SubmitResultRequest;
 
 /** Large messages are sent in parts if the server supports them. */
@@ -73,7 +74,7 @@ class PartsCallTest {
     return SubmitResultRequest.newBuilder()
         .setAttempt(FakeServer.attempt("b", 1, 1))
         .setResultDescriptor(ByteString.copyFrom(document))
-        .setSha256(SubmitMessages.sha256(document))
+        .setSha256(Sha256.hex(document))
         .build();
   }
 }

@@ -5,32 +5,23 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
-import java.util.HexFormat;
 import java.util.List;
 import java.util.stream.Stream;
+import org.sitaf.agent.spool.Sha256;
 
 /** SHA-256 over texts and files, each with its length, so that no two sequences are the same. */
 final class Digest {
   private final MessageDigest digest;
 
   Digest() {
-    digest = sha256();
+    digest = Sha256.start();
   }
 
   /** SHA-256 of the beginning of an array, as it is. */
   static byte[] sha256(byte[] bytes, int length) {
-    MessageDigest digest = sha256();
+    MessageDigest digest = Sha256.start();
     digest.update(bytes, 0, length);
     return digest.digest();
-  }
-
-  private static MessageDigest sha256() {
-    try {
-      return MessageDigest.getInstance("SHA-256");
-    } catch (NoSuchAlgorithmException e) {
-      throw new AssertionError(e);
-    }
   }
 
   void add(String text) {
@@ -55,6 +46,6 @@ final class Digest {
   }
 
   String hexadecimal() {
-    return HexFormat.of().formatHex(digest.digest());
+    return Sha256.hex(digest);
   }
 }

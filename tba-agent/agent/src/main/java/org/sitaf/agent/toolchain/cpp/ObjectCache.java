@@ -8,21 +8,21 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.DirectoryNotEmptyException;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
-import java.nio.file.attribute.BasicFileAttributes;
-import java.nio.file.attribute.FileTime;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.time.Duration;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.Stream;
+import org.sitaf.agent.spool.LeastRecentlyUsed;
 import org.sitaf.agent.toolchain.cpp.inputs.InputCheck;
 import org.sitaf.agent.toolchain.cpp.inputs.Inputs;
 
@@ -38,8 +38,7 @@ import org.sitaf.agent.toolchain.cpp.inputs.Inputs;
 record ObjectCache(Path folder) {
   private static final int FORMAT = 0x51_7a_f0_01;
   private static final int MOST_OF_A_KEY = 24;
-  private static final int MOST = 5_000;
-  private static final long MAX_BYTES = 512L << 20;
+  private static final LeastRecentlyUsed BOUNDS = new LeastRecentlyUsed(512L << 20, 5_000);
 
   /** What is larger is compiled each time. */
   private static final long MOST_BYTES_OF_AN_ENTRY = 32L << 20;
@@ -63,7 +62,7 @@ record ObjectCache(Path folder) {
         byte[] bytes = Files.readAllBytes(file);
         Optional<Entry> entry = read(bytes, check);
         if (entry.isPresent()) {
-          Files.setLastModifiedTime(file, FileTime.fromMillis(System.currentTimeMillis()));
+          LeastRecentlyUsed.touch(file);
           return entry;
         }
       } catch (NoSuchFileException e) {
@@ -153,39 +152,39 @@ record ObjectCache(Path folder) {
 
   /** Forgets what was not asked for the longest, where there is more than may be kept. */
   void shrink() throws IOException {
-    record Kept(Path file, FileTime used, long size) {}
-    List<Kept> all = new ArrayList<>();
+    List<Path> kept = new ArrayList<>();
     try (Stream<Path> files = Files.walk(folder, 2)) {
-      for (Path file : files.toList()) {
-        BasicFileAttributes attributes = attributes(file);
-        if (attributes != null && attributes.isRegularFile()) {
-          all.add(new Kept(file, attributes.lastModifiedTime(), attributes.size()));
+      for (Path file : files.filter(ObjectCache::isFile).toList()) {
+        if (!file.getParent().equals(folder)) {
+          kept.add(file);
+        } else if (Files.getLastModifiedTime(file).toInstant().isBefore(abandoned())) {
+          Files.deleteIfExists(file);
         }
       }
     } catch (NoSuchFileException | UncheckedIOException e) {
       // Nothing is kept yet, or another process removes what is.
       return;
     }
-    all.sort(Comparator.comparing(Kept::used).reversed());
-    long abandoned = System.currentTimeMillis() - ABANDONED.toMillis();
-    long bytes = 0;
-    int count = 0;
-    for (Kept kept : all) {
-      boolean comes = kept.file().getParent().equals(folder);
-      bytes += kept.size();
-      count++;
-      if (comes ? kept.used().toMillis() < abandoned : bytes > MAX_BYTES || count > MOST) {
-        Files.deleteIfExists(kept.file());
-        deleteIfEmpty(kept.file().getParent());
-      }
-    }
+    BOUNDS.shrink(
+        kept,
+        file -> file.toFile().length(),
+        file -> {
+          Files.deleteIfExists(file);
+          deleteIfEmpty(file.getParent());
+        });
   }
 
-  private void deleteIfEmpty(Path ofKey) throws IOException {
+  private static Instant abandoned() {
+    return Instant.now().minus(ABANDONED);
+  }
+
+  private static boolean isFile(Path file) {
+    return Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS);
+  }
+
+  private static void deleteIfEmpty(Path ofKey) throws IOException {
     try {
-      if (!ofKey.equals(folder)) {
-        Files.deleteIfExists(ofKey);
-      }
+      Files.deleteIfExists(ofKey);
     } catch (DirectoryNotEmptyException e) {
       // Something else of the key is kept.
     }
@@ -193,27 +192,9 @@ record ObjectCache(Path folder) {
 
   private static List<Path> newestFirst(Path folder) throws IOException {
     try (Stream<Path> all = Files.list(folder)) {
-      Map<Path, FileTime> times = new TreeMap<>();
-      for (Path file : all.toList()) {
-        BasicFileAttributes attributes = attributes(file);
-        times.put(
-            file, attributes == null ? FileTime.fromMillis(0) : attributes.lastModifiedTime());
-      }
-      return times.entrySet().stream()
-          .sorted(Map.Entry.<Path, FileTime>comparingByValue().reversed())
-          .map(Map.Entry::getKey)
-          .toList();
+      return LeastRecentlyUsed.newestFirst(all.toList());
     } catch (NoSuchFileException e) {
       return List.of();
-    }
-  }
-
-  private static @org.jspecify.annotations.Nullable BasicFileAttributes attributes(Path file) {
-    try {
-      return Files.readAttributes(
-          file, BasicFileAttributes.class, java.nio.file.LinkOption.NOFOLLOW_LINKS);
-    } catch (IOException e) {
-      return null;
     }
   }
 }

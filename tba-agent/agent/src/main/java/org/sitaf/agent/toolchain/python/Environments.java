@@ -8,12 +8,9 @@ import java.nio.file.Path;
 import java.nio.file.attribute.FileOwnerAttributeView;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.nio.file.attribute.UserPrincipal;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
-import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
@@ -22,6 +19,7 @@ import java.util.concurrent.locks.ReentrantLock;
 import java.util.stream.Stream;
 import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.agent.sandbox.ToolResult;
+import org.sitaf.agent.spool.Sha256;
 import org.sitaf.agent.spool.SharedCache;
 import org.sitaf.agent.toolchain.CompilationException;
 import org.sitaf.agent.toolchain.SourceDiagnostic;
@@ -74,7 +72,7 @@ final class Environments {
       identity
           .append(runtime.relativize(file))
           .append(' ')
-          .append(digest(Files.readAllBytes(file)));
+          .append(Sha256.hex(Files.readAllBytes(file)));
       identity.append('\n');
     }
     return identity.toString();
@@ -94,9 +92,9 @@ final class Environments {
       held.append('\n')
           .append(wheel.getFileName())
           .append(' ')
-          .append(digest(Files.readAllBytes(wheel)));
+          .append(Sha256.hex(Files.readAllBytes(wheel)));
     }
-    String key = digest(held.toString().getBytes(StandardCharsets.UTF_8));
+    String key = Sha256.hex(held.toString().getBytes(StandardCharsets.UTF_8));
     String name = key.substring(0, 24);
     if (Files.isDirectory(cache.entry(name))) {
       return cache.entry(name);
@@ -179,7 +177,7 @@ final class Environments {
   private Path baseWheels(Path fresh, PackageTools tools) throws IOException, InterruptedException {
     String name =
         "wheels-"
-            + digest((LAYOUT + interpreter + BASE).getBytes(StandardCharsets.UTF_8))
+            + Sha256.hex((LAYOUT + interpreter + BASE).getBytes(StandardCharsets.UTF_8))
                 .substring(0, 24);
     Path known = cache.entry(name);
     if (!Files.isDirectory(known)) {
@@ -230,14 +228,6 @@ final class Environments {
               .filter(p -> p.toString().endsWith(".py"))
               .sorted()
               .toList());
-    }
-  }
-
-  private static String digest(byte[] content) {
-    try {
-      return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(content));
-    } catch (NoSuchAlgorithmException e) {
-      throw new AssertionError(e);
     }
   }
 }

@@ -11,6 +11,7 @@ import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.agent.spool.Sha256;
 import org.sitaf.core.activity.FileTree;
 
 /**
@@ -73,7 +74,7 @@ final class IncludeSearch {
   }
 
   synchronized String sha256(String path) {
-    return digests.computeIfAbsent(path, p -> Machine.sha256(content(p)));
+    return digests.computeIfAbsent(path, p -> Sha256.hex(content(p)));
   }
 
   synchronized AskedNames asked(String path) {

@@ -12,6 +12,7 @@ import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.agent.spool.Sha256;
 import org.sitaf.agent.toolchain.cpp.inputs.AskedNames.Name;
 import org.sitaf.agent.toolchain.cpp.inputs.Inputs.MachineFile;
 import org.sitaf.core.activity.FileTree;
@@ -264,7 +265,7 @@ public final class InputCheck {
               append(text, name);
               append(text, path);
             });
-    return Machine.sha256(text.toString().getBytes(StandardCharsets.UTF_8));
+    return Sha256.hex(text.toString().getBytes(StandardCharsets.UTF_8));
   }
 
   /** Appends what a file with computed names may refer to: the names of all opened files. */

@@ -8,6 +8,7 @@ import java.util.NavigableMap;
 import java.util.NavigableSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import org.sitaf.agent.spool.Sha256;
 
 /**
  * The inputs of a compiled file.
@@ -25,7 +26,7 @@ public record Inputs(
     NavigableSet<String> asked,
     String found) {
   /** Digest if no name refers to a file. */
-  private static final String NOTHING = Machine.sha256(new byte[0]);
+  private static final String NOTHING = Sha256.hex(new byte[0]);
 
   private static final int MAX_COUNT = 200_000;
 

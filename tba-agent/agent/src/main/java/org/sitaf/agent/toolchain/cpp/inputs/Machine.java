@@ -3,13 +3,11 @@ package org.sitaf.agent.toolchain.cpp.inputs;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 import java.util.HashMap;
-import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
+import org.sitaf.agent.spool.Sha256;
 
 /**
  * Headers and libraries of this machine's packages, which no user can change. An instance sees each
@@ -70,19 +68,11 @@ final class Machine {
     if (!Stamp.of(path).equals(stamp)) {
       throw new IOException(path + " changed while it was read");
     }
-    Content content = new Content(stamp, sha256(bytes), AskedNames.in(bytes));
+    Content content = new Content(stamp, Sha256.hex(bytes), AskedNames.in(bytes));
     if (CONTENTS.size() >= MAX_CACHED) {
       CONTENTS.clear();
     }
     CONTENTS.put(path, content);
     return content;
-  }
-
-  static String sha256(byte[] content) {
-    try {
-      return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(content));
-    } catch (NoSuchAlgorithmException e) {
-      throw new AssertionError(e);
-    }
   }
 }
