@@ -34,6 +34,9 @@ final class ServerCalls {
   /** Largest chunk of a log, by the protocol. */
   static final int MAX_LOG_CHUNK = 64 * 1024;
 
+  /** A message of this size is accepted by each server, whatever its release. */
+  private static final int SMALLEST_LIMIT = 4 << 20;
+
   private static final int DEADLINE_S = 15;
   private static final int TRANSFER_DEADLINE_S = 120;
 
@@ -179,7 +182,21 @@ final class ServerCalls {
         }
       }
     }
-    return atOnce.apply(message.apply(whole));
+    try {
+      return atOnce.apply(message.apply(whole));
+    } catch (StatusRuntimeException e) {
+      if (whole.size() > SMALLEST_LIMIT
+          && e.getStatus().getCode() == Status.Code.RESOURCE_EXHAUSTED) {
+        // The same message would be refused each time.
+        throw Status.INVALID_ARGUMENT
+            .withDescription(
+                "%d MiB are more than the server accepts, whose release knows no parts; update it"
+                    .formatted(whole.size() >> 20))
+            .withCause(e)
+            .asRuntimeException();
+      }
+      throw e;
+    }
   }
 
   /** Downloads a file of the attempt's test application, up to a size limit. */

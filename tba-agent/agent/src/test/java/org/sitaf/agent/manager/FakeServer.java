@@ -51,6 +51,8 @@ import org.sitaf.core.activity.FileTree;
  * and fails on request.
  */
 final class FakeServer extends AgentServiceGrpc.AgentServiceImplBase implements AutoCloseable {
+  private static final int LIMIT_OF_OLD_RELEASES = 8 << 20;
+
   private final Server server;
   private final FakeAuthentication door = new FakeAuthentication();
   private final Map<String, byte[]> files = new HashMap<>();
@@ -360,6 +362,10 @@ final class FakeServer extends AgentServiceGrpc.AgentServiceImplBase implements 
   public synchronized void submitResult(
       SubmitResultRequest request, StreamObserver<SubmitResultResponse> responses) {
     if (refused(responses)) {
+      return;
+    }
+    if (!knowsParts && request.getResultDescriptor().size() > LIMIT_OF_OLD_RELEASES) {
+      responses.onError(Status.RESOURCE_EXHAUSTED.asRuntimeException());
       return;
     }
     if (refuseSubmit != null && request.hasResultDescriptor()) {

@@ -2,6 +2,7 @@ package org.sitaf.agent.manager;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.google.protobuf.ByteString;
 import io.grpc.ManagedChannel;
 import io.grpc.Status;
 import io.grpc.netty.shaded.io.grpc.netty.NettyChannelBuilder;
@@ -120,5 +121,22 @@ class ResultUploadTest {
       awaitNothingPending(upload);
     }
     assertThat(server.submitted()).hasSize(1);
+  }
+
+  @Test
+  void aResultThatIsTooLargeForAnOldServerEndsTheBuildInsteadOfBeingSentForEver() throws Exception {
+    server.knowNoParts();
+    try (ResultUpload upload = new ResultUpload(agent.spool(), calls)) {
+      SubmitResultRequest large =
+          SubmitResultRequest.newBuilder()
+              .setAttempt(GOOD.ref())
+              .setResultDescriptor(ByteString.copyFrom(new byte[9 << 20]))
+              .build();
+      upload.add(GOOD, large, null, null);
+      awaitNothingPending(upload);
+    }
+    assertThat(server.submitted())
+        .singleElement()
+        .satisfies(m -> assertThat(m.getFailure().getMessage()).contains("9 MiB", "update it"));
   }
 }
