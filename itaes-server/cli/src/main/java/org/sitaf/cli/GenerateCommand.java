@@ -71,7 +71,8 @@ final class GenerateCommand implements Callable<Integer> {
       names = "--seed-cases",
       paramLabel = "FILE",
       description =
-          "An earlier suite: its cases stay under their numbers, and only what is missing is added.")
+          "An earlier suite: its cases stay under their numbers, and only what is missing is"
+              + " added.")
   private @Nullable Path earlier;
 
   @Option(

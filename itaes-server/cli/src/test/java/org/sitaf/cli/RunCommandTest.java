@@ -28,9 +28,7 @@ class RunCommandTest {
     List<String> all = new ArrayList<>(List.of("run"));
     all.addAll(List.of(arguments));
     int ended =
-        Sitaf.commandLine()
-            .setErr(new PrintWriter(err, true))
-            .execute(all.toArray(String[]::new));
+        Sitaf.commandLine().setErr(new PrintWriter(err, true)).execute(all.toArray(String[]::new));
     assertThat(ended).isEqualTo(exitCode);
     return err.toString();
   }

@@ -40,7 +40,8 @@ class BuildStoryOnPostgresTest extends BuildStory {
 
   private static EmbeddedPostgres start() {
     try {
-      // Not the folder for temporary files, which other programs of this machine unpack into as well.
+      // Not the folder for temporary files, which other programs of this machine unpack into as
+      // well.
       return EmbeddedPostgres.builder()
           .setOverrideWorkingDirectory(new File("target/postgres"))
           .start();

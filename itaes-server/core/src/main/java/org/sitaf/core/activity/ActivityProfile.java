@@ -115,8 +115,7 @@ public record ActivityProfile(
       Duration caseWall, Duration caseSimulation, int memoryMiB, Duration preparation) {
     /** What holds where the profile is silent. */
     public static final Limits DEFAULT =
-        new Limits(
-            Duration.ofSeconds(10), Duration.ofSeconds(60), 1024, Duration.ofMinutes(5));
+        new Limits(Duration.ofSeconds(10), Duration.ofSeconds(60), 1024, Duration.ofMinutes(5));
 
     public Limits {
       if (caseWall.isZero()

@@ -133,7 +133,8 @@ class ActivityTest {
         .singleElement()
         .asString()
         .contains(
-            "test_element IndexOfSensor: real_type int does not fit the interface, which has string");
+            "test_element IndexOfSensor: real_type int does not fit the interface, which has"
+                + " string");
   }
 
   @Test

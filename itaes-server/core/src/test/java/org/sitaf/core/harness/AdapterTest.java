@@ -66,7 +66,8 @@ class AdapterTest {
       }
       assertThat(adapter.text(path))
           .as(
-              "%s (after a wanted change: run this test with -Dsitaf.golden.renew=true, and review the diff)",
+              "%s (after a wanted change: run this test with -Dsitaf.golden.renew=true, and review"
+                  + " the diff)",
               path)
           .contains(Files.readString(golden));
     }

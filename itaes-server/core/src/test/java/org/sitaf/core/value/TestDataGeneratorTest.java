@@ -121,12 +121,8 @@ class TestDataGeneratorTest {
   void randomNumbersOfAFloatAreFloats(@ForAll long seed) {
     TestSpec draw =
         new TestSpec.RandomNumbers(
-            20,
-            new BigDecimal("0.1"),
-            new BigDecimal("100"),
-            new TestSpec.Distribution.Uniform());
-    for (TestValue value :
-        TestDataGenerator.generate(element("float", draw), seed).values()) {
+            20, new BigDecimal("0.1"), new BigDecimal("100"), new TestSpec.Distribution.Uniform());
+    for (TestValue value : TestDataGenerator.generate(element("float", draw), seed).values()) {
       String literal = value.value().literal();
       assertThat(Float.toString(Float.parseFloat(literal))).isEqualTo(literal);
     }

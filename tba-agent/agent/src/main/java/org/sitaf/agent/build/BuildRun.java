@@ -300,10 +300,9 @@ public final class BuildRun {
     if (recording == null || order == null) {
       return executor().execute(request, early, log, result -> announce(assembler.judge(result)));
     }
-    Map<Integer, Path> folders =
-        executor().recordingFolders(application.suite(), recording);
-    Path taken = recording.resolveSibling("recording.taken");
-    try (Recordings recordings = new Recordings(folders, taken, order, listener, log)) {
+    Map<Integer, Path> folders = executor().recordingFolders(application.suite(), recording);
+    Path collected = recording.resolveSibling("recording.collected");
+    try (Recordings recordings = new Recordings(folders, collected, order, listener, log)) {
       return executor()
           .execute(
               request,

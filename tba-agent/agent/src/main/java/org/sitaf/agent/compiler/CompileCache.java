@@ -84,7 +84,8 @@ record CompileCache(SharedCache shared, long limitBytes) {
   private void shrink() throws IOException {
     List<Path> kept;
     try (Stream<Path> entries = Files.list(shared.directory())) {
-      kept = entries.filter(entry -> KEY.matcher(entry.getFileName().toString()).matches()).toList();
+      kept =
+          entries.filter(entry -> KEY.matcher(entry.getFileName().toString()).matches()).toList();
     }
     new LeastRecentlyUsed(limitBytes, MOST_ENTRIES)
         .shrink(

@@ -97,8 +97,7 @@ public record ParallelExecutor(TestApplicationExecutor each, int sessions) {
     ExecutorService threads = Executors.newFixedThreadPool(shards);
     try {
       for (int number = 1; number <= shards; number++) {
-        ExecutionRequest part =
-            request.part(number, casesOfShard(request.suite(), number, shards));
+        ExecutionRequest part = request.part(number, casesOfShard(request.suite(), number, shards));
         running.add(threads.submit(() -> each.execute(part, null, sink, inTurn)));
       }
       return joined(running);

@@ -76,13 +76,11 @@ final class Attempts {
     String full = disk.whyFull();
     if (!full.isEmpty()) {
       onFull.run();
-      upload.refuse(
-          attempt, SubmitMessages.infrastructure(attempt, "the agent is full: " + full));
+      upload.refuse(attempt, SubmitMessages.infrastructure(attempt, "the agent is full: " + full));
       return;
     }
     if (!takeSlot(attempt, assignment)) {
-      upload.refuse(
-          attempt, SubmitMessages.infrastructure(attempt, "the agent has no free slot"));
+      upload.refuse(attempt, SubmitMessages.infrastructure(attempt, "the agent has no free slot"));
     }
   }
 
@@ -158,7 +156,8 @@ final class Attempts {
       Thread.currentThread().interrupt();
     } catch (IOException | RuntimeException | Error e) {
       LOGGER.log(System.Logger.Level.ERROR, attempt + ": the agent failed", e);
-      keepResult(attempt, SubmitMessages.infrastructure(attempt, "the agent failed: " + e), null, null);
+      keepResult(
+          attempt, SubmitMessages.infrastructure(attempt, "the agent failed: " + e), null, null);
     } finally {
       synchronized (this) {
         running.remove(attempt.key());

@@ -56,7 +56,8 @@ final class ResultUpload implements AutoCloseable {
       try {
         pending.put(entry.name(), read(entry).getAttempt());
       } catch (IOException e) {
-        LOGGER.log(System.Logger.Level.WARNING, entry.name() + " in the spool cannot be read: " + e);
+        LOGGER.log(
+            System.Logger.Level.WARNING, entry.name() + " in the spool cannot be read: " + e);
       }
     }
     thread.start();

@@ -143,7 +143,8 @@ final class OwnSimulator implements BuildSimulator {
     StringBuilder key = new StringBuilder(description);
     new TreeMap<>(files)
         .forEach(
-            (path, content) -> key.append('\0').append(path).append('\0').append(Sha256.hex(content)));
+            (path, content) ->
+                key.append('\0').append(path).append('\0').append(Sha256.hex(content)));
     return Sha256.hex(key.toString().getBytes(StandardCharsets.UTF_8));
   }
 

@@ -49,8 +49,8 @@ public record LeastRecentlyUsed(long maxBytes, int maxEntries) {
   }
 
   /**
-   * Removes entries until the rest is within the bounds. The entry that was used last stays, however
-   * large it is.
+   * Removes entries until the rest is within the bounds. The entry that was used last stays,
+   * however large it is.
    *
    * @param bytes the size of an entry
    */

@@ -93,8 +93,7 @@ public final class Spool {
     return publish(work, entry.name());
   }
 
-  private Path write(
-      String name, byte[] message, @Nullable Path log, @Nullable Path attachments)
+  private Path write(String name, byte[] message, @Nullable Path log, @Nullable Path attachments)
       throws IOException {
     Path work = directory.resolve(TEMPORARY + name);
     Folders.delete(work);

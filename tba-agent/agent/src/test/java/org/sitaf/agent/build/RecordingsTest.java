@@ -32,7 +32,9 @@ class RecordingsTest {
   private Recordings recordings(Cases cases, int most, long bytes) throws IOException {
     Files.createDirectories(folder.resolve("from"));
     return recordings(
-        IntStream.rangeClosed(1, 2000).boxed().collect(toMap(no -> no, no -> folder.resolve("from"))),
+        IntStream.rangeClosed(1, 2000)
+            .boxed()
+            .collect(toMap(no -> no, no -> folder.resolve("from"))),
         cases,
         most,
         bytes);

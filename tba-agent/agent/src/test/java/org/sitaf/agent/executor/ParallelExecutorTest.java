@@ -31,8 +31,6 @@ class ParallelExecutorTest {
     assertThat(folders(3)).hasSize(40);
     assertThat(distinct)
         .containsExactlyInAnyOrder(
-            RECORDING.resolve("part-1"),
-            RECORDING.resolve("part-2"),
-            RECORDING.resolve("part-3"));
+            RECORDING.resolve("part-1"), RECORDING.resolve("part-2"), RECORDING.resolve("part-3"));
   }
 }

@@ -6,6 +6,7 @@ import com.google.protobuf.ByteString;
 import io.grpc.ManagedChannel;
 import io.grpc.Status;
 import io.grpc.netty.shaded.io.grpc.netty.NettyChannelBuilder;
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.AfterEach;
@@ -48,6 +49,12 @@ class ResultUploadTest {
     return SubmitMessages.infrastructure(attempt, "for the test");
   }
 
+  private Path unreadableRecordings() throws IOException {
+    Path recordings = Files.createDirectories(directory.resolve("recordings"));
+    Files.writeString(recordings.resolve("not-a-number.glb"), "g");
+    return recordings;
+  }
+
   private Path entry(Attempt attempt) {
     return directory.resolve("agent/spool").resolve(attempt.key());
   }
@@ -61,10 +68,8 @@ class ResultUploadTest {
 
   @Test
   void anEntryThatFailsWithARuntimeExceptionDelaysNoOther() throws Exception {
-    Path recordings = Files.createDirectories(directory.resolve("recordings"));
-    Files.writeString(recordings.resolve("not-a-number.glb"), "g");
     try (ResultUpload upload = new ResultUpload(agent.spool(), calls)) {
-      upload.add(BROKEN, failureOf(BROKEN), null, recordings);
+      upload.add(BROKEN, failureOf(BROKEN), null, unreadableRecordings());
       upload.add(GOOD, failureOf(GOOD), null, null);
 
       server.await(s -> s.submitted().stream().anyMatch(m -> m.getAttempt().equals(GOOD.ref())));
@@ -74,12 +79,8 @@ class ResultUploadTest {
   @Test
   void anEntryThatStaysUnreadableIsPutAsideAndItsLeaseEnds() throws Exception {
     try (ResultUpload upload = new ResultUpload(agent.spool(), calls)) {
-      server.refuseAttempt(Status.UNAVAILABLE);
-      upload.add(BROKEN, failureOf(BROKEN), null, null);
-      Files.delete(entry(BROKEN).resolve("log"));
-      Files.createDirectory(entry(BROKEN).resolve("log"));
+      upload.add(BROKEN, failureOf(BROKEN), null, unreadableRecordings());
       upload.add(GOOD, failureOf(GOOD), null, null);
-      server.takeAttempts();
 
       awaitNothingPending(upload);
     }

@@ -55,14 +55,14 @@ record AdapterView(
     }
     List<String> interfaceNames = interfaces.stream().map(Interface::name).toList();
     return new AdapterView(
-        dot < 0 ? "" : plan.className().substring(0, dot),
-        imports,
-        JavaText.javadoc(
-            0, List.of("Binds the component to the interfaces of its test."), List.of()),
-        name,
-        String.join(", ", interfaceNames),
-        constructor(name, plan),
-        methods)
+            dot < 0 ? "" : plan.className().substring(0, dot),
+            imports,
+            JavaText.javadoc(
+                0, List.of("Binds the component to the interfaces of its test."), List.of()),
+            name,
+            String.join(", ", interfaceNames),
+            constructor(name, plan),
+            methods)
         .withoutImportOf(name);
   }
 

@@ -223,11 +223,6 @@ final class CppCompilation {
     boolean allGenerated = errors.stream().allMatch(SourceDiagnostic::generated);
     String number = errors.size() == 1 ? "1 error" : errors.size() + " errors";
     throw new CompilationException(
-        (allGenerated ? inGenerated : what)
-            + ": "
-            + number
-            + "; "
-            + errors.get(0),
-        errors);
+        (allGenerated ? inGenerated : what) + ": " + number + "; " + errors.get(0), errors);
   }
 }

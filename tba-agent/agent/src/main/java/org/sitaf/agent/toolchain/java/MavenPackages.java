@@ -181,17 +181,17 @@ final class MavenPackages {
         .distinct()
         .forEach(name -> open.append(",!").append(name));
     return """
-        <settings>
-          <mirrors>
-            <mirror>
-              <id>named-by-a-package</id>
-              <mirrorOf>%s</mirrorOf>
-              <url>http://0.0.0.0/</url>
-              <blocked>true</blocked>
-            </mirror>
-          </mirrors>
-        </settings>
-        """
+    <settings>
+      <mirrors>
+        <mirror>
+          <id>named-by-a-package</id>
+          <mirrorOf>%s</mirrorOf>
+          <url>http://0.0.0.0/</url>
+          <blocked>true</blocked>
+        </mirror>
+      </mirrors>
+    </settings>
+    """
         .formatted(open);
   }
 

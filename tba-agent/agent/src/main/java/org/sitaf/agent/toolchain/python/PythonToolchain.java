@@ -213,8 +213,8 @@ public final class PythonToolchain implements Toolchain {
                     "activity/activity.yaml",
                     "library "
                         + library
-                        + ": expected a folder of Python modules or a wheel (.whl); name packages of PyPI in"
-                        + " requirements.txt")));
+                        + ": expected a folder of Python modules or a wheel (.whl); name packages"
+                        + " of PyPI in requirements.txt")));
       }
       put(roots, library, "library" + (i + 1));
     }

@@ -28,7 +28,8 @@ class PackageToolsTest {
   @Test
   void aToolThatWasKilledSaysSo() throws Exception {
     assertThat(complaint(new ToolResult(137, "", "\n"))).contains("killed by signal 9");
-    assertThat(complaint(new ToolResult(1, "", ""))).isEqualTo("it ended with exit code 1 and no message");
+    assertThat(complaint(new ToolResult(1, "", "")))
+        .isEqualTo("it ended with exit code 1 and no message");
   }
 
   @Test
