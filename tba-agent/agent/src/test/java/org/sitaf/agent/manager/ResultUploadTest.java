@@ -32,7 +32,7 @@ class ResultUploadTest {
   @BeforeEach
   void start() throws Exception {
     server = FakeServer.start();
-    server.door().letAllIn();
+    server.door().disableAuthentication();
     channel = NettyChannelBuilder.forTarget(server.address()).usePlaintext().build();
     calls = new ServerCalls(channel);
     agent = AgentDirectory.open(directory.resolve("agent"));
@@ -126,7 +126,7 @@ class ResultUploadTest {
 
   @Test
   void aResultThatIsTooLargeForAnOldServerEndsTheBuildInsteadOfBeingSentForEver() throws Exception {
-    server.knowNoParts();
+    server.disableParts();
     try (ResultUpload upload = new ResultUpload(agent.spool(), calls)) {
       SubmitResultRequest large =
           SubmitResultRequest.newBuilder()
