@@ -10,10 +10,11 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[1]
 PRUNED = {".git", ".sitaf", "node_modules", "target", "__pycache__"}
-# All paths and classes in these documents are checked. In other documents, only paths from the root of the repository are.
+# All paths and classes in these documents are checked. In other documents, only paths from the
+# root of the repository or the folder of the document are.
 MAPS = ("ARCHITECTURE.md", "CONTRIBUTING.md")
 # Paths in users' activities, and files that a command creates.
-ELSEWHERE = re.compile(r"harness/MODEL/|^\./|\.sitaf/|^/|webapp/dist")
+ELSEWHERE = re.compile(r"harness/MODEL/|^\./|\.sitaf/|^/|webapp/dist|schema\.d\.ts$")
 # A word in capitals is a placeholder.
 PLACEHOLDER = re.compile(r"\b[A-Z]{3,}\b")
 CLASS = re.compile(r"[A-Z]\w*[a-z]\w*(?:\.\w+)?")
@@ -85,10 +86,10 @@ def test_links_lead_to_files(document):
 
 
 @pytest.mark.parametrize("document", documents())
-def test_paths_from_the_root_exist(document):
-    tops = {path.split("/")[0] for path in files() if "/" in path}
-    named = [path for path in paths(document) if path.split("/")[0] in tops and "/" in path]
+def test_paths_from_the_root_or_the_folder_of_the_document_exist(document):
     folder = Path(document).parent
+    tops = {path.name for place in (ROOT, ROOT / folder) for path in place.iterdir() if path.is_dir()} - PRUNED
+    named = [path for path in paths(document) if path.split("/")[0] in tops and "/" in path]
     assert [
         p for p in named if not (ROOT / p).exists() and not (ROOT / folder / p).exists() and p not in endings()
     ] == []
