@@ -1,4 +1,4 @@
-"""What the tests say to a bridge: thin names over the generated stubs, and worlds written in place."""
+"""A client for tests: short names for the generated stubs, and worlds as text."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ IR_WORLD = Path(__file__).parents[2] / "examples" / "ir-sensor" / "world"
 
 @contextlib.contextmanager
 def running_bridge(*options: str, listen: str = "127.0.0.1:0") -> Iterator[str]:
-    """A bridge in a process of its own; gives its address. It ends with the block, or with this process."""
+    """Start a bridge process; yields its address. It ends with the block, or with this process."""
     command = [sys.executable, "-m", "sitaf_bridge", "serve", "--listen", listen, "--stop-with-stdin", *options]
     with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as process:
         assert process.stdin is not None
@@ -53,7 +53,7 @@ class Bridge:
 
 
 class TestSession:
-    """One session, and its calls."""
+    """One session and its calls."""
 
     __test__ = False
 

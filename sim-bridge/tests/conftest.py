@@ -26,7 +26,7 @@ Refused = Callable[[Callable[[], object]], tuple[grpc.StatusCode, str]]
 
 @pytest.fixture
 def refused() -> Refused:
-    """Carries out a call that must be refused; gives the status code and the message."""
+    """Make a call that must be rejected; return the status code and the message."""
 
     def call(action: Callable[[], object]) -> tuple[grpc.StatusCode, str]:
         with pytest.raises(grpc.RpcError) as raised:

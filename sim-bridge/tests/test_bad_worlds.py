@@ -1,4 +1,4 @@
-"""Worlds that are malformed or hostile: refused with file and line, and the bridge lives on."""
+"""Malformed and hostile worlds are rejected with file and line, and the bridge continues to run."""
 
 import os
 import subprocess
@@ -21,7 +21,7 @@ INCLUDED = b'<mujocoinclude><worldbody><geom size="1"/></worldbody></mujocoinclu
 
 @pytest.fixture(autouse=True)
 def lives_on(ir: TestSession):
-    """After every attack the same bridge, and a session from before, still answer."""
+    """After every test, the same bridge and an earlier session still answer."""
     yield
     assert set(ranges(ir.read()).values()) == {5.0}
 
@@ -64,8 +64,8 @@ def test_paths_of_the_file_map_must_stay_inside(bridge: Bridge, refused: Refused
     assert "world.files" in message
 
 
-def test_a_file_on_the_hosts_disk_is_out_of_reach_even_past_the_checks(tmp_path: Path) -> None:
-    """The second wall: the compiling process, asked directly, cannot open what the checks would have refused."""
+def test_the_compiler_process_cannot_open_files_of_the_host(tmp_path: Path) -> None:
+    """Second line of defence: called directly, the compiler process cannot open files."""
     secret = tmp_path / "secret.xml"
     secret.write_bytes(INCLUDED)
     program = tmp_path / "attack.py"
@@ -105,7 +105,7 @@ def test_malformed_xml_is_refused(bridge: Bridge, refused: Refused, mjcf: str, l
     assert what in message
 
 
-def test_what_mujoco_refuses_is_said_in_its_words(bridge: Bridge, refused: Refused) -> None:
+def test_mujocos_error_message_is_reported(bridge: Bridge, refused: Refused) -> None:
     code, message = refused(lambda: bridge.describe(world('<worldbody>\n<geom siz="1"/></worldbody>')))
     assert code is INVALID
     assert message.startswith("w.xml: ")
@@ -114,7 +114,7 @@ def test_what_mujoco_refuses_is_said_in_its_words(bridge: Bridge, refused: Refus
 
 
 @pytest.mark.parametrize("content", [b"\xff\xfe\x00<", b"", b"\x00" * 100, os.urandom(1000)])
-def test_a_file_that_is_no_text_is_refused(bridge: Bridge, refused: Refused, content: bytes) -> None:
+def test_a_binary_file_is_refused(bridge: Bridge, refused: Refused, content: bytes) -> None:
     for key in ("w.xml", "w.world.yaml"):
         source = world(BALL)
         source.files[key] = content
@@ -207,14 +207,14 @@ extra: 1
         (4, ["Distance.range", "20 is above -1"]),
         (5, ["'1st'"]),
         (6, ["Size.default", "outside the range"]),
-        (6, ["colour is not known here", "known keys: gap, set"]),
+        (6, ["colour is not a known key", "known keys: gap, set"]),
         (7, ["Mass.range", "finite number"]),
         (7, ["Mass.bind is missing"]),
         (8, ["body.ball.pos.x is already set by Distance"]),
         (10, ["telescope", "known: range"]),
         (11, ["0 <= min < max"]),
         (13, ["axis", "'t'"]),
-        (14, ["extra is not known here"]),
+        (14, ["extra is not a known key"]),
     ):
         found = [text for text in lines if text.startswith(f"w.world.yaml:{start}: ") and all(w in text for w in words)]
         assert found, (start, words, message)
@@ -239,7 +239,7 @@ observations:
     assert code is INVALID
     for words in (
         "w.world.yaml:4: parameters.A.bind: set: body.nobody.pos.x: the MJCF has no body 'nobody'",
-        "w.world.yaml:5: parameters.B.bind: set: sky.colour: is not a path that can be set; known forms: body.NAME.pos",
+        "w.world.yaml:5: parameters.B.bind: set: sky.colour: is not a known path; known forms: body.NAME.pos",
         "w.world.yaml:6: parameters.C.bind: set: body.ball.pos.x: the MJCF has no site 'nosite'",
         "w.world.yaml:7: parameters.D.bind: set: geom.ball.friction.0: cannot be less than 0",
         "w.world.yaml:8: parameters.E.bind: set: geom.ball.size.1: the geom 'ball' has 1 sizes",
@@ -256,19 +256,19 @@ observations:
     [
         ("a: [", "w.world.yaml:2: not YAML"),
         ("a: &x 1\nb: *x", "aliases"),
-        ("a: !!python/object/apply:os.system [id]", "a is not known here"),
+        ("a: !!python/object/apply:os.system [id]", "a is not a known key"),
         ("mjcf: other.xml", "mjcf is given twice"),
         ("parameters: 3", "parameters must be a mapping"),
         ("--- {}\n--- {}", "not YAML"),
     ],
 )
-def test_yaml_that_is_none_of_ours_is_refused(bridge: Bridge, refused: Refused, description: str, what: str) -> None:
+def test_invalid_yaml_is_refused(bridge: Bridge, refused: Refused, description: str, what: str) -> None:
     code, message = refused(lambda: bridge.describe(world(BALL, description)))
     assert code is INVALID
     assert what in message
 
 
-def test_a_range_finder_that_would_hide_something_is_refused(bridge: Bridge, refused: Refused) -> None:
+def test_unsupported_range_finder_attributes_are_refused(bridge: Bridge, refused: Refused) -> None:
     mjcf = """
     <worldbody><camera name="c"/><body><geom size="0.1"/><site name="s"/></body></worldbody>
     <sensor>
@@ -286,7 +286,7 @@ def test_a_range_finder_that_would_hide_something_is_refused(bridge: Bridge, ref
         assert words in message
 
 
-def test_a_timestep_that_is_no_whole_number_of_nanoseconds_is_refused(bridge: Bridge, refused: Refused) -> None:
+def test_a_fractional_timestep_in_nanoseconds_is_refused(bridge: Bridge, refused: Refused) -> None:
     code, message = refused(lambda: bridge.describe(world(f'<option timestep="0.0000010005"/>{BALL}')))
     assert code is INVALID
     assert "whole number of nanoseconds" in message
@@ -304,7 +304,7 @@ parameters:
     assert "the defaults cannot be set: parameter D: 1: the line of gap [site.s, geom.wall] does not enter" in message
 
 
-def test_worlds_in_a_folder_name_their_files_from_there(bridge: Bridge) -> None:
+def test_paths_are_relative_to_the_description(bridge: Bridge) -> None:
     files = {
         "world/w.world.yaml": b"mjcf: w.xml",
         "world/w.xml": b'<mujoco><compiler meshdir="parts"/><include file="more/inc.xml"/>'

@@ -1,4 +1,4 @@
-"""The command line, in processes of its own."""
+"""The command line, in separate processes."""
 
 import os
 import re
@@ -40,7 +40,7 @@ def test_serve_prints_its_address_first_and_then_its_versions() -> None:
         process.terminate()
 
 
-def test_serve_lists_the_worlds_that_it_is_given(tmp_path: Path) -> None:
+def test_serve_lists_the_given_worlds(tmp_path: Path) -> None:
     (tmp_path / "bad.world.yaml").write_text("mjcf: nothing.xml\n", "utf-8")
     with serve(str(IR_WORLD.parent), str(tmp_path)) as process:
         first_lines(process)
@@ -52,7 +52,7 @@ def test_serve_lists_the_worlds_that_it_is_given(tmp_path: Path) -> None:
         process.terminate()
 
 
-def test_serve_refuses_a_world_that_is_not_there() -> None:
+def test_serve_reports_a_missing_world() -> None:
     ran = run("serve", "nowhere/at/all")
     assert ran.returncode == 2
     assert "nowhere/at/all: no such file or folder" in ran.stderr
@@ -96,7 +96,7 @@ def test_serve_ends_with_its_parent() -> None:
 
 
 @pytest.mark.slow
-def test_no_process_is_left_behind_even_by_a_killed_bridge() -> None:
+def test_a_killed_bridge_leaves_no_process() -> None:
     with serve() as process:
         bridge = Bridge(first_lines(process)[0].split()[1])
         bridge.create(ir_world())
@@ -143,7 +143,7 @@ def test_serve_listens_on_a_unix_socket(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("address", ["0.0.0.0:0", "[::]:0", "192.168.0.1:50051", "example.org:80", "nonsense", "unix:"])
-def test_serve_refuses_to_be_reached_from_elsewhere(address: str) -> None:
+def test_serve_refuses_other_addresses_than_loopback(address: str) -> None:
     ran = run("serve", "--listen", address)
     assert (ran.returncode, ran.stdout) == (1, "")
     assert address in ran.stderr
@@ -179,7 +179,7 @@ def test_a_malformed_address_is_refused(text: str) -> None:
         parse_address(text)
 
 
-def test_describe_prints_what_a_world_declares() -> None:
+def test_describe_prints_a_world() -> None:
     ran = run("describe", IR_WORLD / "ir.world.yaml")
     assert ran.returncode == 0
     assert ran.stderr == ""
@@ -190,7 +190,7 @@ def test_describe_prints_what_a_world_declares() -> None:
     assert "observation  robot_x [m]: x of robot" in ran.stdout
 
 
-def test_describe_exits_2_with_what_is_wrong(tmp_path: Path) -> None:
+def test_describe_prints_errors_and_exits_with_2(tmp_path: Path) -> None:
     bad = tmp_path / "bad.world.yaml"
     bad.write_text("mjcf: none.xml\nnonsense: 1\n")
     for path, what in ((bad, "bad.world.yaml:2: nonsense"), (tmp_path / "missing.world.yaml", "No such file")):
@@ -199,7 +199,7 @@ def test_describe_exits_2_with_what_is_wrong(tmp_path: Path) -> None:
         assert what in ran.stderr
 
 
-def test_describe_leaves_out_what_is_not_of_the_folder(tmp_path: Path) -> None:
+def test_describe_ignores_links_to_other_folders(tmp_path: Path) -> None:
     outside = tmp_path / "outside.xml"
     outside.write_text('<mujocoinclude><worldbody><geom size="1"/></worldbody></mujocoinclude>')
     folder = tmp_path / "world"

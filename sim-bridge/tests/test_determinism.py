@@ -1,4 +1,4 @@
-"""The same world, seed and calls give the same bits in another process, and at any degree of parallelism."""
+"""The same world, seed and calls give the same bits in another process and with any number of threads."""
 
 from pathlib import Path
 
@@ -43,7 +43,7 @@ def test_a_recording_has_the_same_digest_in_another_process(bridge: Bridge) -> N
         other.channel.close()
 
 
-def test_a_session_that_was_reset_is_as_good_as_new(bridge: Bridge) -> None:
+def test_a_reset_session_equals_a_new_one(bridge: Bridge) -> None:
     new, used = bridge.create(maze(), seed=5), bridge.create(maze(), seed=5)
     drive(used)
     used.set(Friction=0.9, StartX=0.7)

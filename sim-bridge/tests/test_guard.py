@@ -1,4 +1,4 @@
-"""A bridge that other machines may reach: TLS and a token."""
+"""TLS and token of a bridge that other machines can connect to."""
 
 import subprocess
 import sys
@@ -48,19 +48,19 @@ def ask(channel: grpc.Channel, *metadata: tuple[str, str]) -> str:
     return stub.GetSimulatorFeatures(pb.GetSimulatorFeaturesRequest(), metadata=metadata, timeout=10).engine
 
 
-def test_the_token_opens_every_call(channel: grpc.Channel) -> None:
+def test_every_call_works_with_the_token(channel: grpc.Channel) -> None:
     assert ask(channel, ("authorization", f"Bearer {TOKEN}")) == "MuJoCo"
 
 
 @pytest.mark.parametrize("given", [[], [("authorization", "Bearer no")], [("authorization", TOKEN)]])
-def test_without_the_token_no_call_is_answered(channel: grpc.Channel, given: list[tuple[str, str]]) -> None:
+def test_calls_without_the_token_are_rejected(channel: grpc.Channel, given: list[tuple[str, str]]) -> None:
     with pytest.raises(grpc.RpcError) as raised:
         ask(channel, *given)
     assert isinstance(raised.value, grpc.Call)
     assert raised.value.code() == grpc.StatusCode.UNAUTHENTICATED
 
 
-def test_without_the_token_no_stream_is_answered(channel: grpc.Channel) -> None:
+def test_streams_without_the_token_are_rejected(channel: grpc.Channel) -> None:
     stub = pb_grpc.SimulationControlStub(channel)
     with pytest.raises(grpc.RpcError) as raised:
         list(stub.Operate(iter([pb.OperateRequest(ping=pb.PingRequest())]), timeout=10))
@@ -73,16 +73,16 @@ def serve(*arguments: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run(command, capture_output=True, text=True, timeout=60)
 
 
-def test_beyond_loopback_it_listens_only_when_guarded() -> None:
+def test_other_addresses_need_tls_and_token() -> None:
     ended = serve("--listen", "0.0.0.0:0")
     assert ended.returncode == 1
     assert "--tls-cert, --tls-key and --token-file" in ended.stderr
 
 
-def test_half_a_guard_is_none(files: Path) -> None:
+def test_certificate_key_and_token_must_be_given_together(files: Path) -> None:
     ended = serve("--listen", "127.0.0.1:0", f"--token-file={files / 'token'}")
     assert ended.returncode == 1
-    assert "go together" in ended.stderr
+    assert "must be given together" in ended.stderr
 
 
 def test_a_short_token_is_refused(files: Path, tmp_path: Path) -> None:

@@ -1,4 +1,4 @@
-"""Worlds made to harm: each is refused or ends within bounds, and the bridge lives on."""
+"""Hostile worlds are rejected or stopped by limits, and the bridge continues to run."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ pytestmark = pytest.mark.slow
 
 HOSTILE = Path(__file__).parents[2] / "tests" / "faults" / "hostile" / "worlds.py"
 LONGEST_S = 90.0
-# Of all processes of a bridge; what an agent allows is more.
+# Limit for all processes of a bridge, lower than that of an agent.
 MOST_MEMORY_KIB = 1700 * 1024
 REFUSALS = (grpc.StatusCode.INVALID_ARGUMENT, grpc.StatusCode.RESOURCE_EXHAUSTED)
 
@@ -38,7 +38,7 @@ WORLDS = _hostile()
 
 @pytest.fixture(scope="module")
 def guarded() -> Iterator[Bridge]:
-    """A bridge that sees none of the other tests."""
+    """A bridge that no other test uses."""
     with running_bridge() as address:
         client = Bridge(address)
         yield client
@@ -46,7 +46,7 @@ def guarded() -> Iterator[Bridge]:
 
 
 def _source(files: dict[str, bytes]) -> pb.WorldSource:
-    """As a build sends it: the files of the world's folder."""
+    """The files of the world's folder, as a build sends them."""
     all_files = {path.name: path.read_bytes() for path in IR_WORLD.iterdir()}
     all_files.update({path.removeprefix("world/"): content for path, content in files.items()})
     return pb.WorldSource(description="ir.world.yaml", files=all_files)
@@ -61,13 +61,13 @@ def _answer(guarded: Bridge, source: pb.WorldSource) -> tuple[grpc.StatusCode | 
     return None, ""
 
 
-def test_there_are_twenty_kinds_with_names_of_their_own() -> None:
+def test_there_are_twenty_kinds_with_unique_names() -> None:
     names = [name for name, _, _ in WORLDS]
     assert len(set(names)) == len(names) >= 20
 
 
 @pytest.mark.parametrize(("files", "outcome"), [pytest.param(f, o, id=n) for n, f, o in WORLDS])
-def test_a_hostile_world_is_refused_or_bounded(guarded: Bridge, files: dict[str, bytes], outcome: str) -> None:
+def test_a_hostile_world_is_refused_or_limited(guarded: Bridge, files: dict[str, bytes], outcome: str) -> None:
     code, message = _answer(guarded, _source(files))
     if outcome == "refused":
         assert code in REFUSALS, message
@@ -81,7 +81,7 @@ def test_a_hostile_world_is_refused_or_bounded(guarded: Bridge, files: dict[str,
     session.delete()
 
 
-def test_none_of_them_took_more_memory_than_a_bridge_may(guarded: Bridge) -> None:
+def test_hostile_worlds_stay_within_the_memory_limit(guarded: Bridge) -> None:
     for name, files, _ in WORLDS:
         if "touch" in name or "pixels" in name:
             _answer(guarded, _source(files))
@@ -111,7 +111,7 @@ def _lines(path: Path) -> list[str]:
 
 
 class Endpoint:
-    """An endpoint of a bridge of one build."""
+    """An endpoint of a build's bridge."""
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
@@ -174,7 +174,7 @@ def test_sessions_of_one_endpoint_are_unknown_at_another(build: tuple[Bridge, En
         one.channel.close()
 
 
-def test_endpoints_have_plain_names_and_are_closed_once(build: tuple[Bridge, Endpoint]) -> None:
+def test_names_of_endpoints_are_checked(build: tuple[Bridge, Endpoint]) -> None:
     bridge, endpoints = build
     for name in ("", "../e", "a/b", "e" * 17):
         code = _refusal(lambda name=name: endpoints.open(bridge, name, "0"))

@@ -1,4 +1,4 @@
-"""The world of the paper's evaluation, over the wire."""
+"""The world of the paper's evaluation, over gRPC."""
 
 import math
 import struct
@@ -52,7 +52,7 @@ def test_settling_rounds_up_to_whole_steps(ir: TestSession) -> None:
     assert ir.prepare(settle_ns=2_000_000).step == 1
 
 
-def test_a_parameter_that_is_not_named_takes_its_default(ir: TestSession) -> None:
+def test_other_parameters_get_their_defaults(ir: TestSession) -> None:
     ir.prepare(Distance=1.0)
     assert set(ranges(ir.prepare()).values()) == {5.0}
     assert ir.parameters() == {"Distance": 5.0}
@@ -70,7 +70,7 @@ def test_the_world_describes_itself(bridge: Bridge) -> None:
     assert [(o.name, o.unit) for o in described.observations] == [("robot_x", "m")]
 
 
-def test_creation_answers_with_the_defaults_in_place(bridge: Bridge) -> None:
+def test_a_new_session_has_the_defaults(bridge: Bridge) -> None:
     session = bridge.create(ir_world())
     assert session.created.world == bridge.describe(ir_world())
     assert session.created.state == session.read()

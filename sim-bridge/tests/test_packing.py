@@ -1,4 +1,4 @@
-"""States as bytes of the wire are those that message objects make."""
+"""Packed states equal the encoding of message objects."""
 
 import math
 from pathlib import Path

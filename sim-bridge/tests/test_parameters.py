@@ -1,4 +1,4 @@
-"""Parameters: what each kind of `set` path moves, and gaps that are solved."""
+"""Parameters: each kind of `set` path, and gaps that are solved."""
 
 import math
 
@@ -47,7 +47,7 @@ def test_the_gap_to_any_shape_is_what_the_sensor_reads(bridge: Bridge, geom: str
 
 @settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(st.integers(min_value=0, max_value=45 * 256))
-def test_a_gap_that_the_arithmetic_can_hold_is_met_to_the_last_bit(bridge: Bridge, fraction: int) -> None:
+def test_a_representable_gap_is_exact(bridge: Bridge, fraction: int) -> None:
     session = bridge.create(gap_world('type="box" size="1 2 3"'))
     assert ranges(session.prepare(Gap=fraction / 256))["eye"] == fraction / 256
     session.delete()
@@ -95,11 +95,11 @@ def test_a_gap_that_cannot_be_reached_is_refused_and_changes_nothing(bridge: Bri
     session.delete()
 
 
-def test_what_does_not_move_the_gap_is_refused(bridge: Bridge, refused: Refused) -> None:
+def test_a_parameter_that_does_not_change_the_gap_is_refused(bridge: Bridge, refused: Refused) -> None:
     wall = 'type="plane" size="0 0 1" quat="0.5 -0.5 -0.5 0.5"'
     code, message = refused(lambda: bridge.create(gap_world(wall, bind="body.thing.pos.y", body='pos="6 0 0"')))
     assert code is grpc.StatusCode.INVALID_ARGUMENT
-    assert "does not change with what `set` moves" in message
+    assert "`set` does not change it" in message
 
 
 def test_one_parameter_may_set_several_quantities(bridge: Bridge) -> None:
@@ -200,7 +200,7 @@ def test_bounds_of_a_resized_geom_are_those_that_mujoco_compiles(kind: str) -> N
     np.testing.assert_array_less(large.bvh_aabb[root, :3] + large.bvh_aabb[root, 3:], high + 1e-9)
 
 
-def test_a_resized_geom_is_seen_at_its_new_size(bridge: Bridge) -> None:
+def test_rays_hit_a_resized_geom_at_its_new_size(bridge: Bridge) -> None:
     mjcf = (
         f'<worldbody>{EYE}<body pos="9 0 0"><geom name="b" type="box" size="1 1 1"/><geom size="1"/></body></worldbody>'
     )

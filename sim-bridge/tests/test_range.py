@@ -1,4 +1,4 @@
-"""Range devices against closed-form truth: each kind of geom from outside, inside, beside and behind."""
+"""Range devices compared with exact results: each kind of geom from outside, inside, beside and behind."""
 
 import math
 
@@ -107,11 +107,11 @@ def test_the_back_of_a_plane_lets_rays_through(bridge: Bridge) -> None:
     assert readings(bridge, scene(turned), [-3.0, 3.0]) == [INF, -INF]
 
 
-def test_an_object_that_does_not_show_is_not_there(bridge: Bridge) -> None:
+def test_invisible_objects_are_ignored(bridge: Bridge) -> None:
     assert readings(bridge, scene('type="box" size="1 1 1" rgba="1 1 1 0"'), [3.0, 0.0]) == [INF, INF]
 
 
-def test_the_nearer_of_two_objects_counts(bridge: Bridge) -> None:
+def test_the_nearest_object_is_measured(bridge: Bridge) -> None:
     post = '<geom type="box" size="0.5 0.5 0.5" pos="4 0 0"/>'
     found = readings(bridge, scene(SHAPES["box"][0], more=post), [3.0, 8.0])
     assert found == [2.0, 3.5]
@@ -154,7 +154,7 @@ OWN_CHASSIS = """
 </body>"""
 
 
-def test_a_sensor_is_blind_to_the_chassis_that_it_is_fixed_to(bridge: Bridge) -> None:
+def test_a_sensor_does_not_see_its_own_chassis(bridge: Bridge) -> None:
     assert readings(bridge, scene(SHAPES["box"][0], eye=OWN_CHASSIS), [4.0, 0.5]) == [3.0, -INF]
 
 

@@ -1,4 +1,4 @@
-"""Robots from packages: only what the package itself lists is read, and only from packages that are known."""
+"""Robots from packages: only listed files of known packages are read."""
 
 import importlib.metadata
 
@@ -27,10 +27,10 @@ def robot(text: str) -> list[str]:
         ("package: robosuite, model: a.xml", "must be NAME==VERSION"),
         ("package: 'robosuite==../../etc', model: a.xml", "must be NAME==VERSION"),
         ("package: robosuite==1.5.2, model: /etc/passwd", "is absolute"),
-        ("package: robosuite==1.5.2, model: ../../../etc/passwd", "holds '.', '..'"),
+        ("package: robosuite==1.5.2, model: ../../../etc/passwd", "contains '.', '..'"),
         ("package: robosuite==1.5.2, model: a.xml, base: floating", "is not one of fixed, free"),
         ("package: robosuite==1.5.2, model: a.xml, pos: [0, 1]", "must be a list of three"),
-        ("package: robosuite==1.5.2, model: a.xml, colour: red", "colour is not known here"),
+        ("package: robosuite==1.5.2, model: a.xml, colour: red", "colour is not a known key"),
         ("model: a.xml", "package is missing"),
     ],
 )
@@ -38,11 +38,11 @@ def test_a_bad_declaration_is_refused(text: str, message: str) -> None:
     assert any(message in problem for problem in robot(text))
 
 
-def test_a_package_of_another_version_is_refused_with_what_to_do(bridge: Bridge, refused: Refused) -> None:
+def test_a_package_of_another_version_is_refused(bridge: Bridge, refused: Refused) -> None:
     yaml = "robots: {r: {package: example-robot-data==0.0.1, model: a/b.urdf}}"
     code, message = refused(lambda: bridge.describe(world(GROUND, yaml)))
     assert code == grpc.StatusCode.INVALID_ARGUMENT
-    assert "example-robot-data==0.0.1 is needed" in message
+    assert "needs example-robot-data==0.0.1" in message
     assert 'pip install "sitaf-bridge[robots]"' in message
 
 
@@ -64,7 +64,7 @@ def test_only_files_that_the_package_lists_are_read(bridge: Bridge, refused: Ref
         assert "has no file" in message
 
 
-def test_a_site_on_a_body_that_is_not_there_is_refused(bridge: Bridge, refused: Refused) -> None:
+def test_a_site_on_a_missing_body_is_refused(bridge: Bridge, refused: Refused) -> None:
     name, version = installed()
     if name != "example-robot-data":
         pytest.skip("example-robot-data is not installed")

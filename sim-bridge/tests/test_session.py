@@ -1,4 +1,4 @@
-"""Sessions: isolation, time, resets, leases, and refusals that change nothing."""
+"""Sessions: isolation, time, resets, leases, and errors that change nothing."""
 
 import math
 import subprocess
@@ -140,7 +140,7 @@ def _undisturbed(block: TestSession, steps: int) -> pb.WorldState:
     return state
 
 
-def test_reset_scopes_put_back_what_they_name(block: TestSession) -> None:
+def test_reset_restores_the_scope(block: TestSession) -> None:
     start = block.read()
     block.set(Friction=0.0, Height=0.3)
     moved = block.step(200)
@@ -200,7 +200,7 @@ def test_limits_are_named(block: TestSession, refused: Refused) -> None:
         assert "limit" in message
 
 
-def test_a_call_that_is_given_up_is_undone(block: TestSession, refused: Refused) -> None:
+def test_a_cancelled_call_is_undone(block: TestSession, refused: Refused) -> None:
     before = block.read()
     assert refused(lambda: block.step(10_000_000, timeout=0.3))[0] is grpc.StatusCode.DEADLINE_EXCEEDED
     assert block.read() == before
@@ -214,7 +214,7 @@ def test_a_deleted_session_is_not_found(bridge: Bridge, refused: Refused) -> Non
 
 
 @pytest.mark.slow
-def test_a_session_ends_with_its_lease_and_lives_on_with_every_call(bridge: Bridge, refused: Refused) -> None:
+def test_every_call_renews_the_lease(bridge: Bridge, refused: Refused) -> None:
     kept, left = bridge.create(ir_world(), lease_s=0.6), bridge.create(ir_world(), lease_s=0.6)
     assert kept.created.lease.nanos == 600_000_000
     for _ in range(6):
@@ -227,7 +227,7 @@ def test_a_session_ends_with_its_lease_and_lives_on_with_every_call(bridge: Brid
 
 
 @pytest.mark.slow
-def test_sessions_whose_clients_died_make_room(refused: Refused) -> None:
+def test_sessions_of_dead_clients_expire(refused: Refused) -> None:
     with running_bridge("--max-sessions", "2", "--default-lease", "0.5") as address:
         bridge = Bridge(address)
         for _ in range(2):
@@ -242,7 +242,7 @@ def test_sessions_whose_clients_died_make_room(refused: Refused) -> None:
 
 @pytest.mark.slow
 def test_a_killed_client_loses_its_session_only(bridge: Bridge, ir: TestSession, refused: Refused) -> None:
-    # The client dies in the middle of its work, without a word.
+    # The client process is killed.
     program = (
         "import sys, os; from tests.client import *; b = Bridge(sys.argv[1]);"
         "s = b.create(ir_world(), lease_s=1.0); print(s.id, flush=True); os.kill(os.getpid(), 9)"

@@ -314,7 +314,7 @@ def robot_world(client, worlds, name):
     try:
         return client.open(folder(worlds / "worlds" / name))
     except grpc.RpcError as error:
-        if "is needed on the bridge's machine" in error.details():
+        if "this machine needs" in error.details():
             pytest.skip(error.details())
         raise
 

@@ -122,7 +122,7 @@ def test_units_are_listed_and_bulk_cases_and_recordings_have_the_same_numbers(se
         ("{contact: [top]}", "list of two"),
         ("{contact: [top, ceiling]}", "neither a geom nor a body 'ceiling'"),
         ("{distance: [ball, nobody]}", "no body 'nobody'"),
-        ("{entity: ball, axis: x, colour: red}", "colour is not known here"),
+        ("{entity: ball, axis: x, colour: red}", "colour is not a known key"),
     ],
 )
 def test_a_bad_observation_is_refused_with_its_line(client, refused, entry, words):

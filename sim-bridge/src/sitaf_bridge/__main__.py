@@ -1,6 +1,6 @@
 """Entry of `python -m sitaf_bridge`.
 
-Nothing is imported outside the guard: the processes that compile worlds import this module again.
+Imports are inside of the guard, because the processes that compile worlds import this module again.
 """
 
 if __name__ == "__main__":

@@ -10,8 +10,8 @@ from pathlib import Path
 from sitaf_bridge import __version__
 from sitaf_bridge.errors import BridgeError
 from sitaf_bridge.server.address import BadAddress, parse_address, read_guard
-from sitaf_bridge.server.ending import Ending
 from sitaf_bridge.server.serving import Settings, serving
+from sitaf_bridge.server.stopping import StopSignal
 from sitaf_bridge.world.catalog import Catalog
 from sitaf_bridge.world.description.source import DESCRIPTION_SUFFIX, read_world
 from sitaf_bridge.world.devices import KINDS
@@ -22,8 +22,8 @@ from sitaf_bridge.world.world import World
 OK = 0
 CANNOT_LISTEN = 1
 BAD_INPUT = 2
-# Numbers of a device to name; a laser scan has hundreds.
-MOST_SHOWN = 16
+# Maximum number of device fields to list; a laser scan has hundreds.
+MAX_SHOWN = 16
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -36,48 +36,52 @@ def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="sitaf_bridge", description="The robot simulator of SITAF.")
     parser.add_argument("--version", action="version", version=_version())
     commands = parser.add_subparsers(dest="command", required=True)
-    serve = commands.add_parser("serve", help="serve simulations over gRPC until told to end")
+    serve = commands.add_parser("serve", help="serve simulations over gRPC until stopped")
     serve.add_argument(
         "--listen",
         default="127.0.0.1:0",
         metavar="ADDRESS",
-        help="HOST:PORT (port 0: any free one) or unix:/path; beyond loopback only guarded; default %(default)s",
+        help="HOST:PORT (port 0: any free port) or unix:/path; beyond loopback with TLS only; default %(default)s",
     )
-    serve.add_argument("--tls-cert", type=Path, metavar="FILE", help="PEM certificate chain; turns TLS on")
+    serve.add_argument("--tls-cert", type=Path, metavar="FILE", help="PEM certificate chain; enables TLS")
     serve.add_argument("--tls-key", type=Path, metavar="FILE", help="PEM key of the certificate")
-    serve.add_argument("--token-file", type=Path, metavar="FILE", help="what every call must bring")
+    serve.add_argument(
+        "--token-file", type=Path, metavar="FILE", help="file with the token that every call must contain"
+    )
     serve.add_argument(
         "--default-lease",
         type=_positive_float,
         default=60.0,
         metavar="S",
-        help="seconds that a session lives without a call where its client asks for nothing else; default %(default)g",
+        help="seconds until a session without calls expires, unless its client requests a lease; default %(default)g",
     )
     serve.add_argument("--max-sessions", type=_positive_int, default=256, help="default %(default)s")
-    serve.add_argument("--threads", type=_positive_int, default=16, help="calls at work at once; default %(default)s")
+    serve.add_argument(
+        "--threads", type=_positive_int, default=16, help="maximum concurrent calls; default %(default)s"
+    )
     serve.add_argument(
         "--endpoints",
         type=Path,
         metavar="FOLDER",
-        help="for one build: test applications get endpoints as sockets in FOLDER, with one session and world each; "
+        help="for one build: create sockets for test applications in FOLDER, each with one session and one world; "
         "a client of --listen opens them",
     )
-    serve.add_argument("--parent-pid", type=_positive_int, metavar="PID", help="end when this process ends")
-    serve.add_argument("--stop-with-stdin", action="store_true", help="end when stdin is closed")
+    serve.add_argument("--parent-pid", type=_positive_int, metavar="PID", help="stop when this process ends")
+    serve.add_argument("--stop-with-stdin", action="store_true", help="stop when stdin is closed")
     serve.add_argument(
         "worlds",
         nargs="*",
         type=Path,
         metavar="WORLD",
-        help="a *.world.yaml, or a folder with some below: compiled ahead, and listed; clients may bring others",
+        help="a *.world.yaml file or a folder of them: compiled at start and listed; clients may send others",
     )
-    describe = commands.add_parser("describe", help="print what a world declares, or what is wrong with it")
+    describe = commands.add_parser("describe", help="print the content of a world, or its errors")
     describe.add_argument("world", type=Path, metavar="WORLD.world.yaml")
     return parser
 
 
 def _serve(options: argparse.Namespace) -> int:
-    ending = Ending()
+    ending = StopSignal()
     ending.on_signals()
     missing = [str(path) for path in options.worlds if not path.exists()]
     if missing:
@@ -89,12 +93,12 @@ def _serve(options: argparse.Namespace) -> int:
         settings = Settings(
             address, options.default_lease, options.max_sessions, options.threads, guard, options.endpoints
         )
-        # Modules live as long as the process: looking through them for garbage doubled the time of a bulk call.
+        # Modules are never freed, and scanning them for garbage doubled the time of a bulk call.
         gc.collect()
         gc.freeze()
         gc.set_threshold(100_000, 20, 20)
         catalog = Catalog()
-        # The first world would otherwise wait for what compiles it.
+        # Otherwise the first world would wait for the start of the compiler process.
         warming = threading.Thread(target=catalog.warm_up, name="warm-up", daemon=True)
         with serving(settings, catalog) as target:
             print(f"listening {target}", flush=True)
@@ -114,7 +118,7 @@ def _serve(options: argparse.Namespace) -> int:
 
 
 def _list_worlds(places: Sequence[Path], catalog: Catalog) -> None:
-    """Compile the worlds in some places, and print a line for each."""
+    """Compile the given worlds and print a line for each."""
     found = [
         f for place in places for f in (sorted(place.rglob(f"*{DESCRIPTION_SUFFIX}")) if place.is_dir() else [place])
     ]
@@ -123,13 +127,13 @@ def _list_worlds(places: Sequence[Path], catalog: Catalog) -> None:
             world = catalog.world(read_world(path))
         except BridgeError as error:
             reason = str(error).partition("\n")[0]
-            print(f"world {path}: cannot be served: {reason}", flush=True)
+            print(f"world {path}: cannot be loaded: {reason}", flush=True)
             continue
         d = world.description
         counts = f"{len(d.parameters)} parameters, {len(d.devices)} devices, {len(d.observations)} observations"
         print(f"world {path}: {counts}", flush=True)
     if found:
-        print(f"{len(found)} worlds; `describe` tells what is in one", flush=True)
+        print(f"{len(found)} worlds; use `describe` for the content of a world", flush=True)
 
 
 def _describe(path: Path) -> int:
@@ -151,7 +155,7 @@ def _print_world(world: World) -> None:
         bound = ", ".join(b.path + (f" by gap {b.gap.site}..{b.gap.geom}" if b.gap else "") for b in p.binds)
         print(f"parameter    {p.name} [{p.unit}] {p.low:g}..{p.high:g}, default {p.default:g}: sets {bound}")
     for d in description.devices.values():
-        numbers = ", ".join(KINDS[d.kind].fields(d)[:MOST_SHOWN])
+        numbers = ", ".join(KINDS[d.kind].fields(d)[:MAX_SHOWN])
         print(f"device       {d.name}: {d.kind}" + (f" ({numbers})" if numbers else ""))
     for o in description.observations.values():
         print(f"observation  {o.name} [{o.unit}]: {o.text}")
@@ -165,7 +169,7 @@ def _version() -> str:
 def _positive_float(text: str) -> float:
     value = float(text)
     if not 0 < value < float("inf"):
-        raise argparse.ArgumentTypeError(f"{text} must be above zero")
+        raise argparse.ArgumentTypeError(f"{text} must be positive")
     return value
 
 

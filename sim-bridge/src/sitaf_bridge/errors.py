@@ -1,23 +1,23 @@
-"""What can go wrong, by category; the server maps each category to one status code of the wire."""
+"""Errors by category; the server maps each category to a gRPC status code."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass
 
 
 class BridgeError(Exception):
-    """A refused request. Its text says what, where, and what to do."""
+    """A rejected request. The message says what is wrong, where, and what to do."""
 
 
 class InvalidRequest(BridgeError):
-    """The request contradicts the protocol or names something that the world does not declare."""
+    """The request violates the protocol or names something that the world does not declare."""
 
 
 class UnreachableValue(BridgeError):
-    """A parameter's value outside its declared range, or one that its binding cannot reach."""
+    """A parameter value that is outside of its range or that its binding cannot reach."""
 
 
 class NoSuchSession(BridgeError):
-    """No session of that id: it was deleted, or its lease ended."""
+    """The session does not exist: it was deleted, or its lease expired."""
 
 
 class NoSuchEndpoint(BridgeError):
@@ -25,53 +25,53 @@ class NoSuchEndpoint(BridgeError):
 
 
 class Forbidden(BridgeError):
-    """The endpoint does not offer what is asked for."""
+    """The endpoint does not allow the request."""
 
 
 class Diverged(BridgeError):
-    """The simulation left the numbers; the session is frozen."""
+    """The simulation produced NaN, infinity or a huge value; the session is frozen."""
 
 
 class LimitReached(BridgeError):
-    """A limit of the bridge was reached; the text names the limit."""
+    """A limit of the bridge was exceeded; the message names the limit."""
 
 
-class NotNow(BridgeError):
-    """The request does not fit the state of the session."""
+class WrongState(BridgeError):
+    """The session is not in the state that the request needs."""
 
 
-class Unavailable(NotNow):
-    """This machine lacks what the request needs."""
+class Unavailable(WrongState):
+    """This machine lacks something that the request needs."""
 
 
-class TimeWentBack(BridgeError):
-    """Simulation time was put back while a caller waited for it."""
+class TimeReset(BridgeError):
+    """Simulation time was reset while a caller waited for it."""
 
 
-class NotAllowed(BridgeError):
-    """The caller has not shown the token."""
+class Unauthenticated(BridgeError):
+    """The request has no valid token."""
 
 
 class Cancelled(BridgeError):
-    """The caller went away while its request was carried out; nothing has changed."""
+    """The caller disconnected during the request; nothing was changed."""
 
 
 @dataclass(frozen=True, order=True)
 class Problem:
-    """One thing wrong with a world: in which file, on which line (None if unknown), and what."""
+    """One error in a world: file, line (None if unknown) and message."""
 
     file: str
     line: int | None
     message: str
 
     def __str__(self) -> str:
-        """`file:line: message`, as compilers print it."""
+        """`file:line: message`, the format of compilers."""
         place = self.file if self.line is None else f"{self.file}:{self.line}"
         return f"{place}: {self.message}"
 
 
 class BadWorld(InvalidRequest):
-    """A world that cannot be simulated, with every problem that was found."""
+    """A world that cannot be simulated, with all errors that were found."""
 
     def __init__(self, problems: Iterable[Problem]) -> None:
         self.problems = tuple(problems)

@@ -1,1 +1,1 @@
-"""The gRPC server: wire messages in, wire messages out, no simulation of its own."""
+"""The gRPC server: converts messages and calls sessions; contains no simulation code."""

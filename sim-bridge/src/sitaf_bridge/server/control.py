@@ -6,7 +6,7 @@ from typing import Any
 import grpc
 
 from sitaf_bridge import __version__
-from sitaf_bridge.errors import BridgeError, InvalidRequest, NotNow
+from sitaf_bridge.errors import BridgeError, InvalidRequest, WrongState
 from sitaf_bridge.server.many import prepare_many_response
 from sitaf_bridge.server.operations import OPERATIONS, operate, replay
 from sitaf_bridge.server.packing import state_message
@@ -20,7 +20,7 @@ from sitaf_bridge.world.catalog import Catalog
 from sitaf_bridge.world.engine import DEVICE_KINDS, ENGINE, ENGINE_VERSION
 from sitaf_bridge.world.state import ResetScope
 
-# The parts of OperateRequest, and the rpc that each stands for.
+# The fields of OperateRequest, and the rpc of each.
 STREAMED = {
     "set_parameters": "SetParameters",
     "reset": "ResetSimulation",
@@ -32,9 +32,9 @@ STREAMED = {
 
 
 class SimulationControl(pb_grpc.SimulationControlServicer):
-    """Sets the virtual environment; what each method promises stands in simulation.proto.
+    """Implements the service as specified in simulation.proto.
 
-    The methods that only carry out an operation in a session are added below.
+    The methods that only run an operation in a session are added below.
     """
 
     def __init__(self, catalog: Catalog, registry: Registry) -> None:
@@ -45,7 +45,7 @@ class SimulationControl(pb_grpc.SimulationControlServicer):
     def GetSimulatorFeatures(
         self, request: pb.GetSimulatorFeaturesRequest, context: grpc.ServicerContext
     ) -> pb.GetSimulatorFeaturesResponse:
-        """What this simulator is."""
+        """Return version and capabilities."""
         return pb.GetSimulatorFeaturesResponse(
             bridge_version=__version__,
             engine=ENGINE,
@@ -57,7 +57,7 @@ class SimulationControl(pb_grpc.SimulationControlServicer):
     def GetStatistics(
         self, request: pb.GetStatisticsRequest, context: grpc.ServicerContext
     ) -> pb.GetStatisticsResponse:
-        """What was done in this process."""
+        """Return counters of this process."""
         return pb.GetStatisticsResponse(
             sessions=len(self._registry),
             models=self._registry.models(),
@@ -71,7 +71,7 @@ class SimulationControl(pb_grpc.SimulationControlServicer):
     def DescribeWorld(
         self, request: pb.DescribeWorldRequest, context: grpc.ServicerContext
     ) -> pb.DescribeWorldResponse:
-        """Compile without a session."""
+        """Compile a world without a session."""
         world = self._catalog.world(source_of(request.world))
         return pb.DescribeWorldResponse(world=world_message(world))
 
@@ -107,14 +107,14 @@ class SimulationControl(pb_grpc.SimulationControlServicer):
 
     @answering
     def PrepareMany(self, request: pb.PrepareManyRequest, context: grpc.ServicerContext) -> pb.PrepareManyResponse:
-        """Prepare many cases; the session itself is not touched, and stays free for others."""
+        """Prepare many cases; does not use the session's state, so other calls can run at the same time."""
         with self._registry.use(request.session_id) as session:
             return prepare_many_response(session.world, session.seed, request, context.is_active)
 
     def Operate(
         self, request_iterator: Iterator[pb.OperateRequest], context: grpc.ServicerContext
     ) -> Iterator[pb.OperateResponse]:
-        """Operations in order."""
+        """Run a stream of operations in order."""
         for request in request_iterator:
             yield self._operated(request, context)
 
@@ -124,7 +124,7 @@ class SimulationControl(pb_grpc.SimulationControlServicer):
             if part == "ping":
                 return pb.OperateResponse()
             if part is None:
-                raise InvalidRequest("operation: is missing")
+                raise InvalidRequest("operation is missing")
             message = getattr(request, part)
             with self._registry.use(message.session_id) as session, session.simulation() as simulation:
                 answer = operate(session, simulation, STREAMED[part], message, context.is_active)
@@ -137,11 +137,11 @@ class SimulationControl(pb_grpc.SimulationControlServicer):
     def StartRecording(
         self, request: pb.StartRecordingRequest, context: grpc.ServicerContext
     ) -> pb.StartRecordingResponse:
-        """Reset and record from there."""
+        """Reset the session and start a recording."""
         with self._registry.use(request.session_id) as session, session.simulation() as simulation:
             if session.recorder is not None:
-                raise NotNow("a recording is under way in this session; stop it first")
-            session.forget_snapshots()
+                raise WrongState("this session is recording already; stop the recording first")
+            session.delete_snapshots()
             state = simulation.reset(ResetScope.ALL)
             session.recorder = Recorder(simulation.digest())
             return pb.StartRecordingResponse(state=state_message(state))
@@ -150,11 +150,11 @@ class SimulationControl(pb_grpc.SimulationControlServicer):
     def StopRecording(
         self, request: pb.StopRecordingRequest, context: grpc.ServicerContext
     ) -> pb.StopRecordingResponse:
-        """Give the recording away."""
+        """Stop and return the recording."""
         with self._registry.use(request.session_id) as session, session.simulation():
             recorder = session.recorder
             if recorder is None:
-                raise NotNow("no recording is under way in this session; start one first")
+                raise WrongState("this session is not recording; start a recording first")
             session.recorder = None
             recording = pb.Recording(
                 world_digest=session.world.digest,
@@ -171,7 +171,7 @@ class SimulationControl(pb_grpc.SimulationControlServicer):
     def ReplayRecording(
         self, request: pb.ReplayRecordingRequest, context: grpc.ServicerContext
     ) -> pb.ReplayRecordingResponse:
-        """Carry a recording out."""
+        """Repeat the operations of a recording."""
         with self._registry.use(request.session_id) as session, session.simulation() as simulation:
             different, digest = replay(session, simulation, request.recording, context.is_active)
             return pb.ReplayRecordingResponse(
@@ -183,7 +183,7 @@ class SimulationControl(pb_grpc.SimulationControlServicer):
 
 
 def operation(rpc: str) -> Callable[[Any, Any, grpc.ServicerContext], Any]:
-    """The servicer method of an operation."""
+    """Create the servicer method of an operation."""
 
     @answering
     def method(self: Any, request: Any, context: grpc.ServicerContext) -> Any:

@@ -1,7 +1,7 @@
-"""What test applications reach of a bridge that serves one build: sockets with one session and one world each.
+"""Access of test applications to the bridge of one build: sockets with one session and one world each.
 
-A component under test lives in the process of its test application, so it can make every call that the test application
-can. What it does through its endpoint concerns its own session.
+A component under test runs in the process of its test application and can make the same calls. Its endpoint restricts
+these calls to its own session.
 """
 
 import os
@@ -27,21 +27,21 @@ from sitaf_bridge.world.world import World
 MAX_MESSAGE_BYTES = 64 * 1024 * 1024
 SERVER_OPTIONS = (
     ("grpc.max_receive_message_length", MAX_MESSAGE_BYTES),
-    # Two bridges on one port would share its calls at random.
+    # Two bridges on one port would receive each other's calls.
     ("grpc.so_reuseport", 0),
 )
-# The test application makes one call at a time, its component one for each of its threads.
+# The test application makes one call at a time, its component one per thread.
 MAX_CALLS = 32
 MAX_ENDPOINTS = 64
 NAME = re.compile(r"[A-Za-z0-9]{1,16}")
-# Seconds that calls at work get to end when their endpoint is closed.
+# Seconds for running calls to end when their endpoint is closed.
 GRACE_S = 0.5
-# The test application may run as another user; who reaches the file is decided by the folders above it.
+# The test application may run as another user; the parent folders restrict the access.
 SOCKET_MODE = 0o666
 
 
 class OneWorld(Catalog):
-    """Gives the worlds of one set of files, which another catalog holds; refuses all others."""
+    """Offers the worlds of one set of files from another catalog and rejects all others."""
 
     def __init__(self, catalog: Catalog, digest: str) -> None:
         super().__init__()
@@ -49,14 +49,14 @@ class OneWorld(Catalog):
         self._digest = digest
 
     def world(self, source: WorldSource) -> World:
-        """The world of a source. Raises Forbidden for another one."""
+        """Return the world of a source. Raises Forbidden for another one."""
         if source.digest != self._digest:
             raise Forbidden("world: this endpoint offers the world of its build only")
         return self._catalog.world(source)
 
 
 class Endpoint:
-    """One socket with a server, a registry and threads of its own."""
+    """A socket with its own server, registry and threads."""
 
     def __init__(self, path: Path, catalog: Catalog, lease_s: float, threads: int) -> None:
         self.target = f"unix:{path}"
@@ -71,7 +71,7 @@ class Endpoint:
         self._server.start()
 
     def close(self) -> bool:
-        """End the session; says whether all calls have ended."""
+        """Close the session; return whether all calls have ended."""
         stopped = self._server.stop(0)
         self._registry.close()
         self._pool.shutdown(wait=False, cancel_futures=True)
@@ -79,7 +79,7 @@ class Endpoint:
 
 
 class Endpoints:
-    """The endpoints that are open, by name. Safe for many threads."""
+    """Open endpoints by name. Thread-safe."""
 
     def __init__(self, folder: Path, catalog: Catalog, lease_s: float, threads: int) -> None:
         self._folder = folder.absolute()
@@ -90,20 +90,20 @@ class Endpoints:
         self._open: dict[str, Endpoint] = {}
 
     def open(self, name: str, digest: str) -> str:
-        """Open one; gives its target. Raises InvalidRequest."""
+        """Open an endpoint and return its target. Raises InvalidRequest."""
         if not NAME.fullmatch(name):
             raise InvalidRequest(f"name: {name!r} is not 1 to 16 letters and digits")
         with self._lock:
             if name in self._open:
                 raise InvalidRequest(f"name: the endpoint {name} is open already")
             if len(self._open) >= MAX_ENDPOINTS:
-                raise InvalidRequest(f"name: {MAX_ENDPOINTS} endpoints are open, the limit; close one first")
+                raise InvalidRequest(f"name: {MAX_ENDPOINTS} endpoints are open, which is the limit; close one first")
             world = OneWorld(self._catalog, digest)
             self._open[name] = Endpoint(self._folder / name, world, self._lease_s, self._threads)
             return self._open[name].target
 
     def close_one(self, name: str) -> bool:
-        """Close one; says whether all its calls have ended. Raises NoSuchEndpoint."""
+        """Close an endpoint; return whether all its calls have ended. Raises NoSuchEndpoint."""
         with self._lock:
             endpoint = self._open.pop(name, None)
         if endpoint is None:
@@ -119,7 +119,7 @@ class Endpoints:
 
 
 class Administration(pb_grpc.SimulatorAdministrationServicer):
-    """Opens and closes endpoints; what each method promises stands in administration.proto."""
+    """Opens and closes endpoints, as specified in administration.proto."""
 
     def __init__(self, endpoints: Endpoints) -> None:
         self._endpoints = endpoints

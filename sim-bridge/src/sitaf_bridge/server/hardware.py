@@ -14,7 +14,7 @@ from sitaf_bridge.wire import simulation_pb2_grpc as pb_grpc
 
 
 class VirtualHardware(pb_grpc.VirtualHardwareServicer):
-    """What a component under test sees of the robot. At most `waiting` calls wait for time at once."""
+    """The devices as a component under test sees them. At most `waiting` calls may wait for time."""
 
     def __init__(self, registry: Registry, waiting: int) -> None:
         self._registry = registry
@@ -35,10 +35,12 @@ class VirtualHardware(pb_grpc.VirtualHardwareServicer):
 
     @answering
     def WaitUntil(self, request: pb.WaitUntilRequest, context: grpc.ServicerContext) -> pb.WaitUntilResponse:
-        """Wait for time to come, without the simulation's lock and without keeping all threads from others."""
+        """Wait for a simulation time, without the simulation's lock and without blocking all threads."""
         with self._registry.use(request.session_id) as session:
             if not self._waiting.acquire(blocking=False):
-                raise LimitReached(f"{self._limit} calls of WaitUntil wait already, the limit (half of --threads)")
+                raise LimitReached(
+                    f"{self._limit} calls of WaitUntil are waiting, which is the limit (half of --threads)"
+                )
             try:
                 session.wait_until(request.time_ns, context.is_active)
             finally:

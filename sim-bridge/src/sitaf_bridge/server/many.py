@@ -1,4 +1,4 @@
-"""The bulk call: flat numbers in, flat numbers out."""
+"""The bulk call PrepareMany: flat arrays in, flat arrays out."""
 
 import os
 from collections.abc import Callable
@@ -12,12 +12,12 @@ from sitaf_bridge.world.world import World
 
 MAX_CASES = 1_000_000
 MAX_NUMBERS = 8_000_000
-# Number 2 of the message, packed (wire type 2).
+# The tag of the field READINGS: its number, and wire type 2 (packed).
 READINGS_TAG = bytes([(pb.PrepareManyResponse.READINGS_FIELD_NUMBER << 3) | 2])
 
 
 def prepare_many_response(
-    world: World, seed: int, request: pb.PrepareManyRequest, wanted: Callable[[], bool]
+    world: World, seed: int, request: pb.PrepareManyRequest, is_active: Callable[[], bool]
 ) -> pb.PrepareManyResponse:
     """Prepare the cases of a request. Raises InvalidRequest, LimitReached, UnreachableValue, Cancelled."""
     names = tuple(request.parameters)
@@ -32,10 +32,10 @@ def prepare_many_response(
     values = np.array(request.values, np.float64).reshape(request.cases, len(names))
     cases = Cases(names, values, request.settle_ns, tuple(request.devices))
     threads = min(request.threads, os.cpu_count() or 1) or os.cpu_count() or 1
-    columns, readings, diverged = prepare_many(world, seed, cases, threads, wanted)
+    columns, readings, diverged = prepare_many(world, seed, cases, threads, is_active)
     if readings.size > MAX_NUMBERS:
-        raise LimitReached(f"the answer has {readings.size} numbers; the limit is {MAX_NUMBERS}; ask for fewer cases")
-    # Appending numbers one by one would cost more than to simulate them.
+        raise LimitReached(f"the response has {readings.size} numbers; the limit is {MAX_NUMBERS}; request fewer cases")
+    # Encoded directly, because appending single numbers would take longer than the simulation.
     packed = readings.astype("<f8", copy=False).tobytes()
     response = pb.PrepareManyResponse.FromString(READINGS_TAG + _varint(len(packed)) + packed)
     response.columns.extend(columns)

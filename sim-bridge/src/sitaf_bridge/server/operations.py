@@ -1,4 +1,4 @@
-"""What can be done in a session, each under the name of its rpc: the same for unary calls, streams and replays."""
+"""The operations of a session by the name of their rpc, shared by unary calls, streams and replays."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -7,7 +7,7 @@ from typing import Any
 
 from google.protobuf.message import DecodeError, Message
 
-from sitaf_bridge.errors import BridgeError, Diverged, InvalidRequest, NotNow
+from sitaf_bridge.errors import BridgeError, Diverged, InvalidRequest, WrongState
 from sitaf_bridge.server.packing import state_message
 from sitaf_bridge.server.readings import (
     commands_of,
@@ -28,37 +28,37 @@ from sitaf_bridge.world.devices import KINDS
 from sitaf_bridge.world.driving.simulation import Simulation
 from sitaf_bridge.world.state import ResetScope
 
-Wanted = Callable[[], bool]
+IsActive = Callable[[], bool]
 SHAPES = {pb.SHAPE_BOX: "box", pb.SHAPE_SPHERE: "sphere", pb.SHAPE_CYLINDER: "cylinder", pb.SHAPE_CAPSULE: "capsule"}
 GREY = (0.5, 0.5, 0.5, 1.0)
 
 
 @dataclass(frozen=True)
 class Operation:
-    """How to carry out a request in a simulation that this thread has; `changes`: a recording must hold it."""
+    """Runs a request in a simulation that this thread has locked; `changes`: recordings must contain it."""
 
-    carry_out: Callable[[Session, Simulation, Any, Wanted], Any]
+    carry_out: Callable[[Session, Simulation, Any, IsActive], Any]
     request: type[Message]
     changes: bool
 
 
-def operate(session: Session, simulation: Simulation, rpc: str, request: Message, wanted: Wanted) -> Any:
-    """Carry out one operation, and record it where a recording is under way. Raises BridgeError."""
+def operate(session: Session, simulation: Simulation, rpc: str, request: Message, is_active: IsActive) -> Any:
+    """Run one operation and record it if the session is recording. Raises BridgeError."""
     began = perf_counter_ns()
     try:
-        return _operate(session, simulation, rpc, request, wanted)
+        return _operate(session, simulation, rpc, request, is_active)
     finally:
         session.statistics.add(rpc, perf_counter_ns() - began)
 
 
-def _operate(session: Session, simulation: Simulation, rpc: str, request: Message, wanted: Wanted) -> Any:
+def _operate(session: Session, simulation: Simulation, rpc: str, request: Message, is_active: IsActive) -> Any:
     operation = OPERATIONS[rpc]
     recorder = session.recorder
     if recorder is None or not operation.changes:
-        return operation.carry_out(session, simulation, request, wanted)
-    recorder.refuse_if_full()
+        return operation.carry_out(session, simulation, request, is_active)
+    recorder.check_not_full()
     try:
-        response = operation.carry_out(session, simulation, request, wanted)
+        response = operation.carry_out(session, simulation, request, is_active)
     except Diverged:
         _record(recorder, simulation, rpc, request)
         raise
@@ -73,32 +73,32 @@ def _record(recorder: Recorder, simulation: Simulation, rpc: str, request: Messa
     recorder.add(rpc, kept.SerializeToString(deterministic=True), simulation.digest(recorder.digest))
 
 
-def replay(session: Session, simulation: Simulation, recording: pb.Recording, wanted: Wanted) -> tuple[int, bytes]:
-    """Carry out a recording; gives the index of the first operation that came out otherwise (or -1), and the digest.
+def replay(session: Session, simulation: Simulation, recording: pb.Recording, is_active: IsActive) -> tuple[int, bytes]:
+    """Replay a recording; return the index of the first operation with another result (or -1), and the digest.
 
-    Raises NotNow, InvalidRequest.
+    Raises WrongState, InvalidRequest.
     """
     if session.recorder is not None:
-        raise NotNow("a recording is under way in this session; stop it first")
+        raise WrongState("this session is recording; stop the recording first")
     if (recording.world_digest, recording.seed) != (session.world.digest, session.seed):
-        raise NotNow("the recording is of another world or seed than this session")
-    session.forget_snapshots()
+        raise WrongState("the recording has another world or seed than this session")
+    session.delete_snapshots()
     simulation.reset(ResetScope.ALL)
     digest, different = simulation.digest(), -1
     for index, entry in enumerate(recording.operations):
         operation = OPERATIONS.get(entry.rpc)
         if operation is None or not operation.changes:
-            raise InvalidRequest(f"recording.operations[{index}].rpc: {entry.rpc!r} is not an operation to replay")
+            raise InvalidRequest(f"recording.operations[{index}].rpc: {entry.rpc!r} cannot be replayed")
         try:
             request = operation.request.FromString(entry.request)
         except DecodeError as error:
-            raise InvalidRequest(f"recording.operations[{index}].request: is not a {entry.rpc} request") from error
+            raise InvalidRequest(f"recording.operations[{index}].request is not a {entry.rpc} request") from error
         try:
-            operation.carry_out(session, simulation, request, wanted)
+            operation.carry_out(session, simulation, request, is_active)
         except Diverged:
             pass
         except BridgeError as error:
-            # In the recording it was carried out.
+            # It succeeded in the recording.
             raise InvalidRequest(f"recording.operations[{index}]: {error}") from error
         digest = simulation.digest(digest)
         if different < 0 and digest != entry.digest:
@@ -106,38 +106,38 @@ def replay(session: Session, simulation: Simulation, recording: pb.Recording, wa
     return different, digest
 
 
-def _prepare(_: Session, simulation: Simulation, request: pb.PrepareRequest, wanted: Wanted) -> pb.PrepareResponse:
-    state = simulation.prepare(dict(request.parameters), request.settle_ns, wanted)
+def _prepare(_: Session, simulation: Simulation, request: pb.PrepareRequest, is_active: IsActive) -> pb.PrepareResponse:
+    state = simulation.prepare(dict(request.parameters), request.settle_ns, is_active)
     return pb.PrepareResponse(state=state_message(state))
 
 
 def _set(
-    _: Session, simulation: Simulation, request: pb.SetParametersRequest, _wanted: Wanted
+    _: Session, simulation: Simulation, request: pb.SetParametersRequest, _wanted: IsActive
 ) -> pb.SetParametersResponse:
     return pb.SetParametersResponse(state=state_message(simulation.set(dict(request.values))))
 
 
 def _get(
-    _: Session, simulation: Simulation, request: pb.GetParametersRequest, _wanted: Wanted
+    _: Session, simulation: Simulation, request: pb.GetParametersRequest, _wanted: IsActive
 ) -> pb.GetParametersResponse:
     return pb.GetParametersResponse(values=simulation.parameters(request.names))
 
 
 def _reset(
-    _: Session, simulation: Simulation, request: pb.ResetSimulationRequest, _wanted: Wanted
+    _: Session, simulation: Simulation, request: pb.ResetSimulationRequest, _wanted: IsActive
 ) -> pb.ResetSimulationResponse:
     return pb.ResetSimulationResponse(state=state_message(simulation.reset(scope_of(request.scope))))
 
 
 def _step(
-    _: Session, simulation: Simulation, request: pb.StepSimulationRequest, wanted: Wanted
+    _: Session, simulation: Simulation, request: pb.StepSimulationRequest, is_active: IsActive
 ) -> pb.StepSimulationResponse:
-    state = simulation.step(request.steps, wanted, dict(request.parameters), commands_of(request.commands))
+    state = simulation.step(request.steps, is_active, dict(request.parameters), commands_of(request.commands))
     return pb.StepSimulationResponse(state=state_message(state))
 
 
 def _read(
-    session: Session, simulation: Simulation, request: pb.ReadDevicesRequest, _wanted: Wanted
+    session: Session, simulation: Simulation, request: pb.ReadDevicesRequest, _wanted: IsActive
 ) -> pb.ReadDevicesResponse:
     state = simulation.state
     if not request.devices:
@@ -156,67 +156,67 @@ def _read(
 
 
 def _write(
-    _: Session, simulation: Simulation, request: pb.WriteDevicesRequest, _wanted: Wanted
+    _: Session, simulation: Simulation, request: pb.WriteDevicesRequest, _wanted: IsActive
 ) -> pb.WriteDevicesResponse:
     return pb.WriteDevicesResponse(state=state_message(simulation.write(commands_of(request.commands))))
 
 
 def _advance(
-    _: Session, simulation: Simulation, request: pb.AdvanceUntilRequest, wanted: Wanted
+    _: Session, simulation: Simulation, request: pb.AdvanceUntilRequest, is_active: IsActive
 ) -> pb.AdvanceUntilResponse:
-    met, state = simulation.advance_until(condition_of(request.condition), request.limit_ns, wanted)
+    met, state = simulation.advance_until(condition_of(request.condition), request.limit_ns, is_active)
     return pb.AdvanceUntilResponse(met=met, state=state_message(state))
 
 
 def _snapshot(
-    session: Session, simulation: Simulation, _request: pb.TakeSnapshotRequest, _wanted: Wanted
+    session: Session, simulation: Simulation, _request: pb.TakeSnapshotRequest, _wanted: IsActive
 ) -> pb.TakeSnapshotResponse:
-    # A diverged state is not worth keeping.
+    # A diverged state must not be saved.
     _ = simulation.state
-    identity = session.keep_snapshot(simulation.keep())
+    identity = session.keep_snapshot(simulation.save())
     return pb.TakeSnapshotResponse(snapshot_id=identity, digest=simulation.digest().hex())
 
 
 def _restore(
-    session: Session, simulation: Simulation, request: pb.RestoreSnapshotRequest, _wanted: Wanted
+    session: Session, simulation: Simulation, request: pb.RestoreSnapshotRequest, _wanted: IsActive
 ) -> pb.RestoreSnapshotResponse:
-    state = simulation.put_back(session.snapshot(request.snapshot_id))
+    state = simulation.restore(session.snapshot(request.snapshot_id))
     return pb.RestoreSnapshotResponse(state=state_message(state))
 
 
-def _scene(_: Session, simulation: Simulation, _request: pb.GetSceneRequest, _wanted: Wanted) -> pb.GetSceneResponse:
+def _scene(_: Session, simulation: Simulation, _request: pb.GetSceneRequest, _wanted: IsActive) -> pb.GetSceneResponse:
     return pb.GetSceneResponse(gltf=simulation.scene())
 
 
-def _film(
-    _: Session, simulation: Simulation, request: pb.RecordMotionRequest, _wanted: Wanted
+def _record_motion(
+    _: Session, simulation: Simulation, request: pb.RecordMotionRequest, _wanted: IsActive
 ) -> pb.RecordMotionResponse:
     simulation.record_motion(request.interval_ns, request.max_frames)
     return pb.RecordMotionResponse()
 
 
 def _motion(
-    _: Session, simulation: Simulation, _request: pb.TakeMotionRequest, _wanted: Wanted
+    _: Session, simulation: Simulation, _request: pb.TakeMotionRequest, _wanted: IsActive
 ) -> pb.TakeMotionResponse:
     gltf, frames = simulation.take_motion()
     return pb.TakeMotionResponse(gltf=gltf, frames=frames)
 
 
 def _entity(
-    _: Session, simulation: Simulation, request: pb.GetEntityStateRequest, _wanted: Wanted
+    _: Session, simulation: Simulation, request: pb.GetEntityStateRequest, _wanted: IsActive
 ) -> pb.GetEntityStateResponse:
     return pb.GetEntityStateResponse(state=motion_message(simulation.entity(request.entity)))
 
 
 def _put_entity(
-    _: Session, simulation: Simulation, request: pb.SetEntityStateRequest, _wanted: Wanted
+    _: Session, simulation: Simulation, request: pb.SetEntityStateRequest, _wanted: IsActive
 ) -> pb.SetEntityStateResponse:
     state = simulation.put_entity(request.entity, motion_of(request.state))
     return pb.SetEntityStateResponse(state=state_message(state))
 
 
 def _spawn(
-    _: Session, simulation: Simulation, request: pb.SpawnEntityRequest, _wanted: Wanted
+    _: Session, simulation: Simulation, request: pb.SpawnEntityRequest, _wanted: IsActive
 ) -> pb.SpawnEntityResponse:
     if request.shape not in SHAPES:
         raise InvalidRequest(f"shape: {request.shape} is not a shape")
@@ -235,13 +235,13 @@ def _spawn(
 
 
 def _delete(
-    _: Session, simulation: Simulation, request: pb.DeleteEntityRequest, _wanted: Wanted
+    _: Session, simulation: Simulation, request: pb.DeleteEntityRequest, _wanted: IsActive
 ) -> pb.DeleteEntityResponse:
     return pb.DeleteEntityResponse(state=state_message(simulation.delete(request.entity)))
 
 
 def _push(
-    _: Session, simulation: Simulation, request: pb.ApplyWrenchRequest, _wanted: Wanted
+    _: Session, simulation: Simulation, request: pb.ApplyWrenchRequest, _wanted: IsActive
 ) -> pb.ApplyWrenchResponse:
     wrench = request.wrench
     state = simulation.push(request.entity, xyz(wrench.force), xyz(wrench.torque))
@@ -249,7 +249,7 @@ def _push(
 
 
 def _fault(
-    _: Session, simulation: Simulation, request: pb.SetDeviceFaultRequest, _wanted: Wanted
+    _: Session, simulation: Simulation, request: pb.SetDeviceFaultRequest, _wanted: IsActive
 ) -> pb.SetDeviceFaultResponse:
     state = simulation.set_faults(request.device, faults_of(request.faults))
     return pb.SetDeviceFaultResponse(state=state_message(state))
@@ -265,7 +265,7 @@ OPERATIONS: dict[str, Operation] = {
     "TakeSnapshot": Operation(_snapshot, pb.TakeSnapshotRequest, changes=True),
     "RestoreSnapshot": Operation(_restore, pb.RestoreSnapshotRequest, changes=True),
     "GetScene": Operation(_scene, pb.GetSceneRequest, changes=False),
-    "RecordMotion": Operation(_film, pb.RecordMotionRequest, changes=False),
+    "RecordMotion": Operation(_record_motion, pb.RecordMotionRequest, changes=False),
     "TakeMotion": Operation(_motion, pb.TakeMotionRequest, changes=False),
     "GetEntityState": Operation(_entity, pb.GetEntityStateRequest, changes=False),
     "SetEntityState": Operation(_put_entity, pb.SetEntityStateRequest, changes=True),

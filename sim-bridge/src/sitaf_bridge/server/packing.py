@@ -1,4 +1,4 @@
-"""The frozen world as a message, made by templates: a message object for each number cost more than to simulate it."""
+"""Encodes world states from templates, because a message object per number takes longer than the simulation."""
 
 import struct
 from collections.abc import Callable, Iterable, Sequence
@@ -16,14 +16,14 @@ DOUBLE = struct.Struct("<d")
 
 
 def state_message(state: WorldState) -> pb.WorldState:
-    """The frozen world at one step; the same as if it were built of the messages of `readings`."""
+    """Encode a world state; equals the encoding of messages built by `readings`."""
     head = pb.WorldState(step=state.step, time_ns=state.time_ns).SerializeToString()
     return pb.WorldState.FromString(head + b"".join([piece(state) for piece in _layout(state.declared)]))
 
 
 @lru_cache(maxsize=256)
 def _layout(declared: Description) -> tuple[Piece, ...]:
-    """Who writes the state of a world: templates for runs of devices of fixed form, builders for the others."""
+    """Choose the encoders of a world: templates for devices of fixed form, builders for the others."""
     devices = [d for d in declared.devices.values() if not KINDS[d.kind].image]
     pieces: list[Piece] = []
     run: list[list[bytes]] = []
@@ -47,7 +47,7 @@ def _layout(declared: Description) -> tuple[Piece, ...]:
 
 
 class Template:
-    """Bytes with gaps for numbers: what stands before, between and behind them, for several parts in a row."""
+    """Bytes with gaps for numbers, for several messages in a row."""
 
     def __init__(self, parts: Sequence[Sequence[bytes]]) -> None:
         between = [b""]
@@ -59,7 +59,7 @@ class Template:
         self._template[::2] = between
 
     def fill(self, numbers: Iterable[float]) -> bytes:
-        """The bytes with the numbers in their places."""
+        """Fill the numbers into the gaps."""
         filled = self._template.copy()
         filled[1::2] = numbers
         return self._form.pack(*filled)
@@ -78,7 +78,7 @@ def _observations(template: Template) -> Piece:
 
 
 def _gaps(device: DeviceDeclaration) -> list[bytes] | None:
-    """What surrounds the numbers in the reading of a device; None where numbers do not stand there as they are."""
+    """The bytes around the numbers of a device's reading; None if the numbers are not encoded as they are."""
     kind = KINDS[device.kind]
     if kind.truths:
         return None
@@ -94,7 +94,7 @@ def _observation_gaps(name: str) -> list[bytes]:
 
 
 def _between(message: bytes, marks: Sequence[float]) -> list[bytes] | None:
-    """A message cut at numbers that it holds once each, in this order; None if it does not."""
+    """Split a message at numbers that occur once each, in this order; None if they do not."""
     gaps: list[bytes] = []
     for mark in map(DOUBLE.pack, marks):
         if message.count(mark) != 1:

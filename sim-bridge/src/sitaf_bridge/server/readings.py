@@ -1,4 +1,4 @@
-"""Readings, commands, faults and poses between the wire and the bridge."""
+"""Converts readings, commands, faults and poses between gRPC messages and Python objects."""
 
 from collections.abc import Callable, Sequence
 
@@ -18,12 +18,12 @@ FORMS = {"joint": "joint", "drive": "drive", "gripper": "gripper", "level": "lev
 
 
 def reading_message(reading: Reading) -> pb.Reading:
-    """What one device reads."""
+    """The reading of one device."""
     return _BUILDERS[reading.device.kind](reading)
 
 
 def image_message(image: Image) -> pb.Reading:
-    """What one camera sees."""
+    """The image of one camera."""
     device = image.device
     return pb.Reading(
         device=device.name,
@@ -38,12 +38,12 @@ def image_message(image: Image) -> pb.Reading:
 
 
 def commands_of(messages: Sequence[pb.DeviceCommand]) -> list[Command]:
-    """Commands. Raises InvalidRequest for one that says nothing."""
+    """Convert commands. Raises InvalidRequest for an empty command."""
     return [_command(message) for message in messages]
 
 
 def faults_of(messages: Sequence[pb.Fault]) -> list[Fault]:
-    """Faults. Raises InvalidRequest for a kind that this version does not know."""
+    """Convert faults. Raises InvalidRequest for an unknown kind."""
     for message in messages:
         if message.kind not in FAULTS:
             raise InvalidRequest(f"faults: {message.kind} is not a kind of fault")
@@ -51,7 +51,7 @@ def faults_of(messages: Sequence[pb.Fault]) -> list[Fault]:
 
 
 def motion_of(message: pb.EntityState) -> Motion:
-    """The parts that a message holds."""
+    """Convert the fields that are present."""
     pose, twist = message.pose, message.twist
     turned = message.HasField("pose") and pose.HasField("orientation")
     moved = message.HasField("pose") and pose.HasField("position")
@@ -64,7 +64,7 @@ def motion_of(message: pb.EntityState) -> Motion:
 
 
 def motion_message(motion: Motion) -> pb.EntityState:
-    """All parts of a motion."""
+    """Convert all fields of a motion."""
     w, x, y, z = motion.quat or (1.0, 0.0, 0.0, 0.0)
     pose = pb.Pose(position=vector(motion.pos or ()), orientation=pb.Quaternion(x=x, y=y, z=z, w=w))
     twist = pb.Twist(linear=vector(motion.linear or ()), angular=vector(motion.angular or ()))
@@ -90,13 +90,13 @@ def wxyz(message: pb.Quaternion) -> tuple[float, float, float, float]:
 def _command(message: pb.DeviceCommand) -> Command:
     form = message.WhichOneof("command")
     if form is None:
-        raise InvalidRequest(f"commands: the command to {message.device!r} says nothing")
+        raise InvalidRequest(f"commands: the command to {message.device!r} is empty")
     if form == "level":
         return Command(message.device, form, {"level": float(message.level)})
     if form == "joint":
         target = message.joint.WhichOneof("target")
         if target is None:
-            raise InvalidRequest(f"commands: the command to {message.device!r} names no target")
+            raise InvalidRequest(f"commands: the command to {message.device!r} has no target")
         return Command(message.device, form, {target: getattr(message.joint, target)})
     if form == "drive":
         numbers = {"linear": message.drive.linear, "angular": message.drive.angular}

@@ -16,13 +16,13 @@ from sitaf_bridge.session.registry import Registry
 from sitaf_bridge.wire import administration_pb2_grpc, simulation_pb2_grpc
 from sitaf_bridge.world.catalog import Catalog
 
-# Seconds that calls at work get to end when the server stops.
+# Seconds for running calls to end when the server stops.
 GRACE_S = 2.0
 
 
 @dataclass(frozen=True)
 class Settings:
-    """How to serve. `default_lease_s` is of sessions that ask for none; `endpoints` is the folder of their sockets."""
+    """Settings of the server. `default_lease_s`: for sessions without a lease; `endpoints`: folder of sockets."""
 
     address: Address
     default_lease_s: float
@@ -34,7 +34,7 @@ class Settings:
 
 @contextlib.contextmanager
 def serving(settings: Settings, catalog: Catalog) -> Iterator[str]:
-    """Serve until the end of the block; gives the target that clients connect to. Raises BadAddress."""
+    """Serve until the end of the block; yields the target for clients. Raises BadAddress."""
     registry = Registry(default_lease_s=settings.default_lease_s, max_sessions=settings.max_sessions)
     pool = ThreadPoolExecutor(settings.threads, thread_name_prefix="call")
     guard = settings.guard

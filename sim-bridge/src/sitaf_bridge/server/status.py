@@ -1,4 +1,4 @@
-"""Which status code each category of error is on the wire."""
+"""The gRPC status code of each error category."""
 
 import functools
 from collections.abc import Callable
@@ -15,10 +15,10 @@ from sitaf_bridge.errors import (
     LimitReached,
     NoSuchEndpoint,
     NoSuchSession,
-    NotAllowed,
-    NotNow,
-    TimeWentBack,
+    TimeReset,
+    Unauthenticated,
     UnreachableValue,
+    WrongState,
 )
 
 CODES: dict[type[BridgeError], grpc.StatusCode] = {
@@ -29,12 +29,12 @@ CODES: dict[type[BridgeError], grpc.StatusCode] = {
     Forbidden: grpc.StatusCode.PERMISSION_DENIED,
     Diverged: grpc.StatusCode.DATA_LOSS,
     LimitReached: grpc.StatusCode.RESOURCE_EXHAUSTED,
-    NotNow: grpc.StatusCode.FAILED_PRECONDITION,
-    TimeWentBack: grpc.StatusCode.ABORTED,
-    NotAllowed: grpc.StatusCode.UNAUTHENTICATED,
+    WrongState: grpc.StatusCode.FAILED_PRECONDITION,
+    TimeReset: grpc.StatusCode.ABORTED,
+    Unauthenticated: grpc.StatusCode.UNAUTHENTICATED,
     Cancelled: grpc.StatusCode.CANCELLED,
 }
-# Status messages travel in HTTP/2 headers, which clients bound at 8 KiB, percent-encoded.
+# Status messages are sent percent-encoded in HTTP/2 headers, which clients limit to 8 KiB.
 MAX_MESSAGE = 3_000
 
 Answer = TypeVar("Answer")
@@ -46,13 +46,13 @@ def code_of(error: BridgeError) -> grpc.StatusCode:
 
 
 def message_of(error: BridgeError) -> str:
-    """An error's text, as long as fits."""
+    """The message of an error, shortened to the limit."""
     text = str(error)
     return text if len(text) <= MAX_MESSAGE else text[:MAX_MESSAGE] + "\n... and more"
 
 
 def answering(method: Callable[..., Answer]) -> Callable[..., Answer]:
-    """Make a servicer method answer refusals with their status code."""
+    """Decorate a servicer method to answer errors with their status code."""
 
     @functools.wraps(method)
     def answered(self: Any, request: Any, context: grpc.ServicerContext) -> Answer:

@@ -1,4 +1,4 @@
-"""Between the shapes of the wire and those of the bridge."""
+"""Converts between gRPC messages and Python objects."""
 
 from google.protobuf.duration_pb2 import Duration
 
@@ -19,12 +19,12 @@ SCOPES: dict[int, ResetScope] = {
 
 
 def source_of(message: pb.WorldSource) -> WorldSource:
-    """A world's files. Raises InvalidRequest or LimitReached."""
+    """Convert the files of a world. Raises InvalidRequest or LimitReached."""
     return WorldSource(message.description, message.files)
 
 
 def scope_of(number: int) -> ResetScope:
-    """A reset scope. Raises InvalidRequest for a number that this version does not know."""
+    """Convert a reset scope. Raises InvalidRequest for an unknown number."""
     scope = SCOPES.get(number)
     if scope is None:
         raise InvalidRequest(f"scope: {number} is not a reset scope")
@@ -32,14 +32,14 @@ def scope_of(number: int) -> ResetScope:
 
 
 def condition_of(message: pb.Condition) -> Condition:
-    """A condition. Raises InvalidRequest for one that says nothing."""
+    """Convert a condition. Raises InvalidRequest for an empty one."""
     match message.WhichOneof("condition"):
         case "contact":
             return Touching(message.contact.geom1, message.contact.geom2)
         case "device":
             bound = message.device.WhichOneof("bound")
             if bound is None:
-                raise InvalidRequest("condition.device: names neither `above` nor `below`")
+                raise InvalidRequest("condition.device: set `above` or `below`")
             value = getattr(message.device, bound)
             return Beyond(message.device.device, message.device.field, value, above=bound == "above")
         case "distance":
@@ -47,7 +47,7 @@ def condition_of(message: pb.Condition) -> Condition:
         case "time_ns":
             return AtTime(message.time_ns)
         case _:
-            raise InvalidRequest("condition: is missing")
+            raise InvalidRequest("condition is missing")
 
 
 def seconds_of(duration: Duration) -> float:
@@ -62,7 +62,7 @@ def duration(seconds: float) -> Duration:
 
 
 def world_message(world: World) -> pb.WorldDescription:
-    """What a world declares, in the order of declaration."""
+    """Describe a world, in the order of declaration."""
     description = world.description
     return pb.WorldDescription(
         digest=world.digest,

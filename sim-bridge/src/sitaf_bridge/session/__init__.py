@@ -1,1 +1,1 @@
-"""Sessions: isolated simulations that live as long as their client keeps the lease."""
+"""Sessions: isolated simulations that live until their lease expires."""

@@ -1,4 +1,4 @@
-"""All sessions of the bridge, and the end of those whose client has gone."""
+"""All sessions of the bridge; deletes sessions whose lease has expired."""
 
 import math
 import secrets
@@ -19,15 +19,15 @@ MAX_LEASE_S = 24 * 3600.0
 @dataclass
 class _Entry:
     session: Session
-    # Monotonic seconds; counts only while no call is at work in the session.
+    # Monotonic seconds; ignored while a call runs in the session.
     ends: float
     calls: int = 0
 
 
 class Registry:
-    """Sessions by id, each with a lease that every call extends. Safe for many threads.
+    """Sessions by id, each with a lease that every call renews. Thread-safe.
 
-    A thread of its own frees the sessions whose lease has ended; close() stops it.
+    A background thread deletes sessions whose lease has expired; close() stops it.
     """
 
     def __init__(
@@ -41,29 +41,29 @@ class Registry:
         # Its lock is reentrant.
         self._changed = threading.Condition()
         self._closed = False
-        # When the reaper will look again by itself.
+        # When the background thread will check next.
         self._looks_at = math.inf
         self._reaper = threading.Thread(target=self._reap, name="session-reaper", daemon=True)
         self._reaper.start()
 
     def create(self, world: World, seed: int, lease_s: float | None) -> Session:
-        """Open a session. Raises InvalidRequest for a lease that is none, LimitReached."""
+        """Create a session. Raises InvalidRequest for an invalid lease, LimitReached."""
         lease = self._default_lease_s if lease_s is None else lease_s
         if not lease > 0:
-            raise InvalidRequest(f"lease: {lease:g} s must be above zero")
+            raise InvalidRequest(f"lease: {lease:g} s must be positive")
         if lease > MAX_LEASE_S:
             raise LimitReached(f"lease: {lease:g} s; the limit is {MAX_LEASE_S:g} s")
-        self._refuse_if_full()
+        self._check_limit()
         session = Session(secrets.token_hex(8), world, seed, lease, self.statistics)
         with self._changed:
-            self._refuse_if_full()
+            self._check_limit()
             self._entries[session.id] = _Entry(session, self._clock() + lease)
             self._changed.notify()
         return session
 
     @contextmanager
     def use(self, session_id: str) -> Iterator[Session]:
-        """A session for the time of one call, which renews its lease. Raises InvalidRequest, NoSuchSession."""
+        """Use a session for one call, which renews its lease. Raises InvalidRequest, NoSuchSession."""
         entry = self._enter(session_id)
         try:
             yield entry.session
@@ -71,50 +71,50 @@ class Registry:
             with self._changed:
                 entry.calls -= 1
                 entry.ends = self._clock() + entry.session.lease_s
-                # Woken at every call, the reaper would cost more than many a call does.
+                # Waking the background thread at every call would cost more than many calls.
                 if entry.ends < self._looks_at:
                     self._changed.notify()
 
     def delete(self, session_id: str) -> None:
-        """Free a session; a call at work in it ends first, but finds it gone the next time."""
+        """Delete a session; a running call in it completes."""
         entry = self._enter(session_id)
         with self._changed:
             self._entries.pop(session_id, None)
         entry.session.close()
 
     def __len__(self) -> int:
-        """How many sessions are open."""
+        """The number of sessions."""
         with self._changed:
             return len(self._entries)
 
     def models(self) -> int:
-        """How many compiled models the open sessions hold."""
+        """The number of compiled models of the sessions."""
         with self._changed:
             return len({entry.session.model_identity for entry in self._entries.values()})
 
     def close(self) -> None:
-        """Free all sessions."""
+        """Delete all sessions."""
         with self._changed:
             self._closed = True
             self._entries.clear()
             self._changed.notify()
         self._reaper.join()
 
-    def _refuse_if_full(self) -> None:
+    def _check_limit(self) -> None:
         with self._changed:
             if len(self._entries) >= self._max_sessions:
                 raise LimitReached(
-                    f"{self._max_sessions} sessions are open, the limit (--max-sessions); delete one first"
+                    f"{self._max_sessions} sessions are open, which is the limit (--max-sessions); delete one first"
                 )
 
     def _enter(self, session_id: str) -> _Entry:
         if not session_id:
-            raise InvalidRequest("session_id: is empty")
+            raise InvalidRequest("session_id is empty")
         with self._changed:
             entry = self._entries.get(session_id)
             if entry is None or self._has_ended(entry):
                 raise NoSuchSession(
-                    f"no session {session_id!r}: it was deleted, its lease ended, or the bridge was restarted; "
+                    f"no session {session_id!r}: it was deleted, its lease expired, or the bridge was restarted; "
                     "create a new one"
                 )
             entry.calls += 1
@@ -129,8 +129,8 @@ class Registry:
                 for session_id in [i for i, entry in self._entries.items() if self._has_ended(entry)]:
                     del self._entries[session_id]
                 now = self._clock()
-                # A session at work ends a whole lease after its call, at the earliest. If it were left out here, each
-                # call would wake this thread when it ends, which cost more than the call itself.
+                # The lease of a session with a running call expires after the call at the earliest. Ignoring it
+                # here would wake this thread at the end of each call, which costs more than the call itself.
                 ends = [e.ends if e.calls == 0 else now + e.session.lease_s for e in self._entries.values()]
                 self._looks_at = min(ends, default=math.inf)
                 self._changed.wait(max(0.0, self._looks_at - now) if ends else None)

@@ -1,4 +1,4 @@
-"""How often operations were carried out, and how long they took."""
+"""Counts operations and their durations."""
 
 import threading
 from collections.abc import Mapping
@@ -6,8 +6,8 @@ from dataclasses import dataclass, replace
 
 
 @dataclass
-class Took:
-    """Nanoseconds of all operations of one name."""
+class Elapsed:
+    """Total duration in nanoseconds and number of the operations of one name."""
 
     count: int = 0
     total_ns: int = 0
@@ -15,21 +15,21 @@ class Took:
 
 
 class Statistics:
-    """Counts of all sessions of a process. Safe for many threads."""
+    """Counters of all sessions of a process. Thread-safe."""
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
-        self._took: dict[str, Took] = {}
+        self._took: dict[str, Elapsed] = {}
 
     def add(self, operation: str, nanoseconds: int) -> None:
         """Count one operation."""
         with self._lock:
-            took = self._took.setdefault(operation, Took(shortest_ns=nanoseconds))
+            took = self._took.setdefault(operation, Elapsed(shortest_ns=nanoseconds))
             took.count += 1
             took.total_ns += nanoseconds
             took.shortest_ns = min(took.shortest_ns, nanoseconds)
 
-    def seen(self) -> Mapping[str, Took]:
-        """A copy, in the order of names."""
+    def seen(self) -> Mapping[str, Elapsed]:
+        """A copy, sorted by name."""
         with self._lock:
             return {name: replace(took) for name, took in sorted(self._took.items())}

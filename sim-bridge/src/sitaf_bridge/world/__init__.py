@@ -1,1 +1,1 @@
-"""Worlds: their description, their physics in MuJoCo, what a test may vary and what the robot's devices read."""
+"""Worlds: their description, their physics in MuJoCo, their parameters and devices."""

@@ -1,4 +1,4 @@
-"""What is added to a world's MJCF before it is compiled: robots of packages, spawned solids, room for devices."""
+"""Additions to the MJCF before compilation: robots of packages, spawned solids, user data of devices."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -14,13 +14,13 @@ SHAPES = {
     "cylinder": (mujoco.mjtGeom.mjGEOM_CYLINDER, 2),
     "capsule": (mujoco.mjtGeom.mjGEOM_CAPSULE, 2),
 }
-# Robots collide with the world, but not with themselves: links of collected URDF files overlap.
+# Robots collide with the world but not with themselves, because links of URDF collections overlap.
 ROBOT_CONTYPE = 2
 
 
 @dataclass(frozen=True)
 class SpawnedEntity:
-    """A solid; metres, kilograms, and a unit quaternion w, x, y, z. Without a mass it is a mocap body."""
+    """A solid in metres and kilograms with a unit quaternion w, x, y, z. Without a mass it is a mocap body."""
 
     name: str
     shape: str
@@ -33,7 +33,7 @@ class SpawnedEntity:
 
 @dataclass(frozen=True)
 class Additions:
-    """`userdata` counts numbers for devices; `image` is the largest width and height that a camera needs."""
+    """`userdata` is the number of device values; `image` the maximum width and height of a camera."""
 
     userdata: int = 0
     image: tuple[int, int] = (0, 0)
@@ -42,11 +42,11 @@ class Additions:
 
 
 def add(spec: mujoco.MjSpec, additions: Additions, assets: Mapping[str, bytes]) -> None:
-    """Add to a parsed MJCF. Raises ValueError with MuJoCo's message."""
+    """Apply the additions to a parsed MJCF. Raises ValueError with MuJoCo's message."""
     spec.nuserdata = max(spec.nuserdata, 0) + additions.userdata
     if additions.image != (0, 0):
         visual = spec.visual
-        # Multisampling and shadows cost many times what the picture does in software.
+        # With software rendering, multisampling and shadows cost many times as much as the image.
         visual.quality.shadowsize = 0
         visual.quality.offsamples = 0
         visual.global_.offwidth = max(visual.global_.offwidth, additions.image[0])
@@ -73,7 +73,7 @@ def _attach(spec: mujoco.MjSpec, model: RobotModel) -> None:
     frame = spec.worldbody.add_frame(pos=robot.pos, quat=quaternion(robot.rpy))
     root = child.worldbody.first_body()
     if root is None:
-        raise ValueError(f"robots.{robot.name}.model: has no body")
+        raise ValueError(f"robots.{robot.name}.model has no body")
     body = frame.attach_body(root, f"{robot.name}_", "")
     if robot.base == "free":
         body.add_freejoint(name=f"{robot.name}_base")
@@ -92,7 +92,7 @@ def _spawn(spec: mujoco.MjSpec, entity: SpawnedEntity) -> None:
 
 
 def quaternion(rpy: tuple[float, float, float]) -> list[float]:
-    """The unit quaternion w, x, y, z of angles in radians about the fixed axes x, y, z, in this order (REP-103)."""
+    """The unit quaternion w, x, y, z of rotations in radians about the fixed axes x, y, z, in this order (REP-103)."""
     result = np.empty(4)
     mujoco.mju_euler2Quat(result, np.array(rpy), "XYZ")
     return result.tolist()

@@ -1,4 +1,4 @@
-"""Worlds by their content: each is compiled once, however many sessions ask for it."""
+"""Compiled worlds by content: each is compiled once for all sessions."""
 
 import threading
 from collections import OrderedDict
@@ -20,14 +20,14 @@ SMALLEST = WorldSource(
 
 
 class Catalog:
-    """A cache of the worlds last used. Safe for many threads."""
+    """A cache of the most recently used worlds. Thread-safe."""
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
         self._worlds: OrderedDict[tuple[str, str], Future[World]] = OrderedDict()
 
     def world(self, source: WorldSource) -> World:
-        """The world of a source. Raises BadWorld or LimitReached; a refusal is not remembered."""
+        """The world of a source. Raises BadWorld or LimitReached; failures are not cached."""
         key = (source.description, source.digest)
         with self._lock:
             future = self._worlds.get(key)
@@ -47,7 +47,7 @@ class Catalog:
         return future.result()
 
     def warm_up(self) -> None:
-        """Do once what the first world does for all: start what compiles worlds, load what simulates them."""
+        """Start the compiler process and load the simulation code before the first world needs them."""
         _loaded(SMALLEST)
 
 

@@ -1,8 +1,8 @@
-"""Compiles MJCF in a process of its own, which cannot open a file and whose crash harms nobody.
+"""Compiles MJCF in a separate process, which cannot open files and may crash without consequences.
 
-MuJoCo reads `include` and asset paths from the host's disk, and some models end its process (a huge texture: a
-segmentation fault). The child inherits MuJoCo already loaded, gives up every right to open files, caps its memory
-and processor time, compiles, tries one step, and sends the binary model back.
+MuJoCo reads `include` and asset paths from the host's disk, and some models crash it (a huge texture causes a
+segmentation fault). The child process is forked with MuJoCo loaded, gives up all rights to open files, limits its
+memory and processor time, compiles, tries one step, and returns the binary model.
 """
 
 import multiprocessing
@@ -25,19 +25,19 @@ from sitaf_bridge.world.description.mjcf_limits import MAX_ITERATIONS
 
 CPU_SECONDS = 30
 WALL_SECONDS = 60.0
-# Below what a build's bridge may use as a whole, so that a world which needs too much is answered as such.
+# Lower than the memory limit of a build's bridge, so that the error names the world as the cause.
 MEMORY_BYTES = 1536 * 1024**2
 MAX_MODEL_BYTES = 256 * 1024**2
 MAX_ARENA_BYTES = 1024**3
 MAX_STATE_BYTES = 64 * 1024**2
 MAX_DEGREES_OF_FREEDOM = 10_000
-# Processor time of the one step that is tried.
+# Limit for the processor time of the trial step.
 MAX_STEP_SECONDS = 2.0
 TOO_MUCH_MEMORY = (
     f"the model needs more memory than the limit of {MEMORY_BYTES >> 20} MiB "
     "(for its elements, assets, or the `memory` of <size>); make it smaller"
 )
-# What the rest is computed from.
+# Fields that must be finite; everything else is computed from them.
 FINITE = {
     "body": ("pos", "quat", "ipos", "mass", "inertia"),
     "jnt": ("pos", "axis", "range", "stiffness"),
@@ -52,23 +52,23 @@ FINITE = {
     "key": ("qpos", "qvel", "ctrl"),
 }
 FINITE_OPTIONS = ("timestep", "gravity", "wind", "magnetic", "density", "viscosity", "impratio", "tolerance")
-# How many worlds may be compiled at once.
+# Limits the number of concurrent compilations.
 COMPILING = threading.BoundedSemaphore(2)
 
-# The server process of "forkserver" imports this module, and with it MuJoCo, once; each child is a cheap fork of it.
+# The fork server imports this module, and with it MuJoCo, once; each child is a cheap fork of it.
 _processes = multiprocessing.get_context("forkserver")
 _processes.set_forkserver_preload([__name__])
 
 
 def silence_warnings() -> None:
-    """Keep MuJoCo from writing MUJOCO_LOG.TXT and to stdout; divergence is read from the data instead."""
+    """Keep MuJoCo from writing MUJOCO_LOG.TXT and to stdout; divergence is detected in the data instead."""
     mujoco.set_mju_user_warning(lambda _message: None)
 
 
 def compile_mjcf(
     main: str, files: Mapping[str, bytes], shown: str, additions: Additions | None = None
 ) -> mujoco.MjModel:
-    """Compile the MJCF `main` among `files` with what is to be added; `shown` names it in messages.
+    """Compile the MJCF `main` of `files` with additions; `shown` is its name in messages.
 
     Raises BadWorld with MuJoCo's message, LimitReached if the model is too big.
     """
@@ -100,7 +100,7 @@ def compile_mjcf(
     if verdict == "crashed":
         message = f"MuJoCo cannot compile this model: its process ended with {_ending(process.exitcode)}"
     if verdict == "slow" or process.exitcode == -signal.SIGXCPU:
-        raise LimitReached(f"{shown}: compiling takes longer than {CPU_SECONDS} s; make the model smaller")
+        raise LimitReached(f"{shown}: the compilation exceeds {CPU_SECONDS} s; make the model smaller")
     raise BadWorld([Problem(shown, None, message)])
 
 
@@ -111,14 +111,14 @@ def _ending(code: int | None) -> str:
 
 
 def _child(answer: Connection, main: str, files: Mapping[str, bytes], additions: Additions) -> None:
-    """Runs in the forked process."""
+    """Run in the forked process."""
     silence_warnings()
     with tempfile.TemporaryDirectory() as empty:
         os.chdir(empty)
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     resource.setrlimit(resource.RLIMIT_CPU, (CPU_SECONDS, CPU_SECONDS + 1))
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY_BYTES, MEMORY_BYTES))
-    # From here on no file, socket or device can be opened, whatever the model names.
+    # From here on the process cannot open any file, socket or device.
     resource.setrlimit(resource.RLIMIT_NOFILE, (0, 0))
     try:
         answer.send(_compile(main, files, additions))
@@ -135,7 +135,7 @@ def _child(answer: Connection, main: str, files: Mapping[str, bytes], additions:
 def _compile(main: str, files: Mapping[str, bytes], additions: Additions) -> tuple[str, bytes]:
     folder = str(PurePosixPath(main).parent)
     prefix = "" if folder == "." else folder + "/"
-    # MuJoCo looks paths up from the folder of the main file.
+    # MuJoCo resolves paths relative to the folder of the main file.
     assets = {path.removeprefix(prefix): c for path, c in files.items() if path.startswith(prefix)}
     included = {path: content for path, content in assets.items() if path.lower().endswith(".xml")}
     others = {path: content for path, content in assets.items() if path not in included}
@@ -152,7 +152,7 @@ def _compile(main: str, files: Mapping[str, bytes], additions: Additions) -> tup
             return "limit", f"the model has {size} {what}; the limit is {limit}".encode()
     endless = _not_finite(model)
     if endless:
-        return "refused", f"not all numbers of the compiled model are finite: {', '.join(endless)}".encode()
+        return "refused", f"numbers of the compiled model are not finite: {', '.join(endless)}".encode()
     data = mujoco.MjData(model)
     if data.nbuffer > MAX_STATE_BYTES:
         return "limit", f"the state of the model has {data.nbuffer} bytes; the limit is {MAX_STATE_BYTES}".encode()
@@ -167,13 +167,13 @@ def _compile(main: str, files: Mapping[str, bytes], additions: Additions) -> tup
 
 
 def _iterations(model: mujoco.MjModel) -> int:
-    """The most that a solver may do, also in what was attached."""
+    """The maximum number of solver iterations, including those of attached models."""
     option = model.opt
     return max(getattr(option, f"{solver}iterations") for solver in ("", "ls_", "noslip_", "ccd_", "sdf_"))
 
 
 def _not_finite(model: mujoco.MjModel) -> list[str]:
-    """The fields of the model that hold a number which is none or infinite, as body_pos."""
+    """The fields of the model with NaN or infinity, such as body_pos."""
     fields = [f"{part}_{name}" for part, names in FINITE.items() for name in names]
     found = [field for field in ("qpos0", *fields) if not np.isfinite(getattr(model, field)).all()]
     return found + [f"option {name}" for name in FINITE_OPTIONS if not np.isfinite(getattr(model.opt, name)).all()]

@@ -1,4 +1,4 @@
-"""What this simulator is and can do."""
+"""Name, version and capabilities of this simulator."""
 
 import mujoco
 

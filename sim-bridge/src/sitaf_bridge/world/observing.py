@@ -1,4 +1,4 @@
-"""Observations, found in a model."""
+"""Binds observations to a model."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -30,7 +30,7 @@ Measure = Callable[[mujoco.MjModel, mujoco.MjData, Sequence[Reading]], float]
 
 @dataclass(frozen=True)
 class BoundObservation:
-    """How to measure an observation; `place` is body and axis where it is a plain number of `xpos`."""
+    """Measures an observation; `place` is body and axis if it is a plain coordinate of `xpos`."""
 
     measure: Measure
     place: tuple[int, int] | None = None
@@ -56,9 +56,9 @@ def find_observation(model: mujoco.MjModel, description: Description, observatio
 
 
 def find_solids(model: mujoco.MjModel, name: str) -> NDArray[np.intp]:
-    """The ids of the geom of a name or, where there is none, of all geoms of the body of that name.
+    """The ids of the geom with this name or, if there is none, of all geoms of the body with this name.
 
-    Geoms of robots from packages often have no names. Raises NoSuchSetting.
+    Robots from packages often have geoms without names. Raises NoSuchSetting.
     """
     if mujoco.mj_name2id(model, GEOM, name) >= 0:
         return np.array([name_to_id(model, GEOM, "geom", name)])
@@ -68,7 +68,7 @@ def find_solids(model: mujoco.MjModel, name: str) -> NDArray[np.intp]:
 
 
 def touching(data: mujoco.MjData, first: NDArray[np.intp], second: NDArray[np.intp]) -> bool:
-    """Whether any of some geoms touches any of others."""
+    """Whether any of the first geoms touches any of the second."""
     if not data.ncon:
         return False
     contact = data.contact
@@ -99,7 +99,7 @@ def _coordinate(body: int, axis: int) -> BoundObservation:
 
 
 def _velocity(body: int, axis: int) -> Measure:
-    # MuJoCo puts the turning first.
+    # In MuJoCo's spatial vectors the angular velocity comes first.
     index = axis + 3 if axis < len(LINES) else axis - 3
 
     def measure(model: mujoco.MjModel, data: mujoco.MjData, _readings: Sequence[Reading]) -> float:
@@ -113,7 +113,7 @@ def _velocity(body: int, axis: int) -> Measure:
 def _orientation(body: int, part: int) -> Measure:
     def measure(_model: mujoco.MjModel, data: mujoco.MjData, _readings: Sequence[Reading]) -> float:
         w, x, y, z = data.xquat[body].tolist()
-        # Both signs are the same orientation.
+        # q and -q are the same orientation.
         return math.copysign(1.0, w) * (x, y, z, w)[part]
 
     return measure

@@ -1,7 +1,7 @@
-"""Pictures without a display, by EGL in software or hardware.
+"""Renders images without a display, using EGL in software or hardware.
 
-MuJoCo's own Renderer takes its GL platform from an environment variable when MuJoCo is first imported, which fails on a
-machine without that platform. Here it is loaded when the first picture is asked for.
+MuJoCo's own Renderer selects its GL platform by an environment variable when MuJoCo is imported, which fails on a
+machine without that platform. Here it is loaded for the first image.
 """
 
 from collections import OrderedDict
@@ -17,22 +17,22 @@ MAX_GEOMS = 10_000
 
 
 class CannotRender(Exception):
-    """This machine has no GL; the text says what is missing."""
+    """This machine has no working GL; the message says what is missing."""
 
 
 def picture(
     model: mujoco.MjModel, data: mujoco.MjData, camera: int, size: tuple[int, int], *, depth: bool
 ) -> NDArray[np.float32] | NDArray[np.uint8]:
-    """What a camera sees: (height, width, 3) of colours, or (height, width) of metres along its axis.
+    """The image of a camera: (height, width, 3) colors, or (height, width) depths in metres along its axis.
 
     `size` is width and height. Raises CannotRender.
     """
     return _thread.submit(_paint, model, data, camera, size, depth).result()
 
 
-# A GL context belongs to one thread; all pictures of the process are made in this one.
+# A GL context belongs to one thread, so this thread renders all images of the process.
 _thread = ThreadPoolExecutor(1, thread_name_prefix="camera")
-# Used by that thread only. The model is kept so that its id is not given to another.
+# Used by that thread only. The model is kept so that its id is not reused.
 _painters: OrderedDict[int, tuple[mujoco.MjModel, Any, Any]] = OrderedDict()
 _context: Any = None
 
@@ -57,7 +57,7 @@ def _paint(
         return colours[::-1]
     nearness = np.empty((height, width), np.float32)
     mujoco.mjr_readPixels(None, nearness, area, context)
-    # The buffer holds near / distance, shifted so that the far plane is 0 and the near plane 1.
+    # The buffer holds near / distance, scaled such that the far plane is 0 and the near plane 1.
     near, far = (float(edge) * float(model.stat.extent) for edge in (model.vis.map.znear, model.vis.map.zfar))
     return (near * far / (near + nearness[::-1].astype(np.float64) * (far - near))).astype(np.float32)
 

@@ -1,4 +1,4 @@
-"""What a simulation looks like at one step, and how far it can be put back."""
+"""The state of a world at one step, and the scopes of a reset."""
 
 import enum
 from collections.abc import Mapping
@@ -9,7 +9,7 @@ from sitaf_bridge.world.devices import Reading
 
 
 class ResetScope(enum.Enum):
-    """What a reset puts back."""
+    """What a reset restores."""
 
     ALL = "time, state and parameters"
     TIME = "only the clock"
@@ -18,7 +18,7 @@ class ResetScope(enum.Enum):
 
 @dataclass(frozen=True)
 class WorldState:
-    """The frozen world: readings by device but for cameras, observations by name, in the order of declaration."""
+    """A snapshot of the world: readings by device except cameras, observations by name, in the order of declaration."""
 
     declared: Description
     step: int

@@ -1,4 +1,4 @@
-"""A world that compiled: the model that all its sessions share, and what the description names, found in it."""
+"""A compiled world: the model that sessions share, and the bound parameters, devices and observations."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -25,7 +25,7 @@ from sitaf_bridge.world.parameters.settings import NoSuchSetting, Setting
 
 @dataclass(frozen=True)
 class BoundBind:
-    """One quantity that a parameter moves, and the gap through which it is measured, if any."""
+    """A quantity that a parameter sets, and the gap that defines its value, if any."""
 
     setting: Setting
     gap: BoundGap | None
@@ -33,9 +33,9 @@ class BoundBind:
 
 @dataclass(frozen=True)
 class World:
-    """Immutable, shared by sessions; `model` must not be written to.
+    """Immutable and shared by sessions; `model` must not be modified.
 
-    `banks` are by kind of device. `entities` were spawned on top of what `source` says.
+    `banks` are keyed by kind of device. `entities` were spawned in addition to `source`.
     """
 
     source: WorldSource
@@ -50,12 +50,12 @@ class World:
 
     @property
     def edits_model(self) -> bool:
-        """Whether a session needs a model of its own."""
+        """Whether a session needs its own copy of the model."""
         return any(bind.setting.edits_model for binds in self.binds.values() for bind in binds)
 
     @cached_property
     def bodies(self) -> tuple[str, ...]:
-        """The names of the bodies that have one, but for the world itself."""
+        """The names of all named bodies except the world itself."""
         names = (mujoco.mj_id2name(self.model, mujoco.mjtObj.mjOBJ_BODY, b) for b in range(1, self.model.nbody))
         return tuple(name for name in names if name)
 
@@ -120,7 +120,7 @@ def _bind(
             problems.add(
                 bind.line,
                 f"{where}: cannot be less than {bound.setting.lowest:g}, "
-                f"but the range of {parameter.name} begins at {parameter.low:g}",
+                f"but the range of {parameter.name} starts at {parameter.low:g}",
             )
         found.append(bound)
     return tuple(found)

@@ -1,1 +1,1 @@
-"""What a world says of itself: its files, its world description, and the checks that need no MuJoCo."""
+"""World descriptions: files, parsing, and the checks that do not need MuJoCo."""

@@ -1,4 +1,4 @@
-"""The world description (`NAME.world.yaml`): what a test may vary, which devices there are, what it may observe."""
+"""The world description (`NAME.world.yaml`): its parameters, devices and observations."""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
@@ -9,13 +9,13 @@ from sitaf_bridge.world.description.source import WorldSource, unsafe_path
 from sitaf_bridge.world.description.yaml_block import Block, Problems, parse
 from sitaf_bridge.world.devices import KINDS, DeviceDeclaration
 
-# What the past readings of a device may cost in memory is bounded by it.
+# Limits the memory for past readings of a device.
 MAX_DELAY_S = 10.0
 
 
 @dataclass(frozen=True)
 class Gap:
-    """A signed clearance: from the site, along its z axis, to the surface of the geom."""
+    """A signed distance from the site along its z axis to the surface of the geom."""
 
     site: str
     geom: str
@@ -23,7 +23,7 @@ class Gap:
 
 @dataclass(frozen=True)
 class Bind:
-    """What a parameter moves: the quantity at `path`, directly, or solved so that `gap` equals the parameter."""
+    """The quantity at `path` that a parameter sets, directly or such that `gap` equals the parameter."""
 
     path: str
     gap: Gap | None
@@ -32,7 +32,7 @@ class Bind:
 
 @dataclass(frozen=True)
 class Parameter:
-    """What a test may vary. `low` and `high` are inclusive, in `unit`."""
+    """A parameter of tests. `low` and `high` are inclusive, in `unit`."""
 
     name: str
     unit: str
@@ -44,9 +44,9 @@ class Parameter:
 
 @dataclass(frozen=True, eq=False)
 class Description:
-    """A world description that is well formed; whether the MJCF has what it names is not known yet.
+    """A well-formed world description; its names are not yet resolved in the MJCF.
 
-    Two of them are equal if they are the same.
+    Descriptions with equal content are equal.
     """
 
     file: str
@@ -67,7 +67,7 @@ def read_description(source: WorldSource) -> Description:
     devices = {name: _device(name, block) for name, block in top.named_blocks("devices")}
     observations = {name: read_observation(name, block, devices) for name, block in top.named_blocks("observations")}
     top.finish()
-    _refuse_shared_paths(parameters.values(), problems)
+    _check_shared_paths(parameters.values(), problems)
     problems.raise_if_any()
     return Description(
         file=source.description,
@@ -87,7 +87,7 @@ def _mjcf(top: Block, source: WorldSource) -> str | None:
     if reason is not None:
         top.problem(f"mjcf: the path {name!r} {reason}", "mjcf")
     elif source.folder + name not in source.files:
-        top.problem(f"mjcf: {name!r} is not among the files beside {source.description}", "mjcf")
+        top.problem(f"mjcf: {name!r} is not among the files next to {source.description}", "mjcf")
     return name
 
 
@@ -139,13 +139,13 @@ def _device(name: str, block: Block) -> DeviceDeclaration | None:
     if declaration is None or noise is None or delay is None:
         return None
     if noise < 0 or not 0 <= delay <= MAX_DELAY_S:
-        block.problem(f"{block.path}: noise must not be negative, and delay be 0 to {MAX_DELAY_S:g} s")
+        block.problem(f"{block.path}: noise must not be negative, and delay must be 0 to {MAX_DELAY_S:g} s")
         return None
     return replace(declaration, noise=noise, delay=delay)
 
 
-def _refuse_shared_paths(parameters: Iterable[Parameter | None], problems: Problems) -> None:
-    """Two parameters on one quantity would make the second one overwrite the first without a word."""
+def _check_shared_paths(parameters: Iterable[Parameter | None], problems: Problems) -> None:
+    """Report quantities that two parameters set, because the second one would overwrite the first."""
     owners: dict[str, str] = {}
     for parameter in parameters:
         if parameter is None:

@@ -1,7 +1,7 @@
-"""Refuses MJCF that reaches for files outside the map or that grows out of bounds, before MuJoCo sees it.
+"""Rejects MJCF that refers to other files or expands to too many elements, before MuJoCo reads it.
 
-What is checked here gets a clear message. It is not the only wall: `compiler` parses in a process that cannot
-open any file.
+These checks exist for clear messages. They are not the only protection: `compiler` runs in a process that cannot open
+files.
 """
 
 from collections.abc import Mapping
@@ -14,10 +14,10 @@ from sitaf_bridge.world.description.source import unsafe_path
 
 MAX_ELEMENTS = 100_000
 MAX_DEPTH = 200
-# Counting stops here.
-ENOUGH = 10**12
+# Upper bound for the element counter.
+MAX_COUNT = 10**12
 ROOTS = ("mujoco", "mujocoinclude")
-# What MJCF may name. Decoders of other formats may follow references of their own.
+# Allowed asset formats. Decoders of other formats may follow references to files.
 ASSET_SUFFIXES = (".xml", ".stl", ".obj", ".msh", ".png", ".ktx", ".bin", ".skn", ".txt")
 FILE_ATTRIBUTES = ("filename", "fileback", "filedown", "filefront", "fileleft", "fileright", "fileup", "file")
 FOLDER_ATTRIBUTES = ("assetdir", "meshdir", "texturedir")
@@ -26,7 +26,7 @@ FOLDER_ATTRIBUTES = ("assetdir", "meshdir", "texturedir")
 def check_mjcf(main: str, files: Mapping[str, bytes], folder: str) -> None:
     """Check the MJCF `main` and all XML that it includes; raises BadWorld with every problem.
 
-    `files` are keyed relative to `folder`, which is only shown in messages.
+    `files` are keyed relative to `folder`, which is used in messages only.
     """
     guard = _Guard(files, folder, str(PurePosixPath(main).parent))
     total = guard.elements_of(main, ())
@@ -51,7 +51,7 @@ class _Guard:
         self._known: dict[str, int] = {}
 
     def elements_of(self, path: str, outer: tuple[str, ...]) -> int:
-        """How many elements a file expands to."""
+        """The number of elements that a file expands to."""
         if path in outer:
             self.problems.append(Problem(self.folder + path, None, "includes itself"))
             return 0
@@ -60,7 +60,7 @@ class _Guard:
         return self._known[path]
 
     def included(self, scan: "_FileScan", name: str, line: int) -> int:
-        """How many elements an included or attached file expands to."""
+        """The number of elements that an included or attached file expands to."""
         here = str(PurePosixPath(scan.path).parent)
         places = (self.main_folder + name, name if here == "." else f"{here}/{name}", name)
         for place in places:
@@ -75,7 +75,7 @@ class _FileScan:
         self.guard = guard
         self.path = path
         self.outer = outer
-        # Elements so far within each open element; copies multiply them when it closes.
+        # Number of elements in each open element, multiplied by the copies when it closes.
         self.counts: list[int] = [0]
         self.factors: list[int] = []
         self.parser = expat.ParserCreate("utf-8")
@@ -103,7 +103,7 @@ class _FileScan:
         raise _Stop
 
     def _declaration(self, _version: str, encoding: str | None, _standalone: int) -> None:
-        # MuJoCo reads bytes as UTF-8 whatever is declared; both parsers must see the same document.
+        # MuJoCo always reads UTF-8, so another encoding would be parsed differently here.
         if encoding is not None and encoding.lower() not in ("utf-8", "us-ascii"):
             self._problem(f"the encoding {encoding!r} is not supported; save the file as UTF-8")
             raise _Stop
@@ -128,7 +128,7 @@ class _FileScan:
         for message in beyond_limits(tag, attributes):
             self._problem(message)
         if "content_type" in attributes:
-            self._problem(f"<{tag} content_type>: is not supported; the file's suffix says what it is")
+            self._problem(f"<{tag} content_type> is not supported; the file's suffix defines the type")
 
     def _check_file(self, tag: str, key: str, value: str) -> None:
         path = value.removeprefix("./")
@@ -142,21 +142,21 @@ class _FileScan:
 
     def _end(self, _tag: str) -> None:
         inside = self.counts.pop()
-        # Bounded, so that a bomb of nested copies does not make huge integers here.
-        self.counts[-1] = min(self.counts[-1] + (1 + inside) * self.factors.pop(), ENOUGH)
+        # Capped, so that nested copies cannot create huge integers.
+        self.counts[-1] = min(self.counts[-1] + (1 + inside) * self.factors.pop(), MAX_COUNT)
 
 
 class _Stop(Exception):
-    """Ends the scan of a file after a problem that makes the rest meaningless."""
+    """Ends the scan of a file after an error that makes the rest meaningless."""
 
 
 def _copies(attributes: Mapping[str, str]) -> int:
-    """How many copies of its content an element asks for (replicate, composite, flexcomp)."""
+    """The number of copies of its content that an element creates (replicate, composite, flexcomp)."""
     copies = 1
     for key in ("count", "cellcount"):
         for word in attributes.get(key, "").split():
-            # What is not a whole number MuJoCo refuses itself, with its message.
+            # MuJoCo rejects other values with its own message.
             digits = word.lstrip("+0")
             if digits.isdecimal():
-                copies = min(copies * (int(digits) if len(digits) < 13 else ENOUGH), ENOUGH)
+                copies = min(copies * (int(digits) if len(digits) < 13 else MAX_COUNT), MAX_COUNT)
     return copies

@@ -1,7 +1,6 @@
-"""How large the numbers of an MJCF may be: those that decide what a step, a picture or the model itself costs.
+"""Limits for numbers in MJCF that determine the cost of a step, an image or the model itself.
 
-What is checked here gets a clear message with file and line. What many small numbers cost together is limited where the
-model is compiled.
+These checks give messages with file and line. The total cost of many small numbers is limited during compilation.
 """
 
 import math
@@ -19,7 +18,7 @@ MAX_SAMPLES = 10_000
 _ITERATIONS = {f"{solver}iterations": (0.0, float(MAX_ITERATIONS)) for solver in ("", "ls_", "noslip_", "ccd_", "sdf_")}
 _KINDS = ("body", "jnt", "geom", "site", "cam", "tendon", "actuator", "sensor")
 _HISTORY = {"nsample": (0.0, float(MAX_SAMPLES)), "delay": (0.0, MAX_DELAY_S)}
-# Lowest and highest of each number of an attribute, both inclusive; an element that is not named has none of these.
+# Lowest and highest value of the attributes of an element, both inclusive.
 _LIMITS: Mapping[str, Mapping[str, tuple[float, float]]] = {
     "option": {"timestep": (MIN_TIMESTEP_S, MAX_TIMESTEP_S), "sdf_initpoints": (0, MAX_ITERATIONS), **_ITERATIONS},
     "size": {
@@ -46,10 +45,10 @@ _LIMITS: Mapping[str, Mapping[str, tuple[float, float]]] = {
     "user": {"dim": (1, 100_000), **_HISTORY},
     "numeric": {"size": (1, 1_000_000)},
 }
-# Elements of <sensor> and <actuator> have many names, and these attributes no other element has.
+# These attributes belong to elements of <sensor> and <actuator>, which have many names.
 _ANYWHERE = _HISTORY
 _NOT_FINITE = re.compile(r"[-+]?(nan(\(\w*\))?|inf(inity)?)", re.IGNORECASE)
-# Attributes that hold a name or a text, which may well be "nan".
+# Attributes with a name or text, which may be "nan".
 _TEXTS = frozenset(
     """
     name class childclass prefix model body body1 body2 bodyname joint joint1 joint2 jointinparent geom geom1 geom2 site
@@ -60,14 +59,14 @@ _TEXTS = frozenset(
 
 
 def beyond_limits(tag: str, attributes: Mapping[str, str]) -> Iterator[str]:
-    """What is wrong with the numbers of one element, a message for each attribute."""
+    """Check the numbers of one element; yields one message per attribute."""
     limits = _LIMITS.get(tag, _ANYWHERE)
     if tag in ("extension", "plugin"):
         yield f"<{tag}>: plugins are not supported; remove it"
     for key, value in attributes.items():
         if key in _TEXTS:
             if len(value) > MAX_NAME and key != "data":
-                yield f"<{tag} {key}>: has {len(value)} characters; the limit is {MAX_NAME}"
+                yield f"<{tag} {key}> has {len(value)} characters; the limit is {MAX_NAME}"
             continue
         bound = limits.get(key)
         if bound is not None:
@@ -86,7 +85,7 @@ def _outside(tag: str, key: str, value: str, bound: tuple[float, float]) -> Iter
 
 
 def _number(word: str) -> float | None:
-    """As MuJoCo reads it, which takes hexadecimal numbers too; None for what it refuses itself, with its message."""
+    """Parse a number like MuJoCo, including hexadecimal; None for text that MuJoCo rejects itself."""
     try:
         return float(word)
     except ValueError:

@@ -1,4 +1,4 @@
-"""What a test may look at after the call: the entries of `observations`."""
+"""The entries of `observations`: what a test may check after the call."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -14,7 +14,7 @@ QUATERNION = ("x", "y", "z", "w")
 
 @dataclass(frozen=True)
 class Coordinate:
-    """Where a body is along x, y, z in metres, or how it is turned about them in radians (fixed axes, REP-103)."""
+    """The position of a body along x, y, z in metres, or its rotation about them in radians (fixed axes, REP-103)."""
 
     entity: str
     axis: str
@@ -22,7 +22,7 @@ class Coordinate:
 
 @dataclass(frozen=True)
 class Velocity:
-    """How a body's origin moves along an axis of the world in m/s, or how it turns about one in rad/s."""
+    """The velocity of a body's origin along a world axis in m/s, or its angular velocity about it in rad/s."""
 
     entity: str
     axis: str
@@ -30,7 +30,7 @@ class Velocity:
 
 @dataclass(frozen=True)
 class Orientation:
-    """One part of the unit quaternion of a body; the sign is such that w is not negative."""
+    """One component of the unit quaternion of a body, with the sign for which w is not negative."""
 
     entity: str
     part: str
@@ -38,7 +38,7 @@ class Orientation:
 
 @dataclass(frozen=True)
 class DeviceNumber:
-    """A number that a device reads, as the component sees it; `index` counts the fields of the device."""
+    """A number in a device's reading, as the component sees it; `index` counts the fields of the device."""
 
     device: str
     index: int
@@ -47,7 +47,7 @@ class DeviceNumber:
 
 @dataclass(frozen=True)
 class Touch:
-    """1 while two geoms, or geoms of bodies, touch, else 0."""
+    """1 while two geoms, or geoms of two bodies, touch, otherwise 0."""
 
     first: str
     second: str
@@ -55,7 +55,7 @@ class Touch:
 
 @dataclass(frozen=True)
 class Distance:
-    """How far the origins of two bodies are apart, in metres."""
+    """The distance between the origins of two bodies in metres."""
 
     body1: str
     body2: str
@@ -66,7 +66,7 @@ Sight = Coordinate | Velocity | Orientation | DeviceNumber | Touch | Distance
 
 @dataclass(frozen=True)
 class Observation:
-    """Something to look at, in an SI unit ("1" for a plain number)."""
+    """A quantity to observe, in an SI unit ("1" if dimensionless)."""
 
     name: str
     unit: str
@@ -75,7 +75,7 @@ class Observation:
 
     @property
     def text(self) -> str:
-        """For people."""
+        """A description for people."""
         match self.sight:
             case Coordinate(entity, axis):
                 return f"{axis} of {entity}"
@@ -92,7 +92,7 @@ class Observation:
 
 
 def read_observation(name: str, block: Block, devices: Mapping[str, DeviceDeclaration | None]) -> Observation | None:
-    """One entry; None after noting what is wrong with it. Devices that were malformed themselves are None."""
+    """Read one entry; None after reporting an error. Malformed devices are None."""
     forms: dict[str, Callable[[], tuple[str, Sight] | None]] = {
         "entity": lambda: _of_entity(block),
         "device": lambda: _of_device(block, devices),

@@ -1,4 +1,4 @@
-"""Robots that come from an installed Python package: a world names the package, and never copies its files."""
+"""Robots from installed Python packages: a world refers to the package and does not copy its files."""
 
 import importlib.metadata
 import posixpath
@@ -11,13 +11,13 @@ from sitaf_bridge.errors import BadWorld, LimitReached, Problem
 from sitaf_bridge.world.description.source import MAX_BYTES, unsafe_path
 from sitaf_bridge.world.description.yaml_block import Block
 
-# Collections of robot models. Only files that their own list of files names are ever read.
+# Collections of robot models. Only files in a package's own list of files are read.
 PACKAGES = ("example-robot-data", "gymnasium-robotics", "robosuite")
 ASSET_SUFFIXES = (".stl", ".obj", ".msh", ".png")
 PACKAGE = re.compile(r"(?P<name>[a-z0-9-]+)==(?P<version>[0-9][0-9A-Za-z.]*)")
 ASSET = re.compile(r'(?P<key>\bfile(?:name)?=)"(?P<path>[^"]+)"')
 BASES = ("fixed", "free")
-# For URDF, whose visuals are often in formats that MuJoCo does not read, and whose links often overlap.
+# For URDF: visuals often have formats that MuJoCo does not read, and links often overlap.
 URDF_COMPILER = (
     '<mujoco><compiler discardvisual="true" fusestatic="false" strippath="false" balanceinertia="true"/></mujoco>'
 )
@@ -25,7 +25,7 @@ URDF_COMPILER = (
 
 @dataclass(frozen=True)
 class RobotSite:
-    """A place on a body of the robot, for a sensor: metres, and radians about fixed axes."""
+    """A site on a body of the robot, for a sensor: metres, and radians about fixed axes."""
 
     name: str
     body: str
@@ -35,7 +35,7 @@ class RobotSite:
 
 @dataclass(frozen=True)
 class Robot:
-    """A robot of a package, and where it stands; all its names get the prefix `NAME_`."""
+    """A robot of a package and its pose; all its names get the prefix `NAME_`."""
 
     name: str
     package: str
@@ -50,7 +50,7 @@ class Robot:
 
 @dataclass(frozen=True)
 class RobotModel:
-    """The text of a robot's model, and the files that it names, by the names that it has for them."""
+    """The text of a robot's model, and its files by their names in the model."""
 
     robot: Robot
     text: str
@@ -58,7 +58,7 @@ class RobotModel:
 
 
 def read_robot(name: str, block: Block) -> Robot | None:
-    """Keys `package`, `model`, `base`, `pos`, `rpy`, `sites`."""
+    """Read the keys `package`, `model`, `base`, `pos`, `rpy`, `sites`."""
     package, model, base = block.text("package"), block.text("model"), block.optional_text("base", "fixed")
     zero = (0.0, 0.0, 0.0)
     pos, rpy = block.triple("pos", zero), block.triple("rpy", zero)
@@ -97,7 +97,7 @@ def load_robot(robot: Robot, shown: str) -> RobotModel:
     if distribution is None or distribution.version != robot.version:
         there = "it is not installed" if distribution is None else f"version {distribution.version} is installed"
         message = (
-            f"{where}.package: {robot.package}=={robot.version} is needed on the bridge's machine, but {there}; "
+            f"{where}.package: this machine needs {robot.package}=={robot.version}, but {there}; install it with "
             'pip install "sitaf-bridge[robots]"'
         )
         raise BadWorld([Problem(shown, robot.line, message)])
@@ -116,7 +116,7 @@ def load_robot(robot: Robot, shown: str) -> RobotModel:
 def _with_assets(
     robot: Robot, text: str, distribution: Distribution, files: Mapping[str, object]
 ) -> tuple[str, dict[str, bytes]]:
-    """The text with its assets renamed, so that two robots' files cannot be taken for each other."""
+    """Rename the assets in the text, so that files of two robots cannot be confused."""
     folder = posixpath.dirname(robot.model)
     keys: dict[str, str] = {}
     assets: dict[str, bytes] = {}
@@ -130,14 +130,14 @@ def _with_assets(
             keys[path] = f"{robot.name}-{len(keys)}{posixpath.splitext(path)[1].lower()}"
             assets[keys[path]] = _content(distribution, inside)
             if sum(len(content) for content in assets.values()) > MAX_BYTES:
-                raise LimitReached(f"robots.{robot.name}: its files have more than {MAX_BYTES} bytes, the limit")
+                raise LimitReached(f"robots.{robot.name}: its files exceed {MAX_BYTES} bytes")
         return f'{match["key"]}"{keys[path]}"'
 
     return ASSET.sub(renamed, text), assets
 
 
 def _inside(path: str, folder: str, files: Mapping[str, object]) -> str | None:
-    """Which file of the package a model means, if any."""
+    """The file of the package that a model refers to, if any."""
     if not path.lower().endswith(ASSET_SUFFIXES):
         return None
     if path.startswith("package://"):

@@ -1,4 +1,4 @@
-"""A world as files in memory. No path in it is ever opened on the host."""
+"""A world as files in memory. Its paths are never opened on the host."""
 
 import hashlib
 from collections.abc import Mapping
@@ -14,15 +14,15 @@ MAX_BYTES = 48 * 1024 * 1024
 
 
 def unsafe_path(path: str) -> str | None:
-    """Why a path could leave the file map, or None if it cannot."""
+    """Return why a path could leave the file map, or None if it cannot."""
     if not path:
         return "is empty"
     if "\\" in path or "\0" in path:
-        return "holds a backslash or a NUL; separate with '/'"
+        return "contains a backslash or a NUL; separate folders with '/'"
     if path.startswith("/") or ":" in path:
         return "is absolute; write it relative to the file that names it"
     if any(part in ("", ".", "..") for part in path.split("/")):
-        return "holds '.', '..' or an empty part; write it without"
+        return "contains '.', '..' or an empty part; remove it"
     return None
 
 
@@ -45,17 +45,17 @@ class WorldSource:
             if reason is not None:
                 raise InvalidRequest(f"world.files: the path {path!r} {reason}")
         if not self.description:
-            raise InvalidRequest("world.description: is empty; name the *.world.yaml among the files")
+            raise InvalidRequest("world.description is empty; set it to the *.world.yaml among the files")
         if self.description not in self.files:
             known = ", ".join(sorted(p for p in self.files if p.endswith(DESCRIPTION_SUFFIX))) or "none"
             raise InvalidRequest(
-                f"world.description: {self.description!r} is not among the files; world descriptions there: {known}"
+                f"world.description: {self.description!r} is not among the files; available descriptions: {known}"
             )
         object.__setattr__(self, "files", dict(self.files))
 
     @cached_property
     def digest(self) -> str:
-        """SHA-256 in hexadecimal over (path length, path, content length, content), ordered by path as bytes.
+        """SHA-256 in hexadecimal over (path length, path, content length, content), sorted by path as bytes.
 
         Lengths are 8 bytes, big endian.
         """
@@ -68,12 +68,12 @@ class WorldSource:
 
     @property
     def folder(self) -> str:
-        """The description's folder with a final '/', or the empty string."""
+        """The description's folder with a trailing '/', or the empty string."""
         parent = str(PurePosixPath(self.description).parent)
         return "" if parent == "." else parent + "/"
 
     def beside_description(self) -> dict[str, bytes]:
-        """The files in the description's folder and below, by their path from there: all that MJCF can name."""
+        """The files in the description's folder and below, by relative path: all files that MJCF can refer to."""
         folder = self.folder
         return {p.removeprefix(folder): c for p, c in self.files.items() if p.startswith(folder)}
 
@@ -81,7 +81,7 @@ class WorldSource:
 def read_world(description: Path) -> WorldSource:
     """Read a world description and all files in its folder and below from disk.
 
-    Hidden files and links that lead out of the folder are left out. Raises BadWorld if it cannot be read.
+    Hidden files and links to other folders are ignored. Raises BadWorld if it cannot be read.
     """
     folder = description.parent.resolve()
     files: dict[str, bytes] = {}
@@ -96,7 +96,7 @@ def read_world(description: Path) -> WorldSource:
                 continue
             size += path.stat().st_size
             if size > MAX_BYTES:
-                raise LimitReached(f"{folder}: more than {MAX_BYTES} bytes; keep a world in a folder of its own")
+                raise LimitReached(f"{folder}: more than {MAX_BYTES} bytes; put the world into a separate folder")
             files[name.as_posix()] = path.read_bytes()
     except OSError as error:
         raise BadWorld([Problem(str(description), None, error.strerror or str(error))]) from error

@@ -1,4 +1,4 @@
-"""YAML as nodes with line numbers, read so that every problem is collected instead of the first one raised."""
+"""Reads YAML with line numbers and collects all errors instead of raising the first one."""
 
 import math
 import re
@@ -11,7 +11,7 @@ from sitaf_bridge.errors import BadWorld, Problem
 MAX_YAML_BYTES = 256 * 1024
 MAX_DEPTH = 32
 NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]{0,127}")
-# YAML 1.1 takes 1e3 for a string; a person who writes it means a number.
+# YAML 1.1 reads 1e3 as a string, but authors mean a number.
 NUMBER = re.compile(r"[-+]?(\d+(\.\d*)?|\.\d+)([eE][-+]?\d+)?")
 OPENING = (
     yaml.BlockMappingStartToken,
@@ -23,24 +23,24 @@ CLOSING = (yaml.BlockEndToken, yaml.FlowMappingEndToken, yaml.FlowSequenceEndTok
 
 
 class Problems:
-    """The problems found so far in one file."""
+    """The errors found in one file."""
 
     def __init__(self, file: str) -> None:
         self.file = file
         self.found: list[Problem] = []
 
     def add(self, line: int | None, message: str) -> None:
-        """Note one problem."""
+        """Add an error."""
         self.found.append(Problem(self.file, line, message))
 
     def raise_if_any(self) -> None:
-        """Raise BadWorld with all that was noted, in the order of lines."""
+        """Raise BadWorld with all errors, sorted by line."""
         if self.found:
             raise BadWorld(sorted(self.found, key=lambda problem: (problem.line or 0, problem.message)))
 
 
 class Block:
-    """A YAML mapping at `path` whose keys are taken one by one; `finish` reports those that nobody took."""
+    """A YAML mapping at `path` whose keys are read one by one; `finish` reports unknown keys."""
 
     def __init__(self, node: yaml.Node, path: str, problems: Problems) -> None:
         self.path = path
@@ -61,54 +61,54 @@ class Block:
                 self._entries[key.value] = value
 
     def problem(self, message: str, key: str | None = None) -> None:
-        """Note a problem at this block or at the value of one of its keys."""
+        """Report an error at this block or at the value of a key."""
         node = self._entries.get(key) if key else None
         self.problems.add(node.start_mark.line + 1 if node else self.line, message)
 
     def inner(self, key: str) -> str:
-        """The path of a key."""
+        """The full path of a key."""
         return f"{self.path}.{key}" if self.path else key
 
     def has(self, key: str) -> bool:
-        """Whether a key is given."""
+        """Whether a key is present."""
         return key in self._entries
 
     def text(self, key: str) -> str | None:
-        """A required text; None after noting what is wrong with it."""
+        """Read a required text; None after reporting an error."""
         node = self._take(key, required=True)
         if node is None:
             return None
         if not isinstance(node, yaml.ScalarNode) or not node.value or node.tag.endswith(":null"):
-            self.problem(f"{self.inner(key)} must be a text", key)
+            self.problem(f"{self.inner(key)} must be text", key)
             return None
         return str(node.value)
 
     def number(self, key: str) -> float | None:
-        """A required finite number; None after noting what is wrong with it."""
+        """Read a required finite number; None after reporting an error."""
         node = self._take(key, required=True)
         return None if node is None else self._number(node, self.inner(key))
 
     def optional_number(self, key: str, default: float) -> float | None:
-        """A finite number, or the default where there is none; None after noting what is wrong with it."""
+        """Read a finite number with a default; None after reporting an error."""
         node = self._take(key, required=False)
         return default if node is None else self._number(node, self.inner(key))
 
     def optional_text(self, key: str, default: str) -> str | None:
-        """A text, or the default where there is none; None after noting what is wrong with it."""
+        """Read a text with a default; None after reporting an error."""
         return self.text(key) if key in self._entries else self._default(key, default)
 
     def pair(self, key: str, *, required: bool = True) -> tuple[yaml.Node, yaml.Node] | None:
-        """A list of exactly two."""
+        """Read a list of exactly two items."""
         node = self._take(key, required=required)
         if node is None:
             return None
         if not isinstance(node, yaml.SequenceNode) or len(node.value) != 2:
-            self.problem(f"{self.inner(key)} must be a list of two", key)
+            self.problem(f"{self.inner(key)} must be a list of two items", key)
             return None
         return node.value[0], node.value[1]
 
     def numbers(self, key: str) -> tuple[float, float] | None:
-        """A required list of two finite numbers."""
+        """Read a required list of two finite numbers."""
         nodes = self.pair(key)
         if nodes is None:
             return None
@@ -116,7 +116,7 @@ class Block:
         return None if first is None or second is None else (first, second)
 
     def texts(self, key: str, *, required: bool = False) -> tuple[str, str] | None:
-        """A list of two texts."""
+        """Read a list of two texts."""
         nodes = self.pair(key, required=required)
         if nodes is None:
             return None
@@ -126,12 +126,12 @@ class Block:
         return str(nodes[0].value), str(nodes[1].value)
 
     def block(self, key: str) -> "Block | None":
-        """A required mapping."""
+        """Read a required mapping."""
         node = self._take(key, required=True)
         return None if node is None else Block(node, self.inner(key), self.problems)
 
     def one_or_more(self, key: str) -> "list[Block]":
-        """A required mapping, or a list of mappings."""
+        """Read a required mapping or list of mappings."""
         node = self._take(key, required=True)
         if node is None:
             return []
@@ -142,7 +142,7 @@ class Block:
         return [Block(node, self.inner(key), self.problems)]
 
     def named_blocks(self, key: str) -> "Iterator[tuple[str, Block]]":
-        """The entries of an optional mapping from names to mappings."""
+        """Read an optional mapping from names to mappings."""
         node = self._take(key, required=False)
         if node is None or (isinstance(node, yaml.ScalarNode) and node.tag.endswith(":null")):
             return
@@ -154,23 +154,25 @@ class Block:
             else:
                 entry.problem(
                     f"{outer.path}: the name {name!r} must be letters, digits and '_', "
-                    "not begin with a digit and have at most 128 characters"
+                    "must not start with a digit, and must have at most 128 characters"
                 )
 
     def finish(self) -> None:
-        """Note every key that was not taken."""
+        """Report all keys that were not read."""
         for key, node in self._entries.items():
             if key not in self._taken:
                 known = ", ".join(sorted(self._taken))
-                self.problems.add(node.start_mark.line + 1, f"{self.inner(key)} is not known here; known keys: {known}")
+                self.problems.add(
+                    node.start_mark.line + 1, f"{self.inner(key)} is not a known key; known keys: {known}"
+                )
 
     def triple(self, key: str, default: tuple[float, float, float]) -> tuple[float, float, float] | None:
-        """An optional list of three finite numbers; None after noting what is wrong with it."""
+        """Read an optional list of three finite numbers; None after reporting an error."""
         node = self._take(key, required=False)
         if node is None:
             return default
         if not isinstance(node, yaml.SequenceNode) or len(node.value) != 3:
-            self.problem(f"{self.inner(key)} must be a list of three", key)
+            self.problem(f"{self.inner(key)} must be a list of three numbers", key)
             return None
         x, y, z = (self._number(inner, self.inner(key)) for inner in node.value)
         return None if x is None or y is None or z is None else (x, y, z)
@@ -197,12 +199,12 @@ class Block:
 
 
 def parse(content: bytes, problems: Problems) -> Block:
-    """The top mapping of a YAML file. Raises BadWorld if it is not YAML, or more than one document."""
+    """Parse the top mapping of a YAML file. Raises BadWorld if it is not YAML, or more than one document."""
     if len(content) > MAX_YAML_BYTES:
         raise BadWorld([Problem(problems.file, None, f"is larger than {MAX_YAML_BYTES} bytes")])
     try:
         text = content.decode("utf-8")
-        _refuse_bombs(text, problems)
+        _check_structure(text, problems)
         node = yaml.compose(text, Loader=yaml.SafeLoader)
     except UnicodeDecodeError as error:
         raise BadWorld([Problem(problems.file, None, f"is not UTF-8: {error.reason}")]) from error
@@ -216,8 +218,8 @@ def parse(content: bytes, problems: Problems) -> Block:
     return Block(node, "", problems)
 
 
-def _refuse_bombs(text: str, problems: Problems) -> None:
-    """Without aliases a document is a tree no larger than its text; deep ones cost the parser quadratic time."""
+def _check_structure(text: str, problems: Problems) -> None:
+    """Reject aliases, which make documents larger than their text, and deep nesting, which takes quadratic time."""
     depth = 0
     for token in yaml.scan(text, Loader=yaml.SafeLoader):
         line = token.start_mark.line + 1

@@ -1,4 +1,4 @@
-"""The robot's devices: one module per kind or family of kinds, each of which declares, binds and reads its devices."""
+"""The devices of robots: one module per kind or family of kinds, which declares, binds and reads its devices."""
 
 from sitaf_bridge.world.devices.board import BatteryKind, DigitalIoKind
 from sitaf_bridge.world.devices.camera import CameraKind

@@ -1,4 +1,4 @@
-"""Finds what device declarations name in a model: places, joints, and the actuators that drive them."""
+"""Resolves the names in device declarations: sites, joints, and the actuators that drive them."""
 
 from collections.abc import Callable, Sequence
 from typing import TypeVar
@@ -19,8 +19,8 @@ NOUNS = {
 Found = TypeVar("Found")
 
 
-class NotThere(Exception):
-    """Why a device cannot be bound; its text completes `devices.NAME.KEY: ...`."""
+class BindingError(Exception):
+    """A device cannot be bound; the message completes `devices.NAME.KEY: ...`."""
 
     def __init__(self, key: str, message: str) -> None:
         self.key = key
@@ -28,36 +28,36 @@ class NotThere(Exception):
 
 
 def find(model: mujoco.MjModel, noun: str, name: str, key: str | None = None) -> int:
-    """The id of a named element. Raises NotThere."""
+    """The id of a named element. Raises BindingError."""
     found = mujoco.mj_name2id(model, NOUNS[noun], name)
     if found < 0:
-        raise NotThere(key or noun, f"the model has no {noun} {name!r}")
+        raise BindingError(key or noun, f"the model has no {noun} {name!r}")
     return found
 
 
 def find_single_joint(model: mujoco.MjModel, name: str, key: str = "joint") -> int:
-    """The id of a hinge or slide. Raises NotThere."""
+    """The id of a hinge or slide joint. Raises BindingError."""
     joint = find(model, "joint", name, key)
     if mujoco.mjtJoint(int(model.jnt_type[joint])) not in (mujoco.mjtJoint.mjJNT_HINGE, mujoco.mjtJoint.mjJNT_SLIDE):
-        raise NotThere(key, f"the joint {name!r} is neither a hinge nor a slide")
+        raise BindingError(key, f"the joint {name!r} is neither a hinge nor a slide")
     return joint
 
 
 def find_all(
     declarations: Sequence[DeviceDeclaration], problems: Problems, bind: Callable[[DeviceDeclaration], Found]
 ) -> list[tuple[DeviceDeclaration, Found]]:
-    """Bind each declaration, noting those that cannot be."""
+    """Bind each declaration and report those that cannot be bound."""
     found: list[tuple[DeviceDeclaration, Found]] = []
     for declaration in declarations:
         try:
             found.append((declaration, bind(declaration)))
-        except NotThere as error:
+        except BindingError as error:
             problems.add(declaration.line, f"devices.{declaration.name}.{error.key}: {error}")
     return found
 
 
 def part_of(model: mujoco.MjModel, body: int) -> frozenset[int]:
-    """The bodies that no joint separates from a body, short of the world: the sensor's own housing and chassis."""
+    """The bodies that are rigidly connected to a body, such as a sensor's housing, without the world."""
     if body == 0:
         return frozenset()
 
@@ -71,15 +71,15 @@ def part_of(model: mujoco.MjModel, body: int) -> frozenset[int]:
 
 
 def joint_of(model: mujoco.MjModel, actuator: int, key: str) -> int:
-    """The hinge or slide that an actuator drives. Raises NotThere."""
+    """The hinge or slide joint that an actuator drives. Raises BindingError."""
     if mujoco.mjtTrn(int(model.actuator_trntype[actuator])) != mujoco.mjtTrn.mjTRN_JOINT:
-        raise NotThere(key, "the actuator does not drive a joint")
+        raise BindingError(key, "the actuator does not drive a joint")
     name = mujoco.mj_id2name(model, mujoco.mjtObj.mjOBJ_JOINT, int(model.actuator_trnid[actuator, 0]))
     return find_single_joint(model, name or "", key)
 
 
 def mode_of(model: mujoco.MjModel, actuator: int, key: str) -> str:
-    """What an actuator's control means: position, velocity or effort. Raises NotThere."""
+    """The meaning of an actuator's control: position, velocity or effort. Raises BindingError."""
     bias = mujoco.mjtBias(int(model.actuator_biastype[actuator]))
     gain = float(model.actuator_gainprm[actuator, 0])
     offset, by_position, by_velocity = model.actuator_biasprm[actuator, :3].tolist()
@@ -91,11 +91,11 @@ def mode_of(model: mujoco.MjModel, actuator: int, key: str) -> str:
                 return "position"
             if by_position == 0 and by_velocity == -gain:
                 return "velocity"
-    raise NotThere(key, "the actuator is none of <position>, <velocity>, <motor>")
+    raise BindingError(key, "the actuator is none of <position>, <velocity>, <motor>")
 
 
 def command_actuator(model: mujoco.MjModel, data: mujoco.MjData, actuator: int, value: float, shown: str) -> None:
-    """Set an actuator's control. Raises UnreachableValue beyond its `ctrlrange`."""
+    """Set an actuator's control. Raises UnreachableValue outside of its `ctrlrange`."""
     if model.actuator_ctrllimited[actuator]:
         low, high = model.actuator_ctrlrange[actuator].tolist()
         if not low <= value <= high:

@@ -1,4 +1,4 @@
-"""Kinds `battery` and `digital_io`: what a robot's board knows, kept in the `level` of each device."""
+"""The kinds `battery` and `digital_io`, whose state is the `level` of each device."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -13,7 +13,7 @@ SECONDS_PER_HOUR = 3600.0
 
 @dataclass(frozen=True)
 class BatteryDeclaration(DeviceDeclaration):
-    """Ampere hours, amperes, volts when empty and when full; `level` is the charge at time 0, 0 to 1."""
+    """Ampere hours, amperes, empty and full voltage; `level` is the charge at time 0, from 0 to 1."""
 
     capacity: float
     current: float
@@ -22,7 +22,7 @@ class BatteryDeclaration(DeviceDeclaration):
 
 
 class BatteryKind(DeviceKind):
-    """Kind `battery`: discharges by a constant current in simulation time."""
+    """Kind `battery`: a constant current discharges it in simulation time."""
 
     name = "battery"
 
@@ -33,21 +33,21 @@ class BatteryKind(DeviceKind):
         if capacity is None or current is None or voltage is None or level is None:
             return None
         if capacity <= 0 or current < 0 or not 0 <= voltage[0] <= voltage[1] or not 0 <= level <= 1:
-            block.problem(f"{block.path}: must hold capacity > 0, current >= 0, voltage [empty, full], level 0 to 1")
+            block.problem(f"{block.path}: needs capacity > 0, current >= 0, voltage [empty, full], level 0 to 1")
             return None
         return BatteryDeclaration(name, self.name, block.line, capacity, current, *voltage, level=level)
 
     def bind(self, model: mujoco.MjModel, declarations: Sequence[DeviceDeclaration], problems: Problems) -> "LevelBank":
-        """Nothing of it is in the model."""
+        """A battery has no elements in the model."""
         return LevelBank(declarations)
 
     def fields(self, declaration: DeviceDeclaration) -> tuple[str, ...]:
-        """As sensor_msgs/BatteryState."""
+        """The fields of sensor_msgs/BatteryState."""
         return ("voltage", "current", "charge", "percentage")
 
 
 class DigitalIoKind(DeviceKind):
-    """Kind `digital_io`: one line, which the component writes, or a parameter sets."""
+    """Kind `digital_io`: one line, set by the component or by a parameter."""
 
     name = "digital_io"
     truths = True
@@ -62,11 +62,11 @@ class DigitalIoKind(DeviceKind):
         return DeviceDeclaration(name, self.name, block.line, level=level)
 
     def bind(self, model: mujoco.MjModel, declarations: Sequence[DeviceDeclaration], problems: Problems) -> "LevelBank":
-        """Nothing of it is in the model."""
+        """A line has no elements in the model."""
         return LevelBank(declarations)
 
     def fields(self, declaration: DeviceDeclaration) -> tuple[str, ...]:
-        """One truth value."""
+        """One boolean value."""
         return ("level",)
 
 
@@ -78,7 +78,7 @@ class LevelBank:
         self._by_name = {d.name: d for d in devices}
 
     def read(self, model: mujoco.MjModel, data: mujoco.MjData) -> Sequence[Reading]:
-        """From the level."""
+        """Read the levels."""
         return [Reading(d, _values(d, float(data.userdata[d.address(model, "level")]), data)) for d in self._devices]
 
     def write(self, model: mujoco.MjModel, data: mujoco.MjData, command: Command) -> None:

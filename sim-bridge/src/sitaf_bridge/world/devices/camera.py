@@ -1,4 +1,4 @@
-"""Kind `camera`: colour or depth, rendered without a display."""
+"""Kind `camera`: color or depth images, rendered without a display."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -18,7 +18,7 @@ MAX_SIDE = 4096
 
 @dataclass(frozen=True)
 class CameraDeclaration(DeviceDeclaration):
-    """Pixels; `image` is rgb or depth."""
+    """Size in pixels; `image` is rgb or depth."""
 
     camera: str
     width: int
@@ -28,7 +28,7 @@ class CameraDeclaration(DeviceDeclaration):
 
 @dataclass(frozen=True)
 class Image:
-    """Rows from the top; `data` is rgb8, or metres as little endian floats."""
+    """Rows from the top; `data` is rgb8, or metres as little-endian floats."""
 
     device: CameraDeclaration
     encoding: str
@@ -67,7 +67,7 @@ class CameraKind(DeviceKind):
         return CameraBank(find_all(declarations, problems, camera))
 
     def fields(self, declaration: DeviceDeclaration) -> tuple[str, ...]:
-        """An image has no numbers of its own."""
+        """An image has no numeric fields."""
         return ()
 
 
@@ -78,11 +78,11 @@ class CameraBank:
         self._by_name = {d.name: (d, camera) for d, camera in devices}
 
     def read(self, model: mujoco.MjModel, data: mujoco.MjData) -> Sequence[Reading]:
-        """Images are not read along with numbers."""
+        """Images are not part of the numeric readings."""
         return []
 
     def look(self, model: mujoco.MjModel, data: mujoco.MjData, device: str) -> Image:
-        """The image at the current step. Raises Unavailable where this machine cannot render."""
+        """Render the image at the current step. Raises Unavailable if this machine cannot render."""
         declaration, camera = self._by_name[device]
         assert isinstance(declaration, CameraDeclaration)  # noqa: S101
         size, depth = (declaration.width, declaration.height), declaration.image == "depth"

@@ -1,4 +1,4 @@
-"""Kind `contact`: a bumper, which tells whether anything presses on its geoms."""
+"""Kind `contact`: a bumper, which detects forces on its geom."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -13,7 +13,7 @@ from sitaf_bridge.world.devices.kind import DeviceDeclaration, DeviceKind, Readi
 
 @dataclass(frozen=True)
 class ContactDeclaration(DeviceDeclaration):
-    """`threshold` is the force in newtons above which it counts as pressed."""
+    """`threshold` is the force in newtons above which the bumper counts as pressed."""
 
     geom: str
     threshold: float
@@ -47,7 +47,7 @@ class ContactKind(DeviceKind):
         return ContactBank(find_all(declarations, problems, geom_of))
 
     def fields(self, declaration: DeviceDeclaration) -> tuple[str, ...]:
-        """Whether, and how hard."""
+        """Whether it is pressed, and the force."""
         return ("pressed", "force")
 
 

@@ -1,4 +1,4 @@
-"""Kinds `imu`, `magnetometer` and `pose`: what a site senses of its own motion and place."""
+"""Kinds `imu`, `magnetometer`, `pose` and `force_torque`: sensors at a site."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -23,7 +23,7 @@ class SiteDeclaration(DeviceDeclaration):
 
 
 class SiteKind(DeviceKind):
-    """A kind whose devices each sit at a site and measure by one function of it."""
+    """A kind of devices that are attached to a site and measured by one function."""
 
     def __init__(self, name: str, fields: tuple[str, ...], measure: Measure) -> None:
         self.name = name
@@ -45,7 +45,7 @@ class SiteKind(DeviceKind):
         return SiteBank(find_all(declarations, problems, site_of), self._measure)
 
     def fields(self, declaration: DeviceDeclaration) -> tuple[str, ...]:
-        """As the kind has them."""
+        """The fields of the kind."""
         return self._fields
 
 
@@ -57,12 +57,12 @@ class SiteBank:
         self._measure = measure
 
     def read(self, model: mujoco.MjModel, data: mujoco.MjData) -> Sequence[Reading]:
-        """What each measures at the current step."""
+        """The readings at the current step."""
         return [Reading(d, self._measure(model, data, site)) for d, site in self._devices]
 
 
 def orientation(matrix: object) -> tuple[float, ...]:
-    """The unit quaternion x, y, z, w of a rotation matrix of nine numbers."""
+    """The unit quaternion x, y, z, w of a 3x3 rotation matrix, given as nine numbers."""
     q = np.empty(4)
     mujoco.mju_mat2Quat(q, matrix)
     w, x, y, z = q.tolist()

@@ -1,4 +1,4 @@
-"""Kinds `joint_encoder` and `joint_motor`: what a hinge or slide measures, and what drives it."""
+"""Kinds `joint_encoder` and `joint_motor`: sensors and drives of hinge and slide joints."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -22,7 +22,7 @@ FIELDS = ("position", "velocity", "effort")
 
 @dataclass(frozen=True)
 class EncoderDeclaration(DeviceDeclaration):
-    """`resolution` is the smallest step that it tells apart, in radians or metres; 0 is none."""
+    """`resolution` is the smallest difference that it detects, in radians or metres; 0 for exact."""
 
     joint: str
     resolution: float
@@ -30,7 +30,7 @@ class EncoderDeclaration(DeviceDeclaration):
 
 @dataclass(frozen=True)
 class MotorDeclaration(DeviceDeclaration):
-    """A motor is an actuator of the MJCF."""
+    """A motor refers to an actuator of the MJCF."""
 
     actuator: str
 
@@ -69,7 +69,7 @@ class JointEncoderKind(DeviceKind):
         return EncoderBank(find_all(declarations, problems, joint))
 
     def fields(self, declaration: DeviceDeclaration) -> tuple[str, ...]:
-        """It knows no effort."""
+        """Position and velocity; an encoder measures no effort."""
         return FIELDS[:2]
 
 
@@ -95,7 +95,7 @@ def _encoded(
 
 
 class JointMotorKind(DeviceKind):
-    """Kind `joint_motor`; the kind of its actuator says whether it takes position, velocity or effort."""
+    """Kind `joint_motor`; the type of its actuator defines whether it takes position, velocity or effort."""
 
     name = "joint_motor"
     takes = "joint"
@@ -116,7 +116,7 @@ class JointMotorKind(DeviceKind):
         return MotorBank(find_all(declarations, problems, motor))
 
     def fields(self, declaration: DeviceDeclaration) -> tuple[str, ...]:
-        """All of a joint's state."""
+        """The full state of a joint."""
         return FIELDS
 
 
@@ -128,7 +128,7 @@ class MotorBank:
         self._by_name = {d.name: motor for d, motor in devices}
 
     def read(self, model: mujoco.MjModel, data: mujoco.MjData) -> Sequence[Reading]:
-        """Position, velocity, and what the actuators exert on the joint."""
+        """Position, velocity, and the force or torque of the actuators on the joint."""
         readings: list[Reading] = []
         for declaration, motor in self._devices:
             dof = int(model.jnt_dofadr[motor.joint])
@@ -137,7 +137,7 @@ class MotorBank:
         return readings
 
     def write(self, model: mujoco.MjModel, data: mujoco.MjData, command: Command) -> None:
-        """In the mode of the actuator."""
+        """Set the control in the mode of the actuator."""
         motor = self._by_name[command.device]
         ((mode, value),) = expected_form(command, "joint").items()
         if mode != motor.mode:

@@ -1,4 +1,4 @@
-"""What a kind of device must be able to do."""
+"""The interface of device kinds."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -9,16 +9,16 @@ import mujoco
 from sitaf_bridge.errors import InvalidRequest
 from sitaf_bridge.world.description.yaml_block import Block, Problems
 
-# What each device keeps in the userdata of the simulation, so that it is part of the state: three numbers.
+# Numbers that each device stores in the userdata of the simulation, so that they are part of its state.
 KNOBS = ("noise", "delay", "level")
 
 
 @dataclass(frozen=True)
 class DeviceDeclaration:
-    """What a world description says of a device; each kind adds its own fields.
+    """The declaration of a device; each kind adds its own fields.
 
-    `noise` is a standard deviation in the unit of the readings, `delay` is in seconds, `level` what the kind makes of
-    it. `slot` counts devices from the last, beginning with 1: where its knobs are in the userdata.
+    `noise` is a standard deviation in the unit of the readings, `delay` is in seconds, the meaning of `level`
+    depends on the kind. `slot` numbers the devices from the last one, starting at 1, and locates their userdata.
     """
 
     name: str
@@ -30,12 +30,12 @@ class DeviceDeclaration:
     slot: int = field(default=0, kw_only=True)
 
     def address(self, model: mujoco.MjModel, knob: str) -> int:
-        """Where a knob is in the userdata."""
+        """The index of a knob in the userdata."""
         return int(model.nuserdata) - len(KNOBS) * self.slot + KNOBS.index(knob)
 
 
 class Reading(NamedTuple):
-    """What one device reads at the current step: the numbers that its kind names, truth values as 0 and 1."""
+    """The reading of one device at the current step: the fields of its kind, booleans as 0 and 1."""
 
     device: DeviceDeclaration
     values: tuple[float, ...]
@@ -43,7 +43,7 @@ class Reading(NamedTuple):
 
 @dataclass(frozen=True)
 class Command:
-    """What a device is told: `form` is joint, drive, gripper or level; numbers by name in SI units."""
+    """A command to a device: `form` is joint, drive, gripper or level; numbers by name in SI units."""
 
     device: str
     form: str
@@ -51,39 +51,39 @@ class Command:
 
 
 class Bank(Protocol):
-    """All devices of one kind in one world, bound to its model. Holds no state: readings depend on the data only."""
+    """All devices of one kind in one world, bound to its model. Stateless: readings depend on the data only."""
 
     def read(self, model: mujoco.MjModel, data: mujoco.MjData) -> Sequence[Reading]:
-        """The readings, in the order of declaration, of data that `mj_forward` has brought up to date."""
+        """The readings in the order of declaration, from data after `mj_forward`."""
         ...
 
 
 class ActuatorBank(Bank, Protocol):
-    """Devices that can be commanded."""
+    """Devices that accept commands."""
 
     def write(self, model: mujoco.MjModel, data: mujoco.MjData, command: Command) -> None:
-        """Carry out a command whose numbers are finite. Raises InvalidRequest, UnreachableValue."""
+        """Run a command with finite numbers. Raises InvalidRequest, UnreachableValue."""
         ...
 
 
 class DeviceKind:
     """A kind of device."""
 
-    # As it stands in `kind:`.
+    # The value of the key `kind`.
     name: str
-    # Whether its values are truth values, which have no noise and no NaN.
+    # Whether its values are booleans, which have no noise and no NaN.
     truths = False
-    # Whether it is an image, read by name only.
+    # Whether it is an image, which is read by a separate call.
     image = False
-    # The form of the commands that it takes.
+    # The form of the commands that it accepts.
     takes: str | None = None
 
     def declare(self, name: str, block: Block) -> DeviceDeclaration | None:
-        """Read a declaration; None after noting what is wrong with it."""
+        """Read a declaration; None after reporting an error."""
         raise NotImplementedError
 
     def bind(self, model: mujoco.MjModel, declarations: Sequence[DeviceDeclaration], problems: Problems) -> Bank:
-        """Find the devices in a model, noting those that are not there; the bank serves only if none was noted."""
+        """Bind the devices to a model and report errors; the bank is valid only without errors."""
         raise NotImplementedError
 
     def fields(self, declaration: DeviceDeclaration) -> tuple[str, ...]:
@@ -91,12 +91,12 @@ class DeviceKind:
         raise NotImplementedError
 
     def limited(self, declaration: DeviceDeclaration, values: tuple[float, ...]) -> tuple[float, ...]:
-        """What the device makes of numbers that noise or a fault has moved."""
+        """Apply the device's limits to values that were changed by noise or a fault."""
         return values
 
 
 def expected_form(command: Command, form: str) -> Mapping[str, float]:
-    """The numbers of a command of the right form. Raises InvalidRequest."""
+    """The numbers of a command of the expected form. Raises InvalidRequest."""
     if command.form != form:
         raise InvalidRequest(f"commands: the device {command.device} takes a {form!r} command, not {command.form!r}")
     return command.numbers

@@ -19,7 +19,7 @@ MAX_RAYS = 4096
 
 @dataclass(frozen=True)
 class ScanDeclaration(DeviceDeclaration):
-    """Angles in radians, counterclockwise from the site's x axis, both inclusive; distances in metres."""
+    """Angles in radians, counterclockwise from the site's x axis, both inclusive; ranges in metres."""
 
     site: str
     first: float
@@ -30,7 +30,7 @@ class ScanDeclaration(DeviceDeclaration):
 
     @property
     def increment(self) -> float:
-        """Between two rays."""
+        """The angle between two rays."""
         return (self.last - self.first) / (self.rays - 1)
 
 
@@ -71,12 +71,12 @@ class LaserScanKind(DeviceKind):
         return ScanBank(find_all(declarations, problems, lambda d: _scanner(model, d)))
 
     def fields(self, declaration: DeviceDeclaration) -> tuple[str, ...]:
-        """One distance a ray."""
+        """One range per ray."""
         assert isinstance(declaration, ScanDeclaration)  # noqa: S101
         return tuple(f"ranges.{ray}" for ray in range(declaration.rays))
 
     def limited(self, declaration: DeviceDeclaration, values: tuple[float, ...]) -> tuple[float, ...]:
-        """Within what it can measure, after REP-117."""
+        """Apply the range limits as in REP-117."""
         assert isinstance(declaration, ScanDeclaration)  # noqa: S101
         return tuple(within(value, declaration.low, declaration.high) for value in values)
 
@@ -103,7 +103,7 @@ class ScanBank:
         self._devices = tuple(devices)
 
     def read(self, model: mujoco.MjModel, data: mujoco.MjData) -> Sequence[Reading]:
-        """The distances at the current step."""
+        """The ranges at the current step."""
         return [Reading(d, _scan(model, data, d, s)) for d, s in self._devices]
 
 
@@ -118,13 +118,13 @@ def _scan(
     along = np.ascontiguousarray(scanner.rays @ data.site_xmat[scanner.site].reshape(3, 3).T)
     geoms = np.full(count, -1, np.int32)
     distances = np.empty(count)
-    # Without a body to leave out (-1), walls fixed to the world are seen by a scanner that is fixed to it too.
+    # Excluding no body (-1), a scanner that is fixed to the world sees walls that are fixed to the world, too.
     without = scanner.body if scanner.body else -1
     mujoco.mj_multiRay(
         model, data, origin, along.ravel(), None, 1, without, geoms, distances, None, count, declaration.high
     )
     for ray in np.flatnonzero(geoms >= 0).tolist():
-        # MuJoCo leaves out one body; the rest of the scanner's own rigid part is not to be seen either.
+        # MuJoCo excludes one body; the other bodies of the scanner's rigid part are excluded here.
         if int(model.geom_bodyid[geoms[ray]]) in scanner.own:
             hits = (cast(model, data, geom, origin, along[ray]) for geom in scanner.solids)
             distances[ray] = min((hit for hit in hits if hit >= 0), default=-1.0)

@@ -19,7 +19,7 @@ DISTANCE_ONLY = 1 << int(mujoco.mjtRayDataField.mjRAYDATA_DIST)
 
 @dataclass(frozen=True)
 class RangeDeclaration(DeviceDeclaration):
-    """`low` and `high` are the nearest and the farthest distance that the device can measure, in metres."""
+    """`low` and `high` are the smallest and largest distance that the device can measure, in metres."""
 
     sensor: str
     low: float
@@ -28,7 +28,7 @@ class RangeDeclaration(DeviceDeclaration):
 
 @dataclass(frozen=True)
 class _Ray:
-    """Where the ray of a bound device comes from. `native`: the range finder's own value can be taken."""
+    """The ray of a bound device. `native`: MuJoCo's own range finder value can be used."""
 
     site: int
     address: int
@@ -66,7 +66,7 @@ class RangeKind(DeviceKind):
         return ("range",)
 
     def limited(self, declaration: DeviceDeclaration, values: tuple[float, ...]) -> tuple[float, ...]:
-        """Within what it can measure, after REP-117."""
+        """Apply the range limits as in REP-117."""
         assert isinstance(declaration, RangeDeclaration)  # noqa: S101
         return tuple(within(value, declaration.low, declaration.high) for value in values)
 
@@ -81,18 +81,18 @@ class RangeBank:
 
     @property
     def devices(self) -> list[RangeDeclaration]:
-        """In the order of the readings."""
+        """The devices in the order of the readings."""
         return [device for device, _ in self._devices]
 
     @property
     def native(self) -> bool:
-        """Whether all distances can be taken from MuJoCo's own range finders."""
+        """Whether all distances can be read from MuJoCo's range finders."""
         return all(ray.native for _, ray in self._devices)
 
     def read_many(self, model: mujoco.MjModel, batch: Any, count: int) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
         """The readings of the first simulations of a `mujoco.batch.Batch`, (count, devices), where `native`.
 
-        And which of the simulations cannot be told so, because a sensor touches something.
+        Also returns for which simulations the result is not valid, because a sensor touches something.
         """
         distance = batch.bind("sensordata")[:count][:, [ray.address for _, ray in self._devices]]
         inside, unsure = self._surroundings.many(model, batch, count)
@@ -107,7 +107,7 @@ class RangeBank:
         values = data.sensordata.tolist()
         distances = [values[ray.address] if ray.native else _own_ray(model, data, ray) for _, ray in self._devices]
         for index, geom in touching:
-            # A ray that starts on a surface, or a rounding error behind it, may report the far side.
+            # A ray that starts on a surface, or slightly behind it by rounding, may report the far side.
             entry = clearance(model, data, geom, *_line(data, self._devices[index][1].site))
             if entry is not None and abs(entry) <= TOUCH:
                 distances[index] = max(entry, 0.0)
@@ -123,7 +123,7 @@ def _line(data: mujoco.MjData, site: int) -> tuple[NDArray[np.float64], NDArray[
 
 
 def _measured(distance: float, declaration: RangeDeclaration, inside: bool) -> float:
-    """The reading after REP-117; `distance` is -1 where the ray meets nothing."""
+    """The reading as in REP-117; `distance` is -1 if the ray hits nothing."""
     if math.isnan(distance):
         return math.nan
     if inside:
@@ -135,14 +135,14 @@ def _measured(distance: float, declaration: RangeDeclaration, inside: bool) -> f
 
 
 def within(distance: float, low: float, high: float) -> float:
-    """A distance as a sensor of limited reach reads it, after REP-117; NaN and the infinities stay."""
+    """Apply the limits of a sensor to a distance, as in REP-117; NaN and infinities are unchanged."""
     if distance > high:
         return math.inf
     return -math.inf if distance < low else distance
 
 
 def _own_ray(model: mujoco.MjModel, data: mujoco.MjData, ray: _Ray) -> float:
-    """As the range finder, but blind to every body of the sensor's own part, not only to the site's."""
+    """Like the range finder, but excludes all bodies of the sensor's rigid part instead of the site's body only."""
     origin, along = _line(data, ray.site)
     hits = (cast(model, data, geom, origin, along) for geom in ray.solids)
     return min((hit for hit in hits if hit >= 0), default=-1.0)
@@ -166,7 +166,7 @@ def _find(model: mujoco.MjModel, declaration: RangeDeclaration, problems: Proble
     own = part_of(model, body)
     seen = [g for g in range(model.ngeom) if visible(model, g)]
     solids = tuple(g for g in seen if model.geom_bodyid[g] not in own and model.geom_type[g] in (*SOLID_TYPES, HFIELD))
-    # The range finder itself is blind to the site's body: to all walls, if that is the world.
+    # The range finder excludes the site's body; if that is the world, it would exclude all walls.
     native = body != 0 and all(model.geom_bodyid[g] == body for g in seen if model.geom_bodyid[g] in own)
     return _Ray(site, int(model.sensor_adr[sensor]), solids, native)
 

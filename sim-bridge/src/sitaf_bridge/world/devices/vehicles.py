@@ -1,4 +1,4 @@
-"""Kinds `differential_drive` and `gripper`: several actuators under one command."""
+"""Kinds `differential_drive` and `gripper`: several actuators with one command."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -7,13 +7,13 @@ import mujoco
 
 from sitaf_bridge.errors import UnreachableValue
 from sitaf_bridge.world.description.yaml_block import Block, Problems
-from sitaf_bridge.world.devices.binding import NotThere, command_actuator, find, find_all, joint_of, mode_of
+from sitaf_bridge.world.devices.binding import BindingError, command_actuator, find, find_all, joint_of, mode_of
 from sitaf_bridge.world.devices.kind import Command, DeviceDeclaration, DeviceKind, Reading, expected_form
 
 
 @dataclass(frozen=True)
 class DriveDeclaration(DeviceDeclaration):
-    """Metres; the wheels turn forward for positive controls."""
+    """Lengths in metres; positive controls turn the wheels forward."""
 
     left: str
     right: str
@@ -23,7 +23,7 @@ class DriveDeclaration(DeviceDeclaration):
 
 @dataclass(frozen=True)
 class GripperDeclaration(DeviceDeclaration):
-    """Two fingers; `width` is the distance between them when open, in metres."""
+    """Two fingers; `width` is their distance when open, in metres."""
 
     fingers: tuple[str, str]
     width: float
@@ -42,7 +42,7 @@ def _pair(model: mujoco.MjModel, names: tuple[str, str], keys: tuple[str, str], 
     for name, key in zip(names, keys, strict=True):
         actuator = find(model, "actuator", name, key)
         if mode_of(model, actuator, key) != mode:
-            raise NotThere(key, f"the actuator {name!r} must be a <{mode}>")
+            raise BindingError(key, f"the actuator {name!r} must be a <{mode}>")
         actuators.append(actuator)
         joints.append(joint_of(model, actuator, key))
     return _Pair((actuators[0], actuators[1]), (joints[0], joints[1]))
@@ -61,7 +61,7 @@ class DifferentialDriveKind(DeviceKind):
         if left is None or right is None or radius is None or track is None:
             return None
         if radius <= 0 or track <= 0:
-            block.problem(f"{block.path}: wheel_radius and track must be above 0")
+            block.problem(f"{block.path}: wheel_radius and track must be positive")
             return None
         return DriveDeclaration(name, self.name, block.line, left, right, radius, track)
 
@@ -75,7 +75,7 @@ class DifferentialDriveKind(DeviceKind):
         return DriveBank(find_all(declarations, problems, wheels))
 
     def fields(self, declaration: DeviceDeclaration) -> tuple[str, ...]:
-        """As the wheels' encoders have it."""
+        """The pose and velocity from wheel odometry."""
         return ("linear", "angular", "left_position", "right_position")
 
 
@@ -87,7 +87,7 @@ class DriveBank:
         self._by_name = {d.name: (d, pair) for d, pair in devices}
 
     def read(self, model: mujoco.MjModel, data: mujoco.MjData) -> Sequence[Reading]:
-        """From the turning of the wheels."""
+        """Compute the readings from the rotation of the wheels."""
         readings: list[Reading] = []
         for declaration, pair in self._devices:
             assert isinstance(declaration, DriveDeclaration)  # noqa: S101
@@ -97,7 +97,7 @@ class DriveBank:
         return readings
 
     def write(self, model: mujoco.MjModel, data: mujoco.MjData, command: Command) -> None:
-        """Wheel speeds, from the velocity of the vehicle."""
+        """Convert the vehicle's velocity to wheel speeds."""
         declaration, pair = self._by_name[command.device]
         assert isinstance(declaration, DriveDeclaration)  # noqa: S101
         numbers = expected_form(command, "drive")
@@ -110,7 +110,7 @@ class DriveBank:
 
 
 class GripperKind(DeviceKind):
-    """Kind `gripper`: two position actuators, each of which opens its finger by half the width."""
+    """Kind `gripper`: two position actuators, each of which moves its finger by half the width."""
 
     name = "gripper"
     takes = "gripper"
@@ -121,7 +121,7 @@ class GripperKind(DeviceKind):
         if fingers is None or width is None:
             return None
         if width <= 0:
-            block.problem(f"{block.path}.width: must be above 0", "width")
+            block.problem(f"{block.path}.width must be positive", "width")
             return None
         return GripperDeclaration(name, self.name, block.line, fingers, width)
 
@@ -137,7 +137,7 @@ class GripperKind(DeviceKind):
         return GripperBank(find_all(declarations, problems, fingers))
 
     def fields(self, declaration: DeviceDeclaration) -> tuple[str, ...]:
-        """How wide, and how hard."""
+        """Width and force."""
         return ("width", "effort")
 
 
@@ -149,7 +149,7 @@ class GripperBank:
         self._by_name = {d.name: (d, pair) for d, pair in devices}
 
     def read(self, model: mujoco.MjModel, data: mujoco.MjData) -> Sequence[Reading]:
-        """The sum of both fingers' openings, and the mean of their forces."""
+        """The sum of the openings of both fingers, and the mean of their forces."""
         readings: list[Reading] = []
         for declaration, pair in self._devices:
             width = sum(float(data.qpos[model.jnt_qposadr[j]]) for j in pair.joints)
@@ -158,7 +158,7 @@ class GripperBank:
         return readings
 
     def write(self, model: mujoco.MjModel, data: mujoco.MjData, command: Command) -> None:
-        """Half the width for each finger."""
+        """Move each finger by half the width."""
         declaration, pair = self._by_name[command.device]
         assert isinstance(declaration, GripperDeclaration)  # noqa: S101
         width = expected_form(command, "gripper")["width"]

@@ -1,1 +1,1 @@
-"""Worlds in motion: where time moves, parameters take effect, and states are kept and put back."""
+"""Running simulations: time, parameters, saved states, conditions and recordings of motion."""

@@ -1,6 +1,6 @@
-"""A batch of simulations in MuJoCo's own threads, for worlds whose parameters and devices are simple enough.
+"""Runs many simulations in MuJoCo's own threads, for worlds with simple parameters and devices.
 
-What it gives is bit-identical to Simulation.prepare; cases for which that is not certain it hands back.
+Results are bit-identical to Simulation.prepare; cases for which that is not certain are returned to the caller.
 """
 
 from collections.abc import Sequence
@@ -21,13 +21,13 @@ from sitaf_bridge.world.world import World
 POSITION_STAGE = int(mujoco.mjtStage.mjSTAGE_POS)
 NO_STAGE = int(mujoco.mjtStage.mjSTAGE_NONE)
 SECANT_STEPS = 2
-# Cases that are cheaper done one by one than by another pass over all.
-FEW = 0.02
+# Fraction of cases below which preparing them one by one is cheaper than another pass over all.
+MIN_BATCH_FRACTION = 0.02
 FIRST = np.zeros(1, np.intp)
 
 
 def can_batch(world: World, devices: Sequence[DeviceDeclaration]) -> bool:
-    """Whether a batch can prepare cases of this world, and read these devices."""
+    """Whether a batch can prepare cases of this world and read these devices."""
     if any(d.noise or d.delay for d in world.description.devices.values()) or world.entities:
         return False
     if any(d.kind != "range" for d in devices):
@@ -39,14 +39,14 @@ def can_batch(world: World, devices: Sequence[DeviceDeclaration]) -> bool:
         return False
     binds = [bind for bound in world.binds.values() for bind in bound]
     return all(
-        # A model that differs between simulations makes each step dearer; positions are the common case.
+        # Different models per simulation make each step slower, so models are copied only if necessary.
         isinstance(b.setting, MocapPosition | JointPosition)
         for b in binds
     ) and all(world.model.geom_type[b.gap.geom] == PLANE for b in binds if b.gap is not None)
 
 
 class BatchRun:
-    """Room for up to `size` cases. Not for two threads at once."""
+    """Buffers for up to `size` cases. Not thread-safe."""
 
     def __init__(
         self, world: World, devices: Sequence[DeviceDeclaration], names: Sequence[str], size: int, threads: int
@@ -55,16 +55,16 @@ class BatchRun:
         self._names = tuple(names)
         self._devices = {d.name for d in devices}
         self._batch = Batch(world.model, size, threads)
-        # What is bound later is zero until the next call.
+        # Values that are bound later are zero until the next call.
         for name in ("site_xpos", "site_xmat", "geom_xpos", "geom_xmat", "sensordata", "xpos"):
             self._batch.bind(name)
         self._size = size
-        # Whether the derived quantities are those of the present state; whether all simulations are in one state.
+        # Whether derived quantities are up to date; whether all simulations are in the same state.
         self._fresh = False
         self._alike = True
 
     def prepare(self, values: NDArray[np.float64], steps: int, out: NDArray[np.float64]) -> list[int]:
-        """Fill `out` with the readings of each case; gives the rows that have to be done in another way."""
+        """Fill `out` with the readings of each case; returns the rows that must be prepared in another way."""
         count = len(values)
         ids = None if count == self._size else np.arange(count)
         batch = self._batch
@@ -98,7 +98,7 @@ class BatchRun:
     def _solve(
         self, gap: BoundGap, setting: Setting, target: NDArray[np.float64], ids: NDArray[np.intp] | None, count: int
     ) -> NDArray[np.bool_]:
-        """Put the setting where the clearance equals the target, as the scalar search does; gives who is not there."""
+        """Solve the setting such that the clearance equals the target; returns the rows that failed."""
         column = self._column(setting)
         at = column[:count].copy()
         guess, missed = at, np.ones(count, np.bool_)
@@ -107,11 +107,11 @@ class BatchRun:
             column[:count] = guess
             missed = self._clearance(gap, ids, count) != target
             self._fresh = True
-            if missed.mean() < FEW:
-                # The scalar search, to which these few are handed back, mends the last bits.
+            if missed.mean() < MIN_BATCH_FRACTION:
+                # The scalar search, which gets these few rows, corrects the last bits.
                 return missed
             column[:count] = at
-        # As long as all simulations are alike, one of them tells for all.
+        # While all simulations are equal, one of them is computed for all.
         error = (self._clearance(gap, FIRST, 1) if self._alike else self._clearance(gap, ids, count)) - target
         self._fresh = not self._alike
         slope = np.ones(count)
@@ -136,7 +136,7 @@ class BatchRun:
         return column
 
     def _clearance(self, gap: BoundGap, ids: NDArray[np.intp] | None, count: int) -> NDArray[np.float64]:
-        """Along the site's z axis to a plane; NaN unless the arithmetic is free of rounding but for one difference."""
+        """The clearance along the site's z axis to a plane; NaN unless it needs a single rounded subtraction."""
         batch = self._batch
         batch.forward(ids, stage=POSITION_STAGE)
         origin, along = batch.bind("site_xpos")[:count, gap.site], batch.bind("site_xmat")[:count, gap.site, 2::3]
@@ -151,7 +151,7 @@ class BatchRun:
         towards = (along * axes[:, :, 2]).sum(axis=1)
         size = self._world.model.geom_size[gap.geom]
         for across, half in ((x, size[0]), (y, size[1])):
-            # The rays are perpendicular to the plane, so they hit it where they start.
+            # The rays are perpendicular to the plane.
             exact &= (half <= 0) | (np.abs(across) <= half)
         return np.where(exact & (towards == -1.0), height, np.nan)
 

@@ -1,4 +1,4 @@
-"""What can be refused before anything is changed."""
+"""Checks of requests before anything is changed."""
 
 import math
 from collections.abc import Iterable, Mapping
@@ -10,8 +10,8 @@ MAX_STEPS = 10_000_000
 
 
 def check_values(world: World, values: Mapping[str, float]) -> None:
-    """Raises InvalidRequest, UnreachableValue for values of parameters that cannot be set."""
-    refuse_unknown(world, values)
+    """Check parameter values. Raises InvalidRequest, UnreachableValue."""
+    check_names(world, values)
     for name, value in values.items():
         if not math.isfinite(value):
             raise InvalidRequest(f"parameter {name}: {value} is not a finite number")
@@ -24,8 +24,8 @@ def check_values(world: World, values: Mapping[str, float]) -> None:
             )
 
 
-def refuse_unknown(world: World, names: Iterable[str]) -> None:
-    """Raises InvalidRequest for names that are not parameters."""
+def check_names(world: World, names: Iterable[str]) -> None:
+    """Raise InvalidRequest for unknown parameter names."""
     parameters = world.description.parameters
     unknown = [name for name in names if name not in parameters]
     if unknown:
@@ -34,15 +34,15 @@ def refuse_unknown(world: World, names: Iterable[str]) -> None:
 
 
 def steps_in(world: World, duration_ns: int, shown: str) -> int:
-    """Nanoseconds as steps, rounded up. Raises InvalidRequest, LimitReached."""
+    """Convert nanoseconds to steps, rounded up. Raises InvalidRequest, LimitReached."""
     if duration_ns < 0:
         raise InvalidRequest(f"{shown}: {duration_ns} is negative")
     steps = -(-duration_ns // world.timestep_ns)
-    refuse_too_many(steps)
+    check_step_count(steps)
     return steps
 
 
-def refuse_too_many(steps: int) -> None:
+def check_step_count(steps: int) -> None:
     """Raises LimitReached."""
     if steps > MAX_STEPS:
         raise LimitReached(f"{steps} steps in one call; the limit is {MAX_STEPS}")

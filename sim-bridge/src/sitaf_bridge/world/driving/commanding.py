@@ -1,4 +1,4 @@
-"""Commands to the robot's actuators."""
+"""Runs commands of the robot's actuators."""
 
 import math
 from collections.abc import Sequence
@@ -13,14 +13,14 @@ from sitaf_bridge.world.world import World
 
 
 def give(commands: Sequence[Command], world: World, model: mujoco.MjModel, data: mujoco.MjData) -> None:
-    """Carry commands out in order. Raises InvalidRequest, UnreachableValue at the first that cannot be."""
+    """Run the commands in order. Raises InvalidRequest, UnreachableValue for the first invalid one."""
     for command in commands:
         device = world.description.devices.get(command.device)
         if device is None:
             known = ", ".join(world.description.devices) or "none"
             raise InvalidRequest(f"commands: no device {command.device!r}; devices of this world: {known}")
         if KINDS[device.kind].takes is None:
-            raise InvalidRequest(f"commands: {command.device} is a {device.kind}, which takes no commands")
+            raise InvalidRequest(f"commands: {command.device} is a {device.kind}, which accepts no commands")
         for name, value in command.numbers.items():
             if not math.isfinite(value):
                 raise InvalidRequest(f"commands: {command.device}.{name}: {value} is not a finite number")

@@ -23,7 +23,7 @@ class Touching:
 
 @dataclass(frozen=True)
 class Beyond:
-    """A number of a device is above (or below) a value, exclusive."""
+    """A number of a device is above or below a value, exclusive."""
 
     device: str
     field: str
@@ -42,17 +42,17 @@ class Near:
 
 @dataclass(frozen=True)
 class AtTime:
-    """Simulation time in nanoseconds has come."""
+    """A simulation time in nanoseconds is reached."""
 
     time_ns: int
 
 
 Condition = Touching | Beyond | Near | AtTime
-Judge = Callable[[mujoco.MjData, int, Callable[[], Sequence[Reading]]], bool]
+Predicate = Callable[[mujoco.MjData, int, Callable[[], Sequence[Reading]]], bool]
 
 
-def bind_condition(condition: Condition, world: World, model: mujoco.MjModel) -> Judge:
-    """A function of the data, the time in ns, and the readings when asked for. Raises InvalidRequest."""
+def bind_condition(condition: Condition, world: World, model: mujoco.MjModel) -> Predicate:
+    """Bind a condition to a function of data, time in ns and readings on demand. Raises InvalidRequest."""
     try:
         match condition:
             case Touching():
@@ -67,12 +67,12 @@ def bind_condition(condition: Condition, world: World, model: mujoco.MjModel) ->
         raise InvalidRequest(f"condition: {error}") from error
 
 
-def _touching(condition: Touching, model: mujoco.MjModel) -> Judge:
+def _touching(condition: Touching, model: mujoco.MjModel) -> Predicate:
     first, second = (find_solids(model, name) for name in (condition.geom1, condition.geom2))
     return lambda data, _now, _read: touching(data, first, second)
 
 
-def _near(condition: Near, model: mujoco.MjModel) -> Judge:
+def _near(condition: Near, model: mujoco.MjModel) -> Predicate:
     first, second = (name_to_id(model, mujoco.mjtObj.mjOBJ_BODY, "body", n) for n in (condition.body1, condition.body2))
     if not condition.within >= 0:
         raise InvalidRequest(f"condition: within_m: {condition.within} must be at least 0")
@@ -83,7 +83,7 @@ def _near(condition: Near, model: mujoco.MjModel) -> Judge:
     return judge
 
 
-def _beyond(condition: Beyond, world: World) -> Judge:
+def _beyond(condition: Beyond, world: World) -> Predicate:
     device = world.description.devices.get(condition.device)
     if device is None:
         raise InvalidRequest(f"condition: no device {condition.device!r}")

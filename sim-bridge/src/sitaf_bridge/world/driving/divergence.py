@@ -1,4 +1,4 @@
-"""Whether MuJoCo met numbers that are none: it would put the simulation back silently."""
+"""Detects NaN, infinity and huge values, after which MuJoCo silently resets the simulation."""
 
 import mujoco
 import numpy as np
@@ -17,18 +17,18 @@ FATAL = np.array(
 
 
 class Divergence:
-    """Of one simulation's data."""
+    """Checks the data of one simulation."""
 
     def __init__(self, data: mujoco.MjData) -> None:
-        # A view: looking it up costs more than looking at it.
+        # A view, because looking up the attribute takes longer than reading it.
         self._warnings = data.warning.number
 
     def seen(self) -> bool:
-        """Whether it happened since the data were reset."""
+        """Whether the simulation diverged since the last reset."""
         return any(self._warnings.take(FATAL).tolist())
 
-    def told(self, step: int) -> str:
-        """What a client is told that meets it at a step."""
+    def message(self, step: int) -> str:
+        """The message for a client."""
         return (
             f"the simulation diverged at or before step {step} (NaN, infinity or a huge value); "
             "reset it with RESET_SCOPE_ALL or delete the session; a smaller timestep or softer contacts may help"

@@ -1,4 +1,4 @@
-"""Bodies as a test sees and moves them."""
+"""Reads and moves bodies."""
 
 import math
 import re
@@ -22,7 +22,7 @@ NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]{0,127}")
 class Motion:
     """Position in metres, quaternion w, x, y, z, and velocity of a body's origin in the frame of the world.
 
-    Parts that are None stay as they are.
+    Fields that are None are not changed.
     """
 
     pos: Sequence[float] | None = None
@@ -40,7 +40,7 @@ def find_body(model: mujoco.MjModel, name: str) -> int:
 
 
 def motion_of(model: mujoco.MjModel, data: mujoco.MjData, name: str) -> Motion:
-    """Where a body is, and how it moves."""
+    """The pose and velocity of a body."""
     body = find_body(model, name)
     velocity = np.empty(6)
     mujoco.mj_objectVelocity(model, data, mujoco.mjtObj.mjOBJ_XBODY, body, velocity, 0)
@@ -48,10 +48,10 @@ def motion_of(model: mujoco.MjModel, data: mujoco.MjData, name: str) -> Motion:
 
 
 def put_motion(model: mujoco.MjModel, data: mujoco.MjData, name: str, motion: Motion) -> None:
-    """Put a mocap body or one with a free joint somewhere. Raises InvalidRequest."""
+    """Move a mocap body or a body with a free joint. Raises InvalidRequest."""
     body = find_body(model, name)
     for what, part in (("position", motion.pos), ("linear", motion.linear), ("angular", motion.angular)):
-        _refuse_not_finite(f"state.{what}", part)
+        _check_finite(f"state.{what}", part)
     quat = None if motion.quat is None else unit(motion.quat, "state.orientation")
     mocap, joint = int(model.body_mocapid[body]), int(model.body_jntadr[body])
     if mocap >= 0:
@@ -70,26 +70,26 @@ def put_motion(model: mujoco.MjModel, data: mujoco.MjData, name: str, motion: Mo
         if motion.linear is not None:
             data.qvel[speed : speed + 3] = motion.linear
         if motion.angular is not None:
-            # MuJoCo keeps the angular velocity of a free joint in the frame of the body.
+            # MuJoCo stores the angular velocity of a free joint in the frame of the body.
             turn = np.empty(9)
             mujoco.mju_quat2Mat(turn, data.qpos[at + 3 : at + 7])
             data.qvel[speed + 3 : speed + 6] = turn.reshape(3, 3).T @ np.array(motion.angular)
     else:
-        raise InvalidRequest(f"entity: {name} is neither a mocap body nor has it a free joint; it cannot be put")
+        raise InvalidRequest(f"entity: {name} cannot be moved: it is not a mocap body and has no free joint")
 
 
 def push(
     model: mujoco.MjModel, data: mujoco.MjData, name: str, force: Sequence[float], torque: Sequence[float]
 ) -> None:
-    """Apply a wrench at a body's centre of mass until it is applied anew. Raises InvalidRequest."""
+    """Apply a wrench at a body's centre of mass until the next call. Raises InvalidRequest."""
     body = find_body(model, name)
-    _refuse_not_finite("wrench.force", force)
-    _refuse_not_finite("wrench.torque", torque)
+    _check_finite("wrench.force", force)
+    _check_finite("wrench.torque", torque)
     data.xfrc_applied[body] = (*force, *torque)
 
 
 def carry_over(old_model: mujoco.MjModel, old: mujoco.MjData, model: mujoco.MjModel, data: mujoco.MjData) -> None:
-    """Give a new model's data the state of an old one's, whose bodies differ by spawned ones at the end only."""
+    """Copy the state to the data of a new model that differs only by spawned bodies at its end."""
     data.time = old.time
     for what in ("qpos", "qvel", "qacc_warmstart", "act", "ctrl", "mocap_pos", "mocap_quat", "userdata"):
         new, before = getattr(data, what), getattr(old, what)
@@ -97,7 +97,7 @@ def carry_over(old_model: mujoco.MjModel, old: mujoco.MjData, model: mujoco.MjMo
         new[:shared] = before[:shared]
     for body in range(1, min(old_model.nbody, model.nbody)):
         data.xfrc_applied[body] = old.xfrc_applied[body]
-    # Of the spawned ones any may be missing now, which moved those behind it.
+    # Any spawned body may have been removed, which shifts those after it.
     for body in range(1, model.nbody):
         name = mujoco.mj_id2name(model, BODY, body)
         before = mujoco.mj_name2id(old_model, BODY, name) if name else -1
@@ -109,35 +109,35 @@ def carry_over(old_model: mujoco.MjModel, old: mujoco.MjData, model: mujoco.MjMo
 
 
 def checked(entity: SpawnedEntity, world: World) -> SpawnedEntity:
-    """An entity that can be spawned into a world, with a unit quaternion. Raises InvalidRequest, LimitReached."""
+    """Check an entity to spawn and normalize its quaternion. Raises InvalidRequest, LimitReached."""
     if not NAME.fullmatch(entity.name):
         raise InvalidRequest(f"entity: the name {entity.name!r} must be letters, digits and '_'")
     for kind in (BODY, mujoco.mjtObj.mjOBJ_GEOM, mujoco.mjtObj.mjOBJ_JOINT):
         if mujoco.mj_name2id(world.model, kind, entity.name) >= 0:
-            raise InvalidRequest(f"entity: the name {entity.name} is taken")
+            raise InvalidRequest(f"entity: the name {entity.name} is already used")
     if len(world.entities) >= MAX_ENTITIES:
-        raise LimitReached(f"{MAX_ENTITIES} entities are spawned, the limit; delete one first")
+        raise LimitReached(f"{MAX_ENTITIES} entities are spawned, which is the limit; delete one first")
     sizes = SHAPES[entity.shape][1]
     if len(entity.size) != sizes or not all(0 < size < math.inf for size in entity.size):
-        raise InvalidRequest(f"size_m: a {entity.shape} takes {sizes} numbers above 0, not {list(entity.size)}")
+        raise InvalidRequest(f"size_m: a {entity.shape} needs {sizes} positive numbers, not {list(entity.size)}")
     if not 0 <= entity.mass < math.inf:
-        raise InvalidRequest(f"mass_kg: {entity.mass} must be 0 or above")
+        raise InvalidRequest(f"mass_kg: {entity.mass} must not be negative")
     if len(entity.rgba) != 4 or not all(0 <= part <= 1 for part in entity.rgba):
         raise InvalidRequest("rgba: must be four numbers from 0 to 1")
-    _refuse_not_finite("pose.position", entity.pos)
+    _check_finite("pose.position", entity.pos)
     w, x, y, z = unit(entity.quat, "pose.orientation")
     return SpawnedEntity(entity.name, entity.shape, entity.size, entity.pos, (w, x, y, z), entity.mass, entity.rgba)
 
 
 def unit(quaternion: Sequence[float], shown: str) -> list[float]:
-    """A quaternion of unit length, which it must nearly have. Raises InvalidRequest."""
-    _refuse_not_finite(shown, quaternion)
+    """Normalize a quaternion, whose length must be nearly 1. Raises InvalidRequest."""
+    _check_finite(shown, quaternion)
     length = math.sqrt(sum(part * part for part in quaternion))
     if abs(length - 1) > 1e-3:
         raise InvalidRequest(f"{shown}: the quaternion's length is {length:g}, not 1")
     return [part / length for part in quaternion]
 
 
-def _refuse_not_finite(shown: str, numbers: Sequence[float] | None) -> None:
+def _check_finite(shown: str, numbers: Sequence[float] | None) -> None:
     if numbers is not None and not all(math.isfinite(number) for number in numbers):
-        raise InvalidRequest(f"{shown}: {list(numbers)} holds a number that is not finite")
+        raise InvalidRequest(f"{shown}: {list(numbers)} contains a number that is not finite")

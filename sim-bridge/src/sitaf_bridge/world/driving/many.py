@@ -1,4 +1,4 @@
-"""Many cases at once, each from a clean reset, on several threads."""
+"""Prepares many cases, each from a clean reset, on several threads."""
 
 import threading
 from collections.abc import Callable, Sequence
@@ -11,20 +11,20 @@ from numpy.typing import NDArray
 from sitaf_bridge.errors import Cancelled, Diverged, InvalidRequest, UnreachableValue
 from sitaf_bridge.world.devices import KINDS, DeviceDeclaration
 from sitaf_bridge.world.driving.batch import BatchRun, can_batch
-from sitaf_bridge.world.driving.checking import check_values, refuse_unknown, steps_in
+from sitaf_bridge.world.driving.checking import check_names, check_values, steps_in
 from sitaf_bridge.world.driving.simulation import Simulation
 from sitaf_bridge.world.state import WorldState
 from sitaf_bridge.world.world import World
 
-# Fewer cases than this are prepared one by one: a batch costs some milliseconds to set up.
-WORTH_A_BATCH = 32
-# Cases of one batch: enough to keep the threads busy, few enough to stay in the caches.
+# With fewer cases, the setup of a batch (some milliseconds) does not pay off.
+MIN_BATCH_SIZE = 32
+# Cases per batch: enough to keep the threads busy, few enough for the caches.
 CHUNK = 2_000
 
 
 @dataclass(frozen=True)
 class Cases:
-    """One row of `values` a case, one column a parameter; `devices` to read, none for all."""
+    """One row of `values` per case, one column per parameter; `devices` to read, none for all."""
 
     names: tuple[str, ...]
     values: NDArray[np.float64]
@@ -43,11 +43,11 @@ class _Job:
 
 
 def prepare_many(
-    world: World, seed: int, cases: Cases, threads: int, wanted: Callable[[], bool]
+    world: World, seed: int, cases: Cases, threads: int, is_active: Callable[[], bool]
 ) -> tuple[tuple[str, ...], NDArray[np.float64], list[int]]:
-    """The names of the columns, the readings row by row, and the cases that diverged.
+    """Return the names of the columns, the readings by row, and the cases that diverged.
 
-    Row by row bit-identical to Simulation.prepare. Raises InvalidRequest, LimitReached, UnreachableValue, Cancelled.
+    Each row is bit-identical to Simulation.prepare. Raises InvalidRequest, LimitReached, UnreachableValue, Cancelled.
     """
     simulation = Simulation(world, seed)
     steps = steps_in(world, cases.settle_ns, "settle_ns")
@@ -59,25 +59,25 @@ def prepare_many(
     job = _Job(world, seed, cases, devices, columns, np.empty((count, len(columns))))
     diverged: list[int] = []
     left: Sequence[int] = range(count)
-    if count >= WORTH_A_BATCH and can_batch(world, devices):
+    if count >= MIN_BATCH_SIZE and can_batch(world, devices):
         run = BatchRun(world, devices, cases.names, min(CHUNK, count), threads)
         odd: list[int] = []
         for first in range(0, count, CHUNK):
-            if not wanted():
-                raise Cancelled("the caller went away")
+            if not is_active():
+                raise Cancelled("the caller disconnected")
             rows = slice(first, min(first + CHUNK, count))
             strange = run.prepare(cases.values[rows], steps, job.readings[rows])
             odd += [first + index for index in strange]
         left = odd
     if left:
-        diverged = _one_by_one(job, left, threads, simulation, wanted)
+        diverged = _one_by_one(job, left, threads, simulation, is_active)
     return columns, job.readings, diverged
 
 
 def _one_by_one(
-    job: _Job, rows: Sequence[int], threads: int, first: Simulation, wanted: Callable[[], bool]
+    job: _Job, rows: Sequence[int], threads: int, first: Simulation, is_active: Callable[[], bool]
 ) -> list[int]:
-    """Fill in rows by simulations of their own, one for each thread; gives those that diverged."""
+    """Prepare rows in separate simulations, one per thread; returns those that diverged."""
     threads = max(1, min(threads, len(rows)))
     simulations = [first, *(Simulation(job.world, job.seed) for _ in range(threads - 1))]
     stop = threading.Event()
@@ -85,11 +85,11 @@ def _one_by_one(
     def work(index: int) -> list[int]:
         diverged: list[int] = []
         for row in rows[index::threads]:
-            if stop.is_set() or not wanted():
+            if stop.is_set() or not is_active():
                 stop.set()
-                raise Cancelled("the caller went away")
+                raise Cancelled("the caller disconnected")
             try:
-                if not _prepare(job, simulations[index], row, wanted):
+                if not _prepare(job, simulations[index], row, is_active):
                     diverged.append(row)
             except Exception:
                 stop.set()
@@ -106,10 +106,10 @@ def _one_by_one(
     return sorted(row for future in futures for row in future.result())
 
 
-def _prepare(job: _Job, simulation: Simulation, row: int, wanted: Callable[[], bool]) -> bool:
+def _prepare(job: _Job, simulation: Simulation, row: int, is_active: Callable[[], bool]) -> bool:
     values = dict(zip(job.cases.names, job.cases.values[row].tolist(), strict=True))
     try:
-        state = simulation.prepare(values, job.cases.settle_ns, wanted)
+        state = simulation.prepare(values, job.cases.settle_ns, is_active)
     except Diverged:
         job.readings[row] = np.nan
         return False
@@ -139,7 +139,7 @@ def _devices(world: World, names: Sequence[str]) -> tuple[DeviceDeclaration, ...
 def _check(world: World, cases: Cases) -> None:
     if len(set(cases.names)) != len(cases.names):
         raise InvalidRequest("parameters: a name is given twice")
-    refuse_unknown(world, cases.names)
+    check_names(world, cases.names)
     low = np.array([world.description.parameters[name].low for name in cases.names])
     high = np.array([world.description.parameters[name].high for name in cases.names])
     with np.errstate(invalid="ignore"):

@@ -1,1 +1,1 @@
-"""Rays, insides and bounds of geoms, where MuJoCo leaves them open."""
+"""Geometry that MuJoCo does not provide: rays, inside tests and bounds of geoms."""

@@ -1,4 +1,4 @@
-"""The bounding volumes that follow from a geom's size; MuJoCo computes them only when it compiles."""
+"""Bounding volumes of geoms, which MuJoCo computes during compilation only."""
 
 import mujoco
 import numpy as np
@@ -6,7 +6,7 @@ from numpy.typing import NDArray
 
 
 def refit(model: mujoco.MjModel, geom: int) -> None:
-    """Recompute the bounds of a primitive geom, and the tree of bounds of its body, from its present size."""
+    """Recompute the bounds of a primitive geom and the bounding tree of its body after a change of size."""
     half = _half_extents(model, geom)
     model.geom_aabb[geom] = (0.0, 0.0, 0.0, *half)
     model.geom_rbound[geom] = _radius(model, geom)
@@ -15,7 +15,7 @@ def refit(model: mujoco.MjModel, geom: int) -> None:
     if first < 0:
         return
     to_body = _rotation(model.body_iquat[body]).T
-    # Children stand after their parent, so that going backwards meets them first.
+    # Children follow their parent, so iterate backwards.
     for node in range(first + int(model.body_bvhnum[body]) - 1, first - 1, -1):
         leaf = int(model.bvh_nodeid[node])
         if leaf >= 0:
@@ -44,7 +44,7 @@ def _half_extents(model: mujoco.MjModel, geom: int) -> tuple[float, float, float
 
 
 def _radius(model: mujoco.MjModel, geom: int) -> float:
-    """The radius of the sphere around the geom's centre that holds it."""
+    """The radius of the bounding sphere around the geom's centre."""
     a, b, c = model.geom_size[geom].tolist()
     kind = model.geom_type[geom]
     if kind == mujoco.mjtGeom.mjGEOM_SPHERE:

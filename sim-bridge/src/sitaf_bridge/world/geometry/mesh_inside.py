@@ -1,4 +1,4 @@
-"""Points inside of meshes."""
+"""Inside test for meshes."""
 
 from dataclasses import dataclass
 
@@ -6,7 +6,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-# A face whose plane holds the point contributes no angle; relative to the product of the three lengths.
+# Faces whose plane contains the point contribute no angle; relative to the product of the three lengths.
 COPLANAR = 1e-12
 
 
@@ -28,8 +28,8 @@ class Mesh:
     def depth(self, point: NDArray[np.float64]) -> float:
         """1 if a point lies inside, -1 if outside, 0 if on the surface, by the winding number around it.
 
-        The solid angle of a triangle is that of van Oosterom and Strackee (1983). Unlike counting the crossings
-        of a ray, their sum does not break where a ray would meet an edge.
+        The solid angle of a triangle is that of van Oosterom and Strackee (1983). Unlike counting ray crossings, the
+        sum is robust where a ray would hit an edge.
         """
         if bool((point < self.low).any()) or bool((point > self.high).any()):
             return -1.0
@@ -45,6 +45,6 @@ class Mesh:
             + np.einsum("ij,ij->i", c, a) * lb
         )
         angle = np.where(np.abs(volume) <= COPLANAR * la * lb * lc, 0.0, 2.0 * np.arctan2(volume, denominator))
-        # Inside one (or minus one: faces turned inside out), outside zero, on a face one half.
+        # Inside 1 (or -1 for inverted faces), outside 0, on a face 0.5.
         winding = abs(float(angle.sum())) / (4.0 * np.pi)
         return 0.0 if abs(winding - 0.5) < 1e-6 else float(np.sign(winding - 0.5))

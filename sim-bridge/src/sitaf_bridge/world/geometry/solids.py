@@ -1,6 +1,6 @@
-"""Rays, and points inside of geoms: what MuJoCo's range finders leave open.
+"""Rays and inside tests for geoms, which MuJoCo's range finders do not cover.
 
-MuJoCo's ray from a point inside a solid reports the far face, and nothing at all behind a plane.
+A MuJoCo ray that starts inside a solid reports the far face, and nothing behind a plane.
 """
 
 from collections.abc import Sequence
@@ -25,12 +25,12 @@ BOX = int(mujoco.mjtGeom.mjGEOM_BOX)
 MESH = int(mujoco.mjtGeom.mjGEOM_MESH)
 SOLID_TYPES = (PLANE, SPHERE, CAPSULE, ELLIPSOID, CYLINDER, BOX, MESH)
 PARALLEL = 1e-12
-# Metres. Nearer than this to a surface, rounding decides on which side a point lies: it counts as touching.
+# Metres. Within this distance of a surface, rounding determines the side, so the point counts as touching.
 TOUCH = 1e-10
 
 
 def visible(model: mujoco.MjModel, geom: int) -> bool:
-    """Whether rays see a geom: as in MuJoCo, one whose own or whose material's alpha is 0 is not there."""
+    """Whether rays hit a geom: like in MuJoCo, geoms whose own or whose material's alpha is 0 are ignored."""
     material = model.geom_matid[geom]
     if material >= 0:
         return bool(model.mat_rgba[material, 3] != 0)
@@ -49,9 +49,9 @@ def cast(model: mujoco.MjModel, data: mujoco.MjData, geom: int, origin: Vector, 
 
 
 def clearance(model: mujoco.MjModel, data: mujoco.MjData, geom: int, origin: Vector, along: Vector) -> float | None:
-    """Where the line through `origin` enters the geom, in metres along a unit vector; negative behind the origin.
+    """The distance in metres along a unit vector to where the line through `origin` enters the geom; may be negative.
 
-    None if the line does not enter it at all. Where the entry lies ahead, this is the ray's distance to the bit.
+    None if the line does not enter it. If the entry is ahead, the value is bit-identical to the ray's distance.
     """
     ahead = cast(model, data, geom, origin, along)
     centre = data.geom_xpos[geom]
@@ -62,7 +62,7 @@ def clearance(model: mujoco.MjModel, data: mujoco.MjData, geom: int, origin: Vec
     if entry < 0:
         return None
     entry -= back
-    # The ray from far away knows which face it is, the ray from the origin knows the last bits.
+    # A ray from far away finds the right face, a ray from the origin gives the exact distance.
     return ahead if ahead >= 0 and abs(ahead - entry) < 1e-6 else entry
 
 
@@ -85,7 +85,7 @@ def _plane_clearance(
 
 @dataclass(frozen=True)
 class _Group:
-    """Pairs of the same geom type: index of the asker, site, geom; and where they are among all pairs."""
+    """Pairs of the same geom type: index of the site in the request, site, geom; and their indices among all pairs."""
 
     kind: int
     pairs: slice
@@ -95,10 +95,10 @@ class _Group:
 
 
 class Surroundings:
-    """Tells for each of several sites which of its solids it lies inside of, and which it touches.
+    """Computes for several sites which solids they are inside of and which they touch.
 
-    A plane is solid behind its front, within its rectangle where it has one; height fields have no inside.
-    All pairs of one geom type are computed together: calls, not arithmetic, are what costs.
+    A plane is solid behind its front, within its rectangle if it has one; height fields have no inside. All pairs of
+    one geom type are computed together, because the number of calls dominates the cost.
     """
 
     def __init__(self, model: mujoco.MjModel, sites: Sequence[int], solids: Sequence[Sequence[int]]) -> None:
@@ -131,13 +131,13 @@ class Surroundings:
     def __call__(
         self, model: mujoco.MjModel, data: mujoco.MjData
     ) -> tuple[NDArray[np.bool_], Sequence[tuple[int, int]]]:
-        """For each site whether it is inside; and the pairs (site's index, geom) of those that touch."""
+        """Return for each site whether it is inside; and the pairs (site index, geom) that touch."""
         inside = np.zeros(self._count, dtype=np.bool_)
         touching: list[tuple[int, int]] = []
         if not self._groups:
             return inside, touching
-        # A point outside of the sphere around a geom is not inside of the geom: that rules out most at little cost.
-        # `take` costs a third of an index by an array.
+        # A point outside of the bounding sphere is not inside the geom, which excludes most pairs at little cost.
+        # `take` costs a third of array indexing.
         relative = data.site_xpos.take(self._sites, 0) - data.geom_xpos.take(self._geoms, 0)
         reach = self._reach if model is self._model else self._reach_in(model)
         near = np.einsum("ij,ij->i", relative, relative) <= reach
@@ -164,12 +164,12 @@ class Surroundings:
         return inside, touching
 
     def _reach_in(self, model: mujoco.MjModel) -> Vector:
-        """The square of how far each site may be from its geom to touch it; an edited model may have other sizes."""
+        """The squared distance within which each site may touch its geom; edited models may have other sizes."""
         reach = model.geom_rbound.take(self._geoms) + TOUCH
         return reach * reach
 
     def many(self, model: mujoco.MjModel, batch: Any, count: int) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
-        """For the first simulations of a `mujoco.batch.Batch`: who is inside, (count, sites); where any touches."""
+        """The same for a `mujoco.batch.Batch`: which sites are inside, (count, sites); which simulations touch."""
         inside = np.zeros((count, self._count), np.bool_)
         touches = np.zeros(count, np.bool_)
         sites, geoms = batch.bind("site_xpos")[:count], batch.bind("geom_xpos")[:count]
@@ -198,15 +198,15 @@ class Surroundings:
 
 
 def to_local(matrices: Vector, relative: Vector) -> Vector:
-    """Vectors (n, 3) in the frames of n rotation matrices (n, 9), summed in the order of MuJoCo's own rays."""
+    """Rotate vectors (n, 3) into the frames of n rotation matrices (n, 9), summed in the order of MuJoCo's rays."""
     axes = matrices.reshape(-1, 3, 3)
     return axes[:, 0, :] * relative[:, 0:1] + axes[:, 1, :] * relative[:, 1:2] + axes[:, 2, :] * relative[:, 2:3]
 
 
 def depth_in(kind: int, p: Vector, size: Vector) -> Vector:
-    """How deep points in the frames of geoms lie inside, in metres, negative outside: p and size are (n, 3).
+    """The depth of points inside geoms in metres, negative outside: p and size are (n, 3) in the geoms' frames.
 
-    Exact near the surface, where it matters, up to a factor for the ellipsoid; elsewhere only the sign counts.
+    Exact near the surface, except for a factor for ellipsoids; elsewhere only the sign is meaningful.
     """
     if kind == PLANE:
         beside = np.abs(p[:, :2]) - size[:, :2]

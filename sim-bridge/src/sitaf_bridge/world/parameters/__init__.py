@@ -1,1 +1,1 @@
-"""What a test may vary: the quantities that can be set, and gaps that are solved."""
+"""Parameters of tests: settable quantities, and gaps that are solved."""

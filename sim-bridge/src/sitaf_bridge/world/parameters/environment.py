@@ -1,4 +1,4 @@
-"""Settings of the surroundings and of the machinery: wind, light, actuators, and the devices' own."""
+"""Settings of the environment, of actuators and of devices."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -10,14 +10,14 @@ from numpy.typing import NDArray
 
 @dataclass(frozen=True)
 class Wind:
-    """A component of the medium's velocity in metres per second; it acts where the MJCF gives density or viscosity."""
+    """A component of the wind velocity in metres per second; effective only if the MJCF sets density or viscosity."""
 
     axis: int
     edits_model: bool = True
     lowest: float = -np.inf
 
     def column(self, batch: Any) -> NDArray[np.float64] | None:
-        """Of the options of each."""
+        """The options of each simulation."""
         return batch.expand("opt.wind")[:, self.axis]
 
     def get(self, model: mujoco.MjModel, data: mujoco.MjData) -> float:
@@ -31,7 +31,7 @@ class Wind:
 
 @dataclass(frozen=True)
 class LightBrightness:
-    """How bright a light is: 1 as in the MJCF, 0 dark."""
+    """The brightness of a light: 1 as in the MJCF, 0 dark."""
 
     light: int
     colour: tuple[float, float, float]
@@ -39,11 +39,11 @@ class LightBrightness:
     lowest: float = 0.0
 
     def column(self, batch: Any) -> NDArray[np.float64] | None:
-        """Only cameras see it, and those are not read in batches."""
+        """Not supported: only cameras see lights, and batches do not read cameras."""
         return None
 
     def get(self, model: mujoco.MjModel, data: mujoco.MjData) -> float:
-        """From the model, by its brightest colour."""
+        """The brightness relative to the MJCF, by the brightest color component."""
         brightest = int(np.argmax(self.colour))
         return float(model.light_diffuse[self.light, brightest]) / (self.colour[brightest] or 1.0)
 
@@ -54,7 +54,7 @@ class LightBrightness:
 
 @dataclass(frozen=True)
 class ActuatorGain:
-    """The gain of an actuator, and of its feedback along with it: `kp`, `kv`, or the motor's gain."""
+    """The gain of an actuator with its feedback: `kp`, `kv`, or the gain of a motor."""
 
     actuator: int
     gain: float
@@ -63,7 +63,7 @@ class ActuatorGain:
     lowest: float = 0.0
 
     def column(self, batch: Any) -> NDArray[np.float64] | None:
-        """Several numbers go along."""
+        """Not supported: the setting writes several numbers."""
         return None
 
     def get(self, model: mujoco.MjModel, data: mujoco.MjData) -> float:
@@ -71,21 +71,21 @@ class ActuatorGain:
         return float(model.actuator_gainprm[self.actuator, 0])
 
     def put(self, model: mujoco.MjModel, data: mujoco.MjData, value: float) -> None:
-        """Scaled from the compiled values, so that setting back restores every bit."""
+        """Scale the compiled values, so that restoring is exact to the bit."""
         model.actuator_gainprm[self.actuator, 0] = value
         model.actuator_biasprm[self.actuator] = np.array(self.bias) * (value / self.gain)
 
 
 @dataclass(frozen=True)
 class DeviceKnob:
-    """The noise, delay or level of a device, which the userdata of the simulation holds."""
+    """The noise, delay or level of a device, stored in the userdata of the simulation."""
 
     address: int
     edits_model: bool = False
     lowest: float = 0.0
 
     def column(self, batch: Any) -> NDArray[np.float64] | None:
-        """Noise and delay are not made in batches."""
+        """Not supported: batches do not compute noise and delay."""
         return None
 
     def get(self, model: mujoco.MjModel, data: mujoco.MjData) -> float:

@@ -1,4 +1,4 @@
-"""Solves what a setting must be so that a sensor's clearance to a surface equals a value, to the bit if it can."""
+"""Solves a setting such that a sensor's clearance to a surface equals a value, to the bit if possible."""
 
 import itertools
 import math
@@ -14,31 +14,31 @@ from sitaf_bridge.world.geometry.solids import HFIELD, SOLID_TYPES, clearance
 from sitaf_bridge.world.parameters.settings import NoSuchSetting, Setting, name_to_id
 
 MAX_ITERATIONS = 60
-# Metres. A solution is refused when it is farther off, which no polishing could hide.
+# Metres. A solution with a larger error is rejected.
 TOLERANCE = 1e-9
-# How many neighbouring numbers the polishing tries on either side.
+# Number of adjacent floats to try on either side of a solution.
 NEIGHBOURS = 16
 
 
 @dataclass(frozen=True)
 class BoundGap:
-    """The signed clearance from a site, along its z axis, to where that line enters a geom. Metres."""
+    """The signed clearance in metres from a site along its z axis to where that line enters a geom."""
 
     site: int
     geom: int
     text: str
-    # What the setting is more than the clearance where the world begins: a first guess, often an exact one. The same
-    # guess whatever went before, so that the same calls give the same bits.
+    # Difference of setting and clearance in the initial world: a first guess, often an exact one. Independent of
+    # earlier calls, so that the same calls give the same bits.
     offset: float | None = None
 
     def measure(self, model: mujoco.MjModel, data: mujoco.MjData) -> float | None:
-        """The clearance as things stand, or None if the line does not enter the geom."""
+        """The current clearance, or None if the line does not enter the geom."""
         mujoco.mj_kinematics(model, data)
         along = np.ascontiguousarray(data.site_xmat[self.site].reshape(3, 3)[:, 2])
         return clearance(model, data, self.geom, data.site_xpos[self.site], along)
 
     def solve(self, model: mujoco.MjModel, data: mujoco.MjData, setting: Setting, target: float) -> float:
-        """Put the setting where the clearance equals the target, and return it. Raises UnreachableValue."""
+        """Solve the setting such that the clearance equals the target, and return it. Raises UnreachableValue."""
         search = _Search(self, model, data, setting, target)
         if self.offset is not None:
             began, guess = setting.get(model, data), target + self.offset
@@ -48,7 +48,7 @@ class BoundGap:
         best = search.polish(search.approach())
         error = search.error(best)
         if error is None or abs(error) > TOLERANCE:
-            raise UnreachableValue(f"the nearest clearance that could be set for {self.text} is off by {error} m")
+            raise UnreachableValue(f"the nearest possible clearance for {self.text} has an error of {error} m")
         return best
 
 
@@ -57,7 +57,7 @@ def find_gap(model: mujoco.MjModel, gap: Gap, setting: Setting) -> BoundGap:
     site = name_to_id(model, mujoco.mjtObj.mjOBJ_SITE, "site", gap.site)
     geom = name_to_id(model, mujoco.mjtObj.mjOBJ_GEOM, "geom", gap.geom)
     if model.geom_type[geom] not in (*SOLID_TYPES, HFIELD):
-        raise NoSuchSetting(f"the geom {gap.geom!r} is of a type that rays cannot measure")
+        raise NoSuchSetting(f"the geom {gap.geom!r} has a type that rays cannot measure")
     bound = BoundGap(site, geom, f"gap [site.{gap.site}, geom.{gap.geom}]")
     data = mujoco.MjData(model)
     clear = bound.measure(model, data)
@@ -65,7 +65,7 @@ def find_gap(model: mujoco.MjModel, gap: Gap, setting: Setting) -> BoundGap:
 
 
 class _Search:
-    """A secant search: exact after two steps where the surface moves straight along the line."""
+    """A secant search: exact after two steps if the surface moves straight along the line."""
 
     def __init__(
         self, gap: BoundGap, model: mujoco.MjModel, data: mujoco.MjData, setting: Setting, target: float
@@ -77,7 +77,7 @@ class _Search:
         self.target = target
 
     def error(self, value: float) -> float | None:
-        """The clearance at a value, less the target."""
+        """The clearance at a value minus the target."""
         if not math.isfinite(value) or value < self.setting.lowest:
             return None
         self.setting.put(self.model, self.data, value)
@@ -85,7 +85,7 @@ class _Search:
         return None if measured is None else measured - self.target
 
     def approach(self) -> float:
-        """A value whose error is as small as the secant makes it."""
+        """The value with the smallest error that the secant search finds."""
         at = self.setting.get(self.model, self.data)
         error = self.error(at)
         if error is None:
@@ -98,9 +98,9 @@ class _Search:
             if following == at:
                 return at
             if following_error == error:
-                raise UnreachableValue(f"{self.gap.text} does not change with what `set` moves")
+                raise UnreachableValue(f"{self.gap.text}: `set` does not change it")
             slope = (following_error - error) / (following - at)
-            # An error that grows at first only shows that the slope was guessed with the wrong sign.
+            # If the first step increases the error, the guessed slope has the wrong sign.
             at, error = following, following_error
             if abs(error) < 1e-12 * max(1.0, abs(self.target)):
                 return self._last_step(at, error, slope)
@@ -112,16 +112,16 @@ class _Search:
         return refined if refined_error is not None and abs(refined_error) < abs(error) else at
 
     def _step(self, at: float, by: float) -> tuple[float, float]:
-        """As far as asked, or less where the line would miss the geom."""
+        """Take a step, shortened if the line would miss the geom."""
         for _ in range(MAX_ITERATIONS):
             error = self.error(at + by)
             if error is not None:
                 return at + by, error
             by /= 2
-        raise UnreachableValue(f"{self.gap.text}: the line stops meeting the geom before {self.target:g} m")
+        raise UnreachableValue(f"{self.gap.text}: the line misses the geom before {self.target:g} m is reached")
 
     def polish(self, value: float) -> float:
-        """The number next to `value` with the smallest error; the search's last bits are rounding."""
+        """The adjacent float with the smallest error, to remove rounding errors of the search."""
         best, least = value, math.inf
         for candidate in itertools.chain((value,), _neighbours(value)):
             error = self.error(candidate)

@@ -1,4 +1,4 @@
-"""The `set` paths of a world description, and what each stands for."""
+"""The `set` paths of a world description and their settings."""
 
 import re
 from collections.abc import Callable, Mapping
@@ -46,7 +46,7 @@ def _knob(model: mujoco.MjModel, devices: Mapping[str, DeviceDeclaration], match
 
 
 def find_setting(model: mujoco.MjModel, path: str, devices: Mapping[str, DeviceDeclaration]) -> Setting:
-    """The setting that a `set` path names. Raises NoSuchSetting."""
+    """The setting of a `set` path. Raises NoSuchSetting."""
     match = DEVICE.fullmatch(path)
     if match:
         return _knob(model, devices, match)
@@ -55,7 +55,7 @@ def find_setting(model: mujoco.MjModel, path: str, devices: Mapping[str, DeviceD
         if match:
             return form.find(model, match["name"], match["last"])
     raise NoSuchSetting(
-        "is not a path that can be set; known forms: " + ", ".join([*(form.shape for form in FORMS), DEVICE_SHAPE])
+        "is not a known path; known forms: " + ", ".join([*(form.shape for form in FORMS), DEVICE_SHAPE])
     )
 
 
@@ -85,7 +85,7 @@ def _body_mass(model: mujoco.MjModel, name: str, _last: str) -> Setting:
     body = name_to_id(model, mujoco.mjtObj.mjOBJ_BODY, "body", name)
     mass = float(model.body_mass[body])
     if mass <= 0:
-        raise NoSuchSetting(f"the body {name!r} has no mass, so there is no inertia to scale")
+        raise NoSuchSetting(f"the body {name!r} has no mass")
     x, y, z = model.body_inertia[body].tolist()
     return BodyMass(body, mass, (x, y, z))
 
@@ -111,7 +111,7 @@ def _geom_size(model: mujoco.MjModel, name: str, last: str) -> Setting:
 
 def _joint_position(model: mujoco.MjModel, name: str, _last: str) -> Setting:
     joint = name_to_id(model, mujoco.mjtObj.mjOBJ_JOINT, "joint", name)
-    # Converted, because MuJoCo's enumerators do not equal NumPy's integers from their own side.
+    # Converted, because comparing a NumPy integer with an enumerator of MuJoCo depends on the order of operands.
     if mujoco.mjtJoint(int(model.jnt_type[joint])) not in (mujoco.mjtJoint.mjJNT_HINGE, mujoco.mjtJoint.mjJNT_SLIDE):
         raise NoSuchSetting(f"the joint {name!r} is neither a hinge nor a slide")
     return JointPosition(int(model.jnt_qposadr[joint]))
@@ -125,7 +125,7 @@ def _body_rotation(model: mujoco.MjModel, name: str, last: str) -> Setting:
     joint = int(model.body_jntadr[body])
     if joint >= 0 and model.jnt_type[joint] == mujoco.mjtJoint.mjJNT_FREE:
         return FreeRotation(int(model.jnt_qposadr[joint]) + 3, angle)
-    raise NoSuchSetting("only a mocap body and one with a free joint can be turned")
+    raise NoSuchSetting("only a mocap body and a body with a free joint can be rotated")
 
 
 def _wind(_model: mujoco.MjModel, _name: str, last: str) -> Setting:

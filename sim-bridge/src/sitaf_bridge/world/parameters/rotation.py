@@ -1,6 +1,6 @@
-"""Settings that turn bodies: roll, pitch and yaw in radians about fixed axes (REP-103), one at a time.
+"""Settings that rotate bodies: roll, pitch and yaw in radians about fixed axes (REP-103), one at a time.
 
-Setting one angle keeps the two others as they are; near a pitch of a quarter turn roll and yaw are the same thing.
+Setting one angle keeps the other two; near a pitch of 90 degrees roll and yaw are not independent.
 """
 
 import math
@@ -37,7 +37,7 @@ class MocapRotation:
     lowest: float = -np.inf
 
     def column(self, batch: Any) -> NDArray[np.float64] | None:
-        """Four numbers go along."""
+        """Not supported: the setting writes four numbers."""
         return None
 
     def get(self, model: mujoco.MjModel, data: mujoco.MjData) -> float:
@@ -51,7 +51,7 @@ class MocapRotation:
 
 @dataclass(frozen=True)
 class FreeRotation:
-    """An angle of a body with a free joint, whose quaternion begins at `address` of qpos."""
+    """An angle of a body with a free joint, whose quaternion starts at `address` of qpos."""
 
     address: int
     angle: int
@@ -59,7 +59,7 @@ class FreeRotation:
     lowest: float = -np.inf
 
     def column(self, batch: Any) -> NDArray[np.float64] | None:
-        """Four numbers go along."""
+        """Not supported: the setting writes four numbers."""
         return None
 
     def get(self, model: mujoco.MjModel, data: mujoco.MjData) -> float:

@@ -1,4 +1,4 @@
-"""The quantities that a world's parameters may set: what stands behind the `set` paths of a description."""
+"""The quantities that parameters can set, one class per kind of `set` path."""
 
 from dataclasses import dataclass
 from typing import Any, Protocol
@@ -17,12 +17,12 @@ class Setting(Protocol):
 
     @property
     def edits_model(self) -> bool:
-        """Whether it writes to the model; a session then needs one of its own."""
+        """Whether it writes to the model; a session then needs its own copy."""
         ...
 
     @property
     def lowest(self) -> float:
-        """The smallest value that makes sense, inclusive."""
+        """The smallest valid value, inclusive."""
         ...
 
     def get(self, model: mujoco.MjModel, data: mujoco.MjData) -> float:
@@ -30,11 +30,11 @@ class Setting(Protocol):
         ...
 
     def column(self, batch: Any) -> NDArray[np.float64] | None:
-        """The number in each simulation of a `mujoco.batch.Batch`, to be written to; None if it cannot be had so."""
+        """The writable numbers of all simulations of a `mujoco.batch.Batch`; None if not supported."""
         ...
 
     def put(self, model: mujoco.MjModel, data: mujoco.MjData, value: float) -> None:
-        """Set the value. What follows from it (`mj_kinematics`, `mj_forward`) is left to the caller."""
+        """Set the value. The caller updates derived quantities (`mj_kinematics`, `mj_forward`)."""
         ...
 
 
@@ -83,7 +83,7 @@ class JointPosition:
 
 @dataclass(frozen=True)
 class BodyPosition:
-    """Where a body is fixed in its parent, in metres. `moves`: it or a body below it has degrees of freedom."""
+    """The position of a body in its parent, in metres. `moves`: it or a descendant has degrees of freedom."""
 
     body: int
     axis: int
@@ -100,7 +100,7 @@ class BodyPosition:
         return float(model.body_pos[self.body, self.axis])
 
     def put(self, model: mujoco.MjModel, data: mujoco.MjData, value: float) -> None:
-        """Into the model, and with it the constants that depend on the arrangement of the bodies."""
+        """Set it in the model, and update the constants that depend on body positions."""
         model.body_pos[self.body, self.axis] = value
         if self.moves:
             derive_constants(model, data)
@@ -108,7 +108,7 @@ class BodyPosition:
 
 @dataclass(frozen=True)
 class BodyMass:
-    """The mass of a body in kilograms; its inertia is scaled along, as of a body of another density."""
+    """The mass of a body in kilograms; its inertia is scaled in proportion."""
 
     body: int
     mass: float
@@ -125,7 +125,7 @@ class BodyMass:
         return float(model.body_mass[self.body])
 
     def put(self, model: mujoco.MjModel, data: mujoco.MjData, value: float) -> None:
-        """Scaled from the compiled values, so that setting back restores every bit."""
+        """Scale the compiled values, so that restoring is exact to the bit."""
         model.body_mass[self.body] = value
         model.body_inertia[self.body] = np.array(self.inertia) * (value / self.mass)
         derive_constants(model, data)
@@ -155,7 +155,7 @@ class GeomFriction:
 
 @dataclass(frozen=True)
 class GeomSize:
-    """A size of a primitive geom in metres; its mass stays."""
+    """A size of a primitive geom in metres; its mass is not changed."""
 
     geom: int
     index: int
@@ -171,7 +171,7 @@ class GeomSize:
         return float(model.geom_size[self.geom, self.index])
 
     def put(self, model: mujoco.MjModel, data: mujoco.MjData, value: float) -> None:
-        """Into the model, and with it the bounds by which rays and contacts are found."""
+        """Set it in the model, and update the bounds for rays and contacts."""
         model.geom_size[self.geom, self.index] = value
         refit(model, self.geom)
 
@@ -198,7 +198,7 @@ class Gravity:
 
 
 def derive_constants(model: mujoco.MjModel, data: mujoco.MjData) -> None:
-    """mj_setConst, which computes in the data, without a trace in the data's state."""
+    """Call mj_setConst, which modifies the data, and restore the data's state."""
     state = np.empty(mujoco.mj_stateSize(model, INTEGRATION))
     mujoco.mj_getState(model, data, state, INTEGRATION)
     mujoco.mj_setConst(model, data)
@@ -206,7 +206,7 @@ def derive_constants(model: mujoco.MjModel, data: mujoco.MjData) -> None:
 
 
 class NoSuchSetting(Exception):
-    """A path that is not one, or that the model does not have; its text completes `set: PATH: ...`."""
+    """An unknown path, or one that the model does not have; the message completes `set: PATH: ...`."""
 
 
 def name_to_id(model: mujoco.MjModel, kind: mujoco.mjtObj, noun: str, name: str) -> int:

@@ -1,1 +1,1 @@
-"""Worlds and motions as binary glTF, for others to draw."""
+"""Exports worlds and motions as binary glTF."""

@@ -1,4 +1,4 @@
-"""A world at one moment as a scene."""
+"""Draws a world at one moment as a scene."""
 
 from typing import Any
 
@@ -12,11 +12,11 @@ from sitaf_bridge.world.scene.shapes import Shape
 from sitaf_bridge.world.world import World
 
 Geom = mujoco.mjtGeom
-# Where MJCF says nothing; a geom of this colour takes that of its material.
+# MuJoCo's default color; a geom of this color uses that of its material.
 GREY = (0.5, 0.5, 0.5, 1.0)
-# Metres from the middle to the edge of a plane that has none.
+# Metres from the centre to the edge of an infinite plane.
 HORIZON = 10.0
-# Groups that MuJoCo's own viewers show; models keep what only collides in others.
+# Geom groups that MuJoCo's own viewers show; models use others for collision geoms.
 SHOWN_GROUPS = 3
 # Turns the world's z to glTF's y: quaternion x, y, z, w.
 Z_UP = [-(0.5**0.5), 0.0, 0.0, 0.5**0.5]
@@ -28,7 +28,7 @@ def draw(world: World, model: mujoco.MjModel, data: mujoco.MjData) -> Glb:
 
 
 class Stage:
-    """A world drawn but for where its bodies are: the same for all that happens in it. Raises LimitReached."""
+    """The drawing of a world without the poses of its bodies. Raises LimitReached."""
 
     def __init__(self, world: World, model: mujoco.MjModel) -> None:
         self._world = world
@@ -38,11 +38,11 @@ class Stage:
         self._nodes = self._draw()
 
     def shows(self, world: World, model: mujoco.MjModel) -> bool:
-        """Whether the world still looks like this: of what is drawn, parameters set the sizes of solids only."""
+        """Whether the drawing is up to date: parameters can change only the sizes of geoms."""
         return world is self._world and model is self._model and model.geom_size.tobytes() == self._sizes
 
     def at(self, data: mujoco.MjData) -> tuple[Glb, list[int]]:
-        """The scene at a moment, and the node of each body by its id; the world's own is the root of all."""
+        """The scene at a moment, and the node of each body by its id; the world's node is the root."""
         glb = self._glb.copy()
         for node, place, turn in zip(self._nodes[1:], data.xpos[1:].tolist(), data.xquat[1:].tolist(), strict=True):
             entry = glb.entry("nodes", node)
@@ -51,12 +51,12 @@ class Stage:
 
     def _draw(self) -> list[int]:
         glb, model, world = self._glb, self._model, self._world
-        pencil = _Pencil(glb, model)
+        pencil = _GeomDrawer(glb, model)
         nodes = [glb.add("nodes", name="world", rotation=Z_UP)]
         glb.add_root(nodes[0])
         children: list[list[int]] = [[]]
         for body in range(1, model.nbody):
-            # Where it is comes with the moment; the keys keep their order.
+            # The pose is set later; the order of keys must not change.
             nodes.append(glb.add("nodes", name=body_name(model, body), translation=None, rotation=None))
             children[0].append(nodes[-1])
             children.append([])
@@ -87,20 +87,20 @@ class Stage:
 
 
 def body_name(model: mujoco.MjModel, body: int) -> str:
-    """The name of a body, or one made of its id."""
+    """The name of a body, or one derived from its id."""
     if body == 0:
         return "world"
     return mujoco.mj_id2name(model, mujoco.mjtObj.mjOBJ_BODY, body) or f"body_{body}"
 
 
 def xyzw(quaternion: Any) -> list[float]:
-    """MuJoCo's quaternion in glTF's order."""
+    """Convert a quaternion from MuJoCo's order to glTF's."""
     w, x, y, z = (float(part) for part in quaternion)
     return [x, y, z, w]
 
 
 def _shown(model: mujoco.MjModel) -> list[int]:
-    """The geoms that are to be seen: of each body those of the visible groups, or all if it has none of them."""
+    """The geoms to draw: those of each body in the visible groups, or all if it has none of them."""
     every = range(model.ngeom)
     in_view = {g for g in every if model.geom_group[g] < SHOWN_GROUPS}
     dressed = {int(model.geom_bodyid[g]) for g in in_view}
@@ -108,7 +108,7 @@ def _shown(model: mujoco.MjModel) -> list[int]:
 
 
 def _site(model: mujoco.MjModel, device: object) -> int:
-    """Where a device sits; -1 for one without a place."""
+    """The site of a device; -1 if it has none."""
     name = getattr(device, "site", None)
     if name is not None:
         return mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_SITE, name)
@@ -116,8 +116,8 @@ def _site(model: mujoco.MjModel, device: object) -> int:
     return int(model.sensor_objid[sensor]) if sensor >= 0 else -1
 
 
-class _Pencil:
-    """Draws geoms, and each shape and colour but once."""
+class _GeomDrawer:
+    """Draws geoms; each shape and color is stored once."""
 
     def __init__(self, glb: Glb, model: mujoco.MjModel) -> None:
         self._glb = glb
@@ -127,7 +127,7 @@ class _Pencil:
         self._meshes: dict[tuple[object, int], int] = {}
 
     def node(self, geom: int) -> int | None:
-        """A geom as a node in the frame of its body; None for one that cannot be seen."""
+        """A geom as a node in the frame of its body; None if it is invisible."""
         model = self._model
         colour = self._colour(geom)
         form = self._form(geom)
@@ -156,7 +156,7 @@ class _Pencil:
         return self._shapes[key]
 
     def _form(self, geom: int) -> tuple[object, Shape, list[float]] | None:
-        """What tells the shape from others, the shape, and its scale along x, y, z."""
+        """A key of the shape, the shape, and its scale along x, y, z."""
         model = self._model
         kind = Geom(int(model.geom_type[geom]))
         first, second, third = model.geom_size[geom].tolist()
@@ -192,7 +192,7 @@ class _Pencil:
     def _material(self, colour: tuple[float, ...]) -> int:
         if colour not in self._materials:
             *shade, alpha = colour
-            # glTF's colours are linear, MJCF's are as on the screen.
+            # glTF colors are linear, MJCF colors are sRGB.
             linear = [max(part, 0.0) ** 2.2 for part in shade]
             self._materials[colour] = self._glb.add(
                 "materials",

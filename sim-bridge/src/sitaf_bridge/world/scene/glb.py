@@ -1,4 +1,4 @@
-"""Writes binary glTF 2.0 (GLB): the Khronos Group's file format of scenes that browsers and viewers read."""
+"""Writes binary glTF 2.0 (GLB), the Khronos Group's file format for 3D scenes."""
 
 import json
 import struct
@@ -12,7 +12,7 @@ from sitaf_bridge.errors import LimitReached
 MAX_BYTES = 48 * 1024 * 1024
 MAGIC, VERSION = 0x46546C67, 2
 JSON_CHUNK, BINARY_CHUNK = 0x4E4F534A, 0x004E4942
-# componentType, and type by the shape of an element.
+# componentType by data type, and type by the number of components.
 COMPONENTS = {"float32": 5126, "uint32": 5125}
 TYPES = {1: "SCALAR", 3: "VEC3", 4: "VEC4"}
 
@@ -20,7 +20,7 @@ Array = NDArray[np.float32] | NDArray[np.uint32]
 
 
 class Glb:
-    """A file in the making. Indices are those of glTF's own lists."""
+    """A file under construction. Indices refer to glTF's own lists."""
 
     def __init__(self) -> None:
         self.extras: dict[str, Any] = {}
@@ -30,7 +30,7 @@ class Glb:
         self._size = 0
 
     def copy(self) -> "Glb":
-        """The same so far; entries that are completed later are those of the copy alone."""
+        """A copy; changes of its entries do not affect this one."""
         copied = Glb()
         copied.extras = dict(self.extras)
         copied._lists = {kind: [dict(entry) for entry in entries] for kind, entries in self._lists.items()}
@@ -38,31 +38,31 @@ class Glb:
         return copied
 
     def add(self, kind: str, **entry: Any) -> int:
-        """Put an entry into one of glTF's lists, such as `nodes`; gives its index."""
+        """Add an entry to one of glTF's lists, such as `nodes`; returns its index."""
         entries = self._lists.setdefault(kind, [])
         entries.append(entry)
         return len(entries) - 1
 
     def entry(self, kind: str, index: int) -> dict[str, Any]:
-        """An entry, to be completed."""
+        """An entry that can still be modified."""
         return self._lists[kind][index]
 
     def add_root(self, node: int) -> None:
-        """Make a node one of the scene."""
+        """Add a node to the scene."""
         self._roots.append(node)
 
     def view(self, array: Array) -> int:
-        """Put numbers into the binary part; gives the index of their buffer view. Raises LimitReached."""
+        """Add numbers to the binary part; returns the index of their buffer view. Raises LimitReached."""
         content = array.astype(array.dtype.newbyteorder("<"), copy=False).tobytes()
         if self._size + len(content) > MAX_BYTES:
-            raise LimitReached(f"the scene is larger than {MAX_BYTES} bytes, the limit; simplify the world's meshes")
+            raise LimitReached(f"the scene exceeds {MAX_BYTES} bytes; simplify the world's meshes")
         index = self.add("bufferViews", buffer=0, byteOffset=self._size, byteLength=len(content))
         self._binary.append(content + bytes(-len(content) % 4))
         self._size += len(self._binary[-1])
         return index
 
     def accessor(self, array: Array) -> int:
-        """Put the rows of an array (n,), (n, 3) or (n, 4) into the binary part; gives the index of their accessor."""
+        """Add the rows of an array (n,), (n, 3) or (n, 4) to the binary part; returns the index of their accessor."""
         rows = array.reshape(len(array), -1)
         return self.add(
             "accessors",
@@ -75,7 +75,7 @@ class Glb:
         )
 
     def content(self) -> bytes:
-        """The whole file."""
+        """The complete file."""
         scene: dict[str, Any] = {"nodes": self._roots}
         if self.extras:
             scene["extras"] = self.extras

@@ -1,4 +1,4 @@
-"""Solids as triangles. Those of one form are one shape of size 1, which each solid scales."""
+"""Shapes as triangles. Geoms of one form share a shape of size 1, which each geom scales."""
 
 from dataclasses import dataclass
 from functools import cache
@@ -13,7 +13,7 @@ RINGS = 12
 
 @dataclass(frozen=True, eq=False)
 class Shape:
-    """Corners (n, 3), the normals there or None for flat faces, and triangles (m, 3), counterclockwise from outside."""
+    """Corners (n, 3), their normals or None for flat faces, and triangles (m, 3), counterclockwise from outside."""
 
     positions: NDArray[np.float32]
     normals: NDArray[np.float32] | None
@@ -50,7 +50,7 @@ def box() -> Shape:
 
 @cache
 def sphere() -> Shape:
-    """The ball of radius 1."""
+    """The sphere of radius 1."""
     return capsule(1.0, 0.0)
 
 
@@ -71,9 +71,9 @@ def cylinder() -> Shape:
 
 
 def capsule(radius: float, half: float) -> Shape:
-    """A cylinder of this half length along z, with half balls at its ends; metres."""
+    """A cylinder of the given half length along z, with hemispheres at its ends; metres."""
     turn = np.linspace(0, 2 * np.pi, SEGMENTS + 1)
-    # The equator twice, once for each half.
+    # The equator twice, once per hemisphere.
     rise = np.concatenate([np.linspace(-np.pi / 2, 0, RINGS // 2 + 1), np.linspace(0, np.pi / 2, RINGS // 2 + 1)])
     lift = np.repeat([-half, half], RINGS // 2 + 1)
     normals = np.stack(
@@ -123,7 +123,7 @@ def height_field(model: mujoco.MjModel, index: int) -> Shape:
 
 
 def _band(first: int, segments: int) -> list[list[int]]:
-    """Triangles between a ring of corners and the one that follows it."""
+    """Triangles between two rings of corners."""
     below = range(first, first + segments)
     above = segments + 1
     return [t for a in below for t in ([a, a + 1, a + 1 + above], [a, a + 1 + above, a + above])]

@@ -1,1 +1,1 @@
-"""From what is true to what a device reads: noise, delay and faults."""
+"""Noise, delay and faults of devices."""

@@ -1,4 +1,4 @@
-"""What can be wrong with a device."""
+"""Faults of devices."""
 
 import enum
 import math
@@ -14,7 +14,7 @@ MAX_FAULTS = 16
 
 
 class FaultKind(enum.Enum):
-    """The kinds of the wire."""
+    """The kinds of faults in the protocol."""
 
     STUCK = "stuck"
     DROPOUT = "dropout"
@@ -28,7 +28,7 @@ class FaultKind(enum.Enum):
 
 @dataclass(frozen=True)
 class Fault:
-    """One fault; `held` is what a stuck device reads."""
+    """One fault; `held` is the reading of a stuck device."""
 
     kind: FaultKind
     value: float = 0.0
@@ -36,7 +36,7 @@ class Fault:
 
 
 def check_fault(device: str, fault: Fault) -> None:
-    """Raises InvalidRequest for a value that makes no sense."""
+    """Check a fault. Raises InvalidRequest."""
     value, kind = fault.value, fault.kind
     if not math.isfinite(value):
         raise InvalidRequest(f"faults: {device}: {kind.value}: the value {value} is not a finite number")
@@ -48,17 +48,19 @@ def check_fault(device: str, fault: Fault) -> None:
         raise InvalidRequest(f"faults: {device}: intermittent: the probability {value:g} is not within 0 to 1")
 
 
-def spoil(values: tuple[float, ...], fault: Fault, key: int, device: DeviceDeclaration, step: int) -> tuple[float, ...]:
-    """What a device with a fault reads; `key` is of the fault's own randomness."""
-    return _SPOILERS[fault.kind](values, fault, key, device, step)
+def apply_fault(
+    values: tuple[float, ...], fault: Fault, key: int, device: DeviceDeclaration, step: int
+) -> tuple[float, ...]:
+    """Apply a fault to a reading; `key` selects the fault's random numbers."""
+    return _FAULT_FUNCTIONS[fault.kind](values, fault, key, device, step)
 
 
 Values = tuple[float, ...]
-Spoiler = Callable[[Values, Fault, int, DeviceDeclaration, int], Values]
+FaultFunction = Callable[[Values, Fault, int, DeviceDeclaration, int], Values]
 
 
 def dropped(values: Values, device: DeviceDeclaration) -> Values:
-    """A reading that failed."""
+    """The reading of a device that failed."""
     return ((0.0 if KINDS[device.kind].truths else math.nan),) * len(values)
 
 
@@ -75,7 +77,7 @@ def _offset(values: Values, fault: Fault, _key: int, _device: DeviceDeclaration,
 
 
 def _scale(values: Values, fault: Fault, _key: int, _device: DeviceDeclaration, _step: int) -> Values:
-    # Nothing in sight stays nothing in sight, also when scaled by 0.
+    # "No object in range" (infinity) stays infinity, even if it is scaled by 0.
     return tuple(v * fault.value if math.isfinite(v) else v for v in values)
 
 
@@ -95,13 +97,13 @@ def _out_of_range(values: Values, fault: Fault, _key: int, device: DeviceDeclara
     return ((math.inf if device.kind in ("range", "laser_scan") else fault.value),) * len(values)
 
 
-_SPOILERS: dict[FaultKind, Spoiler] = {
+_FAULT_FUNCTIONS: dict[FaultKind, FaultFunction] = {
     FaultKind.STUCK: _stuck,
     FaultKind.DROPOUT: _dropout,
     FaultKind.OFFSET: _offset,
     FaultKind.SCALE: _scale,
     FaultKind.NOISE: _noise,
-    # Delays act on what goes into the device, before all other faults.
+    # Delays are applied to the input of the device, before all other faults.
     FaultKind.DELAY: _same,
     FaultKind.INTERMITTENT: _intermittent,
     FaultKind.OUT_OF_RANGE: _out_of_range,

@@ -1,4 +1,4 @@
-"""Random numbers that are a function of (seed, device, step): reading twice changes nothing, and order is no matter.
+"""Random numbers as a function of (seed, device, step), independent of the number and order of reads.
 
 The counter is hashed by SplitMix64's finalizer (Steele, Lea, Flood: Fast splittable pseudorandom number generators,
 2014) and made Gaussian by the method of Box and Muller (1958).

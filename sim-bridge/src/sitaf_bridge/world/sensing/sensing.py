@@ -1,4 +1,4 @@
-"""What the devices of one simulation read, as against what is true."""
+"""The readings of the devices of one simulation, with noise, delay and faults."""
 
 import math
 from collections.abc import Collection, Mapping, Sequence
@@ -8,7 +8,7 @@ import numpy as np
 
 from sitaf_bridge.errors import InvalidRequest
 from sitaf_bridge.world.devices import KINDS, KNOBS, Reading
-from sitaf_bridge.world.sensing.faults import MAX_FAULTS, Fault, FaultKind, check_fault, spoil
+from sitaf_bridge.world.sensing.faults import MAX_FAULTS, Fault, FaultKind, apply_fault, check_fault
 from sitaf_bridge.world.sensing.noise import gaussian, stream
 from sitaf_bridge.world.world import World
 
@@ -17,7 +17,7 @@ Memory = tuple[Mapping[str, tuple[Fault, ...]], Mapping[str, History]]
 
 
 class Sensing:
-    """Faults, and the past readings of delayed devices; noise and delay of the devices are in the userdata."""
+    """Faults and the past readings of delayed devices; the devices' noise and delay are in the userdata."""
 
     def __init__(self, world: World, seed: int) -> None:
         self.world = world
@@ -26,33 +26,33 @@ class Sensing:
         self._past: dict[str, list[tuple[int, tuple[float, ...]]]] = {}
 
     def reset(self) -> None:
-        """As good as new."""
+        """Remove all faults and past readings."""
         self._faults = {}
         self._past = {}
 
     def set_knobs(self, model: mujoco.MjModel, data: mujoco.MjData) -> None:
-        """Noise, delay and level of the devices as declared, in data that were reset."""
+        """Set noise, delay and level of the devices as declared, in data after a reset."""
         for device in self.world.description.devices.values():
             for knob in KNOBS:
                 value = getattr(device, knob)
                 if value:
                     data.userdata[device.address(model, knob)] = value
 
-    def forget(self) -> None:
-        """Forget past readings, as when time is put back."""
+    def clear_history(self) -> None:
+        """Delete past readings, for example after a reset of time."""
         self._past = {}
 
     def memory(self) -> Memory:
-        """A copy of all that it holds."""
+        """A copy of the complete state."""
         return dict(self._faults), {name: tuple(past) for name, past in self._past.items()}
 
     def remember(self, memory: Memory) -> None:
-        """Take over a copy."""
+        """Restore a copy."""
         self._faults = dict(memory[0])
         self._past = {name: list(past) for name, past in memory[1].items()}
 
     def set_faults(self, device: str, faults: Sequence[Fault], now: tuple[float, ...]) -> None:
-        """Replace the faults of a device that reads `now`. Raises InvalidRequest."""
+        """Replace the faults of a device whose current reading is `now`. Raises InvalidRequest."""
         declaration = self.world.description.devices.get(device)
         if declaration is None:
             known = ", ".join(self.world.description.devices) or "none"
@@ -68,7 +68,7 @@ class Sensing:
             del self._faults[device]
 
     def keeps_past(self, data: mujoco.MjData) -> bool:
-        """Whether any device is delayed, so that every step has to be seen."""
+        """Whether any device is delayed, so that every step must be read."""
         if any(f.kind is FaultKind.DELAY for faults in self._faults.values() for f in faults):
             return True
         return any(self._knobs(data)[1 :: len(KNOBS)])
@@ -76,28 +76,28 @@ class Sensing:
     def read(
         self, model: mujoco.MjModel, data: mujoco.MjData, step: int, without: Collection[str] = ()
     ) -> tuple[Reading, ...]:
-        """The readings in the order of declaration, of data that `mj_forward` has brought up to date.
+        """The readings in the order of declaration, from data after `mj_forward`.
 
-        Devices of the kinds in `without` are not read and have no values; not for data in which a device is delayed.
+        Devices of the kinds in `without` are skipped and have no values; not allowed if a device is delayed.
         """
         banks = self.world.banks
-        truth = [reading for kind in banks if kind not in without for reading in banks[kind].read(model, data)]
+        actual = [reading for kind in banks if kind not in without for reading in banks[kind].read(model, data)]
         if without:
             devices = self.world.description.devices.values()
-            truth += [Reading(device, ()) for device in devices if device.kind in without and device.kind in banks]
+            actual += [Reading(device, ()) for device in devices if device.kind in without and device.kind in banks]
         if len(self.world.banks) > 1:
-            truth.sort(key=lambda reading: -reading.device.slot)
+            actual.sort(key=lambda reading: -reading.device.slot)
         if not self._faults and not any(self._knobs(data)):
-            return tuple(truth)
-        return tuple(self._read(model, data, step, reading) for reading in truth)
+            return tuple(actual)
+        return tuple(self._read(model, data, step, reading) for reading in actual)
 
     def _knobs(self, data: mujoco.MjData) -> list[float]:
-        """Those of all devices. Lists are quicker than arrays for so few numbers."""
+        """The knobs of all devices, as lists, which are faster than arrays for few numbers."""
         count = len(self.world.description.devices)
         return data.userdata.tolist()[-len(KNOBS) * count :] if count else []
 
-    def _read(self, model: mujoco.MjModel, data: mujoco.MjData, step: int, truth: Reading) -> Reading:
-        device, values = truth.device, truth.values
+    def _read(self, model: mujoco.MjModel, data: mujoco.MjData, step: int, actual: Reading) -> Reading:
+        device, values = actual.device, actual.values
         faults = self._faults.get(device.name, ())
         delay = float(data.userdata[device.address(model, "delay")])
         delay += sum(fault.value for fault in faults if fault.kind is FaultKind.DELAY)
@@ -113,19 +113,19 @@ class Sensing:
             moved = tuple((np.array(values) + noise * drawn).tolist())
         for index, fault in enumerate(faults):
             key = stream(self._seed, f"{device.name}/fault/{index}")
-            moved = spoil(moved, fault, key, device, step)
-        return truth if moved is truth.values else Reading(device, kind.limited(device, moved))
+            moved = apply_fault(moved, fault, key, device, step)
+        return actual if moved is actual.values else Reading(device, kind.limited(device, moved))
 
     def _earlier(self, name: str, step: int, now: tuple[float, ...], delay_s: float) -> tuple[float, ...]:
-        """Keeps `now`, and gives what was the case so long ago, or at the earliest that is known."""
+        """Store `now` and return the reading before the delay, or the earliest one that is known."""
         past = self._past.setdefault(name, [])
         if past and past[-1][0] == step:
             past[-1] = (step, now)
         else:
             past.append((step, now))
-        wanted = step - math.ceil(delay_s * 1e9 / self.world.timestep_ns - 1e-6)
+        is_active = step - math.ceil(delay_s * 1e9 / self.world.timestep_ns - 1e-6)
         first = 0
-        while first + 1 < len(past) and past[first + 1][0] <= wanted:
+        while first + 1 < len(past) and past[first + 1][0] <= is_active:
             first += 1
         del past[:first]
         return past[0][1]

@@ -23,7 +23,7 @@ final class FakeAuthentication implements ServerInterceptor {
   private static final Metadata.Key<String> AUTHORIZATION =
       Metadata.Key.of("authorization", Metadata.ASCII_STRING_MARSHALLER);
 
-  /** The columns of the table. */
+  /** The issued keys, as clients send them. */
   private final List<String> keys = new ArrayList<>();
 
   private boolean open;

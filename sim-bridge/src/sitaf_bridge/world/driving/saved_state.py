@@ -1,4 +1,4 @@
-"""The whole state of a simulation at one moment, to be put back bit by bit."""
+"""Saves and restores the complete state of a simulation, bit by bit."""
 
 import hashlib
 import struct
@@ -16,8 +16,8 @@ from sitaf_bridge.world.world import World
 
 
 @dataclass(frozen=True)
-class Kept:
-    """MuJoCo's integration state with the warm start, what parameters wrote to the model, and the bridge's own."""
+class SavedState:
+    """MuJoCo's integration state with warm start, the model edits of parameters, and the bridge's own state."""
 
     world: World
     state: NDArray[np.float64]
@@ -29,22 +29,22 @@ class Kept:
 
 
 @dataclass(frozen=True)
-class Begun:
-    """What a session begins with: all of MuJoCo's data, what is seen of it, and what parameters wrote to the model."""
+class InitialState:
+    """The initial state of a session: all of MuJoCo's data, the observed state, and the model edits of parameters."""
 
     data: mujoco.MjData
     state: WorldState
     settings: tuple[float, ...]
 
-    def put_back(self, model: mujoco.MjModel, data: mujoco.MjData, settings: Sequence[Setting]) -> None:
-        """Make a model of the same world, and its data, what they were."""
+    def restore(self, model: mujoco.MjModel, data: mujoco.MjData, settings: Sequence[Setting]) -> None:
+        """Restore a model of the same world and its data."""
         for setting, value in zip(settings, self.settings, strict=True):
             setting.put(model, data, value)
-        # After the settings, some of which leave traces in the data.
+        # After the settings, some of which modify the data.
         mujoco.mj_copyData(data, model, self.data)
 
 
-def digest_of(kept: Kept, seen: WorldState, before: bytes = b"") -> bytes:
+def digest_of(kept: SavedState, seen: WorldState, before: bytes = b"") -> bytes:
     """SHA-256 over a state and what the devices read in it, chained to an earlier digest."""
     sha = hashlib.sha256(before)
     sha.update(struct.pack(">q", kept.step))

@@ -1,4 +1,4 @@
-"""The walls of the package: server → session → world, and only world knows MuJoCo."""
+"""The layers of the package: server → session → world; only world imports MuJoCo."""
 
 import subprocess
 import sys

@@ -1,4 +1,4 @@
-"""Where all bodies were and what the devices read, noted while time moves, and given away as an animated scene."""
+"""Records poses of bodies and readings of devices while time advances, and exports them as an animated scene."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -19,13 +19,13 @@ MAX_FRAMES = 2_000
 MAX_BYTES = 32 * 1024 * 1024
 # Position and quaternion as float32.
 POSE_BYTES = 28
-# Devices that read more numbers, such as laser scans, would be most of a film.
-MOST_NUMBERS = 32
+# Devices with more numbers, such as laser scans, would dominate the size of a recording.
+MAX_NUMBERS_PER_DEVICE = 32
 
 
 @dataclass(frozen=True)
 class Frame:
-    """Poses (bodies, 7) as position and quaternion x, y, z, w, of the bodies of `names`; readings as in `columns`."""
+    """Poses (bodies, 7) as position and quaternion x, y, z, w, of the bodies in `names`; readings as in `columns`."""
 
     step: int
     names: tuple[str, ...]
@@ -33,14 +33,14 @@ class Frame:
     numbers: tuple[float, ...]
 
 
-class Film:
-    """Frames of one session, `interval` steps apart, the first when it was begun.
+class MotionRecording:
+    """Frames of one session, `interval` steps apart, starting with the current one.
 
-    `leaves_out` are the kinds of devices of which no number stands in a frame.
+    `omitted_kinds` are the kinds of devices that are not recorded.
     """
 
     def __init__(self, interval: int, most: int, world: World) -> None:
-        self.leaves_out = _left_out(world)
+        self.omitted_kinds = _omitted_kinds(world)
         room = MAX_BYTES // (POSE_BYTES * max(1, int(world.model.nbody)))
         self._most = max(2, min(most or MAX_FRAMES, room))
         self._asked = interval
@@ -49,23 +49,23 @@ class Film:
         self.restart()
 
     def restart(self) -> None:
-        """Forget all frames."""
+        """Delete all frames."""
         self._interval = self._asked
         self._begin: int | None = None
         self._frames: list[Frame] = []
 
     def steps_to_next(self, step: int) -> int:
-        """How far time may move until the next frame."""
+        """The number of steps until the next frame."""
         since = step - (self._begin if self._begin is not None else step)
         return self._interval - since % self._interval
 
     def is_due(self, step: int) -> bool:
-        """Whether a frame is to be noted now."""
+        """Whether a frame must be recorded now."""
         return self.steps_to_next(step) == self._interval
 
-    def look(self, world: World, data: mujoco.MjData, state: WorldState) -> None:
-        """Note a state whose time has come, or which was changed since it was noted."""
-        # Time that went back has not passed.
+    def record(self, world: World, data: mujoco.MjData, state: WorldState) -> None:
+        """Record a state if it is due, or if it changed since it was recorded."""
+        # After a reset, frames with a later time are removed.
         while self._frames and self._frames[-1].step >= state.step:
             self._frames.pop()
         if not self._frames:
@@ -77,8 +77,8 @@ class Film:
             del self._frames[1::2]
             self._interval *= 2
 
-    def take(self, world: World, model: mujoco.MjModel, data: mujoco.MjData, state: WorldState) -> tuple[bytes, int]:
-        """The film as a GLB that ends with this state, and how many frames it has. Raises LimitReached."""
+    def export(self, world: World, model: mujoco.MjModel, data: mujoco.MjData, state: WorldState) -> tuple[bytes, int]:
+        """Export the recording, ending with this state, as GLB, and its number of frames. Raises LimitReached."""
         frames = [frame for frame in self._frames if frame.step < state.step]
         frames.append(self._frame(world, data, state))
         if self._stage is None or not self._stage.shows(world, model):
@@ -109,24 +109,24 @@ def columns(world: World) -> list[str]:
     """The names of the numbers in a frame."""
     devices = [d for d in world.description.devices.values() if not KINDS[d.kind].image]
     fields = [(d.name, KINDS[d.kind].fields(d)) for d in devices]
-    shown = [f"{name}.{field}" for name, names in fields if len(names) <= MOST_NUMBERS for field in names]
+    shown = [f"{name}.{field}" for name, names in fields if len(names) <= MAX_NUMBERS_PER_DEVICE for field in names]
     return [*shown, *world.description.observations]
 
 
-def _left_out(world: World) -> frozenset[str]:
+def _omitted_kinds(world: World) -> frozenset[str]:
     devices = [d for d in world.description.devices.values() if not KINDS[d.kind].image]
     observed = {o.sight.device for o in world.description.observations.values() if isinstance(o.sight, DeviceNumber)}
-    shown = {d.kind for d in devices if d.name in observed or len(KINDS[d.kind].fields(d)) <= MOST_NUMBERS}
+    shown = {d.kind for d in devices if d.name in observed or len(KINDS[d.kind].fields(d)) <= MAX_NUMBERS_PER_DEVICE}
     return frozenset(d.kind for d in devices) - shown
 
 
 def _numbers(readings: Sequence[Reading], state: WorldState) -> tuple[float, ...]:
-    shown = (reading.values for reading in readings if len(reading.values) <= MOST_NUMBERS)
+    shown = (reading.values for reading in readings if len(reading.values) <= MAX_NUMBERS_PER_DEVICE)
     return (*chain.from_iterable(shown), *state.observations.values())
 
 
 def _animate(glb: Glb, nodes: Sequence[int], frames: Sequence[Frame], seconds: NDArray[np.float32]) -> None:
-    """An animation of the bodies that moved. Those that were not there all the time stand where they are at the end."""
+    """Animate the bodies that moved. Bodies that were removed or added keep their last pose."""
     last = frames[-1]
     always = set(last.names).intersection(*(frame.names for frame in frames))
     times = glb.accessor(seconds)
@@ -153,7 +153,7 @@ def _animate(glb: Glb, nodes: Sequence[int], frames: Sequence[Frame], seconds: N
 
 
 def _continuous(quaternions: NDArray[np.float32]) -> NDArray[np.float32]:
-    """The same rotations, each with the sign that is nearer to the one before."""
+    """Choose the sign of each quaternion that is nearer to the previous one."""
     turns = np.sum(quaternions[1:] * quaternions[:-1], axis=1) < 0
     signs = np.where(np.concatenate([[False], np.cumsum(turns) % 2 == 1]), -1, 1)
     return np.ascontiguousarray(quaternions * signs[:, None].astype(np.float32))

@@ -1,4 +1,4 @@
-"""When the server ends: on a signal, or when its parent goes."""
+"""Stops the server on a signal, or when its parent process ends."""
 
 import os
 import signal
@@ -11,23 +11,23 @@ from queue import SimpleQueue
 PARENT_POLL_S = 0.5
 
 
-class Ending:
-    """What signals, the parent's end and the end of stdin bring about.
+class StopSignal:
+    """Waits for a signal, the end of the parent process, or the end of stdin.
 
-    A queue, since a handler may interrupt the very thread that waits: an Event's lock is then held, and the two would
-    wait for each other for ever.
+    Uses a queue, because a signal handler may interrupt the waiting thread: an Event's lock would be held then, and
+    both would deadlock.
     """
 
     def __init__(self) -> None:
         self._ended: SimpleQueue[None] = SimpleQueue()
 
     def on_signals(self) -> None:
-        """End on SIGTERM and SIGINT. Call from the main thread."""
+        """Stop on SIGTERM and SIGINT. Call in the main thread."""
         for number in (signal.SIGTERM, signal.SIGINT):
             signal.signal(number, lambda *_: self._ended.put(None))
 
     def with_parent(self, pid: int) -> None:
-        """End when the process `pid` is gone."""
+        """Stop when the process `pid` has ended."""
 
         def poll() -> None:
             while _is_alive(pid):
@@ -36,7 +36,7 @@ class Ending:
         self._watch(poll, "parent-watch")
 
     def with_stdin(self) -> None:
-        """End when stdin does: the pipe of a parent that died closes by itself."""
+        """Stop when stdin is closed, which happens automatically when a parent with the pipe dies."""
 
         def drain() -> None:
             while os.read(sys.stdin.fileno(), 4096):
@@ -45,7 +45,7 @@ class Ending:
         self._watch(drain, "stdin-watch")
 
     def wait(self) -> None:
-        """Until one of these happened."""
+        """Wait for one of these events."""
         self._ended.get()
 
     def _watch(self, wait: Callable[[], None], name: str) -> None:
@@ -63,7 +63,7 @@ def _is_alive(pid: int) -> bool:
         return False
     except PermissionError:
         return True
-    # An orphan's former parent may linger as a zombie, which kill() still finds.
+    # An orphan's former parent may remain as a zombie, which kill() still finds.
     try:
         with open(f"/proc/{pid}/stat", "rb") as stat:
             return stat.read().rpartition(b")")[2].split()[0] != b"Z"
