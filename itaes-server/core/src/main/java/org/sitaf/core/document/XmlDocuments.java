@@ -69,7 +69,22 @@ public final class XmlDocuments {
    */
   public static <T> T read(
       InputStream document, String file, String root, Class<T> type, Diagnostics diagnostics) {
-    XMLStreamReader reader = open(document, file);
+    return read(document, file, root, type, diagnostics, new ElementLines());
+  }
+
+  /**
+   * Reads a document of a user, as {@link #read(InputStream, String, String, Class, Diagnostics)}.
+   *
+   * @param lines records the lines of elements that hold only text
+   */
+  public static <T> T read(
+      InputStream document,
+      String file,
+      String root,
+      Class<T> type,
+      Diagnostics diagnostics,
+      ElementLines lines) {
+    XMLStreamReader reader = lines.recording(open(document, file));
     if (!reader.getLocalName().equals(root)) {
       throw new InvalidInputException(
           java.util.List.of(

@@ -16,6 +16,7 @@ import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.ScalarType;
 import org.sitaf.core.description.TypeGrammar;
 import org.sitaf.core.diagnostic.Diagnostics;
+import org.sitaf.core.document.ElementLines;
 import org.sitaf.core.document.XmlDocuments;
 import org.sitaf.schemas.CaseType;
 import org.sitaf.schemas.ConditionType;
@@ -39,12 +40,20 @@ final class TestModelReader {
   private static final Map<String, OutputKind> OUTPUT_KINDS =
       Map.of("RETURN", OutputKind.RETURN, "OUT", OutputKind.OUT, "OBSERVED", OutputKind.OBSERVED);
 
+  static final String PRE_CONDITION = "pre_condition";
+  static final String POST_CONDITION = "post_condition";
+
   private final String file;
   private final Diagnostics diagnostics;
+  private final ElementLines lines;
 
-  TestModelReader(String file, Diagnostics diagnostics) {
+  /**
+   * @param lines of conditions
+   */
+  TestModelReader(String file, Diagnostics diagnostics, ElementLines lines) {
     this.file = file;
     this.diagnostics = diagnostics;
+    this.lines = lines;
   }
 
   TestModel read(TestModelDocument root) {
@@ -80,12 +89,14 @@ final class TestModelReader {
         text(root.getDescription()),
         target(root.getTarget(), name),
         conditions(
+            PRE_CONDITION,
             root.getPreConditionSpecList() == null
                 ? List.of()
                 : root.getPreConditionSpecList().getPreCondition()),
         inputs,
         outputs,
         conditions(
+            POST_CONDITION,
             root.getPostConditionSpecList() == null
                 ? List.of()
                 : root.getPostConditionSpecList().getPostCondition()),
@@ -273,11 +284,15 @@ final class TestModelReader {
         .orElse(Duration.ZERO);
   }
 
-  private List<Condition> conditions(List<ConditionType> conditions) {
-    return conditions.stream()
-        .filter(c -> c.getValue() != null && !c.getValue().isBlank())
-        .map(c -> new Condition(c.getValue().strip(), XmlDocuments.line(c)))
-        .toList();
+  private List<Condition> conditions(String element, List<ConditionType> conditions) {
+    List<Condition> found = new ArrayList<>();
+    for (int i = 0; i < conditions.size(); i++) {
+      String expression = conditions.get(i).getValue();
+      if (expression != null && !expression.isBlank()) {
+        found.add(new Condition(expression.strip(), lines.of(element, i)));
+      }
+    }
+    return found;
   }
 
   private InvalidValues invalidValues(@Nullable String spelling, int line) {

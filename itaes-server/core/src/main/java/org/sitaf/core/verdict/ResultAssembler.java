@@ -84,7 +84,11 @@ public final class ResultAssembler {
         judged =
             judged.judged(
                 Verdict.ERROR,
-                "post-condition has no value: " + condition.text() + ": " + e.getMessage());
+                "post-condition has no value: "
+                    + condition.text()
+                    + ": "
+                    + e.getMessage()
+                    + place(condition));
       }
     }
     return judged;
@@ -132,6 +136,12 @@ public final class ResultAssembler {
         List.of(),
         null,
         reason);
+  }
+
+  /** Where the user finds a condition; empty where that is unknown. */
+  private String place(Expression condition) {
+    int line = model.postConditions().get(postConditions.indexOf(condition)).line();
+    return line == 0 ? "" : " (" + model.source() + ":" + line + ")";
   }
 
   private Map<String, Object> variables(TestCase testCase, CaseResult result) {

@@ -84,6 +84,10 @@ class ResultAssemblerTest {
   void aConditionThatHasNoValueIsAnErrorAndNoFailure() {
     CaseResult judged = assembler.judge(line(2, "2", "one", 1));
     assertThat(judged.verdict()).isEqualTo(Verdict.ERROR);
+    int line = (int) MODEL.substring(0, MODEL.indexOf("actual * 2.0")).lines().count();
+    assertThat(judged.message())
+        .startsWith("post-condition has no value: actual * 2.0 == n: ")
+        .contains("(Half.xml:" + line + ")");
   }
 
   @Test
