@@ -62,7 +62,7 @@ def test_two_releases_apart_is_refused_and_told(central, said, tmp_path):
     newer = agent(tmp_path, "too-new", central.grpc, installation=other)
     try:
         newer.start(wait=False)
-        told = rb"at most one release apart; bring the server up to date"
+        told = rb"at most one release apart; update the server"
         assert await_true(lambda: newer.has_said(told), PATIENCE_S)
         assert not newer.has_said(newer.ready)
     finally:

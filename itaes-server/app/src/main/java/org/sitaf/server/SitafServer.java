@@ -13,7 +13,7 @@ import org.springframework.context.annotation.Bean;
 @EnableConfigurationProperties({SitafSettings.class, LimitSettings.class})
 public class SitafServer {
 
-  /** Options are Spring properties, such as {@code --server.port=0}. */
+  /** Arguments are Spring properties, such as {@code --server.port=0}. */
   public static void main(String[] arguments) {
     SpringApplication.run(SitafServer.class, arguments);
   }

@@ -10,19 +10,19 @@ import com.tngtech.archunit.junit.ArchTest;
 import com.tngtech.archunit.lang.ArchRule;
 import jakarta.persistence.Entity;
 
-/** The walls between the rooms of the server. */
+/** Dependencies between the packages of the server. */
 @AnalyzeClasses(packages = "org.sitaf.server", importOptions = ImportOption.DoNotIncludeTests.class)
 class ArchitectureTest {
   @ArchTest
-  static final ArchRule CAPABILITIES_DO_NOT_DEPEND_ON_EACH_OTHER_IN_CIRCLES =
+  static final ArchRule TOP_LEVEL_PACKAGES_ARE_FREE_OF_CYCLES =
       slices().matching("org.sitaf.server.(*)..").should().beFreeOfCycles();
 
   @ArchTest
-  static final ArchRule PACKAGES_DO_NOT_DEPEND_ON_EACH_OTHER_IN_CIRCLES =
+  static final ArchRule PACKAGES_ARE_FREE_OF_CYCLES =
       slices().matching("org.sitaf.server.(**)").should().beFreeOfCycles();
 
   @ArchTest
-  static final ArchRule THE_DOMAIN_DOES_NOT_KNOW_THE_WEB =
+  static final ArchRule DOMAIN_DOES_NOT_DEPEND_ON_WEB =
       noClasses()
           .that()
           .areAnnotatedWith(Entity.class)
@@ -40,7 +40,7 @@ class ArchitectureTest {
               "org.sitaf.server.web..");
 
   @ArchTest
-  static final ArchRule ONLY_THE_AGENTS_ROOM_SPEAKS_THEIR_PROTOCOL =
+  static final ArchRule ONLY_BUILD_AGENT_USES_THE_AGENT_PROTOCOL =
       noClasses()
           .that()
           .resideOutsideOfPackage("org.sitaf.server.build.agent..")
@@ -49,6 +49,6 @@ class ArchitectureTest {
           .resideInAPackage("org.sitaf.agent.v1..");
 
   @ArchTest
-  static final ArchRule CONTROLLERS_ARE_NOBODY_ELSES_BUSINESS =
+  static final ArchRule CONTROLLERS_ARE_PACKAGE_PRIVATE =
       classes().that().haveSimpleNameEndingWith("Controller").should().bePackagePrivate();
 }

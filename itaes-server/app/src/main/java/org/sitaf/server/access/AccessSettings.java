@@ -11,12 +11,13 @@ import org.springframework.validation.annotation.Validated;
 /**
  * Settings {@code sitaf.access.*} of the server.
  *
- * @param launcherToken a token of the command that starts this server on its own machine; known
- *     while the server runs, and on the loopback only
- * @param launcherEnrolment the same for that command's agents, for any number of them
- * @param plaintext whether the server may listen without TLS beyond the loopback, because something
- *     before it ends TLS
- * @param auditRetention for how long the audit log is kept
+ * @param launcherToken API token of the command that started this server on the same machine; valid
+ *     while the server runs, on the loopback interface only
+ * @param launcherEnrolment enrolment token for the agents of that command; it can be used any
+ *     number of times
+ * @param plaintext whether the server may listen on other interfaces without TLS because a reverse
+ *     proxy terminates TLS
+ * @param auditRetention how long audit events are kept
  */
 @Validated
 @ConfigurationProperties("sitaf.access")

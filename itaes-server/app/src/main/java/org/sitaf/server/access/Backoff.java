@@ -6,13 +6,10 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import org.jspecify.annotations.Nullable;
 
-/**
- * Delays that grow with each failure of somebody: twice as long each time, up to the longest.
- * Nobody is refused for good.
- */
+/** Exponential backoff for failed attempts, per key. A key is never blocked permanently. */
 public final class Backoff {
-  private static final int MOST_KEPT = 10_000;
-  private static final int MOST_DOUBLINGS = 20;
+  private static final int MAX_KEYS = 10_000;
+  private static final int MAX_DOUBLINGS = 20;
 
   private final int free;
   private final Duration first;
@@ -20,11 +17,11 @@ public final class Backoff {
   private final Map<String, Failures> failures = new ConcurrentHashMap<>();
 
   /**
-   * Delays of one kind.
+   * Creates a backoff.
    *
-   * @param free how many failures delay nothing
-   * @param first delay after them
-   * @param longest delay; after twice as long without a failure all is forgotten
+   * @param free number of failures without a delay
+   * @param first delay after these failures; it doubles with each further failure
+   * @param longest maximum delay; a key without a failure for twice as long is removed
    */
   public Backoff(int free, Duration first, Duration longest) {
     this.free = free;
@@ -32,19 +29,20 @@ public final class Backoff {
     this.longest = longest;
   }
 
-  private record Failures(int count, Instant last, Duration refusedFor) {}
+  private record Failures(int count, Instant last, Duration retryAfter) {}
 
   /**
-   * Notes an attempt, as a failure until it is known better.
+   * Registers an attempt. It counts as a failure until {@link #takeBack} or {@link #forget} is
+   * called.
    *
-   * @return how long the one who tries has to wait, or zero: then the attempt counts
+   * @return how long the caller has to wait; zero when the attempt is allowed
    */
-  public Duration attempt(String who, Instant now) {
-    forgetOld(now);
+  public Duration attempt(String key, Instant now) {
+    evict(now);
     Failures noted =
         failures.compute(
-            who,
-            (key, known) -> {
+            key,
+            (k, known) -> {
               if (known == null || isForgotten(known, now)) {
                 return new Failures(1, now, Duration.ZERO);
               }
@@ -53,25 +51,25 @@ public final class Backoff {
                   ? new Failures(known.count() + 1, now, Duration.ZERO)
                   : new Failures(known.count(), known.last(), wait);
             });
-    return noted.refusedFor();
+    return noted.retryAfter();
   }
 
-  /** An attempt was a right one: it does not count. */
-  public void takeBack(String who) {
+  /** The attempt succeeded and does not count as a failure. */
+  public void takeBack(String key) {
     failures.computeIfPresent(
-        who,
-        (key, known) ->
+        key,
+        (k, known) ->
             known.count() <= 1
                 ? null
                 : new Failures(known.count() - 1, known.last(), Duration.ZERO));
   }
 
-  /** Nothing is held against anybody of that name any more. */
-  public void forget(String who) {
-    failures.remove(who);
+  /** Removes all failures of a key. */
+  public void forget(String key) {
+    failures.remove(key);
   }
 
-  /** How many are remembered. */
+  /** The number of keys with failures. */
   int size() {
     return failures.size();
   }
@@ -80,7 +78,7 @@ public final class Backoff {
     if (count < free) {
       return Duration.ZERO;
     }
-    Duration delay = first.multipliedBy(1L << Math.min(count - free, MOST_DOUBLINGS));
+    Duration delay = first.multipliedBy(1L << Math.min(count - free, MAX_DOUBLINGS));
     return delay.compareTo(longest) > 0 ? longest : delay;
   }
 
@@ -88,14 +86,14 @@ public final class Backoff {
     return known.last().plus(longest.multipliedBy(2)).isBefore(now);
   }
 
-  /** Where too many are known, those who came first go. */
-  private void forgetOld(Instant now) {
-    if (failures.size() <= MOST_KEPT) {
+  /** Removes the oldest keys when there are more than {@link #MAX_KEYS}. */
+  private void evict(Instant now) {
+    if (failures.size() <= MAX_KEYS) {
       return;
     }
     failures.values().removeIf(known -> isForgotten(known, now));
     @Nullable Instant oldest =
-        failures.size() <= MOST_KEPT
+        failures.size() <= MAX_KEYS
             ? null
             : failures.values().stream().map(Failures::last).min(Instant::compareTo).orElse(null);
     if (oldest != null) {

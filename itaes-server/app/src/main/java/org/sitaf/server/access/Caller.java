@@ -10,22 +10,22 @@ import org.springframework.security.core.authority.SimpleGrantedAuthority;
 import org.springframework.security.core.context.SecurityContextHolder;
 
 /**
- * Who makes a request.
+ * The authenticated caller of a request.
  *
- * @param name of the person, or whose token it is
- * @param role what the request may do
- * @param personId null for the launcher
+ * @param name of the user, or of the token's owner
+ * @param role the permissions of the request
+ * @param personId the user's id; null for the launcher
  */
 public record Caller(String name, Role role, Kind kind, @Nullable String personId)
     implements Principal, Serializable {
   private static final long serialVersionUID = 1L;
-  private static final String NOBODY = "-";
+  private static final String ANONYMOUS = "-";
 
-  /** How the caller has shown who it is. */
+  /** How the caller was authenticated. */
   public enum Kind {
-    /** A person, by a session. */
+    /** A user with a session. */
     PERSON,
-    /** A script, by a token of a person. */
+    /** A script with a user's API token. */
     TOKEN,
     /** The command that started this server on its own machine. */
     LAUNCHER
@@ -36,7 +36,7 @@ public record Caller(String name, Role role, Kind kind, @Nullable String personI
     return name;
   }
 
-  /** What Spring Security keeps of the caller. */
+  /** The caller as Spring Security stores it. */
   public Authentication authentication() {
     List<SimpleGrantedAuthority> authorities =
         role.all().stream().map(r -> new SimpleGrantedAuthority("ROLE_" + r)).toList();
@@ -44,28 +44,28 @@ public record Caller(String name, Role role, Kind kind, @Nullable String personI
   }
 
   /**
-   * The caller of the present request.
+   * The caller of the current request.
    *
-   * @throws IllegalStateException when nobody is known, which the filters do not let happen
+   * @throws IllegalStateException if the request is not authenticated
    */
   public static Caller current() {
-    Authentication present = SecurityContextHolder.getContext().getAuthentication();
-    if (present != null && present.getPrincipal() instanceof Caller caller) {
+    Authentication authentication = SecurityContextHolder.getContext().getAuthentication();
+    if (authentication != null && authentication.getPrincipal() instanceof Caller caller) {
       return caller;
     }
-    throw new IllegalStateException("nobody is signed in");
+    throw new IllegalStateException("the request is not authenticated");
   }
 
-  /** Whether anybody is known to make the present request. */
+  /** Whether the current request is authenticated. */
   public static boolean isKnown() {
-    return !currentName().equals(NOBODY);
+    return !currentName().equals(ANONYMOUS);
   }
 
-  /** The name of the present caller, or a dash. */
+  /** The name of the current caller, or {@code -} if the request is not authenticated. */
   public static String currentName() {
-    Authentication present = SecurityContextHolder.getContext().getAuthentication();
-    return present != null && present.getPrincipal() instanceof Caller caller
+    Authentication authentication = SecurityContextHolder.getContext().getAuthentication();
+    return authentication != null && authentication.getPrincipal() instanceof Caller caller
         ? caller.name()
-        : NOBODY;
+        : ANONYMOUS;
   }
 }

@@ -3,26 +3,26 @@ package org.sitaf.server.access;
 import java.util.Arrays;
 import java.util.List;
 
-/** What somebody may do; each role may do what those before it may. */
+/** A role, with the permissions of all roles before it. */
 public enum Role {
-  /** Looks at everything but users, keys and the audit log. */
+  /** Reads everything except users, keys and the audit log. */
   VIEWER,
-  /** Changes activities and has them built. */
+  /** Changes activities and runs builds. */
   TESTER,
-  /** Lets people and agents in. */
+  /** Manages users and agents. */
   ADMINISTRATOR;
 
-  /** Whether this role may do what the other may. */
+  /** Whether this role has all permissions of the other. */
   public boolean includes(Role other) {
     return compareTo(other) >= 0;
   }
 
-  /** This role and those that it includes. */
+  /** This role and all roles that it includes. */
   public List<Role> all() {
     return Arrays.stream(values()).filter(this::includes).toList();
   }
 
-  /** The lower of both. */
+  /** The lower of the two roles. */
   public Role atMost(Role limit) {
     return includes(limit) ? limit : this;
   }

@@ -8,8 +8,8 @@ import java.util.Base64;
 import java.util.HexFormat;
 
 /**
- * Random secrets of 256 bits. They are stored as SHA-256: what cannot be guessed needs no slow
- * hash.
+ * Random secrets of 256 bits. They are stored as SHA-256 hashes; a slow hash is only needed for
+ * secrets that can be guessed.
  */
 public final class Secret {
   private static final int BYTES = 32;
@@ -18,17 +18,17 @@ public final class Secret {
   private Secret() {}
 
   /**
-   * A fresh secret, in characters that are safe in an address.
+   * Creates a secret of URL-safe characters.
    *
-   * @param prefix tells a person, and those who look for leaked secrets, what it is
+   * @param prefix identifies the kind of secret for people and for secret scanners
    */
-  public static String fresh(String prefix) {
+  public static String generate(String prefix) {
     byte[] bytes = new byte[BYTES];
     RANDOM.nextBytes(bytes);
     return prefix + Base64.getUrlEncoder().withoutPadding().encodeToString(bytes);
   }
 
-  /** What is stored of a secret. */
+  /** The hash to store, in hexadecimal. */
   public static String hash(String secret) {
     try {
       MessageDigest digest = MessageDigest.getInstance("SHA-256");
@@ -38,7 +38,7 @@ public final class Secret {
     }
   }
 
-  /** Whether two secrets are the same, in a time that does not tell where they differ. */
+  /** Compares two secrets in constant time. */
   public static boolean same(String one, String other) {
     return MessageDigest.isEqual(
         hash(one).getBytes(StandardCharsets.US_ASCII),

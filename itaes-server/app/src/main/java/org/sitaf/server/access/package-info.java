@@ -1,4 +1,4 @@
-/** Who may do what: roles, callers, and the settings of both. */
+/** Authentication and authorization: roles, callers and their settings. */
 @NullMarked
 package org.sitaf.server.access;
 

@@ -14,7 +14,7 @@ import java.net.URI;
 import java.nio.charset.StandardCharsets;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.activity.ActivityArchive;
-import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.error.RequestException;
 import org.sitaf.server.web.Listing;
 import org.sitaf.server.web.Requests;
 import org.sitaf.server.web.Sorting;
@@ -41,38 +41,38 @@ import org.springframework.web.bind.annotation.RestController;
 class ActivityController {
   private static final Sorting SORTING = Sorting.by("created", "name", "updated");
   private static final String SORT =
-      "one of created, name, updated; with a minus before it the largest first; without it -created";
+      "one of created, name, updated; a leading minus means descending order; default -created";
 
   private static final String ZIP = "application/zip";
 
-  private final Workspaces workspaces;
+  private final StoredActivities activities;
   private final Requests requests;
   private final Uploads uploads;
 
-  ActivityController(Workspaces workspaces, Requests requests, Uploads uploads) {
-    this.workspaces = workspaces;
+  ActivityController(StoredActivities activities, Requests requests, Uploads uploads) {
+    this.activities = activities;
     this.requests = requests;
     this.uploads = uploads;
   }
 
   @GetMapping
-  @Operation(operationId = "listActivities", summary = "Activities, the newest first")
+  @Operation(operationId = "listActivities", summary = "Lists activities, newest first")
   Listing<ActivityView> list(
       @RequestParam(required = false) @Nullable String name,
       @RequestParam(defaultValue = "0") int page,
       @RequestParam(defaultValue = "50") int size,
       @Parameter(description = SORT) @RequestParam(required = false) @Nullable String sort) {
     return Listing.of(
-        workspaces.list(name, Listing.request(page, size, SORTING.order(sort)), ActivityView::of),
+        activities.list(name, Listing.request(page, size, SORTING.order(sort)), ActivityView::of),
         view -> view);
   }
 
   @PostMapping(consumes = ZIP)
   @Operation(
       operationId = "createActivity",
-      summary = "Stores an activity",
+      summary = "Creates an activity",
       description =
-          "The zip of an activity directory. Nothing is stored when anything is wrong with it.",
+          "The body is the zip of an activity directory. Nothing is stored if it has errors.",
       requestBody =
           @RequestBody(
               required = true,
@@ -81,40 +81,40 @@ class ActivityController {
   @ResponseStatus(HttpStatus.CREATED)
   ResponseEntity<ActivityView> create(@Parameter(hidden = true) HttpServletRequest request)
       throws IOException {
-    String id = uploads.unpack(request, workspaces::create);
+    String id = uploads.unpack(request, activities::create);
     return ResponseEntity.created(URI.create("/api/v1/activities/" + id)).body(get(id));
   }
 
   @GetMapping("/{id}")
-  @Operation(operationId = "getActivity", summary = "An activity")
+  @Operation(operationId = "getActivity", summary = "Returns an activity")
   ActivityView get(@PathVariable String id) {
-    return workspaces.inspect(id, ActivityView::of);
+    return activities.inspect(id, ActivityView::of);
   }
 
   @DeleteMapping("/{id}")
   @Operation(
       operationId = "deleteActivity",
       summary = "Deletes an activity with its suites, builds and results",
-      description = "Refused (409) while a build of it is under way.")
+      description = "Fails with 409 while a build of it is running.")
   @ResponseStatus(HttpStatus.NO_CONTENT)
   void delete(@PathVariable String id) {
-    workspaces.delete(id);
+    activities.delete(id);
   }
 
   @GetMapping(path = "/{id}/content", produces = ZIP)
   @Operation(
       operationId = "downloadActivity",
-      summary = "The files of an activity, unchanged, as a zip")
+      summary = "Downloads the files of an activity as a zip, unchanged")
   ResponseEntity<byte[]> download(@PathVariable String id) throws IOException {
     ByteArrayOutputStream zip = new ByteArrayOutputStream();
-    ActivityArchive.write(workspaces.tree(id), zip);
+    ActivityArchive.write(activities.tree(id), zip);
     return attachment(get(id).name() + ".zip", ZIP, zip.toByteArray());
   }
 
   @PutMapping(path = "/{id}/content", consumes = ZIP)
   @Operation(
       operationId = "replaceActivity",
-      summary = "Puts other files into the place of an activity's",
+      summary = "Replaces the files of an activity",
       requestBody =
           @RequestBody(
               required = true,
@@ -125,42 +125,45 @@ class ActivityController {
       @RequestHeader(HttpHeaders.IF_MATCH) String ifMatch,
       @Parameter(hidden = true) HttpServletRequest request)
       throws IOException {
-    workspaces.require(id);
+    activities.require(id);
     Requests.Expected version = Requests.expected(ifMatch);
     return uploads.unpack(
         request,
         files -> {
-          workspaces.replace(id, files, version);
+          activities.replace(id, files, version);
           return get(id);
         });
   }
 
   @GetMapping(path = "/{id}/files/{*path}", produces = MediaType.APPLICATION_OCTET_STREAM_VALUE)
-  @Operation(operationId = "downloadFile", summary = "A file of an activity")
+  @Operation(operationId = "downloadFile", summary = "Downloads a file of an activity")
   ResponseEntity<byte[]> file(@PathVariable String id, @PathVariable String path) {
     if (path.length() < 2) {
-      throw Refusal.notFound("file", path);
+      throw RequestException.notFound("file", path);
     }
-    String inside = path.substring(1);
-    String name = inside.substring(inside.lastIndexOf('/') + 1);
-    // Never as a type that a browser would run: the file is a user's.
+    String relative = path.substring(1);
+    String name =
+        relative.substring(
+            relative.lastIndexOf('/')
+                + 1); // The file comes from a user: never send a media type that a browser would
+    // execute.
     return attachment(
-        name, MediaType.APPLICATION_OCTET_STREAM_VALUE, workspaces.content(id, inside));
+        name, MediaType.APPLICATION_OCTET_STREAM_VALUE, activities.content(id, relative));
   }
 
   @GetMapping(path = "/{id}/models/{name}", produces = MediaType.APPLICATION_XML_VALUE)
-  @Operation(operationId = "getModel", summary = "The document of a test model")
+  @Operation(operationId = "getModel", summary = "Returns the document of a test model")
   ResponseEntity<byte[]> model(@PathVariable String id, @PathVariable String name) {
     return ResponseEntity.ok()
         .contentType(MediaType.APPLICATION_XML)
         .eTag(Long.toString(get(id).version()))
-        .body(workspaces.modelDocument(id, name));
+        .body(activities.modelDocument(id, name));
   }
 
   @PutMapping(path = "/{id}/models/{name}", consumes = MediaType.APPLICATION_XML_VALUE)
   @Operation(
       operationId = "replaceModel",
-      summary = "Puts another document into the place of a test model's",
+      summary = "Replaces the document of a test model",
       requestBody =
           @RequestBody(
               required = true,
@@ -175,7 +178,7 @@ class ActivityController {
       @Parameter(hidden = true) HttpServletRequest request)
       throws IOException {
     try (InputStream body = requests.body(request)) {
-      workspaces.replaceModel(id, name, body.readAllBytes(), Requests.expected(ifMatch));
+      activities.replaceModel(id, name, body.readAllBytes(), Requests.expected(ifMatch));
     }
     return get(id);
   }

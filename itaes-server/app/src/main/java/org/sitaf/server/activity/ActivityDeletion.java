@@ -1,7 +1,7 @@
 package org.sitaf.server.activity;
 
 /**
- * A workspace is about to be deleted, with its suites, builds and results. A listener that throws a
- * {@link org.sitaf.server.refusal.Refusal} keeps it.
+ * Published before an activity is deleted with its suites, builds and results. A listener prevents
+ * the deletion by throwing a {@link org.sitaf.server.error.RequestException}.
  */
-public record ActivityDeletion(String workspaceId) {}
+public record ActivityDeletion(String activityId) {}

@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
-/** A workspace as people and programs see it. */
+/** An activity in the REST interface. */
 @Schema(name = "Activity")
 record ActivityView(
     String id,
@@ -18,7 +18,7 @@ record ActivityView(
     String componentClass,
     Instant created,
     Instant updated,
-    @Schema(description = "grows with each change; for If-Match") long version,
+    @Schema(description = "increases with each change; for If-Match") long version,
     List<FileView> files,
     List<ModelView> models,
     List<InterfaceView> interfaces) {
@@ -29,47 +29,47 @@ record ActivityView(
   @Schema(name = "ActivityModel")
   record ModelView(
       String name,
-      @Schema(description = "of its document among the files") String path,
+      @Schema(description = "of its document") String path,
       @Nullable String interfaceName,
       String method) {}
 
   @Schema(name = "ActivityInterface")
   record InterfaceView(String name, Usage usage, List<String> methods) {}
 
-  /** Who calls whom. */
+  /** Whether the component implements or calls the interface. */
   enum Usage {
     provided,
     required
   }
 
-  static ActivityView of(Workspace workspace) {
+  static ActivityView of(StoredActivity activity) {
     return new ActivityView(
-        workspace.id(),
-        workspace.name(),
-        workspace.description(),
-        workspace.language(),
-        workspace.componentClass(),
-        workspace.created(),
-        workspace.updated(),
-        workspace.version(),
-        workspace.files().stream().map(f -> new FileView(f.path(), f.size(), f.sha256())).toList(),
-        workspace.models().stream()
+        activity.id(),
+        activity.name(),
+        activity.description(),
+        activity.language(),
+        activity.componentClass(),
+        activity.created(),
+        activity.updated(),
+        activity.version(),
+        activity.files().stream().map(f -> new FileView(f.path(), f.size(), f.sha256())).toList(),
+        activity.models().stream()
             .map(m -> new ModelView(m.name(), m.path(), m.interfaceName(), m.method()))
             .toList(),
-        interfaces(workspace.methods()));
+        interfaces(activity.methods()));
   }
 
-  private static List<InterfaceView> interfaces(List<WorkspaceMethod> methods) {
-    Map<String, InterfaceView> found = new LinkedHashMap<>();
-    for (WorkspaceMethod method : methods) {
+  private static List<InterfaceView> interfaces(List<StoredMethod> methods) {
+    Map<String, InterfaceView> interfaces = new LinkedHashMap<>();
+    for (StoredMethod method : methods) {
       Usage usage = method.required() ? Usage.required : Usage.provided;
-      found
+      interfaces
           .computeIfAbsent(
               usage + " " + method.interfaceName(),
               key -> new InterfaceView(method.interfaceName(), usage, new ArrayList<>()))
           .methods()
           .add(method.method());
     }
-    return List.copyOf(found.values());
+    return List.copyOf(interfaces.values());
   }
 }

@@ -7,7 +7,7 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import jakarta.servlet.http.HttpServletRequest;
 import java.io.IOException;
-import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.error.RequestException;
 import org.sitaf.server.web.Requests;
 import org.sitaf.server.web.Uploads;
 import org.springframework.http.HttpHeaders;
@@ -20,49 +20,49 @@ import org.springframework.web.bind.annotation.RequestHeader;
 import org.springframework.web.bind.annotation.RequestMapping;
 import org.springframework.web.bind.annotation.RestController;
 
-/** What a person needs who writes an activity, besides storing it. */
+/** Operations for editing activities. */
 @RestController
 @RequestMapping("/api/v1")
 @Tag(name = "activities")
 class AuthoringController {
   private static final String ZIP = "application/zip";
 
-  private final Workspaces workspaces;
+  private final StoredActivities activities;
   private final Uploads uploads;
 
-  AuthoringController(Workspaces workspaces, Uploads uploads) {
-    this.workspaces = workspaces;
+  AuthoringController(StoredActivities activities, Uploads uploads) {
+    this.activities = activities;
     this.uploads = uploads;
   }
 
   @GetMapping("/activities/{id}/description")
   @Operation(
       operationId = "describeActivity",
-      summary = "Interfaces with their types resolved, and what the world lets a test vary")
+      summary = "Returns the interfaces of an activity with resolved types, and its world")
   DescriptionView description(@PathVariable String id) {
-    return DescriptionView.of(workspaces.activity(id));
+    return DescriptionView.of(activities.activity(id));
   }
 
   @PatchMapping("/activities/{id}/files")
   @Operation(
       operationId = "changeFiles",
-      summary = "Changes several files of an activity at once",
-      description = "Nothing is changed when the activity would not hold together.")
+      summary = "Changes several files of an activity",
+      description = "Nothing is changed if the activity would have errors.")
   ActivityView changeFiles(
       @PathVariable String id,
       @RequestHeader(HttpHeaders.IF_MATCH) String ifMatch,
       @RequestBody FileChanges changes) {
     if (changes.changes() == null) {
-      throw Refusal.malformed("changes is missing; it lists the files to change.");
+      throw RequestException.malformed("changes must be given.");
     }
-    workspaces.change(id, changes, Requests.expected(ifMatch));
-    return workspaces.inspect(id, ActivityView::of);
+    activities.change(id, changes, Requests.expected(ifMatch));
+    return activities.inspect(id, ActivityView::of);
   }
 
   @PostMapping(path = "/activity-checks", consumes = ZIP)
   @Operation(
       operationId = "checkActivity",
-      summary = "Whether files would make an activity; nothing is stored",
+      summary = "Checks the files of an activity without storing them",
       requestBody =
           @io.swagger.v3.oas.annotations.parameters.RequestBody(
               required = true,

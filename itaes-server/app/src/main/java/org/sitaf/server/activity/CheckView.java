@@ -8,13 +8,11 @@ import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.server.web.DiagnosticView;
 
-/** Whether files would make an activity. */
+/** The result of checking an activity. */
 @Schema(name = "ActivityCheck")
 record CheckView(
-    @Schema(description = "everything that is wrong, and warnings")
-        List<DiagnosticView> diagnostics,
-    @Schema(description = "absent where an error was found")
-        @Nullable DescriptionView description) {
+    @Schema(description = "errors and warnings") List<DiagnosticView> diagnostics,
+    @Schema(description = "absent if there are errors") @Nullable DescriptionView description) {
 
   static CheckView of(FileTree files) {
     try {

@@ -13,19 +13,19 @@ import org.sitaf.core.description.Parameter;
 import org.sitaf.core.description.WorldDescription;
 import org.sitaf.server.web.DiagnosticView;
 
-/** What a test of an activity's component can call, vary and observe. */
+/** The interfaces and the world of an activity, for editors of test models. */
 @Schema(name = "ActivityDescription")
 record DescriptionView(
     List<InterfaceTree> provided,
-    @Schema(description = "that the stub implements") List<InterfaceTree> required,
-    @Schema(description = "absent where the component needs no simulation") @Nullable World world,
-    @Schema(description = "what was found and does not keep the activity from being used")
+    @Schema(description = "implemented by the test stub") List<InterfaceTree> required,
+    @Schema(description = "absent if the activity has no simulation") @Nullable World world,
+    @Schema(description = "problems that do not prevent using the activity")
         List<DiagnosticView> warnings) {
 
   @Schema(name = "InterfaceTree")
   record InterfaceTree(
       String name,
-      @Schema(description = "document it was read from") String source,
+      @Schema(description = "document that declares it") String source,
       List<MethodTree> methods) {
     static InterfaceTree of(InterfaceDescription description) {
       return new InterfaceTree(
@@ -38,12 +38,12 @@ record DescriptionView(
   @Schema(name = "MethodTree")
   record MethodTree(
       String name,
-      @Schema(description = "types of the parameters; tells overloads apart") String signature,
+      @Schema(description = "types of the parameters; distinguishes overloads") String signature,
       CallType callType,
       TypeTree returnType,
       List<ParameterTree> parameters,
-      @Schema(description = "names of the exceptions that it declares") List<String> raises,
-      @Schema(description = "from 1; 0 where unknown") int line) {
+      @Schema(description = "names of the declared exceptions") List<String> raises,
+      @Schema(description = "from 1; 0 if unknown") int line) {
     static MethodTree of(Method method) {
       return new MethodTree(
           method.name(),
@@ -64,7 +64,6 @@ record DescriptionView(
     }
   }
 
-  /** Which kind of type. */
   enum Kind {
     scalar,
     sequence,
@@ -78,9 +77,11 @@ record DescriptionView(
   record TypeTree(
       String spelling,
       Kind kind,
-      @Schema(description = "of a struct; the one element, named [], of a sequence or array")
+      @Schema(
+              description =
+                  "members of a struct, or the element type of a sequence or array, named []")
           List<MemberTree> members,
-      @Schema(description = "of an enumeration") List<String> literals) {
+      @Schema(description = "literals of an enumeration") List<String> literals) {
     static TypeTree of(DataType type) {
       if (type instanceof DataType.Struct struct) {
         List<MemberTree> members =
@@ -107,10 +108,10 @@ record DescriptionView(
 
   @Schema(name = "World")
   record World(
-      @Schema(description = "of its description among the files") String path,
+      @Schema(description = "of its description") String path,
       List<WorldParameter> parameters,
       List<WorldDevice> devices,
-      @Schema(description = "names that an output of type OBSERVED may have")
+      @Schema(description = "possible names of outputs of type OBSERVED")
           List<String> observations) {
     static World of(WorldDescription world) {
       return new World(
@@ -123,10 +124,10 @@ record DescriptionView(
     }
   }
 
-  @Schema(name = "WorldParameter", description = "what a test may vary in the simulation (TDSD)")
+  @Schema(name = "WorldParameter", description = "a parameter of the simulation (TDSD)")
   record WorldParameter(
       String name,
-      @Schema(description = "SI unit, 1 for a plain number") String unit,
+      @Schema(description = "SI unit; 1 if dimensionless") String unit,
       @Schema(description = "inclusive") double min,
       @Schema(description = "inclusive") double max,
       double defaultValue) {}

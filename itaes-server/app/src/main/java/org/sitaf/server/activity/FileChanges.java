@@ -8,29 +8,28 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.diagnostic.InvalidInputException;
-import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.error.RequestException;
 
-/** Several files of an activity, changed at once, because it must hold together as a whole. */
+/** Changes of several files of an activity, which are applied and verified together. */
 @Schema(name = "FileChanges")
 record FileChanges(List<FileChange> changes) {
 
   @Schema(name = "FileChange")
   record FileChange(
       String path,
-      @Schema(description = "the file's new text; absent to remove the file")
-          @Nullable String content) {}
+      @Schema(description = "the new text; absent to delete the file") @Nullable String content) {}
 
-  /** The files after the changes. */
+  /** Returns the files after the changes. */
   FileTree applyTo(FileTree tree) {
     Map<String, byte[]> files = new HashMap<>();
     tree.paths().forEach(path -> files.put(path, tree.content(path).orElseThrow()));
     for (FileChange change : changes) {
       if (change.path() == null) {
-        throw Refusal.malformed("A change needs the path of its file.");
+        throw RequestException.malformed("changes.path must be given.");
       }
       if (change.content() == null) {
         if (files.remove(change.path()) == null) {
-          throw Refusal.notFound("file", change.path());
+          throw RequestException.notFound("file", change.path());
         }
       } else {
         files.put(change.path(), change.content().getBytes(StandardCharsets.UTF_8));

@@ -1,4 +1,4 @@
-/** Workspaces: one component under test each, with its profile, files, world and models. */
+/** Activities: a component under test each, with its profile, files, world and models. */
 @NullMarked
 package org.sitaf.server.activity;
 

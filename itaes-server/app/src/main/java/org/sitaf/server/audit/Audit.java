@@ -17,16 +17,16 @@ import org.springframework.jdbc.core.simple.JdbcClient;
 import org.springframework.scheduling.annotation.Scheduled;
 import org.springframework.stereotype.Service;
 
-/** The audit log: who changed what, and who tried. */
+/** The audit log: who changed or tried to change what. */
 @Service
 public class Audit {
   /**
-   * The attribute of a request that says what it is about, where its address does not: the name in
-   * an attempt to sign in.
+   * Request attribute with the subject of the event; by default the subject is the request's URI.
+   * Sign-in sets the user name.
    */
   public static final String SUBJECT = Audit.class.getName() + ".subject";
 
-  private static final String WANTED =
+  private static final String FILTERED =
       " FROM audit_event WHERE actor = COALESCE(?, actor) AND action = COALESCE(?, action)";
 
   private static final Logger log = LoggerFactory.getLogger(Audit.class);
@@ -34,7 +34,7 @@ public class Audit {
   private final JdbcClient jdbc;
   private final DiskSpace disk;
   private final Clock clock;
-  private final Refusals refusals = new Refusals();
+  private final AuditThrottle throttle = new AuditThrottle();
 
   Audit(JdbcClient jdbc, DiskSpace disk, Clock clock) {
     this.jdbc = jdbc;
@@ -43,13 +43,13 @@ public class Audit {
   }
 
   /**
-   * Something that somebody did or tried.
+   * An audit event.
    *
-   * @param actor a person, the owner of a token, an agent, or a dash for nobody known
-   * @param action as the interface names it
-   * @param subject to what
-   * @param outcome done, or why not
-   * @param address from where
+   * @param actor a user, the owner of a token, an agent, or {@code -} if not authenticated
+   * @param action the operationId of the request, or another name
+   * @param subject what the action applies to
+   * @param outcome {@code done}, or why it was rejected
+   * @param address of the client
    */
   public record Event(
       long id,
@@ -61,26 +61,28 @@ public class Audit {
       String address) {}
 
   /**
-   * Adds an attempt of somebody who is not known, or is not let in. Of many in a minute from one
-   * address a few are kept, and the number of the others: strangers do not fill the database.
+   * Records a rejected request. Of many rejections per minute from one address only the first few
+   * are stored, and the number of the others, so that unauthenticated clients cannot fill the
+   * database.
    */
   public void recordRefusal(
       String actor, String action, String subject, String outcome, String address) {
-    List<Refusals.Summary> summaries = new ArrayList<>();
-    boolean kept = refusals.isKept(action, Addresses.group(address), clock.instant(), summaries);
+    List<AuditThrottle.Summary> summaries = new ArrayList<>();
+    boolean store =
+        throttle.shouldStore(action, Addresses.group(address), clock.instant(), summaries);
     summaries.forEach(this::record);
-    if (kept) {
+    if (store) {
       record(actor, action, subject, outcome, address);
     }
   }
 
-  /** What was counted and not kept, once its minute is over. */
+  /** Stores the numbers of rejections that were not stored one by one. */
   @Scheduled(fixedDelayString = "PT1M")
   void summarize() {
-    refusals.over(clock.instant()).forEach(this::record);
+    throttle.removeExpired(clock.instant()).forEach(this::record);
   }
 
-  private void record(Refusals.Summary summary) {
+  private void record(AuditThrottle.Summary summary) {
     record(
         "-",
         summary.action(),
@@ -89,7 +91,7 @@ public class Audit {
         summary.address());
   }
 
-  /** Whether somebody of this name has signed in from an address since then. */
+  /** Whether a user signed in from an address since the given time. */
   public boolean hasSignedIn(String name, String address, Instant since) {
     return jdbc.sql(
                 "SELECT COUNT(*) FROM audit_event WHERE actor = ? AND at_time > ?"
@@ -100,16 +102,16 @@ public class Audit {
         > 0;
   }
 
-  /** Adds an event; while there is no room for it, only to the server's own log. */
+  /** Records an event; while the disk is full, only in the server's log. */
   public void record(String actor, String action, String subject, String outcome, String address) {
     if (!disk.canWrite()) {
       log.warn(
-          "No room in the audit log: {} {} {} {} {}",
-          plain(cut(actor, 100)),
-          plain(cut(action, 60)),
-          plain(cut(subject, 400)),
-          plain(cut(outcome, 200)),
-          plain(cut(address, 60)));
+          "Disk full, event not added to the audit log: {} {} {} {} {}",
+          singleLine(cut(actor, 100)),
+          singleLine(cut(action, 60)),
+          singleLine(cut(subject, 400)),
+          singleLine(cut(outcome, 200)),
+          singleLine(cut(address, 60)));
       return;
     }
     jdbc.sql(
@@ -125,11 +127,11 @@ public class Audit {
         .update();
   }
 
-  /** Events, the latest first; null for those of every actor or action. */
+  /** Events, newest first; null means any actor or action. */
   List<Event> list(@Nullable String actor, @Nullable String action, PageRequest page) {
     return jdbc.sql(
             "SELECT id, at_time, actor, action, subject, outcome, address"
-                + WANTED
+                + FILTERED
                 + " ORDER BY at_time DESC, id DESC LIMIT ? OFFSET ?")
         .params(actor, action, page.getPageSize(), page.getOffset())
         .query(
@@ -146,13 +148,13 @@ public class Audit {
   }
 
   long count(@Nullable String actor, @Nullable String action) {
-    return jdbc.sql("SELECT COUNT(*)" + WANTED).params(actor, action).query(Long.class).single();
+    return jdbc.sql("SELECT COUNT(*)" + FILTERED).params(actor, action).query(Long.class).single();
   }
 
-  /** Drops what is older. */
-  public void forget(Duration olderThan) {
+  /** Deletes events that are older than the given age. */
+  public void deleteOlderThan(Duration age) {
     jdbc.sql("DELETE FROM audit_event WHERE at_time < ?")
-        .param(utc(clock.instant().minus(olderThan)))
+        .param(utc(clock.instant().minus(age)))
         .update();
   }
 
@@ -160,14 +162,14 @@ public class Audit {
     return instant.atOffset(ZoneOffset.UTC);
   }
 
-  /** In one line of a log, whatever strangers send. */
-  private static String plain(String text) {
+  /** Prevents log injection by line breaks. */
+  private static String singleLine(String text) {
     return text.replaceAll("\\p{Cntrl}", "?");
   }
 
-  /** Of what strangers send, too; a NUL is no text for PostgreSQL. */
-  private static String cut(String text, int most) {
+  /** Fits the column; PostgreSQL does not store NUL characters. */
+  private static String cut(String text, int maxLength) {
     String clean = text.replace('\0', '?');
-    return clean.length() <= most ? clean : clean.substring(0, most);
+    return clean.length() <= maxLength ? clean : clean.substring(0, maxLength);
   }
 }

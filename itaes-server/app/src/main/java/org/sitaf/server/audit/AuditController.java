@@ -27,12 +27,12 @@ class AuditController {
   record EventView(
       long id,
       Instant at,
-      @Schema(description = "a person, the owner of a token, an agent, or '-' for nobody known")
+      @Schema(description = "a user, the owner of a token, an agent, or '-' if not authenticated")
           String actor,
       @Schema(description = "operationId of the request, or another name") String action,
       String subject,
-      @Schema(description = "done, or why not") String outcome,
-      @Schema(description = "from where") String address) {
+      @Schema(description = "done, or why it was rejected") String outcome,
+      @Schema(description = "of the client") String address) {
     static EventView of(Audit.Event event) {
       return new EventView(
           event.id(),
@@ -46,17 +46,15 @@ class AuditController {
   }
 
   @GetMapping
-  @Operation(
-      operationId = "listAuditEvents",
-      summary = "Who changed what, and who tried, the latest first")
+  @Operation(operationId = "listAuditEvents", summary = "Lists audit events, newest first")
   Listing<EventView> list(
       @RequestParam(required = false) @Nullable String actor,
       @RequestParam(required = false) @Nullable String action,
       @RequestParam(defaultValue = "0") int page,
       @RequestParam(defaultValue = "50") int size) {
-    PageRequest wanted = Listing.request(page, size, Sort.unsorted());
+    PageRequest pageRequest = Listing.request(page, size, Sort.unsorted());
     return new Listing<>(
-        audit.list(actor, action, wanted).stream().map(EventView::of).toList(),
+        audit.list(actor, action, pageRequest).stream().map(EventView::of).toList(),
         page,
         size,
         audit.count(actor, action));

@@ -1,4 +1,4 @@
-/** Who changed what, and who tried. */
+/** The audit log. */
 @NullMarked
 package org.sitaf.server.audit;
 

@@ -11,14 +11,13 @@ import jakarta.persistence.SequenceGenerator;
 import java.time.Instant;
 import org.hibernate.annotations.DynamicUpdate;
 import org.jspecify.annotations.Nullable;
-import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.error.RequestException;
 
 /**
- * One try of an agent at a build. Its identity is its fencing token: tokens grow for ever, so that
- * whoever holds an older one is told apart from whoever holds the present one.
+ * An agent's attempt to execute a build. Its id is its fencing token; tokens increase, so that an
+ * agent with an outdated attempt is recognized.
  *
- * <p>Only what has changed is written, because leases are renewed by other statements at the same
- * time.
+ * <p>Updates write changed columns only, because other transactions renew the lease concurrently.
  */
 @Entity
 @DynamicUpdate
@@ -55,9 +54,9 @@ class Attempt {
   }
 
   /**
-   * An attempt that begins now.
+   * Creates an attempt.
    *
-   * @param logStart where its part of the build's log begins, in bytes
+   * @param logStart offset of its log in the build's log, in bytes
    */
   Attempt(String buildId, int no, String agent, Instant now, Instant leaseUntil, long logStart) {
     this();
@@ -75,13 +74,14 @@ class Attempt {
   }
 
   /**
-   * Whether a batch of cases is new; 0 does not count.
+   * Whether a batch of cases is new. Batch 0 is not numbered and always new.
    *
-   * @throws Refusal when one before it is missing
+   * @throws RequestException if a batch is missing
    */
-  boolean takesBatch(long batch) {
+  boolean acceptBatch(long batch) {
     if (batch > nextBatch) {
-      throw Refusal.malformed("sequence: batch " + nextBatch + " is expected, not " + batch + ".");
+      throw RequestException.malformed(
+          "sequence: expected batch " + nextBatch + ", not " + batch + ".");
     }
     if (batch == nextBatch) {
       nextBatch++;
@@ -94,31 +94,31 @@ class Attempt {
     return nextBatch;
   }
 
-  void end(BuildState how, Instant now) {
-    if (finished != null || !how.isOver()) {
+  void end(BuildState finalState, Instant now) {
+    if (finished != null || !finalState.isOver()) {
       throw new IllegalStateException(
-          "attempt " + token + " is " + state + " and cannot become " + how);
+          "attempt " + token + " is " + state + " and cannot become " + finalState);
     }
-    state = how;
+    state = finalState;
     finished = now;
   }
 
-  /** Its result is accepted. */
+  /** Ends the attempt with an accepted result. */
   void endWithResult(String sha256, Instant now) {
     end(BuildState.DONE, now);
     resultSha256 = sha256;
   }
 
-  /** A result came after it was given up. */
+  /** Marks an abandoned attempt that delivered a late result. */
   void supersede() {
     if (finished == null) {
-      throw new IllegalStateException("attempt " + token + " is not given up");
+      throw new IllegalStateException("attempt " + token + " has not ended");
     }
     state = BuildState.SUPERSEDED;
   }
 
-  PastAttempt view() {
-    return new PastAttempt(no, agent, state, leased, finished);
+  AttemptSummary summary() {
+    return new AttemptSummary(no, agent, state, leased, finished);
   }
 
   AttemptKey key() {
@@ -145,7 +145,7 @@ class Attempt {
     return logStart;
   }
 
-  /** Whether this very result was accepted from it. */
+  /** Whether the result with this hash was accepted from this attempt. */
   boolean delivered(String sha256) {
     return sha256.equals(resultSha256);
   }

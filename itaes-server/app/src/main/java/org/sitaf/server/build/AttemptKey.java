@@ -1,4 +1,4 @@
 package org.sitaf.server.build;
 
-/** Which attempt of which build, and the proof that it is the one that was assigned. */
+/** Identifies an attempt of a build; the fencing token proves that it was assigned to the agent. */
 public record AttemptKey(String buildId, int no, long token) {}

@@ -28,15 +28,15 @@ interface AttemptRepository extends Repository<Attempt, Long> {
   @Query(
       "select a.token from Attempt a"
           + " where a.finished is null and a.agent = :agent and a.token in :tokens")
-  List<Long> findLive(String agent, Collection<Long> tokens);
+  List<Long> findRunning(String agent, Collection<Long> tokens);
 
   @Query(
       "select new org.sitaf.server.build.AttemptKey(a.buildId, a.no, a.token)"
           + " from Attempt a where a.finished is null and a.agent = :agent order by a.token")
-  List<AttemptKey> findLiveOf(String agent);
+  List<AttemptKey> findRunningOf(String agent);
 
   @Query("select a.token from Attempt a where a.finished is not null and a.token in :tokens")
-  List<Long> findOver(Collection<Long> tokens);
+  List<Long> findEnded(Collection<Long> tokens);
 
   @Modifying
   @Query(

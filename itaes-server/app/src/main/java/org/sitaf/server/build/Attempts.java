@@ -9,8 +9,8 @@ import java.util.Optional;
 import java.util.Set;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.TestResult;
+import org.sitaf.server.error.RequestException;
 import org.sitaf.server.file.StoredFile;
-import org.sitaf.server.refusal.Refusal;
 import org.sitaf.server.result.Results;
 import org.sitaf.server.result.live.LiveCases;
 import org.springframework.context.ApplicationEventPublisher;
@@ -18,9 +18,8 @@ import org.springframework.stereotype.Service;
 import org.springframework.transaction.annotation.Transactional;
 
 /**
- * Attempts at builds: what agents report of them, and how they end by themselves. A build is
- * executed at least once, and exactly one result of it is accepted: each change locks the build
- * first and looks at the fencing token then.
+ * Processes what agents report about their attempts. A build is executed at least once, and exactly
+ * one result is accepted: each change first locks the build and then checks the fencing token.
  */
 @Service
 @Transactional
@@ -29,7 +28,7 @@ public class Attempts {
   private final AttemptRepository attempts;
   private final Results results;
   private final LiveCases live;
-  private final Retries retries;
+  private final RetryPolicy retryPolicy;
   private final ApplicationEventPublisher events;
   private final Clock clock;
 
@@ -38,65 +37,65 @@ public class Attempts {
       AttemptRepository attempts,
       Results results,
       LiveCases live,
-      Retries retries,
+      RetryPolicy retryPolicy,
       ApplicationEventPublisher events,
       Clock clock) {
     this.builds = builds;
     this.attempts = attempts;
     this.results = results;
     this.live = live;
-    this.retries = retries;
+    this.retryPolicy = retryPolicy;
     this.events = events;
     this.clock = clock;
   }
 
-  /** What becomes of a result. */
+  /** What happened to a delivered result. */
   public enum Delivery {
-    /** It is the build's result, and on disk. */
+    /** The result is stored as the build's result. */
     ACCEPTED,
-    /** Another attempt's result was accepted before. */
+    /** The result of another attempt was accepted before. */
     SUPERSEDED,
-    /** The attempt was given up or cancelled, and the build has no result yet. */
-    GIVEN_UP
+    /** The attempt was abandoned or cancelled, and the build has no result yet. */
+    ABANDONED
   }
 
-  /** The attempts at a build, the first first. */
+  /** The attempts of a build, oldest first. */
   @Transactional(readOnly = true)
-  public List<PastAttempt> of(String buildId) {
+  public List<AttemptSummary> of(String buildId) {
     if (builds.findById(buildId).isEmpty()) {
-      throw Refusal.notFound("build", buildId);
+      throw RequestException.notFound("build", buildId);
     }
-    return attempts.findByBuildIdOrderByNo(buildId).stream().map(Attempt::view).toList();
+    return attempts.findByBuildIdOrderByNo(buildId).stream().map(Attempt::summary).toList();
   }
 
-  /** Follows an agent from state to state. */
+  /** Stores the state that the agent reports. */
   public void advance(AttemptKey key, BuildState state) {
     Build build = lock(key);
-    Attempt attempt = live(key);
+    Attempt attempt = findRunning(key);
     attempt.advance(state);
     build.advance(state, now());
     changed(build);
   }
 
   /**
-   * Notes cases that have ended, and keeps them for those who watch.
+   * Stores finished cases for the live view.
    *
-   * @param batch counts from 1 in an attempt; a batch that came before changes nothing; 0 does not
-   *     count
-   * @return the batch that is expected next
+   * @param batch number of the batch in the attempt, from 1; a known batch is ignored; 0 is not
+   *     numbered
+   * @return the next expected batch
    */
-  public long noteCases(AttemptKey key, long batch, Collection<CaseResult> ended) {
+  public long addCases(AttemptKey key, long batch, Collection<CaseResult> ended) {
     Build build = lock(key);
-    Attempt attempt = live(key);
-    if (attempt.takesBatch(batch)) {
-      Set<Integer> news = build.noteCases(ended.stream().map(CaseResult::no).toList());
-      live.append(build.id(), ended.stream().filter(c -> news.contains(c.no())).toList());
+    Attempt attempt = findRunning(key);
+    if (attempt.acceptBatch(batch)) {
+      Set<Integer> added = build.addCases(ended.stream().map(CaseResult::no).toList());
+      live.append(build.id(), ended.stream().filter(c -> added.contains(c.no())).toList());
       changed(build);
     }
     return attempt.nextBatch();
   }
 
-  /** The agent to which the attempt was given; empty when there is no such attempt. */
+  /** The agent of an attempt; empty if there is no such attempt. */
   @Transactional(readOnly = true)
   public Optional<String> agentOf(AttemptKey key) {
     return attempts
@@ -105,49 +104,47 @@ public class Attempts {
         .map(Attempt::agent);
   }
 
-  /** Where the log of a live attempt begins in the log of its build, in bytes. */
+  /** Offset of a running attempt's log in the build's log, in bytes. */
+  @Transactional(readOnly = true)
+  public long logStartOfRunning(AttemptKey key) {
+    return findRunning(key).logStart();
+  }
+
+  /** Offset of an attempt's log in the build's log, in bytes. */
   @Transactional(readOnly = true)
   public long logStart(AttemptKey key) {
-    return live(key).logStart();
+    return find(key).logStart();
   }
 
-  /** Where the log of an attempt begins in the log of its build, in bytes. */
-  @Transactional(readOnly = true)
-  public long logBegin(AttemptKey key) {
-    return known(key).logStart();
-  }
-
-  /**
-   * The digest of a file of a live attempt's build, which makes sure that the agent may have it.
-   */
+  /** A file of a running attempt's build; agents can only download these files. */
   @Transactional(readOnly = true)
   public StoredFile file(AttemptKey key, String sha256) {
-    live(key);
-    return builds.findById(key.buildId()).orElseThrow(() -> noBuild(key)).files().stream()
+    findRunning(key);
+    return builds.findById(key.buildId()).orElseThrow(() -> buildNotFound(key)).files().stream()
         .filter(file -> file.sha256().equals(sha256))
         .findFirst()
-        .orElseThrow(() -> Refusal.notFound("file in build " + key.buildId(), sha256));
+        .orElseThrow(() -> RequestException.notFound("file in build " + key.buildId(), sha256));
   }
 
   /**
-   * Accepts the result of a live attempt; accepting it again changes nothing.
+   * Accepts the result of a running attempt. Repeating the call changes nothing.
    *
-   * @throws OutdatedAttemptException when there never was such an attempt
+   * @throws OutdatedAttemptException if there is no such attempt
    */
   public Delivery deliver(AttemptKey key, TestResult result, byte[] document, String sha256) {
     Build build = lock(key);
-    Attempt attempt = known(key);
+    Attempt attempt = find(key);
     if (attempt.delivered(sha256)) {
       return Delivery.ACCEPTED;
     }
     if (attempt.isOver()) {
-      return keepLate(build, attempt, document);
+      return storeLateResult(build, attempt, document);
     }
     if (result.cases().size() > build.casesTotal()) {
-      throw Refusal.malformed(
+      throw RequestException.malformed(
           "The result has "
               + result.cases().size()
-              + " cases, the suite "
+              + " cases, but the suite only "
               + build.casesTotal()
               + ".");
     }
@@ -156,34 +153,31 @@ public class Attempts {
     attempt.endWithResult(sha256, now);
     build.complete(result, now);
     if (build.parentId().isEmpty()) {
-      // Cases of a part are still looked at as those of the whole.
-      live.forget(build.id());
+      // The cases of a shard are still shown as those of the whole build.
+      live.delete(build.id());
     }
     events.publishEvent(new BuildEvent.Delivered(key, attempt.agent()));
     changed(build);
     return Delivery.ACCEPTED;
   }
 
-  /** Ends a live attempt that has no result; saying it again changes nothing. */
+  /** Ends a running attempt without a result. Repeating the call changes nothing. */
   public void fail(AttemptKey key, BuildFailure failure) {
     Build build = lock(key);
-    Attempt attempt = known(key);
+    Attempt attempt = find(key);
     if (attempt.state() == BuildState.FAILED) {
       return;
     }
-    requireLive(attempt);
+    requireRunning(attempt);
     attempt.end(BuildState.FAILED, now());
     events.publishEvent(new BuildEvent.Delivered(key, attempt.agent()));
-    retries.afterFailure(build, failure);
+    retryPolicy.afterFailure(build, failure);
   }
 
-  /**
-   * An agent confirms that it has stopped a cancelled attempt, or has cancelled it of its own
-   * accord.
-   */
+  /** The agent stopped a cancelled attempt, or cancelled it by itself. */
   public void cancelled(AttemptKey key, String message) {
     Build build = lock(key);
-    Attempt attempt = known(key);
+    Attempt attempt = find(key);
     events.publishEvent(new BuildEvent.Delivered(key, attempt.agent()));
     if (attempt.isOver()) {
       return;
@@ -193,27 +187,27 @@ public class Attempts {
     changed(build);
   }
 
-  /** A late result is kept for people; what counts is decided already. */
-  private Delivery keepLate(Build build, Attempt attempt, byte[] document) {
+  /** Stores the result of an attempt that has ended before; it does not count. */
+  private Delivery storeLateResult(Build build, Attempt attempt, byte[] document) {
     if (attempt.state() == BuildState.FAILED) {
-      results.keepSuperseded(attempt.key().token(), document, now());
+      results.storeSuperseded(attempt.key().token(), document, now());
       attempt.supersede();
     }
     events.publishEvent(new BuildEvent.Delivered(attempt.key(), attempt.agent()));
-    return build.state() == BuildState.DONE ? Delivery.SUPERSEDED : Delivery.GIVEN_UP;
+    return build.state() == BuildState.DONE ? Delivery.SUPERSEDED : Delivery.ABANDONED;
   }
 
   private Build lock(AttemptKey key) {
-    return builds.findForChange(key.buildId()).orElseThrow(() -> noBuild(key));
+    return builds.findForUpdate(key.buildId()).orElseThrow(() -> buildNotFound(key));
   }
 
-  private Attempt live(AttemptKey key) {
-    Attempt attempt = known(key);
-    requireLive(attempt);
+  private Attempt findRunning(AttemptKey key) {
+    Attempt attempt = find(key);
+    requireRunning(attempt);
     return attempt;
   }
 
-  private Attempt known(AttemptKey key) {
+  private Attempt find(AttemptKey key) {
     Attempt attempt =
         attempts
             .findById(key.token())
@@ -224,9 +218,9 @@ public class Attempts {
     return attempt;
   }
 
-  private static void requireLive(Attempt attempt) {
+  private static void requireRunning(Attempt attempt) {
     if (attempt.isOver()) {
-      throw new OutdatedAttemptException(attempt.key(), "is over: " + attempt.state());
+      throw new OutdatedAttemptException(attempt.key(), "has ended: " + attempt.state());
     }
   }
 
@@ -238,7 +232,7 @@ public class Attempts {
     return clock.instant().truncatedTo(ChronoUnit.MICROS);
   }
 
-  private static Refusal noBuild(AttemptKey key) {
-    return Refusal.notFound("build", key.buildId());
+  private static RequestException buildNotFound(AttemptKey key) {
+    return RequestException.notFound("build", key.buildId());
   }
 }

@@ -25,13 +25,12 @@ import org.sitaf.server.build.request.BuildOptions;
 import org.sitaf.server.build.request.RecordedCases;
 import org.sitaf.server.build.request.Requirements;
 import org.sitaf.server.build.request.Reservation;
+import org.sitaf.server.error.RequestException;
 import org.sitaf.server.file.StoredFile;
-import org.sitaf.server.refusal.Refusal;
 import org.sitaf.server.suite.SuiteOrigin;
 
 /**
- * A request to execute a suite, and what became of it. The test application is frozen with the
- * request.
+ * A request to execute a suite, and its outcome. The test application is stored with the request.
  */
 @Entity
 public class Build {
@@ -39,7 +38,7 @@ public class Build {
 
   @Id private String id;
 
-  @Column(name = "workspace_id")
+  @Column(name = "activity_id")
   private String activityId;
 
   private String activityName;
@@ -57,7 +56,7 @@ public class Build {
   private @Nullable Instant started;
   private @Nullable Instant finished;
 
-  /** Null until it is stored, which is how the persistence provider knows that it is new. */
+  /** Null for a new entity; this is how the persistence provider recognizes one. */
   @Version private @Nullable Long version;
 
   private int priority;
@@ -65,8 +64,8 @@ public class Build {
   private @Nullable Instant notBefore;
   private String requirements;
   private @Nullable String parentId;
-  private int part;
-  private int parts;
+  private int shard;
+  private int shards;
 
   @Enumerated(EnumType.STRING)
   private RecordedCases recordedCases;
@@ -112,11 +111,10 @@ public class Build {
   }
 
   /**
-   * A build that waits.
+   * Creates a queued build.
    *
-   * @param application what will be executed, frozen with the request
-   * @param maxAttempts how often it is tried while only the infrastructure fails
-   * @param reservation null for a build at once
+   * @param maxAttempts maximum number of attempts if the infrastructure fails
+   * @param reservation null for a build that was not requested by a schedule
    */
   Build(
       String id,
@@ -141,27 +139,27 @@ public class Build {
       this.scheduleId = reservation.scheduleId();
       this.fireTime = reservation.fireTime();
     }
-    move(BuildState.QUEUED, now, reservation == null ? "requested" : "reserved time reached");
+    move(BuildState.QUEUED, now, reservation == null ? "requested" : "scheduled time reached");
   }
 
-  /** A part of this build: some of its cases, as a build of its own. */
-  Build part(String partId, int no, FrozenApplication application, Instant now) {
-    Build made = new Build();
-    made.id = partId;
-    made.activityId = activityId;
-    made.activityName = activityName;
-    made.suiteId = suiteId;
-    made.model = model;
-    made.priority = priority;
-    made.maxAttempts = maxAttempts;
-    made.created = now;
-    made.parentId = id;
-    made.part = no;
-    made.freeze(application);
-    made.recordedCases = recordedCases;
-    made.move(BuildState.QUEUED, now, "part " + no + " of build " + id);
-    parts++;
-    return made;
+  /** Creates a shard: a build that executes some of this build's cases. */
+  Build addShard(String shardId, int no, FrozenApplication application, Instant now) {
+    Build created = new Build();
+    created.id = shardId;
+    created.activityId = activityId;
+    created.activityName = activityName;
+    created.suiteId = suiteId;
+    created.model = model;
+    created.priority = priority;
+    created.maxAttempts = maxAttempts;
+    created.created = now;
+    created.parentId = id;
+    created.shard = no;
+    created.freeze(application);
+    created.recordedCases = recordedCases;
+    created.move(BuildState.QUEUED, now, "shard " + no + " of build " + id);
+    shards++;
+    return created;
   }
 
   private void freeze(FrozenApplication application) {
@@ -171,38 +169,38 @@ public class Build {
     cases = new CaseProgress(application.cases(), application.lastCase());
   }
 
-  /** Gives it to an agent. */
+  /** Assigns the build to an agent. */
   void lease(int attemptNo, String toAgent, Instant now) {
-    require(state == BuildState.QUEUED, "given to an agent");
+    require(state == BuildState.QUEUED, "assigned to an agent");
     attempt = attemptNo;
     agent = toAgent;
     started = started == null ? now : started;
     cases.restart();
-    move(BuildState.LEASED, now, "given to agent " + toAgent);
+    move(BuildState.LEASED, now, "assigned to agent " + toAgent);
   }
 
-  /** Follows what the agent reports; a state that is reached already changes nothing. */
+  /** Stores the state that the agent reports. */
   void advance(BuildState to, Instant now) {
     if (!to.isActive() || to.compareTo(state) < 0) {
-      throw Refusal.malformed("A build that is " + state + " cannot become " + to + ".");
+      throw RequestException.malformed("A build that is " + state + " cannot become " + to + ".");
     }
-    require(state.isActive(), "worked on");
+    require(state.isActive(), "updated");
     if (to != state) {
       move(to, now, "reported by agent " + agent);
     }
   }
 
   /**
-   * Notes cases that have ended; a case that was noted before is not counted again.
+   * Counts finished cases.
    *
-   * @return those that were not noted before
+   * @return the numbers of those that were not counted before
    */
-  Set<Integer> noteCases(Collection<Integer> numbers) {
-    require(state.isActive(), "worked on");
-    return cases.note(numbers);
+  Set<Integer> addCases(Collection<Integer> numbers) {
+    require(state.isActive(), "updated");
+    return cases.add(numbers);
   }
 
-  /** The result is accepted. */
+  /** Ends the build with an accepted result. */
   void complete(TestResult result, Instant now) {
     require(state.isActive(), "completed");
     Summary summary = result.summary();
@@ -217,7 +215,7 @@ public class Build {
     move(BuildState.DONE, now, "result accepted");
   }
 
-  /** There will be no result. */
+  /** Ends the build without a result. */
   void fail(BuildFailure failure, Instant now) {
     require(!state.isOver(), "failed");
     failureCategory = failure.category();
@@ -228,22 +226,21 @@ public class Build {
     move(BuildState.FAILED, now, failure.message());
   }
 
-  /** Nobody wants it any more. */
   void cancel(String cause, Instant now) {
     require(!state.isOver(), "cancelled");
     finished = now;
     move(BuildState.CANCELLED, now, cause);
   }
 
-  /** Counts a failure that an agent reports; answers how many there were before it. */
-  int noteFailure() {
+  /** Counts a failure that an agent reported; returns the number of earlier failures. */
+  int countFailure() {
     return failures++;
   }
 
   /**
-   * The attempt failed for a reason outside the build: another one may succeed.
+   * Queues the build for another attempt after an infrastructure failure.
    *
-   * @param earliest when it may be given to an agent again
+   * @param earliest time of the next attempt at the earliest
    */
   void queueAgain(String cause, Instant earliest, Instant now) {
     require(state.isActive(), "queued again");
@@ -252,13 +249,13 @@ public class Build {
     move(BuildState.QUEUED, now, cause);
   }
 
-  /** Follows its parts: the first that begins has it begin, and their cases are its cases. */
-  void followParts(int casesOfParts, Instant now) {
+  /** Updates the progress from the shards; starts the build when its first shard has started. */
+  void updateFromShards(int finishedCases, Instant now) {
     if (state == BuildState.QUEUED) {
       started = now;
-      move(BuildState.RUNNING, now, "the first of its " + parts + " parts was given to an agent");
+      move(BuildState.RUNNING, now, "the first of " + shards + " shards was assigned to an agent");
     }
-    cases.set(casesOfParts);
+    cases.set(finishedCases);
   }
 
   private void move(BuildState to, Instant now, String cause) {
@@ -268,7 +265,8 @@ public class Build {
 
   private void require(boolean allowed, String change) {
     if (!allowed) {
-      throw Refusal.conflict("Build " + id + " is " + state + " and cannot be " + change + ".");
+      throw RequestException.conflict(
+          "Build " + id + " is " + state + " and cannot be " + change + ".");
     }
   }
 
@@ -296,7 +294,7 @@ public class Build {
     return language;
   }
 
-  /** What an agent must have for it. */
+  /** What the agent must provide. */
   public Requirements requirements() {
     return Requirements.parse(requirements);
   }
@@ -305,12 +303,12 @@ public class Build {
     return priority;
   }
 
-  /** When it may be given to an agent at the earliest; empty for at once. */
+  /** Time of the next attempt at the earliest; empty if there is no delay. */
   public Optional<Instant> notBefore() {
     return Optional.ofNullable(notBefore);
   }
 
-  /** Of which cases it is recorded what moves in the simulation. */
+  /** Which cases are recorded in the simulation. */
   public RecordedCases recordedCases() {
     return recordedCases;
   }
@@ -319,26 +317,26 @@ public class Build {
     return maxAttempts;
   }
 
-  /** The build that this one is a part of. */
+  /** The build that this shard belongs to; empty for a whole build. */
   public Optional<String> parentId() {
     return Optional.ofNullable(parentId);
   }
 
-  /** Which part of its parent it is, from 1; 0 for a whole build. */
-  public int part() {
-    return part;
+  /** The number of this shard, from 1; 0 for a whole build. */
+  public int shard() {
+    return shard;
   }
 
-  /** Over how many parts its cases are spread; 0 for a build that one agent executes. */
-  public int parts() {
-    return parts;
+  /** The number of shards; 0 for a build that is executed by one agent. */
+  public int shards() {
+    return shards;
   }
 
   public BuildState state() {
     return state;
   }
 
-  /** The latest attempt, from 1; 0 before the first. */
+  /** The number of the latest attempt, from 1; 0 if there is none. */
   public int attempt() {
     return attempt;
   }
@@ -371,7 +369,7 @@ public class Build {
     return cases.done();
   }
 
-  /** What reserved it; empty for a build at once. */
+  /** The fire time that requested the build; empty if it was not requested by a schedule. */
   public Optional<Reservation> reservation() {
     return scheduleId == null || fireTime == null
         ? Optional.empty()
@@ -382,7 +380,7 @@ public class Build {
     return Optional.ofNullable(counts);
   }
 
-  /** Why its verdicts are not to be trusted; empty where they are. */
+  /** Why the verdicts cannot be trusted; empty if they can. */
   public List<String> suspicions() {
     return suspicions == null ? List.of() : suspicions.lines().toList();
   }

@@ -3,12 +3,12 @@ package org.sitaf.server.build;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
-/** What happens to builds; told after the transaction has ended well. */
+/** Events of builds. Listeners receive them after the transaction was committed. */
 public sealed interface BuildEvent {
   /**
-   * Anything of a build is different.
+   * A build was created or changed.
    *
-   * @param parentId the build that it is a part of; null for a whole build
+   * @param parentId the build that the shard belongs to; null for a whole build
    */
   record Changed(String buildId, BuildState state, @Nullable String parentId)
       implements BuildEvent {
@@ -17,20 +17,21 @@ public sealed interface BuildEvent {
     }
   }
 
-  /** A build that was spread over parts is over. */
-  record PartsEnded(String buildId, List<String> partIds) implements BuildEvent {}
+  /** A build with shards has ended. */
+  record ShardsEnded(String buildId, List<String> shardIds) implements BuildEvent {}
 
   /**
-   * An attempt is over, and not by its agent: the agent is to stop the work on it.
+   * The server ended an attempt; its agent has to stop.
    *
-   * @param givenUp by this server, which keeps a late result; false where somebody cancelled it
+   * @param abandoned whether the server lost the agent and stores a late result; false if a user
+   *     cancelled the build
    */
-  record Stopped(AttemptKey attempt, String agent, String reason, boolean givenUp)
+  record Stopped(AttemptKey attempt, String agent, String reason, boolean abandoned)
       implements BuildEvent {}
 
-  /** An agent has brought an attempt to its end. */
+  /** An agent delivered the outcome of an attempt. */
   record Delivered(AttemptKey attempt, String agent) implements BuildEvent {}
 
-  /** Builds are gone, together with their activity. */
+  /** Builds were deleted together with their activity. */
   record Deleted(List<String> buildIds) implements BuildEvent {}
 }

@@ -9,13 +9,12 @@ public record BuildFailure(Category category, String message, List<SourceProblem
   private static final int MAX_MESSAGE = 4000;
   private static final int MAX_PROBLEMS = 500;
 
-  /** Whose matter it is. */
   public enum Category {
-    /** The activity, model and suite do not make a test application. */
+    /** The test application could not be generated from activity, model and suite. */
     INPUT,
-    /** The component, its adapter or the harness do not compile; trying again gives the same. */
+    /** The component, its adapter or the harness do not compile; the build is not retried. */
     COMPILATION,
-    /** Agent, simulation or network; another attempt may succeed. */
+    /** Agent, simulation or network failed; the build is retried. */
     INFRASTRUCTURE
   }
 
@@ -25,18 +24,18 @@ public record BuildFailure(Category category, String message, List<SourceProblem
     problems = problems.stream().limit(MAX_PROBLEMS).toList();
   }
 
-  /** A text of at most so many characters, and without the one that PostgreSQL cannot store. */
+  /** Limits the length of a text and replaces NUL characters, which PostgreSQL cannot store. */
   static String cut(String text, int length) {
     String clean = text.replace('\0', ' ');
     return clean.length() <= length ? clean : clean.substring(0, length - 1) + "…";
   }
 
   /**
-   * What is wrong with a file of a test application.
+   * A problem in a file of a test application.
    *
-   * @param line from 1; 0 where unknown
-   * @param columnNo from 1; 0 where unknown
-   * @param isGenerated whether the file was generated, not written by the user
+   * @param line from 1; 0 if unknown
+   * @param columnNo from 1; 0 if unknown
+   * @param isGenerated whether the file was generated
    */
   @Embeddable
   public record SourceProblem(

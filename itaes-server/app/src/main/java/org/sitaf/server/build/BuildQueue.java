@@ -16,14 +16,11 @@ import org.springframework.stereotype.Repository;
 import org.springframework.transaction.annotation.Propagation;
 import org.springframework.transaction.annotation.Transactional;
 
-/**
- * The builds that wait. The database is the queue; several servers may take from it at the same
- * time.
- */
+/** The queue of builds. It is shard of the database, so that several servers can share it. */
 @Repository
 public class BuildQueue {
   private static final String READY =
-      " FROM build WHERE state = 'QUEUED' AND parts = 0"
+      " FROM build WHERE state = 'QUEUED' AND shards = 0"
           + " AND (not_before IS NULL OR not_before <= :now)";
 
   private final JdbcClient jdbc;
@@ -33,17 +30,17 @@ public class BuildQueue {
   BuildQueue(JdbcClient jdbc, Database database, Clock clock) {
     this.jdbc = jdbc;
     this.clock = clock;
-    // H2 has one server alone, and takes its time over SKIP LOCKED.
+    // H2 has a single server, and SKIP LOCKED is slow there.
     this.claim =
-        "SELECT id FROM build WHERE id = ? AND state = 'QUEUED' AND parts = 0 FOR UPDATE"
+        "SELECT id FROM build WHERE id = ? AND state = 'QUEUED' AND shards = 0 FOR UPDATE"
             + (database.isShared() ? " SKIP LOCKED" : "");
   }
 
-  /** A build that may be given to an agent. */
-  public record Waiting(
+  /** A queued build that can be assigned to an agent. */
+  public record QueuedBuild(
       String id, String activityId, Requirements requirements, int priority, Instant created) {}
 
-  /** What the builds ask for that wait now, each once. */
+  /** The distinct requirements of the queued builds. */
   @Transactional(readOnly = true)
   public List<Requirements> requirements() {
     return jdbc
@@ -57,25 +54,25 @@ public class BuildQueue {
   }
 
   /**
-   * The first builds of each activity that ask for one of these.
+   * The first queued builds of each activity with one of the given requirements.
    *
-   * @param atMost of an activity and requirement
+   * @param limit maximum number per activity and requirements
    */
   @Transactional(readOnly = true)
-  public List<Waiting> first(Collection<Requirements> requirements, int atMost) {
+  public List<QueuedBuild> first(Collection<Requirements> requirements, int limit) {
     return jdbc.sql(
-            "SELECT id, workspace_id, requirements, priority, created FROM ("
-                + "SELECT id, workspace_id, requirements, priority, created,"
-                + " ROW_NUMBER() OVER (PARTITION BY workspace_id, requirements"
+            "SELECT id, activity_id, requirements, priority, created FROM ("
+                + "SELECT id, activity_id, requirements, priority, created,"
+                + " ROW_NUMBER() OVER (PARTITION BY activity_id, requirements"
                 + " ORDER BY priority DESC, created, id) AS place"
                 + READY
-                + " AND requirements IN (:requirements)) ready WHERE place <= :atMost")
+                + " AND requirements IN (:requirements)) ready WHERE place <= :limit")
         .param("now", now())
         .param("requirements", requirements.stream().map(Requirements::text).toList())
-        .param("atMost", atMost)
+        .param("limit", limit)
         .query(
             (row, index) ->
-                new Waiting(
+                new QueuedBuild(
                     row.getString(1),
                     row.getString(2),
                     Requirements.parse(row.getString(3)),
@@ -84,25 +81,25 @@ public class BuildQueue {
         .list();
   }
 
-  /** How many builds of each activity agents work on. */
+  /** The number of running builds of each activity. */
   @Transactional(readOnly = true)
   public Map<String, Integer> active() {
     Map<String, Integer> active = new HashMap<>();
     jdbc.sql(
-            "SELECT workspace_id, COUNT(*) FROM build WHERE parts = 0 AND state IN"
+            "SELECT activity_id, COUNT(*) FROM build WHERE shards = 0 AND state IN"
                 + " ('LEASED', 'PREPARING', 'COMPILING', 'RUNNING', 'UPLOADING')"
-                + " GROUP BY workspace_id")
+                + " GROUP BY activity_id")
         .query((row, index) -> active.put(row.getString(1), row.getInt(2)))
         .list();
     return active;
   }
 
-  /** When the next build that was put off may be given to an agent. */
+  /** When the delay of the next delayed build ends. */
   @Transactional(readOnly = true)
-  public Optional<Instant> nextPutOff() {
+  public Optional<Instant> nextDelayEnd() {
     return jdbc.sql(
             "SELECT not_before FROM build"
-                + " WHERE state = 'QUEUED' AND parts = 0 AND not_before > :now"
+                + " WHERE state = 'QUEUED' AND shards = 0 AND not_before > :now"
                 + " ORDER BY not_before LIMIT 1")
         .param("now", now())
         .query((row, index) -> row.getObject(1, OffsetDateTime.class).toInstant())
@@ -110,10 +107,9 @@ public class BuildQueue {
   }
 
   /**
-   * Locks a waiting build for this transaction. Where another server is about to take it, this one
-   * goes on to the next instead of waiting.
+   * Locks a queued build for the current transaction, without waiting for other servers.
    *
-   * @return false when it does not wait any more
+   * @return false if the build is no longer queued, or if another server has locked it
    */
   @Transactional(propagation = Propagation.MANDATORY)
   public boolean claim(String buildId) {

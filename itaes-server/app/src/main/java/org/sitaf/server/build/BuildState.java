@@ -1,30 +1,33 @@
 package org.sitaf.server.build;
 
-/** Where a build, or an attempt of it, is; later ones come later. */
+/** State of a build or an attempt, in the order in which they are reached. */
 public enum BuildState {
-  /** Waits for an agent. */
+  /** Waiting for an agent. */
   QUEUED,
-  /** Given to an agent, which has not said anything about it yet. */
+  /** Assigned to an agent, which has not reported a state yet. */
   LEASED,
-  /** The agent fetches the files. */
+  /** The agent downloads the files. */
   PREPARING,
   COMPILING,
   RUNNING,
   UPLOADING,
-  /** The result is accepted. */
+  /** A result was accepted. */
   DONE,
   /** There is no result. */
   FAILED,
   CANCELLED,
-  /** Only of an attempt: its result came after it was given up, and counts nowhere. */
+  /**
+   * Only for attempts: the result was delivered after the attempt was abandoned, and does not
+   * count.
+   */
   SUPERSEDED;
 
-  /** Whether an agent works on it. */
+  /** Whether it is assigned to an agent. */
   public boolean isActive() {
     return compareTo(LEASED) >= 0 && compareTo(UPLOADING) <= 0;
   }
 
-  /** Whether nothing more will happen to it. */
+  /** Whether this is a final state. */
   public boolean isOver() {
     return compareTo(DONE) >= 0;
   }

@@ -17,10 +17,10 @@ import org.sitaf.server.build.BuildFailure.SourceProblem;
 import org.sitaf.server.build.request.BuildOptions;
 import org.sitaf.server.build.request.Requirements;
 import org.sitaf.server.build.request.Reservation;
+import org.sitaf.server.error.RequestException;
 import org.sitaf.server.file.StoredFile;
 import org.sitaf.server.file.StoredFiles;
 import org.sitaf.server.quota.Quotas;
-import org.sitaf.server.refusal.Refusal;
 import org.sitaf.server.settings.SitafSettings;
 import org.sitaf.server.suite.SuiteOrigin;
 import org.sitaf.server.suite.Suites;
@@ -33,7 +33,7 @@ import org.springframework.data.jpa.domain.Specification;
 import org.springframework.stereotype.Service;
 import org.springframework.transaction.support.TransactionTemplate;
 
-/** Build requests: made, looked at, cancelled. */
+/** Requests, lists and cancels builds. */
 @Service
 public class Builds {
   private final BuildRepository builds;
@@ -68,10 +68,10 @@ public class Builds {
   }
 
   /**
-   * Requests a build at once.
+   * Requests a build.
    *
    * @return its id
-   * @throws InvalidInputException when no test application can be made of the suite
+   * @throws InvalidInputException if the test application cannot be generated
    */
   public String request(String suiteId, BuildOptions options) {
     TestApplication application = suites.application(suiteId);
@@ -80,34 +80,38 @@ public class Builds {
   }
 
   /**
-   * Requests the build of a reservation, unless that was done before. A suite that does not make a
-   * test application any more gives a build that failed, so that people see why nothing ran.
+   * Requests the build of a fire time, unless it was requested before. If the test application
+   * cannot be generated, a failed build is created, which shows the reason.
    *
-   * @return the id of the one build of this reservation
+   * @return the id of the build of this fire time
    */
   public String requestReserved(String suiteId, BuildOptions options, Reservation reservation) {
-    Optional<String> made = made(reservation);
-    if (made.isPresent()) {
-      return made.get();
+    Optional<String> existing = find(reservation);
+    if (existing.isPresent()) {
+      return existing.get();
     }
     SuiteOrigin origin = suites.origin(suiteId);
     try {
       return queue(origin, suites.application(suiteId), options, reservation);
     } catch (InvalidInputException e) {
-      return failed(
-          origin, options, reservation, "The suite makes no test application.", e.diagnostics());
-    } catch (Refusal e) {
-      return failed(origin, options, reservation, String.valueOf(e.getMessage()), List.of());
+      return insertFailed(
+          origin,
+          options,
+          reservation,
+          "The test application cannot be generated.",
+          e.diagnostics());
+    } catch (RequestException e) {
+      return insertFailed(origin, options, reservation, String.valueOf(e.getMessage()), List.of());
     } catch (DataIntegrityViolationException e) {
-      // Another server was faster; the database lets only one of them in.
-      return made(reservation).orElseThrow(() -> e);
+      // Another server was faster; a unique constraint allows one build per fire time.
+      return find(reservation).orElseThrow(() -> e);
     }
   }
 
   /**
-   * Which builds; null is any.
+   * Criteria for builds; null means any.
    *
-   * @param parentId whose parts; null for whole builds only
+   * @param parentId the build whose shards are listed; null for whole builds only
    */
   public record Filter(
       @Nullable String activityId,
@@ -115,17 +119,20 @@ public class Builds {
       @Nullable String scheduleId,
       @Nullable String parentId) {}
 
-  /** Views a build, within a transaction. */
+  /** Applies a function to a build within a transaction. */
   public <T> T inspect(String id, Function<Build, T> view) {
     return required(
         transaction.execute(
             status ->
-                view.apply(builds.findById(id).orElseThrow(() -> Refusal.notFound("build", id)))));
+                view.apply(
+                    builds
+                        .findById(id)
+                        .orElseThrow(() -> RequestException.notFound("build", id)))));
   }
 
-  /** A page of the builds that fit; each viewed within the transaction. */
+  /** Returns a page of the builds that match the filter. */
   public <T> Page<T> list(Filter filter, Pageable page, Function<Build, T> view) {
-    Specification<Build> wanted =
+    Specification<Build> specification =
         (build, query, is) ->
             is.and(
                 filter.activityId() == null
@@ -140,15 +147,16 @@ public class Builds {
                 filter.parentId() == null
                     ? is.isNull(build.get("parentId"))
                     : is.equal(build.get("parentId"), filter.parentId()));
-    return required(transaction.execute(status -> builds.findAll(wanted, page).map(view)));
+    return required(transaction.execute(status -> builds.findAll(specification, page).map(view)));
   }
 
-  /** Cancels a build in whatever state it is, unless it is over. */
+  /** Cancels a build that has not ended. */
   public void cancel(String id, String cause) {
     transaction.executeWithoutResult(
         status -> {
-          Build build = builds.findForChange(id).orElseThrow(() -> Refusal.notFound("build", id));
-          boolean active = build.state().isActive() && build.parts() == 0;
+          Build build =
+              builds.findForUpdate(id).orElseThrow(() -> RequestException.notFound("build", id));
+          boolean active = build.state().isActive() && build.shards() == 0;
           Instant now = now();
           build.cancel(cause, now);
           if (active) {
@@ -163,18 +171,18 @@ public class Builds {
 
   @EventListener
   void on(ActivityDeletion deletion) {
-    List<Build> all = builds.findByActivityId(deletion.workspaceId());
+    List<Build> all = builds.findByActivityId(deletion.activityId());
     all.stream()
         .filter(b -> !b.state().isOver())
         .findFirst()
         .ifPresent(
             b -> {
-              throw Refusal.conflict(
+              throw RequestException.conflict(
                   "Build "
                       + b.id()
                       + " of the activity is "
                       + b.state()
-                      + "; cancel it first, or wait for its end.");
+                      + "; cancel it first, or wait until it ends.");
             });
     events.publishEvent(new BuildEvent.Deleted(all.stream().map(Build::id).toList()));
   }
@@ -187,19 +195,20 @@ public class Builds {
     Requirements requirements = Requirements.of(application, options.agent());
     List<StoredFile> files = contents.store(application.files());
     Build build =
-        make(origin, FrozenApplication.of(application, requirements, files), options, reservation);
+        create(
+            origin, FrozenApplication.of(application, requirements, files), options, reservation);
     List<Build> all = new ArrayList<>(List.of(build));
-    List<TestApplication> parts = Parts.split(application, options.parts());
-    for (int no = 1; no <= parts.size(); no++) {
-      TestApplication part = parts.get(no - 1);
-      List<StoredFile> partFiles = contents.store(part.files());
-      FrozenApplication frozen = FrozenApplication.of(part, requirements, partFiles);
-      all.add(build.part(UUID.randomUUID().toString(), no, frozen, now()));
+    List<TestApplication> shards = Shards.split(application, options.shards());
+    for (int no = 1; no <= shards.size(); no++) {
+      TestApplication shard = shards.get(no - 1);
+      List<StoredFile> shardFiles = contents.store(shard.files());
+      FrozenApplication frozen = FrozenApplication.of(shard, requirements, shardFiles);
+      all.add(build.addShard(UUID.randomUUID().toString(), no, frozen, now()));
     }
     return insert(all);
   }
 
-  private Build make(
+  private Build create(
       SuiteOrigin origin,
       FrozenApplication application,
       BuildOptions options,
@@ -215,13 +224,13 @@ public class Builds {
         now());
   }
 
-  private String failed(
+  private String insertFailed(
       SuiteOrigin origin,
       BuildOptions options,
       Reservation reservation,
       String message,
       List<Diagnostic> diagnostics) {
-    Build build = make(origin, FrozenApplication.NONE, options, reservation);
+    Build build = create(origin, FrozenApplication.NONE, options, reservation);
     build.fail(
         new BuildFailure(
             BuildFailure.Category.INPUT,
@@ -240,7 +249,7 @@ public class Builds {
     return insert(List.of(build));
   }
 
-  /** All at once: nobody sees a build without its parts. */
+  /** Inserts a build together with its shards. */
   private String insert(List<Build> all) {
     transaction.executeWithoutResult(
         status ->
@@ -253,7 +262,7 @@ public class Builds {
     return all.get(0).id();
   }
 
-  private Optional<String> made(Reservation reservation) {
+  private Optional<String> find(Reservation reservation) {
     return builds.findIdByReservation(reservation.scheduleId(), reservation.fireTime());
   }
 

@@ -3,7 +3,7 @@ package org.sitaf.server.build;
 import jakarta.persistence.Embeddable;
 import org.sitaf.core.verdict.Summary;
 
-/** Cases of an accepted result by verdict. */
+/** Numbers of cases of an accepted result by verdict. */
 @Embeddable
 public record CaseCounts(
     Integer total, Integer pass, Integer fail, Integer error, Integer dont, Integer unjudged) {

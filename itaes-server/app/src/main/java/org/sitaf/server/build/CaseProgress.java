@@ -7,7 +7,7 @@ import java.util.Collection;
 import java.util.Set;
 import java.util.stream.Collectors;
 
-/** How many cases there are, and which of them have ended in the attempt under way. */
+/** The number of cases, and which of them have finished in the current attempt. */
 @Embeddable
 class CaseProgress {
   @Column(name = "cases_total")
@@ -21,13 +21,13 @@ class CaseProgress {
   @Column(name = "cases_done")
   private int done;
 
-  /** Of no cases; for the persistence provider. */
+  /** For the persistence provider. */
   protected CaseProgress() {
     seen = new byte[0];
   }
 
   /**
-   * None has ended.
+   * Creates the progress of an attempt that has not started.
    *
    * @param lastCase the highest number of a case
    */
@@ -37,32 +37,32 @@ class CaseProgress {
     this.lastCase = lastCase;
   }
 
-  /** Another attempt begins with the first case. */
+  /** Resets the progress for another attempt. */
   void restart() {
     seen = new byte[0];
     done = 0;
   }
 
   /**
-   * Notes cases that have ended; one that was noted before, or that there is not, does not count.
+   * Adds finished cases; numbers of unknown cases are ignored.
    *
-   * @return those that were not noted before
+   * @return those that were not added before
    */
-  Set<Integer> note(Collection<Integer> numbers) {
-    BitSet noted = BitSet.valueOf(seen);
-    Set<Integer> news =
+  Set<Integer> add(Collection<Integer> numbers) {
+    BitSet finished = BitSet.valueOf(seen);
+    Set<Integer> added =
         numbers.stream()
-            .filter(no -> no >= 1 && no <= lastCase && !noted.get(no))
+            .filter(no -> no >= 1 && no <= lastCase && !finished.get(no))
             .collect(Collectors.toUnmodifiableSet());
-    news.forEach(noted::set);
-    seen = noted.toByteArray();
-    done = Math.min(noted.cardinality(), total);
-    return news;
+    added.forEach(finished::set);
+    seen = finished.toByteArray();
+    done = Math.min(finished.cardinality(), total);
+    return added;
   }
 
-  /** It is known by other means how many have ended. */
-  void set(int ended) {
-    done = ended;
+  /** Sets the number of finished cases. */
+  void set(int finished) {
+    done = finished;
   }
 
   int total() {

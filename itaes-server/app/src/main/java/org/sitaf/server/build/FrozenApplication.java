@@ -11,10 +11,10 @@ import org.sitaf.server.build.request.Requirements;
 import org.sitaf.server.file.StoredFile;
 
 /**
- * A test application as it is stored with a build.
+ * A test application that is stored with a build.
  *
  * @param language of the harness
- * @param cases how many there are
+ * @param cases number of cases
  * @param lastCase the highest number of a case
  */
 record FrozenApplication(
@@ -23,7 +23,7 @@ record FrozenApplication(
     Collection<StoredFile> files,
     int cases,
     int lastCase) {
-  /** Of a build for which no application could be made. */
+  /** For builds whose application could not be generated. */
   static final FrozenApplication NONE =
       new FrozenApplication("", new Requirements(List.of()), List.of(), 0, 0);
 
@@ -32,15 +32,15 @@ record FrozenApplication(
   }
 
   /**
-   * Of which cases it is recorded what moves; where nothing is simulated, nothing does.
+   * Which cases are recorded; none if the application has no simulation.
    *
-   * @param wanted null where nobody said
+   * @param requested null for the default
    */
-  RecordedCases recordedCases(@Nullable RecordedCases wanted) {
+  RecordedCases recordedCases(@Nullable RecordedCases requested) {
     if (!requirements.all().contains(new Requirement.Simulation())) {
       return RecordedCases.NONE;
     }
-    return wanted == null ? RecordedCases.byDefault(cases) : wanted;
+    return requested == null ? RecordedCases.byDefault(cases) : requested;
   }
 
   static FrozenApplication of(

@@ -18,8 +18,8 @@ import org.springframework.stereotype.Service;
 import org.springframework.transaction.annotation.Transactional;
 
 /**
- * Which agent holds which attempt, and until when unless it renews its lease: attempts begin here,
- * and here they end when their agent is lost. Whoever changes one locks its build first.
+ * Leases of attempts: creates attempts, renews their leases, and abandons them when their agent is
+ * lost. Each change locks the build first.
  */
 @Service
 @Transactional
@@ -27,7 +27,7 @@ public class Leases {
   private final BuildRepository builds;
   private final AttemptRepository attempts;
   private final BuildQueue queue;
-  private final Retries retries;
+  private final RetryPolicy retryPolicy;
   private final LiveCases live;
   private final JdbcClient jdbc;
   private final ApplicationEventPublisher events;
@@ -38,7 +38,7 @@ public class Leases {
       BuildRepository builds,
       AttemptRepository attempts,
       BuildQueue queue,
-      Retries retries,
+      RetryPolicy retryPolicy,
       LiveCases live,
       JdbcClient jdbc,
       ApplicationEventPublisher events,
@@ -47,7 +47,7 @@ public class Leases {
     this.builds = builds;
     this.attempts = attempts;
     this.queue = queue;
-    this.retries = retries;
+    this.retryPolicy = retryPolicy;
     this.live = live;
     this.jdbc = jdbc;
     this.events = events;
@@ -56,10 +56,10 @@ public class Leases {
   }
 
   /**
-   * What an agent is given.
+   * The assignment of an attempt to an agent.
    *
    * @param activity name of the activity
-   * @param recordingBytes at most, of all recordings together
+   * @param recordingBytes maximum total size of the recordings
    */
   public record Assignment(
       AttemptKey key,
@@ -70,12 +70,12 @@ public class Leases {
       RecordedCases recordedCases,
       long recordingBytes) {}
 
-  /** Gives a build to an agent; empty when it does not wait any more. */
+  /** Assigns a build to an agent; empty if it is no longer queued. */
   public Optional<Assignment> lease(String buildId, String agent) {
     if (!queue.claim(buildId)) {
       return Optional.empty();
     }
-    Build build = builds.findForChange(buildId).orElseThrow();
+    Build build = builds.findForUpdate(buildId).orElseThrow();
     Instant now = now();
     long logStart =
         jdbc.sql("SELECT log_length FROM build WHERE id = ?")
@@ -87,7 +87,7 @@ public class Leases {
         attempts.saveAndFlush(
             new Attempt(buildId, no, agent, now, now.plus(settings.lease()), logStart));
     build.lease(no, agent, now);
-    live.forget(buildId);
+    live.delete(buildId);
     events.publishEvent(BuildEvent.Changed.of(build));
     return Optional.of(
         new Assignment(
@@ -100,95 +100,92 @@ public class Leases {
             settings.maxRecordings().toBytes()));
   }
 
-  /**
-   * Renews the leases of what an agent says it works on; answers with what it should not work on
-   * any more.
-   */
+  /** Renews the leases of an agent's attempts; returns the attempts that the agent must stop. */
   public Set<AttemptKey> renew(String agent, Collection<AttemptKey> running) {
     if (running.isEmpty()) {
       return Set.of();
     }
-    Set<Long> live =
-        Set.copyOf(attempts.findLive(agent, running.stream().map(AttemptKey::token).toList()));
-    if (!live.isEmpty()) {
-      attempts.renew(live, now().plus(settings.lease()));
+    Set<Long> valid =
+        Set.copyOf(attempts.findRunning(agent, running.stream().map(AttemptKey::token).toList()));
+    if (!valid.isEmpty()) {
+      attempts.renew(valid, now().plus(settings.lease()));
     }
     return running.stream()
-        .filter(key -> !live.contains(key.token()))
+        .filter(key -> !valid.contains(key.token()))
         .collect(Collectors.toUnmodifiableSet());
   }
 
-  /** Grants everybody a whole lease: while the server was away nobody could renew one. */
+  /** Renews all leases, because agents could not do so while the server was down. */
   public int renewAll() {
     return attempts.renewAll(now().plus(settings.lease()));
   }
 
-  /** Attempts of agents that were not heard of for a lease. */
+  /** Attempts whose lease has expired. */
   @Transactional(readOnly = true)
   public List<AttemptKey> overdue() {
     return attempts.findOverdue(now());
   }
 
-  /** When the next lease ends, if nobody renews it. */
+  /** When the next lease expires. */
   @Transactional(readOnly = true)
   public Optional<Instant> nextDeadline() {
     return attempts.findNextDeadline();
   }
 
-  /** Gives up an attempt whose lease has ended, unless it was renewed meanwhile. */
+  /** Abandons an attempt whose lease has expired, unless it was renewed in the meantime. */
   public void expire(AttemptKey key) {
-    Optional<Build> build = builds.findForChange(key.buildId());
+    Optional<Build> build = builds.findForUpdate(key.buildId());
     Optional<Attempt> attempt = attempts.findById(key.token());
     if (build.isPresent() && attempt.isPresent() && attempt.get().isOverdue(now())) {
-      giveUp(
+      abandon(
           build.get(),
           attempt.get(),
-          "nothing was heard of agent "
+          "agent "
               + attempt.get().agent()
-              + " for "
+              + " sent nothing for "
               + settings.lease().toSeconds()
               + " s");
     }
   }
 
   /**
-   * Gives up what an agent had and does not have any more, because it was started anew.
+   * Abandons the attempts that an agent no longer knows, because it was restarted.
    *
-   * @param running what it says it works on
+   * @param running the attempts that it reports
    */
-  public void giveUpAllBut(String agent, Collection<AttemptKey> running) {
+  public void abandonAllExcept(String agent, Collection<AttemptKey> running) {
     Set<Long> kept = running.stream().map(AttemptKey::token).collect(Collectors.toSet());
-    for (AttemptKey key : attempts.findLiveOf(agent)) {
+    for (AttemptKey key : attempts.findRunningOf(agent)) {
       if (!kept.contains(key.token())) {
-        giveUp(key, "agent " + agent + " was started anew and knows nothing of it");
+        abandon(key, "agent " + agent + " was restarted");
       }
     }
   }
 
-  /** Takes an agent's attempts away from it. */
-  public void giveUpAll(String agent, String why) {
-    attempts.findLiveOf(agent).forEach(key -> giveUp(key, why));
+  /** Abandons all attempts of an agent. */
+  public void abandonAll(String agent, String why) {
+    attempts.findRunningOf(agent).forEach(key -> abandon(key, why));
   }
 
-  /** Which of these attempts are over. */
+  /** Returns which of the attempts have ended. */
   @Transactional(readOnly = true)
-  public Set<Long> over(Collection<Long> tokens) {
-    return tokens.isEmpty() ? Set.of() : Set.copyOf(attempts.findOver(tokens));
+  public Set<Long> ended(Collection<Long> tokens) {
+    return tokens.isEmpty() ? Set.of() : Set.copyOf(attempts.findEnded(tokens));
   }
 
-  /** Gives up an attempt that its agent did not even get to know of. */
-  public void giveUp(AttemptKey key, String why) {
-    Optional<Build> build = builds.findForChange(key.buildId());
+  /** Abandons an attempt. */
+  public void abandon(AttemptKey key, String why) {
+    Optional<Build> build = builds.findForUpdate(key.buildId());
     Optional<Attempt> attempt = attempts.findById(key.token());
     if (build.isPresent() && attempt.isPresent() && !attempt.get().isOver()) {
-      giveUp(build.get(), attempt.get(), why);
+      abandon(build.get(), attempt.get(), why);
     }
   }
 
-  private void giveUp(Build build, Attempt attempt, String why) {
+  private void abandon(Build build, Attempt attempt, String why) {
     attempt.end(BuildState.FAILED, now());
     events.publishEvent(new BuildEvent.Stopped(attempt.key(), attempt.agent(), why, true));
-    retries.afterLoss(build, why);
+    retryPolicy.afterLoss(build, why);
   }
 
   private Instant now() {

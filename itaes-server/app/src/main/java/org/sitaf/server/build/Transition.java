@@ -8,7 +8,7 @@ import java.time.Instant;
 /**
  * A change of a build's state.
  *
- * @param attempt the attempt under way, from 1; 0 before the first
+ * @param attempt number of the attempt, from 1; 0 before the first
  */
 @Embeddable
 public record Transition(

@@ -1,4 +1,4 @@
-/** Automatic Test Build Manager: build requests, their attempts, leases and logs. */
+/** Automatic Test Build Manager: build requests, their attempts and leases, and the queue. */
 @NullMarked
 package org.sitaf.server.build;
 

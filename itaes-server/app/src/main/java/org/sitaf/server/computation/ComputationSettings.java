@@ -12,11 +12,11 @@ import org.springframework.validation.annotation.Validated;
 /**
  * Settings {@code sitaf.computation.*} of the server.
  *
- * @param atOnce how many computations run at once; 0 for as many as there are processors, at least
- *     2. A person gets half of them.
- * @param preview how long the preview of a model may take
- * @param generation how long the generation of a suite, or of its expected values, may take
- * @param patience how long a request waits until its computation may begin
+ * @param atOnce maximum number of concurrent computations, of which a user gets half; 0 for the
+ *     number of processors, but at least 2
+ * @param preview time limit of the preview of a model
+ * @param generation time limit of generating a suite or its expected values
+ * @param patience how long a request waits for its computation to start
  */
 @Validated
 @ConfigurationProperties("sitaf.computation")
@@ -25,7 +25,7 @@ public record ComputationSettings(
     @DurationMin(millis = 100) @DurationMax(minutes = 10) @DefaultValue("30s") Duration preview,
     @DurationMin(millis = 100) @DurationMax(hours = 2) @DefaultValue("5m") Duration generation,
     @DurationMin(millis = 0) @DurationMax(minutes = 10) @DefaultValue("30s") Duration patience) {
-  int places() {
+  int permits() {
     return atOnce > 0 ? atOnce : Math.max(2, Runtime.getRuntime().availableProcessors());
   }
 }

@@ -11,45 +11,44 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.Supplier;
 import org.sitaf.server.access.Caller;
-import org.sitaf.server.refusal.OvertimeException;
-import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.error.ComputationTimeoutException;
+import org.sitaf.server.error.RequestException;
 import org.springframework.boot.context.properties.EnableConfigurationProperties;
 import org.springframework.context.SmartLifecycle;
 import org.springframework.stereotype.Service;
 
 /**
- * Runs computations for requests: in a thread of its own each, which is interrupted when its time
- * is over, when a later one takes its place, and when the server stops.
+ * Runs computations for requests, each in a thread that is interrupted when its time limit is
+ * exceeded, when a later computation replaces it, or when the server stops.
  */
 @Service
 @EnableConfigurationProperties(ComputationSettings.class)
 public class Computations implements SmartLifecycle {
   private final ComputationSettings settings;
-  private final Places places;
+  private final ComputationPermits permits;
   private ExecutorService threads = threads();
   private volatile boolean running;
 
   Computations(ComputationSettings settings) {
     this.settings = settings;
-    this.places = new Places(settings.places());
+    this.permits = new ComputationPermits(settings.permits());
   }
 
   /**
-   * What a preview shows. A later preview of the same person may end it, since that person looks at
-   * the later one.
+   * Computes a preview. A later preview of the same user replaces it.
    *
-   * @throws OvertimeException when it takes too long
-   * @throws Refusal when the server has no place for it, or it is ended
+   * @throws ComputationTimeoutException if it exceeds its time limit
+   * @throws RequestException if the server is busy, or the computation is cancelled
    */
   public <T> T preview(String what, Supplier<T> work) {
     return run(what, settings.preview(), true, work);
   }
 
   /**
-   * What is kept.
+   * Computes a result that will be stored.
    *
-   * @throws OvertimeException when it takes too long
-   * @throws Refusal when the server has no place for it, or it is ended
+   * @throws ComputationTimeoutException if it exceeds its time limit
+   * @throws RequestException if the server is busy, or the computation is cancelled
    */
   public <T> T generation(String what, Supplier<T> work) {
     return run(what, settings.generation(), false, work);
@@ -58,30 +57,31 @@ public class Computations implements SmartLifecycle {
   private <T> T run(String what, Duration limit, boolean replaceable, Supplier<T> work) {
     FutureTask<T> task = null;
     try {
-      Places.Place place = places.take(Caller.currentName(), replaceable, settings.patience());
-      task = new Computation<>(work, place);
+      ComputationPermits.Permit permit =
+          permits.acquire(Caller.currentName(), replaceable, settings.patience());
+      task = new Computation<>(work, permit);
       if (replaceable) {
-        FutureTask<T> ended = task;
-        place.replaceableBy(() -> ended.cancel(true));
+        FutureTask<T> started = task;
+        permit.onReplace(() -> started.cancel(true));
       }
-      start(task, place);
+      start(task, permit);
       return task.get(limit.toMillis(), TimeUnit.MILLISECONDS);
     } catch (TimeoutException e) {
-      throw new OvertimeException(what, Math.max(1, limit.toSeconds()));
+      throw new ComputationTimeoutException(what, Math.max(1, limit.toSeconds()));
     } catch (CancellationException | RejectedExecutionException e) {
-      throw ended(what);
+      throw cancelled(what);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      throw ended(what);
+      throw cancelled(what);
     } catch (ExecutionException e) {
       if (e.getCause() instanceof CancellationException) {
-        throw ended(what);
+        throw cancelled(what);
       }
       if (e.getCause() instanceof RuntimeException failure) {
         throw failure;
       }
       if (e.getCause() instanceof OutOfMemoryError) {
-        throw Refusal.tooLarge(what + " takes more memory than this server has.");
+        throw RequestException.tooLarge(what + " needs more memory than the server has.");
       }
       throw new IllegalStateException(what + " failed", e.getCause());
     } finally {
@@ -91,30 +91,33 @@ public class Computations implements SmartLifecycle {
     }
   }
 
-  private void start(FutureTask<?> task, Places.Place place) {
+  private void start(FutureTask<?> task, ComputationPermits.Permit permit) {
     try {
       threads.execute(task);
     } catch (RejectedExecutionException e) {
-      places.free(place);
+      permits.release(permit);
       throw e;
     }
   }
 
-  private Refusal ended(String what) {
-    return Refusal.busy(
+  private RequestException cancelled(String what) {
+    return RequestException.busy(
         what
             + (running
-                ? " was ended, since a later request of yours took its place."
-                : " was ended, since the server stops."));
+                ? " was cancelled because you sent a later request."
+                : " was cancelled because the server is stopping."));
   }
 
-  /** Keeps its place until the work has ended, which may be after nobody waits for it any more. */
+  /**
+   * ReleaseCompatibility its permit when the work has ended, which may be after the request has
+   * ended.
+   */
   private final class Computation<T> extends FutureTask<T> {
-    private final Runnable free;
+    private final ComputationPermits.Permit permit;
 
-    Computation(Supplier<T> work, Places.Place place) {
+    Computation(Supplier<T> work, ComputationPermits.Permit permit) {
       super(work::get);
-      this.free = () -> places.free(place);
+      this.permit = permit;
     }
 
     @Override
@@ -122,7 +125,7 @@ public class Computations implements SmartLifecycle {
       try {
         super.run();
       } finally {
-        free.run();
+        permits.release(permit);
       }
     }
   }
@@ -155,7 +158,7 @@ public class Computations implements SmartLifecycle {
     return running;
   }
 
-  /** Before the web server, which waits for its requests. */
+  /** Stops before the web server, which waits for its requests. */
   @Override
   public int getPhase() {
     return Integer.MAX_VALUE;

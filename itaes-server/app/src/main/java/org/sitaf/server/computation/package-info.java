@@ -1,4 +1,4 @@
-/** What people's models make the server compute: few at once, and each for a limited time. */
+/** Computations for users' models, with limits for their number and their time. */
 @NullMarked
 package org.sitaf.server.computation;
 

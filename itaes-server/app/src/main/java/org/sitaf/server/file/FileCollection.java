@@ -8,12 +8,12 @@ import org.slf4j.LoggerFactory;
 import org.springframework.context.SmartLifecycle;
 import org.springframework.stereotype.Component;
 
-/** Has contents collected that nothing refers to any more, now and then. */
+/** Periodically deletes file contents that are no longer referenced. */
 @Component
 class FileCollection implements SmartLifecycle {
   private static final Logger log = LoggerFactory.getLogger(FileCollection.class);
-  private static final long FIRST_MIN = 5;
-  private static final long EVERY_MIN = 30;
+  private static final long INITIAL_DELAY_MIN = 5;
+  private static final long INTERVAL_MIN = 30;
 
   private final StoredFiles files;
   private ScheduledExecutorService timer = DaemonTimer.named("file-collection");
@@ -25,13 +25,13 @@ class FileCollection implements SmartLifecycle {
 
   private void collect() {
     try {
-      int collected = files.collect();
-      if (collected > 0) {
-        log.info("Collected {} file contents that nothing referred to", collected);
+      int deleted = files.deleteUnreferenced();
+      if (deleted > 0) {
+        log.info("Deleted {} unreferenced file contents", deleted);
       }
     } catch (RuntimeException e) {
       if (running) {
-        log.warn("File contents could not be collected; trying again later", e);
+        log.warn("Unreferenced file contents could not be deleted; retrying later", e);
       }
     }
   }
@@ -43,7 +43,8 @@ class FileCollection implements SmartLifecycle {
     }
     running = true;
     var unused =
-        timer.scheduleWithFixedDelay(this::collect, FIRST_MIN, EVERY_MIN, TimeUnit.MINUTES);
+        timer.scheduleWithFixedDelay(
+            this::collect, INITIAL_DELAY_MIN, INTERVAL_MIN, TimeUnit.MINUTES);
   }
 
   @Override

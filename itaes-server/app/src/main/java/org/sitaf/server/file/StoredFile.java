@@ -3,7 +3,7 @@ package org.sitaf.server.file;
 import jakarta.persistence.Embeddable;
 
 /**
- * A file of something that has files.
+ * A file of an activity or a build.
  *
  * @param path relative, as in {@link org.sitaf.core.activity.FileTree}
  * @param sha256 of its content, in hexadecimal

@@ -21,13 +21,13 @@ import org.springframework.jdbc.core.simple.JdbcClient;
 import org.springframework.stereotype.Repository;
 
 /**
- * Keeps file contents by their SHA-256, each once. Contents are stored on their own, before what
- * refers to them, so that two who store the same content at the same time cannot undo each other's
- * work.
+ * Stores each file content once, under its SHA-256. Contents are stored in separate transactions
+ * before the rows that reference them, so that concurrent transactions with the same content do not
+ * conflict.
  */
 @Repository
 public class StoredFiles {
-  private static final Duration KEPT = Duration.ofHours(1);
+  private static final Duration GRACE_PERIOD = Duration.ofHours(1);
   private static final OffsetDateTime NEVER = Instant.EPOCH.atOffset(ZoneOffset.UTC);
 
   private final JdbcClient jdbc;
@@ -40,7 +40,7 @@ public class StoredFiles {
     this.clock = clock;
   }
 
-  /** Stores the files of a tree. Not to be called within a transaction. */
+  /** Stores the files of a tree. Must not be called within a transaction. */
   public List<StoredFile> store(FileTree tree) {
     List<StoredFile> files = new ArrayList<>();
     for (String path : tree.paths()) {
@@ -50,7 +50,7 @@ public class StoredFiles {
     return List.copyOf(files);
   }
 
-  /** Reads the files back. */
+  /** Loads the contents of files. */
   public FileTree load(Collection<StoredFile> files) {
     Map<String, byte[]> contents = new HashMap<>();
     for (StoredFile file : files) {
@@ -59,7 +59,7 @@ public class StoredFiles {
     return FileTree.of(contents);
   }
 
-  /** The content of a digest that is known to be stored. */
+  /** Returns the content with a hash that is known to be stored. */
   public byte[] content(String sha256) {
     return jdbc.sql("SELECT content FROM file_content WHERE sha256 = ?")
         .param(sha256)
@@ -77,22 +77,21 @@ public class StoredFiles {
   }
 
   /**
-   * Stores a content. Not to be called within a transaction.
+   * Stores a content. Must not be called within a transaction.
    *
-   * @return its digest
-   * @throws org.sitaf.server.refusal.Refusal when there is no room for it
+   * @return its SHA-256 in hexadecimal
+   * @throws org.sitaf.server.error.RequestException if the disk is full
    */
   public String store(byte[] content) {
     String sha256 = sha256(content);
-    if (!keep(sha256)) {
+    if (!touch(sha256)) {
       disk.requireFor(content.length);
       try {
         jdbc.sql("INSERT INTO file_content (sha256, size, content, stored) VALUES (?, ?, ?, ?)")
             .params(sha256, (long) content.length, content, now())
             .update();
       } catch (DuplicateKeyException e) {
-        // Somebody stored the same content between the two statements: it is there, which is all
-        // that was wanted.
+        // Another transaction stored the same content between the two statements.
         return sha256;
       }
     }
@@ -100,18 +99,18 @@ public class StoredFiles {
   }
 
   /**
-   * Makes sure that a content which is there is not collected soon.
+   * Restarts the grace period of a content.
    *
-   * @return false when it is not there
+   * @return false if the content is not stored
    */
-  private boolean keep(String sha256) {
+  private boolean touch(String sha256) {
     Optional<OffsetDateTime> stored =
         jdbc.sql("SELECT COALESCE(stored, :never) FROM file_content WHERE sha256 = :sha256")
             .param("never", NEVER)
             .param("sha256", sha256)
             .query((row, index) -> row.getObject(1, OffsetDateTime.class))
             .optional();
-    if (stored.isPresent() && stored.get().isAfter(now().minus(KEPT.dividedBy(2)))) {
+    if (stored.isPresent() && stored.get().isAfter(now().minus(GRACE_PERIOD.dividedBy(2)))) {
       return true;
     }
     return stored.isPresent()
@@ -122,21 +121,21 @@ public class StoredFiles {
   }
 
   /**
-   * Deletes contents that nothing refers to, and that nobody can be about to refer to because they
-   * were stored a while ago.
+   * Deletes contents that are not referenced and whose grace period, in which a transaction may
+   * still add a reference, has ended.
    *
-   * @return how many
+   * @return the number of deleted contents
    */
-  public int collect() {
+  public int deleteUnreferenced() {
     return jdbc.sql(
             "DELETE FROM file_content WHERE (stored IS NULL OR stored < ?)"
-                + " AND NOT EXISTS (SELECT 1 FROM workspace_file w"
+                + " AND NOT EXISTS (SELECT 1 FROM activity_file w"
                 + " WHERE w.sha256 = file_content.sha256)"
                 + " AND NOT EXISTS (SELECT 1 FROM build_file b"
                 + " WHERE b.sha256 = file_content.sha256)"
                 + " AND NOT EXISTS (SELECT 1 FROM recording r"
                 + " WHERE r.sha256 = file_content.sha256)")
-        .param(now().minus(KEPT))
+        .param(now().minus(GRACE_PERIOD))
         .update();
   }
 

@@ -2,7 +2,7 @@ package org.sitaf.server.network;
 
 import java.net.InetAddress;
 
-/** Addresses that begin alike, such as {@code 10.0.0.0/8}. */
+/** A range of IP addresses in CIDR notation, such as {@code 10.0.0.0/8}. */
 final class AddressRange {
   private final byte[] network;
   private final int bits;
@@ -13,24 +13,24 @@ final class AddressRange {
   }
 
   /**
-   * Reads a range, or a single address.
+   * Parses a range or a single address.
    *
-   * @throws IllegalArgumentException when it is neither
+   * @throws IllegalArgumentException if the text is neither
    */
   static AddressRange parse(String text) {
     int slash = text.indexOf('/');
     String address = slash < 0 ? text : text.substring(0, slash);
     byte[] network =
-        Addresses.parse(address).map(InetAddress::getAddress).orElseThrow(() -> wrong(text));
-    int most = network.length * Byte.SIZE;
+        Addresses.parse(address).map(InetAddress::getAddress).orElseThrow(() -> invalid(text));
+    int maxBits = network.length * Byte.SIZE;
     int bits;
     try {
-      bits = slash < 0 ? most : Integer.parseInt(text.substring(slash + 1).strip());
+      bits = slash < 0 ? maxBits : Integer.parseInt(text.substring(slash + 1).strip());
     } catch (NumberFormatException e) {
-      throw wrong(text);
+      throw invalid(text);
     }
-    if (bits < 0 || bits > most) {
-      throw wrong(text);
+    if (bits < 0 || bits > maxBits) {
+      throw invalid(text);
     }
     return new AddressRange(network, bits);
   }
@@ -49,10 +49,10 @@ final class AddressRange {
     return true;
   }
 
-  private static IllegalArgumentException wrong(String text) {
+  private static IllegalArgumentException invalid(String text) {
     return new IllegalArgumentException(
         "sitaf.trusted-proxies: '"
             + text
-            + "' is no address and no range of addresses such as 10.0.0.0/8");
+            + "' is neither an IP address nor a range such as 10.0.0.0/8");
   }
 }

@@ -7,19 +7,19 @@ import java.util.Arrays;
 import java.util.Optional;
 import java.util.regex.Pattern;
 
-/** Addresses as text: read without asking anybody for a name. */
+/** Parses IP addresses without DNS lookups. */
 public final class Addresses {
   private static final Pattern V4 = Pattern.compile("\\d{1,3}(\\.\\d{1,3}){3}");
   private static final Pattern V6 = Pattern.compile("[0-9A-Fa-f:.]*:[0-9A-Fa-f:.]*");
 
-  /** What one customer of a network gets at least: its addresses are one's. */
+  /** The prefix of an IPv6 address that identifies a network. */
   private static final int NETWORK_BYTES = 8;
 
   private Addresses() {}
 
   /**
-   * What limits count: an address of IPv4, or the network of 64 bits of one of IPv6, for anyone who
-   * has one of these has all of them.
+   * The key for limits per client: an IPv4 address, or the /64 network of an IPv6 address, because
+   * a client can usually use all addresses of its network.
    */
   public static String group(String address) {
     Optional<InetAddress> known = parse(address);
@@ -31,7 +31,7 @@ public final class Addresses {
     return text(network) + "/64";
   }
 
-  /** An address; empty where it is a name, or nothing. */
+  /** Parses an address with an optional port; empty if it is not an IP address. */
   static Optional<InetAddress> parse(String text) {
     String bare = withoutPort(text.strip());
     if (!V4.matcher(bare).matches() && !V6.matcher(bare).matches()) {
@@ -63,7 +63,7 @@ public final class Addresses {
     try {
       return InetAddress.getByAddress(address).getHostAddress();
     } catch (UnknownHostException e) {
-      throw new IllegalStateException("it has the length of an address", e);
+      throw new IllegalStateException("invalid length of an address", e);
     }
   }
 }

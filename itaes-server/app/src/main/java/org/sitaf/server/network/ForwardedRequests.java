@@ -13,7 +13,7 @@ import org.springframework.core.annotation.Order;
 import org.springframework.stereotype.Component;
 import org.springframework.web.filter.OncePerRequestFilter;
 
-/** Has every part of the server see the client of a request instead of the proxy before it. */
+/** Replaces the proxy's address and scheme with those of the client, for all later filters. */
 @Component
 @Order(Ordered.HIGHEST_PRECEDENCE)
 class ForwardedRequests extends OncePerRequestFilter {
@@ -38,9 +38,9 @@ class ForwardedRequests extends OncePerRequestFilter {
 
     Forwarded(HttpServletRequest request, TrustedProxies.Client client) {
       super(request);
-      @Nullable Boolean said = client.secure();
+      @Nullable Boolean clientSecure = client.secure();
       this.address = client.address();
-      this.secure = said == null ? request.isSecure() : said;
+      this.secure = clientSecure == null ? request.isSecure() : clientSecure;
     }
 
     @Override

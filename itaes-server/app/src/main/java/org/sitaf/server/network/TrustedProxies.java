@@ -16,8 +16,8 @@ import org.springframework.beans.factory.annotation.Autowired;
 import org.springframework.stereotype.Component;
 
 /**
- * For whom a proxy speaks. Only those of {@code sitaf.trusted-proxies} are believed; what anybody
- * else says of itself is as good as nothing.
+ * Finds the client of a request behind proxies. Only headers of {@code sitaf.trusted-proxies} are
+ * used.
  */
 @Component
 public class TrustedProxies {
@@ -42,28 +42,29 @@ public class TrustedProxies {
   /**
    * The client of a request.
    *
-   * @param secure whether it spoke TLS; null where the proxy does not say
+   * @param secure whether the client used TLS; null if unknown
    */
   public record Client(String address, @Nullable Boolean secure) {}
 
   /**
-   * Who makes a request.
+   * Returns the client of a request.
    *
-   * @param remote who has opened the connection
-   * @param headers all values of a header of that name, in their order
+   * @param remote address of the peer that opened the connection
+   * @param headers returns all values of a header in their order
    */
   public Client client(String remote, Function<String, List<String>> headers) {
-    List<String> plain = parts(headers.apply(FORWARDED_FOR));
-    List<String> standard = parameters(headers.apply(FORWARDED), "for");
+    List<String> forwardedForChain = parts(headers.apply(FORWARDED_FOR));
+    List<String> forwardedChain = parameters(headers.apply(FORWARDED), "for");
     if (!isTrusted(remote)) {
-      warnOfProxy(remote, !plain.isEmpty() || !standard.isEmpty());
+      warnOfUntrustedProxy(remote, !forwardedForChain.isEmpty() || !forwardedChain.isEmpty());
       return new Client(remote, null);
     }
-    Optional<String> one = nearestStranger(plain);
-    Optional<String> other = nearestStranger(standard);
-    // A proxy that sets one of them hands the other on as a stranger wrote it.
-    boolean contradict = one.isPresent() && other.isPresent() && !one.equals(other);
-    String address = contradict ? remote : one.or(() -> other).orElse(remote);
+    Optional<String> forwardedFor = lastUntrusted(forwardedForChain);
+    Optional<String> forwarded = lastUntrusted(forwardedChain);
+    // A proxy that sets one of the headers passes on the other one as the client sent it.
+    boolean contradict =
+        forwardedFor.isPresent() && forwarded.isPresent() && !forwardedFor.equals(forwarded);
+    String address = contradict ? remote : forwardedFor.or(() -> forwarded).orElse(remote);
     List<String> schemes = parts(headers.apply(FORWARDED_PROTO));
     if (schemes.isEmpty()) {
       schemes = parameters(headers.apply(FORWARDED), "proto");
@@ -71,12 +72,12 @@ public class TrustedProxies {
     return new Client(address, schemes.isEmpty() ? null : isTls(schemes.get(schemes.size() - 1)));
   }
 
-  /** Once: an operator who forgot the setting finds it out, and strangers do not fill the log. */
-  private void warnOfProxy(String remote, boolean forwarded) {
+  /** Warns only once, so that clients cannot fill the log. */
+  private void warnOfUntrustedProxy(String remote, boolean forwarded) {
     if (forwarded && warned.compareAndSet(false, true)) {
       log.warn(
-          "{} forwards requests of others and is not in sitaf.trusted-proxies: audited addresses are"
-              + " those of the proxy, and cookies are not Secure. Add it if it is your proxy.",
+          "{} sends forwarded requests but is not in sitaf.trusted-proxies: the audit log contains"
+              + " the proxy's address, and cookies are not Secure. Add it if it is your proxy.",
           Addresses.group(remote));
     }
   }
@@ -87,8 +88,8 @@ public class TrustedProxies {
         .isPresent();
   }
 
-  /** From the end, where our own proxies have written, to the first that is none of them. */
-  private Optional<String> nearestStranger(List<String> chain) {
+  /** The last address that is not a trusted proxy; proxies append to the list. */
+  private Optional<String> lastUntrusted(List<String> chain) {
     List<String> backwards = new ArrayList<>(chain);
     Collections.reverse(backwards);
     for (String hop : backwards) {
@@ -112,7 +113,10 @@ public class TrustedProxies {
         .toList();
   }
 
-  /** Of RFC 7239, such as {@code for="[2001:db8::1]:47011";proto=https, for=192.0.2.60}. */
+  /**
+   * Values of a parameter of RFC 7239, such as {@code for="[2001:db8::1]:47011";proto=https,
+   * for=192.0.2.60}.
+   */
   private static List<String> parameters(List<String> headers, String name) {
     List<String> found = new ArrayList<>();
     for (String element : parts(headers)) {

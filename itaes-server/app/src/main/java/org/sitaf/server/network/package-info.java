@@ -1,4 +1,4 @@
-/** From where requests come: addresses, and the proxies that may speak for others. */
+/** Client addresses and trusted proxies. */
 @NullMarked
 package org.sitaf.server.network;
 

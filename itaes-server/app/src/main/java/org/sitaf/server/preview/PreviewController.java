@@ -32,7 +32,7 @@ class PreviewController {
   @PostMapping(consumes = MediaType.APPLICATION_XML_VALUE)
   @Operation(
       operationId = "previewModel",
-      summary = "What a draft of a test model gives; nothing is stored",
+      summary = "Previews the values and cases of a test model without storing it",
       requestBody =
           @RequestBody(
               required = true,

@@ -10,14 +10,13 @@ import org.sitaf.core.value.TestData;
 import org.sitaf.core.value.TestDataGenerator;
 import org.sitaf.server.web.DiagnosticView;
 
-/** What a draft of a test model gives. */
+/** The preview of a draft of a test model. */
 @Schema(name = "ModelPreview")
 record PreviewView(
-    @Schema(description = "what is wrong with the draft, and notes")
-        List<DiagnosticView> diagnostics,
-    @Schema(description = "in the order of the draft; empty where it cannot be read")
+    @Schema(description = "problems of the draft, and notes") List<DiagnosticView> diagnostics,
+    @Schema(description = "in the order of the draft; empty if the draft cannot be read")
         List<InputValues> inputs,
-    @Schema(description = "absent where the draft is wrong, or its cases were not asked for")
+    @Schema(description = "absent if the draft has errors, or if cases were not requested")
         @Nullable CaseCounts counts) {
 
   @Schema(name = "InputValues")
@@ -25,7 +24,7 @@ record PreviewView(
       String name,
       InputKind type,
       @Schema(description = "numbers in ascending order") List<PreviewValue> values,
-      @Schema(description = "values that the scheme gives and the type cannot hold")
+      @Schema(description = "generated values that the type cannot represent")
           List<String> leftOut) {
     static InputValues of(InputElement element, long seed) {
       TestData data = TestDataGenerator.generate(element, seed);
@@ -42,7 +41,7 @@ record PreviewView(
   @Schema(name = "PreviewValue")
   record PreviewValue(String literal, boolean valid) {}
 
-  @Schema(name = "CaseCounts", description = "exact: the cases were generated and counted")
+  @Schema(name = "CaseCounts", description = "numbers of generated cases")
   record CaseCounts(int total, int valid, int invalid) {
     static CaseCounts of(TestSuite suite) {
       int valid = Math.toIntExact(suite.validCount());

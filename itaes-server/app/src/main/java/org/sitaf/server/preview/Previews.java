@@ -14,37 +14,37 @@ import org.sitaf.core.model.TestModelXml;
 import org.sitaf.core.suite.GeneratedSuite;
 import org.sitaf.core.suite.GenerationOptions;
 import org.sitaf.core.suite.TestCaseGenerator;
-import org.sitaf.server.activity.Workspaces;
+import org.sitaf.server.activity.StoredActivities;
 import org.sitaf.server.computation.Computations;
+import org.sitaf.server.error.ComputationTimeoutException;
 import org.sitaf.server.preview.PreviewView.CaseCounts;
 import org.sitaf.server.preview.PreviewView.InputValues;
-import org.sitaf.server.refusal.OvertimeException;
 import org.sitaf.server.web.DiagnosticView;
 import org.springframework.stereotype.Service;
 
 /** Previews of test models. */
 @Service
 class Previews {
-  private final Workspaces workspaces;
+  private final StoredActivities activities;
   private final Computations computations;
 
-  Previews(Workspaces workspaces, Computations computations) {
-    this.workspaces = workspaces;
+  Previews(StoredActivities activities, Computations computations) {
+    this.activities = activities;
     this.computations = computations;
   }
 
   /**
-   * What a draft gives; what is wrong with it is part of the answer.
+   * Previews a draft; its errors are part of the result.
    *
-   * @param cases whether its cases are counted, which may take as long as generating them
+   * @param cases whether to generate and count the cases, which may take long
    */
   PreviewView preview(String activityId, byte[] draft, boolean cases, long seed) {
-    Activity activity = workspaces.activity(activityId);
+    Activity activity = activities.activity(activityId);
     try {
       return computations.preview("The preview", () -> preview(activity, draft, cases, seed));
-    } catch (OvertimeException e) {
-      Diagnostic overtime = Diagnostic.error("model", 0, "", String.valueOf(e.getMessage()));
-      return new PreviewView(views(List.of(overtime)), List.of(), null);
+    } catch (ComputationTimeoutException e) {
+      Diagnostic timeout = Diagnostic.error("model", 0, "", String.valueOf(e.getMessage()));
+      return new PreviewView(views(List.of(timeout)), List.of(), null);
     }
   }
 
@@ -55,26 +55,27 @@ class Previews {
     } catch (InvalidInputException e) {
       return new PreviewView(views(e.diagnostics()), List.of(), null);
     }
-    List<Diagnostic> found = new ArrayList<>(activity.verify(model));
+    List<Diagnostic> diagnostics = new ArrayList<>(activity.verify(model));
     List<InputValues> inputs =
         model.inputs().stream().map(input -> InputValues.of(input, seed)).toList();
     CaseCounts counts = null;
-    boolean wrong = found.stream().anyMatch(d -> d.severity() == Severity.ERROR);
-    if (cases && !wrong) {
-      counts = count(model, seed, found);
+    boolean hasErrors = diagnostics.stream().anyMatch(d -> d.severity() == Severity.ERROR);
+    if (cases && !hasErrors) {
+      counts = count(model, seed, diagnostics);
     }
-    return new PreviewView(views(found), inputs, counts);
+    return new PreviewView(views(diagnostics), inputs, counts);
   }
 
-  private static @Nullable CaseCounts count(TestModel model, long seed, List<Diagnostic> found) {
+  private static @Nullable CaseCounts count(
+      TestModel model, long seed, List<Diagnostic> diagnostics) {
     try {
       GeneratedSuite generated =
           TestCaseGenerator.generate(
               model, new GenerationOptions(null, null, seed, Effort.DEFAULT));
-      found.addAll(generated.notes());
+      diagnostics.addAll(generated.notes());
       return CaseCounts.of(generated.suite());
     } catch (InvalidInputException e) {
-      found.addAll(e.diagnostics());
+      diagnostics.addAll(e.diagnostics());
       return null;
     }
   }

@@ -1,4 +1,4 @@
-/** What a test model would give, worked out while it is being written; nothing is stored. */
+/** Previews of test models that are being edited. */
 @NullMarked
 package org.sitaf.server.preview;
 

@@ -8,8 +8,8 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.server.access.Caller;
+import org.sitaf.server.error.RequestException;
 import org.sitaf.server.file.StoredFiles;
-import org.sitaf.server.refusal.Refusal;
 import org.sitaf.server.settings.LimitSettings;
 import org.springframework.jdbc.core.simple.JdbcClient;
 import org.springframework.stereotype.Service;
@@ -17,21 +17,21 @@ import org.springframework.transaction.annotation.Propagation;
 import org.springframework.transaction.annotation.Transactional;
 
 /**
- * Holds what callers store against what they may. The command that started the server on its own
- * machine, and schedules, may anything.
+ * Enforces users' quotas. The launcher, which started the server on the same machine, and schedules
+ * have no quotas.
  */
 @Service
 public class Quotas {
-  /** What a person has besides one activity, each content once. */
+  /** Distinct contents of a user's activities, except one, and of the user's builds. */
   private static final String CONTENTS =
-      "SELECT f.sha256, f.size FROM workspace_file f JOIN workspace_owner o"
-          + " ON o.workspace_id = f.workspace_id"
-          + " WHERE o.person_id = :person AND f.workspace_id <> :besides"
+      "SELECT f.sha256, f.size FROM activity_file f JOIN activity_owner o"
+          + " ON o.activity_id = f.activity_id"
+          + " WHERE o.person_id = :person AND f.activity_id <> :except"
           + " UNION SELECT f.sha256, f.size FROM build_file f JOIN build_owner o"
           + " ON o.build_id = f.build_id WHERE o.person_id = :person";
 
   private static final String ACTIVITIES =
-      "SELECT COUNT(*) FROM workspace_owner WHERE person_id = :person";
+      "SELECT COUNT(*) FROM activity_owner WHERE person_id = :person";
   private static final String SUITES = "SELECT COUNT(*) FROM suite_owner WHERE person_id = :person";
   private static final String OPEN_BUILDS =
       "SELECT COUNT(*) FROM build b JOIN build_owner o ON o.build_id = b.id"
@@ -42,7 +42,7 @@ public class Quotas {
 
   private final JdbcClient jdbc;
   private final LimitSettings limits;
-  private final Map<String, Object> busy = new ConcurrentHashMap<>();
+  private final Map<String, Object> locks = new ConcurrentHashMap<>();
 
   Quotas(JdbcClient jdbc, LimitSettings limits) {
     this.jdbc = jdbc;
@@ -50,67 +50,68 @@ public class Quotas {
   }
 
   /**
-   * Stores files of the present caller, of whom nobody else stores any meanwhile.
+   * Stores files of the current caller if the quota allows it. Calls of the same user run one after
+   * the other.
    *
-   * @param activityId in whose place they come; null for a new one
-   * @throws Refusal when they are more than the caller may have
+   * @param activityId the activity whose files they replace; null for a new one
+   * @throws RequestException if the files exceed the caller's quota
    */
   public <T> T storing(FileTree files, @Nullable String activityId, Supplier<T> store) {
     Optional<String> person = person();
     if (person.isEmpty()) {
       return store.get();
     }
-    synchronized (busy.computeIfAbsent(person.get(), key -> new Object())) {
+    synchronized (locks.computeIfAbsent(person.get(), key -> new Object())) {
       if (activityId == null) {
         require(person.get(), "activities", ACTIVITIES, limits.activities());
       }
-      requireRoom(person.get(), files, activityId == null ? NONE : activityId);
+      requireSpace(person.get(), files, activityId == null ? NONE : activityId);
       return store.get();
     }
   }
 
   /**
-   * Makes sure that the present caller may have another suite.
+   * Checks that the current caller can store another suite.
    *
    * @param size of its document, in bytes
-   * @throws Refusal when not
+   * @throws RequestException if the quota is exceeded
    */
   public void requireSuite(long size) {
     person()
         .ifPresent(
             person -> {
               require(person, "suites", SUITES, limits.suites());
-              requireRoom(person, sum(contents(person, NONE)), size);
+              requireSpace(person, sum(contents(person, NONE)), size);
             });
   }
 
   /**
-   * Makes sure that the present caller may have another build under way.
+   * Checks that the current caller can start another build.
    *
-   * @throws Refusal when not
+   * @throws RequestException if the quota is exceeded
    */
   public void requireBuild(FileTree files) {
     person()
         .ifPresent(
             person -> {
-              require(person, "builds that are not over", OPEN_BUILDS, limits.openBuilds());
-              requireRoom(person, files, NONE);
+              require(person, "unfinished builds", OPEN_BUILDS, limits.openBuilds());
+              requireSpace(person, files, NONE);
             });
   }
 
-  /** The activity counts for the present caller from now on. */
+  /** Makes the current caller the owner of an activity. */
   @Transactional(propagation = Propagation.MANDATORY)
   public void ownActivity(String id) {
-    jdbc.sql("DELETE FROM workspace_owner WHERE workspace_id = ?").param(id).update();
+    jdbc.sql("DELETE FROM activity_owner WHERE activity_id = ?").param(id).update();
     person()
         .ifPresent(
             person ->
-                jdbc.sql("INSERT INTO workspace_owner (workspace_id, person_id) VALUES (?, ?)")
+                jdbc.sql("INSERT INTO activity_owner (activity_id, person_id) VALUES (?, ?)")
                     .params(id, person)
                     .update());
   }
 
-  /** The suite counts for the present caller. */
+  /** Makes the current caller the owner of a suite. */
   @Transactional(propagation = Propagation.MANDATORY)
   public void ownSuite(String id, long size) {
     person()
@@ -121,7 +122,7 @@ public class Quotas {
                     .update());
   }
 
-  /** The build counts for the present caller. */
+  /** Makes the current caller the owner of a build. */
   @Transactional(propagation = Propagation.MANDATORY)
   public void ownBuild(String id) {
     person()
@@ -144,36 +145,32 @@ public class Quotas {
         limits.openBuilds());
   }
 
-  /**
-   * Sets what a person's files may take.
-   *
-   * @param mib null for what the server's settings say
-   */
+  /** Sets the quota of a user's files; null for the server's default. */
   void set(String person, @Nullable Long mib) {
     if (mib != null && (mib < 0 || mib > Long.MAX_VALUE >> MIB_SHIFT)) {
-      throw Refusal.malformed("mib: 0 or more, or null for the server's own setting.");
+      throw RequestException.malformed("mib: must be 0 or more, or null for the server's default.");
     }
     jdbc.sql("UPDATE person SET quota_mib = ? WHERE id = ?").params(mib, person).update();
   }
 
-  private void requireRoom(String person, FileTree files, String besides) {
-    Map<String, Long> all = contents(person, besides);
-    long before = sum(all);
+  private void requireSpace(String person, FileTree files, String except) {
+    Map<String, Long> contents = contents(person, except);
+    long before = sum(contents);
     for (String path : files.paths()) {
       byte[] content = files.content(path).orElseThrow();
-      all.put(StoredFiles.sha256(content), (long) content.length);
+      contents.put(StoredFiles.sha256(content), (long) content.length);
     }
-    requireRoom(person, before, sum(all) - before);
+    requireSpace(person, before, sum(contents) - before);
   }
 
-  private void requireRoom(String person, long before, long more) {
+  private void requireSpace(String person, long before, long additional) {
     long used = before + suites(person);
     long allowed = allowed(person);
-    if (more > 0 && used + more > allowed) {
-      throw Refusal.quota(
-          ("It takes %d KiB more, and you use %d MiB of the %d MiB that you may. Delete activities"
-                  + " that are not needed, or ask an administrator for more.")
-              .formatted((more >> 10) + 1, used >> MIB_SHIFT, allowed >> MIB_SHIFT));
+    if (additional > 0 && used + additional > allowed) {
+      throw RequestException.quota(
+          ("This needs %d KiB, and you use %d MiB of your %d MiB. Delete activities that you no"
+                  + " longer need, or ask an administrator for a larger quota.")
+              .formatted((additional >> 10) + 1, used >> MIB_SHIFT, allowed >> MIB_SHIFT));
     }
   }
 
@@ -188,12 +185,12 @@ public class Quotas {
     return contents.values().stream().mapToLong(Long::longValue).sum();
   }
 
-  private void require(String person, String what, String query, int most) {
+  private void require(String person, String what, String query, int max) {
     int present = count(person, query);
-    if (present >= most) {
-      throw Refusal.conflict(
-          "You have %d %s, and may have %d; delete some, or wait for their end."
-              .formatted(present, what, most));
+    if (present >= max) {
+      throw RequestException.conflict(
+          "You have %d of at most %d %s; delete some, or wait until they end."
+              .formatted(present, max, what));
     }
   }
 
@@ -201,11 +198,11 @@ public class Quotas {
     return jdbc.sql(query).param("person", person).query(Integer.class).single();
   }
 
-  private Map<String, Long> contents(String person, String besides) {
+  private Map<String, Long> contents(String person, String except) {
     Map<String, Long> contents = new HashMap<>();
     jdbc.sql(CONTENTS)
         .param("person", person)
-        .param("besides", besides)
+        .param("except", except)
         .query((row, index) -> contents.put(row.getString(1), row.getLong(2)))
         .list();
     return contents;

@@ -2,18 +2,15 @@ package org.sitaf.server.quota;
 
 import io.swagger.v3.oas.annotations.media.Schema;
 
-/** What a person uses of the server, and how much of each they may. */
+/** A user's usage and limits. */
 @Schema(name = "Usage")
 record Usage(
-    @Schema(
-            description =
-                "of the distinct files of the activities that the person stored last and of the"
-                    + " builds that they requested")
+    @Schema(description = "size of the distinct files of the user's activities and builds")
         long bytes,
     long maxBytes,
     int activities,
     int maxActivities,
     int suites,
     int maxSuites,
-    @Schema(description = "builds that are not over") int openBuilds,
+    @Schema(description = "unfinished builds") int openBuilds,
     int maxOpenBuilds) {}

@@ -5,8 +5,8 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.server.access.Caller;
-import org.sitaf.server.access.Denial;
 import org.sitaf.server.access.user.Users;
+import org.sitaf.server.error.RequestException;
 import org.springframework.web.bind.annotation.GetMapping;
 import org.springframework.web.bind.annotation.PathVariable;
 import org.springframework.web.bind.annotation.PutMapping;
@@ -27,30 +27,30 @@ class UsageController {
 
   @Schema(name = "Quota")
   record Quota(
-      @Schema(description = "what the person's files may take; null for the server's own setting")
+      @Schema(description = "limit for the user's files; null for the server's default")
           @Nullable Long mib) {}
 
   @GetMapping("/session/usage")
   @Tag(name = "session")
-  @Operation(operationId = "getUsage", summary = "What you use of the server, and may use")
+  @Operation(operationId = "getUsage", summary = "Returns your usage and limits")
   Usage own() {
     String person = Caller.current().personId();
     if (person == null) {
-      throw Denial.forbidden("The command that started the server has no limits.");
+      throw RequestException.forbidden("The command that started the server has no quota.");
     }
     return quotas.usage(person);
   }
 
   @GetMapping("/users/{id}/usage")
   @Tag(name = "users")
-  @Operation(operationId = "getUsageOfUser", summary = "What a person uses of the server")
+  @Operation(operationId = "getUsageOfUser", summary = "Returns the usage and limits of a user")
   Usage of(@PathVariable String id) {
     return quotas.usage(users.find(id).id());
   }
 
   @PutMapping("/users/{id}/quota")
   @Tag(name = "users")
-  @Operation(operationId = "setQuota", summary = "Sets what a person's files may take")
+  @Operation(operationId = "setQuota", summary = "Sets the quota of a user")
   Usage set(@PathVariable String id, @RequestBody Quota quota) {
     String person = users.find(id).id();
     quotas.set(person, quota.mib());

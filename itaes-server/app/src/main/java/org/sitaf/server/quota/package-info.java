@@ -1,4 +1,4 @@
-/** How much of the server a person may use: files, activities, suites, builds. */
+/** Users' quotas for files, activities, suites and builds. */
 @NullMarked
 package org.sitaf.server.quota;
 

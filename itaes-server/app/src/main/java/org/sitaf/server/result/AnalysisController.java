@@ -12,7 +12,7 @@ import org.springframework.web.bind.annotation.RequestMapping;
 import org.springframework.web.bind.annotation.RequestParam;
 import org.springframework.web.bind.annotation.RestController;
 
-/** Results as people look at them: in graphs, over time, against each other, and to send. */
+/** Statistics, comparisons, exports and the history of results. */
 @RestController
 @RequestMapping("/api/v1")
 @Tag(name = "results")
@@ -26,35 +26,35 @@ class AnalysisController {
   @GetMapping("/builds/{id}/result/statistics")
   @Operation(
       operationId = "getResultStatistics",
-      summary = "Processing times, and verdicts by the value of each parameter")
+      summary = "Returns processing times, and verdicts by parameter value")
   StatisticsView statistics(@PathVariable String id) {
-    return StatisticsView.of(results.whole(id));
+    return StatisticsView.of(results.load(id));
   }
 
   @GetMapping("/builds/{id}/result/comparison")
   @Operation(
       operationId = "compareResults",
-      summary = "What a result has become against that of another build")
+      summary = "Compares a result with that of another build")
   ComparisonView comparison(@PathVariable String id, @RequestParam String with) {
-    return ComparisonView.of(results.whole(with), results.whole(id));
+    return ComparisonView.of(results.load(with), results.load(id));
   }
 
   @GetMapping(path = "/builds/{id}/result/cases.csv", produces = "text/csv")
-  @Operation(operationId = "getResultAsCsv", summary = "A result as comma-separated values")
+  @Operation(operationId = "getResultAsCsv", summary = "Exports a result as CSV")
   byte[] csv(@PathVariable String id) {
-    return ResultCsv.write(results.whole(id));
+    return ResultCsv.write(results.load(id));
   }
 
   @GetMapping(path = "/builds/{id}/result/report", produces = MediaType.TEXT_HTML_VALUE)
-  @Operation(
-      operationId = "getResultReport",
-      summary = "A result as one page that needs nothing else, to send")
+  @Operation(operationId = "getResultReport", summary = "Exports a result as a single HTML page")
   byte[] report(@PathVariable String id) {
-    return ResultReport.write(results.activityName(id), results.whole(id));
+    return ResultReport.write(results.activityName(id), results.load(id));
   }
 
   @GetMapping("/activities/{id}/results")
-  @Operation(operationId = "listResults", summary = "Results of an activity, the newest first")
+  @Operation(
+      operationId = "listResults",
+      summary = "Lists the results of an activity, newest first")
   Listing<HistoryView> history(
       @PathVariable String id,
       @RequestParam(required = false) @Nullable String model,

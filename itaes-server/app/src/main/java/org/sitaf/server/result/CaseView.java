@@ -10,7 +10,7 @@ import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.NamedValue;
 import org.sitaf.core.verdict.Verdict;
 
-/** A case of a result, as people and programs see it. */
+/** A case of a result in the REST interface. */
 @Schema(name = "ResultCase")
 public record CaseView(
     @Schema(description = "from 1") int no,
@@ -18,11 +18,12 @@ public record CaseView(
     @Schema(description = "by name of the output") Map<String, String> expected,
     @Schema(description = "by name of the output") Map<String, String> actual,
     Verdict verdict,
-    @Schema(description = "the component's own, in microseconds") @Nullable Double processingTimeUs,
-    @Schema(description = "of it, spent in virtual hardware") @Nullable Double hardwareUs,
-    @Schema(description = "of it, spent in stubs") @Nullable Double stubUs,
+    @Schema(description = "time of the component, in microseconds")
+        @Nullable Double processingTimeUs,
+    @Schema(description = "time spent in virtual hardware, in microseconds")
+        @Nullable Double hardwareUs,
+    @Schema(description = "time spent in stubs, in microseconds") @Nullable Double stubUs,
     @Schema(description = "why the verdict is not PASS") @Nullable String message) {
-  /** The view of a case. */
   public static CaseView of(CaseResult result) {
     CaseResult.ProcessingTime time = result.time();
     return new CaseView(

@@ -11,29 +11,29 @@ import org.sitaf.core.suite.CaseParameter;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.TestResult;
 import org.sitaf.core.verdict.Verdict;
-import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.error.RequestException;
 import org.sitaf.server.result.ResultView.ParameterView;
 
 /**
- * What a result has become against an earlier one. Cases are the same when their values are: their
- * numbers may differ from suite to suite.
+ * The differences between a result and an earlier one. Cases are matched by their values, because
+ * their numbers may differ between suites.
  */
 @Schema(name = "ResultComparison")
 record ComparisonView(
     List<ParameterView> parameters,
-    @Schema(description = "cases that both have") int common,
-    @Schema(description = "cases that only the earlier has") int onlyBefore,
-    @Schema(description = "cases that only this has") int onlyNow,
-    @Schema(description = "in all") int newlyFailing,
-    @Schema(description = "in all") int fixed,
-    @Schema(description = "in all: more than twice the time, and 10 µs more") int slower,
-    @Schema(description = "newly failing, fixed, then the slowest; at most 300 of each")
+    @Schema(description = "number of cases in both results") int common,
+    @Schema(description = "number of cases in the earlier result only") int onlyBefore,
+    @Schema(description = "number of cases in this result only") int onlyNow,
+    @Schema(description = "number of cases") int newlyFailing,
+    @Schema(description = "number of cases") int fixed,
+    @Schema(description = "number of cases that took more than twice the time, and 10 µs more")
+        int slower,
+    @Schema(description = "newly failing, fixed and slower cases, at most 300 of each")
         List<ComparedCase> items) {
   private static final int MAX_ITEMS = 300;
   private static final double SLOWER_FACTOR = 2;
   private static final double SLOWER_US = 10;
 
-  /** What became of a case. */
   enum Change {
     newlyFailing,
     fixed,
@@ -43,7 +43,7 @@ record ComparisonView(
   @Schema(name = "ComparedCase")
   record ComparedCase(
       Change change,
-      @Schema(description = "its number in this result") int no,
+      @Schema(description = "number of the case in this result") int no,
       List<String> values,
       Verdict before,
       Verdict now,
@@ -53,8 +53,12 @@ record ComparisonView(
 
   static ComparisonView of(TestResult before, TestResult now) {
     if (!names(before).equals(names(now))) {
-      throw Refusal.conflict(
-          "The two results have other parameters (" + names(before) + " and " + names(now) + ").");
+      throw RequestException.conflict(
+          "The results cannot be compared: their parameters differ ("
+              + names(before)
+              + " and "
+              + names(now)
+              + ").");
     }
     Map<List<String>, CaseResult> old = new HashMap<>();
     before.cases().forEach(c -> old.put(c.values(), c));
@@ -62,19 +66,19 @@ record ComparisonView(
     List<ComparedCase> fixed = new ArrayList<>();
     List<ComparedCase> slower = new ArrayList<>();
     int common = 0;
-    for (CaseResult kase : now.cases()) {
-      CaseResult was = old.remove(kase.values());
-      if (was == null) {
+    for (CaseResult testCase : now.cases()) {
+      CaseResult previous = old.remove(testCase.values());
+      if (previous == null) {
         continue;
       }
       common++;
-      if (was.verdict() == Verdict.PASS && isBad(kase.verdict())) {
-        failing.add(compared(Change.newlyFailing, was, kase));
-      } else if (isBad(was.verdict()) && kase.verdict() == Verdict.PASS) {
-        fixed.add(compared(Change.fixed, was, kase));
+      if (previous.verdict() == Verdict.PASS && isFailure(testCase.verdict())) {
+        failing.add(compared(Change.newlyFailing, previous, testCase));
+      } else if (isFailure(previous.verdict()) && testCase.verdict() == Verdict.PASS) {
+        fixed.add(compared(Change.fixed, previous, testCase));
       }
-      if (isSlower(was, kase)) {
-        slower.add(compared(Change.slower, was, kase));
+      if (isSlower(previous, testCase)) {
+        slower.add(compared(Change.slower, previous, testCase));
       }
     }
     slower.sort(Comparator.comparingDouble(ComparisonView::loss).reversed());
@@ -91,31 +95,31 @@ record ComparisonView(
         items);
   }
 
-  private static boolean isBad(Verdict verdict) {
+  private static boolean isFailure(Verdict verdict) {
     return verdict == Verdict.FAIL || verdict == Verdict.ERROR;
   }
 
-  private static boolean isSlower(CaseResult was, CaseResult now) {
-    return was.time() != null
+  private static boolean isSlower(CaseResult before, CaseResult now) {
+    return before.time() != null
         && now.time() != null
-        && now.time().total() > SLOWER_FACTOR * was.time().total()
-        && now.time().total() > was.time().total() + SLOWER_US;
+        && now.time().total() > SLOWER_FACTOR * before.time().total()
+        && now.time().total() > before.time().total() + SLOWER_US;
   }
 
-  private static double loss(ComparedCase kase) {
-    return kase.timeNowUs() == null || kase.timeBeforeUs() == null
+  private static double loss(ComparedCase testCase) {
+    return testCase.timeNowUs() == null || testCase.timeBeforeUs() == null
         ? 0
-        : kase.timeNowUs() - kase.timeBeforeUs();
+        : testCase.timeNowUs() - testCase.timeBeforeUs();
   }
 
-  private static ComparedCase compared(Change change, CaseResult was, CaseResult now) {
+  private static ComparedCase compared(Change change, CaseResult before, CaseResult now) {
     return new ComparedCase(
         change,
         now.no(),
         now.values(),
-        was.verdict(),
+        before.verdict(),
         now.verdict(),
-        was.time() == null ? null : was.time().total(),
+        before.time() == null ? null : before.time().total(),
         now.time() == null ? null : now.time().total(),
         now.message().isEmpty() ? null : now.message());
   }

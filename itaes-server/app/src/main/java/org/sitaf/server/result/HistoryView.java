@@ -6,7 +6,7 @@ import org.jspecify.annotations.Nullable;
 import org.sitaf.core.verdict.Summary;
 import org.sitaf.server.result.ResultView.SummaryView;
 
-/** The result of a build among those before and after it. */
+/** A result in the history of an activity. */
 @Schema(name = "ResultOfBuild")
 record HistoryView(
     String buildId,
@@ -14,7 +14,7 @@ record HistoryView(
     Instant received,
     @Nullable String agent,
     SummaryView summary,
-    @Schema(description = "whether the verdicts are not to be trusted") boolean suspect) {
+    @Schema(description = "whether the verdicts cannot be trusted") boolean suspect) {
   static HistoryView of(Row row) {
     return new HistoryView(
         row.buildId(),
@@ -25,7 +25,7 @@ record HistoryView(
         row.suspect());
   }
 
-  /** As the database has it. */
+  /** A row of the database. */
   record Row(
       String buildId,
       String model,

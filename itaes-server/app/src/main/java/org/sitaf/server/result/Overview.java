@@ -8,9 +8,9 @@ import org.sitaf.core.verdict.Summary;
 import org.sitaf.core.verdict.TestResult;
 
 /**
- * A result without its cases.
+ * A result without its cases, as stored in the database.
  *
- * @param suspicions null in those that were stored before there were any
+ * @param suspicions null in results of earlier releases
  */
 record Overview(
     String name,

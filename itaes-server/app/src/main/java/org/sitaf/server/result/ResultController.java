@@ -27,7 +27,9 @@ class ResultController {
   }
 
   @GetMapping
-  @Operation(operationId = "getResult", summary = "The result of a build, without its cases")
+  @Operation(
+      operationId = "getResult",
+      summary = "Returns the result of a build, without its cases")
   ResultView get(@PathVariable String id) {
     return ResultView.of(results.overview(id));
   }
@@ -35,9 +37,8 @@ class ResultController {
   @GetMapping("/cases")
   @Operation(
       operationId = "listResultCases",
-      summary = "Cases of a result, by number",
-      description =
-          "Of a verdict, and of those in which a parameter has a value, where these are given.")
+      summary = "Lists the cases of a result by number",
+      description = "Can be filtered by verdict, and by the value of a parameter.")
   Listing<CaseView> cases(
       @PathVariable String id,
       @RequestParam(required = false) @Nullable Verdict verdict,
@@ -47,7 +48,7 @@ class ResultController {
       @RequestParam(defaultValue = "50") int size) {
     if (parameter != null && value != null) {
       return Listing.of(
-          results.casesWith(
+          results.casesWithValue(
               id, verdict, parameter, value, Listing.request(page, size, Sort.unsorted())),
           CaseView::of);
     }
@@ -58,13 +59,13 @@ class ResultController {
   @GetMapping(path = "/document", produces = MediaType.APPLICATION_XML_VALUE)
   @Operation(
       operationId = "getResultDocument",
-      summary = "The document of a result (test_result_descriptor), as the agent sent it")
+      summary = "Returns the document of a result (test_result_descriptor) as the agent sent it")
   byte[] document(@PathVariable String id) {
     return results.document(id);
   }
 
   @GetMapping(path = "/junit", produces = MediaType.APPLICATION_XML_VALUE)
-  @Operation(operationId = "getResultAsJunit", summary = "A result as JUnit XML")
+  @Operation(operationId = "getResultAsJunit", summary = "Exports a result as JUnit XML")
   byte[] junit(@PathVariable String id) {
     ByteArrayOutputStream xml = new ByteArrayOutputStream();
     JunitXml.write(results.activityName(id), List.of(Results.read(results.document(id))), xml);

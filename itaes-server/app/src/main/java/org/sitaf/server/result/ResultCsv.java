@@ -11,7 +11,7 @@ import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.NamedValue;
 import org.sitaf.core.verdict.TestResult;
 
-/** A result as comma-separated values, a line a case, as RFC 4180 has it. */
+/** Writes a result as CSV (RFC 4180) with a line per case. */
 final class ResultCsv {
   private ResultCsv() {}
 
@@ -22,23 +22,23 @@ final class ResultCsv {
     header.addAll(
         List.of("expected", "actual", "verdict", "time_us", "hardware_us", "stub_us", "message"));
     csv.append(CsvCells.line(header));
-    for (CaseResult kase : result.cases()) {
-      List<String> fields = new ArrayList<>(List.of(Integer.toString(kase.no())));
-      fields.addAll(kase.values());
-      fields.add(values(kase.expected()));
-      fields.add(values(kase.actual()));
-      fields.add(kase.verdict().name());
-      CaseResult.ProcessingTime time = kase.time();
+    for (CaseResult testCase : result.cases()) {
+      List<String> fields = new ArrayList<>(List.of(Integer.toString(testCase.no())));
+      fields.addAll(testCase.values());
+      fields.add(values(testCase.expected()));
+      fields.add(values(testCase.actual()));
+      fields.add(testCase.verdict().name());
+      CaseResult.ProcessingTime time = testCase.time();
       fields.add(time == null ? "" : number(time.total()));
       fields.add(time == null ? "" : number(time.hardware()));
       fields.add(time == null ? "" : number(time.stub()));
-      fields.add(kase.message());
+      fields.add(testCase.message());
       csv.append(CsvCells.line(fields));
     }
     return csv.toString().getBytes(StandardCharsets.UTF_8);
   }
 
-  /** A single value as it is, several by the names of their outputs. */
+  /** A single value without a name, or several values with the names of their outputs. */
   static String values(List<NamedValue> values) {
     return values.stream()
         .map(v -> v.output().isEmpty() ? v.literal() : v.output() + "=" + v.literal())

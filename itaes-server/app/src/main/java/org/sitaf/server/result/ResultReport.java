@@ -11,9 +11,9 @@ import org.sitaf.core.verdict.TestResult;
 import org.sitaf.core.verdict.Verdict;
 import org.springframework.web.util.HtmlUtils;
 
-/** A result as one page to send: no script, nothing from elsewhere. */
+/** Writes a result as a single HTML page without scripts or external resources. */
 final class ResultReport {
-  /** More rows than a browser shows comfortably; cases that failed come first. */
+  /** Maximum number of rows, because browsers are slow with more; failed cases come first. */
   private static final int MAX_CASES = 5000;
 
   private static final String STYLE =
@@ -127,7 +127,7 @@ final class ResultReport {
           .append(MAX_CASES)
           .append(" of ")
           .append(result.cases().size())
-          .append(" cases, those that did not pass first; the CSV has all.</p>");
+          .append(" cases, failed cases first; the CSV export contains all cases.</p>");
     }
     html.append("<div class=\"cases\"><table><thead><tr><th>No</th>");
     for (CaseParameter parameter : result.parameters()) {
@@ -135,21 +135,24 @@ final class ResultReport {
     }
     html.append("<th>Expected</th><th>Actual</th><th>Verdict</th><th>Time (µs)</th>")
         .append("<th>Message</th></tr></thead><tbody>");
-    for (CaseResult kase : shown) {
-      html.append("<tr class=\"").append(kase.verdict()).append("\"><td>").append(kase.no());
-      kase.values().forEach(v -> html.append("</td><td>").append(text(v)));
+    for (CaseResult testCase : shown) {
+      html.append("<tr class=\"")
+          .append(testCase.verdict())
+          .append("\"><td>")
+          .append(testCase.no());
+      testCase.values().forEach(v -> html.append("</td><td>").append(text(v)));
       html.append("</td><td>")
-          .append(text(ResultCsv.values(kase.expected())))
+          .append(text(ResultCsv.values(testCase.expected())))
           .append("</td><td>")
-          .append(text(ResultCsv.values(kase.actual())))
+          .append(text(ResultCsv.values(testCase.actual())))
           .append("</td><td class=\"")
-          .append(kase.verdict())
+          .append(testCase.verdict())
           .append("\">")
-          .append(kase.verdict())
+          .append(testCase.verdict())
           .append("</td><td>")
-          .append(kase.time() == null ? "" : number(kase.time().total()))
+          .append(testCase.time() == null ? "" : number(testCase.time().total()))
           .append("</td><td>")
-          .append(text(kase.message()))
+          .append(text(testCase.message()))
           .append("</td></tr>");
     }
     html.append("</tbody></table></div>");
@@ -159,7 +162,7 @@ final class ResultReport {
     return String.format(Locale.ROOT, "%.3f", number);
   }
 
-  /** Text of others: escaped, and its direction of writing kept to itself. */
+  /** Escapes untrusted text and isolates its writing direction. */
   private static String text(String text) {
     return "<bdi>" + HtmlUtils.htmlEscape(text, "UTF-8") + "</bdi>";
   }

@@ -19,16 +19,14 @@ import org.springframework.stereotype.Repository;
 import tools.jackson.databind.json.JsonMapper;
 
 /**
- * Rows of accepted results. They are written once, in bulk, and never changed: plain SQL says that
- * best.
+ * Stores accepted results. They are inserted in batches and never changed, so plain SQL is used.
  */
 @Repository
 class ResultRows {
-  private static final int BATCH = 500;
+  private static final int BATCH_SIZE = 500;
 
   /**
-   * The databases take about a million characters in a row; what is longer is cut here and whole in
-   * the document.
+   * The databases limit a row to about a million characters; the document contains the full text.
    */
   private static final int MAX_OUTCOME = 500_000;
 
@@ -59,7 +57,7 @@ class ResultRows {
         "INSERT INTO result_case (build_id, no, verdict, processing_time_us, outcome)"
             + " VALUES (?, ?, ?, ?, ?)",
         result.cases(),
-        BATCH,
+        BATCH_SIZE,
         (row, outcome) -> {
           row.setString(1, buildId);
           row.setInt(2, outcome.no());
@@ -105,7 +103,7 @@ class ResultRows {
         .optional();
   }
 
-  /** Cases by number, of one verdict or all. */
+  /** Cases by number; a verdict of null means all. */
   Page<CaseResult> cases(String buildId, @Nullable Verdict verdict, Pageable page) {
     String where =
         " FROM result_case WHERE build_id = :build"
@@ -128,10 +126,10 @@ class ResultRows {
     return new PageImpl<>(items, page, total);
   }
 
-  /** Results of an activity, of one model or all, the newest first. */
+  /** Results of an activity, newest first; a model of null means all. */
   Page<HistoryView.Row> history(String activityId, @Nullable String model, Pageable page) {
     String from =
-        " FROM result r JOIN build b ON b.id = r.build_id WHERE b.workspace_id = :activity"
+        " FROM result r JOIN build b ON b.id = r.build_id WHERE b.activity_id = :activity"
             + (model == null ? "" : " AND b.model = :model");
     String modelName = model == null ? "" : model;
     long total =

@@ -8,14 +8,14 @@ import org.sitaf.core.suite.CaseParameter;
 import org.sitaf.core.verdict.Provenance;
 import org.sitaf.core.verdict.Summary;
 
-/** A result, without its cases, as people and programs see it. */
+/** A result in the REST interface, without its cases. */
 @Schema(name = "Result")
 record ResultView(
     String name,
     SummaryView summary,
     List<ParameterView> parameters,
     ProvenanceView provenance,
-    @Schema(description = "why the verdicts are not to be trusted; empty where they are")
+    @Schema(description = "why the verdicts cannot be trusted; empty if they can")
         List<String> suspicions) {
 
   @Schema(name = "ResultParameter")
@@ -48,20 +48,20 @@ record ResultView(
 
   @Schema(
       name = "ProcessingTime",
-      description = "of PASS and FAIL cases; absent where there is none")
+      description = "of the cases with verdict PASS or FAIL; absent if there are none")
   record TimesView(
-      @Schema(description = "always us, microseconds") String unit,
+      @Schema(description = "always us (microseconds)") String unit,
       double min,
       double max,
       double average,
-      @Schema(description = "of the sample") double standardDeviation) {
+      @Schema(description = "sample standard deviation") double standardDeviation) {
     static TimesView of(Summary.Times times) {
       return new TimesView(
           "us", times.min(), times.max(), times.average(), times.standardDeviation());
     }
   }
 
-  @Schema(name = "Provenance", description = "what ran, by SHA-256, where and when")
+  @Schema(name = "Provenance", description = "SHA-256 of what was executed, where and when")
   record ProvenanceView(
       String suite,
       long seed,

@@ -14,7 +14,7 @@ import org.sitaf.core.verdict.Coverage;
 import org.sitaf.core.verdict.TestResult;
 import org.sitaf.core.verdict.Verdict;
 import org.sitaf.core.verdict.document.TestResultXml;
-import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.error.RequestException;
 import org.springframework.data.domain.Page;
 import org.springframework.data.domain.PageImpl;
 import org.springframework.data.domain.Pageable;
@@ -22,27 +22,28 @@ import org.springframework.stereotype.Service;
 import org.springframework.transaction.annotation.Propagation;
 import org.springframework.transaction.annotation.Transactional;
 
-/** Accepted results, and those that came too late. */
+/** Accepted results, and late results that do not count. */
 @Service
 public class Results {
   private static final String DOCUMENT_NAME = "result descriptor";
 
-  /** Of all results in memory together. */
+  /** Maximum number of cases in the cache. */
   private static final int MAX_CASES = 300_000;
 
-  private static final Duration KEPT = Duration.ofMinutes(30);
+  private static final Duration CACHED = Duration.ofMinutes(30);
 
   private final ResultRows rows;
 
   /**
-   * The results used last: graphs, filters and comparisons look at every case. The database is
-   * asked for each use whether the result still exists, since another server may have deleted it.
+   * Cache of parsed results, because statistics, filters and comparisons need all cases. Each use
+   * checks in the database whether the result still exists, because another server may have deleted
+   * it.
    */
   private final Cache<Key, TestResult> parsed =
       Caffeine.newBuilder()
           .maximumWeight(MAX_CASES)
           .weigher((Key key, TestResult result) -> result.cases().size())
-          .expireAfterAccess(KEPT)
+          .expireAfterAccess(CACHED)
           .build();
 
   Results(ResultRows rows) {
@@ -52,22 +53,22 @@ public class Results {
   /**
    * Reads a test result descriptor.
    *
-   * @throws org.sitaf.core.diagnostic.InvalidInputException when it is none
+   * @throws org.sitaf.core.diagnostic.InvalidInputException if the document is invalid
    */
   public static TestResult read(byte[] document) {
     return TestResultXml.read(new ByteArrayInputStream(document), DOCUMENT_NAME);
   }
 
-  /** Stores the result of a build, within the transaction that ends the build. */
+  /** Stores the accepted result of a build, within the transaction that ends the build. */
   @Transactional(propagation = Propagation.MANDATORY)
   public void accept(
       String buildId, TestResult result, byte[] document, String sha256, Instant received) {
     rows.insert(buildId, result, document, sha256, received);
   }
 
-  /** Keeps a result that came after its attempt was given up; it counts nowhere. */
+  /** Stores the result of an attempt that was abandoned before. */
   @Transactional(propagation = Propagation.MANDATORY)
-  public void keepSuperseded(long fencingToken, byte[] document, Instant received) {
+  public void storeSuperseded(long fencingToken, byte[] document, Instant received) {
     rows.insertSuperseded(fencingToken, document, received);
   }
 
@@ -76,52 +77,52 @@ public class Results {
   }
 
   /**
-   * The document of an accepted result, as it came.
+   * Returns the document of an accepted result as the agent sent it.
    *
-   * @throws Refusal when there is none
+   * @throws RequestException if there is no result
    */
   public byte[] document(String buildId) {
     return rows.document(buildId).orElseThrow(() -> noResult(buildId));
   }
 
   /**
-   * A result with all of its cases.
+   * Returns a result with all its cases.
    *
-   * @throws Refusal when there is none, be it that it was deleted
+   * @throws RequestException if there is no result
    */
-  TestResult whole(String buildId) {
+  TestResult load(String buildId) {
     String sha256 = rows.sha256(buildId).orElseThrow(() -> noResult(buildId));
     return parsed.get(new Key(buildId, sha256), key -> read(document(key.buildId())));
   }
 
   private record Key(String buildId, String sha256) {}
 
-  /** What was reached of the component; empty where that was not measured. */
+  /** Returns the coverage of the component; empty if it was not measured. */
   public Optional<Coverage> coverage(String buildId) {
-    return Optional.ofNullable(whole(buildId).coverage());
+    return Optional.ofNullable(load(buildId).coverage());
   }
 
-  /** Cases of a verdict, or all, in which a parameter has a value. */
-  Page<CaseResult> casesWith(
+  /** Cases in which a parameter has a value; a verdict of null means all. */
+  Page<CaseResult> casesWithValue(
       String buildId, @Nullable Verdict verdict, String parameter, String value, Pageable page) {
-    TestResult result = whole(buildId);
+    TestResult result = load(buildId);
     int index = result.parameters().stream().map(CaseParameter::name).toList().indexOf(parameter);
     if (index < 0) {
-      throw Refusal.malformed("The result has no parameter '" + parameter + "'.");
+      throw RequestException.malformed("The result has no parameter '" + parameter + "'.");
     }
-    List<CaseResult> fitting =
+    List<CaseResult> matching =
         result.cases().stream()
             .filter(c -> verdict == null || c.verdict() == verdict)
-            .filter(c -> index < c.values().size() && isSame(c.values().get(index), value))
+            .filter(c -> index < c.values().size() && matches(c.values().get(index), value))
             .toList();
     return new PageImpl<>(
-        fitting.stream().skip(page.getOffset()).limit(page.getPageSize()).toList(),
+        matching.stream().skip(page.getOffset()).limit(page.getPageSize()).toList(),
         page,
-        fitting.size());
+        matching.size());
   }
 
-  /** People write 5 for 5.0. */
-  private static boolean isSame(String literal, String given) {
+  /** Numbers are equal by value: 5 matches 5.0. */
+  private static boolean matches(String literal, String given) {
     if (literal.equals(given)) {
       return true;
     }
@@ -132,7 +133,7 @@ public class Results {
     }
   }
 
-  /** Results of an activity, of one model or all, the newest first. */
+  /** Results of an activity, newest first; a model of null means all. */
   Page<HistoryView.Row> history(String activityId, @Nullable String model, Pageable page) {
     return rows.history(activityId, model, page);
   }
@@ -147,7 +148,7 @@ public class Results {
     return rows.cases(buildId, verdict, page);
   }
 
-  private static Refusal noResult(String buildId) {
-    return Refusal.notFound("result of build", buildId);
+  private static RequestException noResult(String buildId) {
+    return RequestException.notFound("result of build", buildId);
   }
 }

@@ -13,39 +13,39 @@ import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.TestResult;
 import org.sitaf.core.verdict.Verdict;
 
-/** The graphs of a result: processing times, and verdicts by the value of each parameter. */
+/** Statistics of a result: processing times, and verdicts by parameter value. */
 @Schema(name = "ResultStatistics")
 record StatisticsView(
-    @Schema(description = "absent where no case was timed") @Nullable Times times,
+    @Schema(description = "absent if no case was timed") @Nullable Times times,
     @Schema(description = "in the order of the result's parameters") List<ByParameter> parameters) {
-  private static final int BARS = 40;
-  private static final int POINTS = 400;
-  private static final int VALUES = 200;
+  private static final int MAX_BARS = 40;
+  private static final int MAX_POINTS = 400;
+  private static final int MAX_VALUES = 200;
 
-  /** Of so few a hundredth is not even two. */
-  private static final int FEW = 200;
+  /** With fewer cases the 99th percentile is the maximum or next to it. */
+  private static final int MIN_FOR_P99 = 200;
 
-  @Schema(name = "TimeStatistics", description = "microseconds, of PASS and FAIL cases")
+  @Schema(
+      name = "TimeStatistics",
+      description = "in microseconds, of the cases with verdict PASS or FAIL")
   record Times(
       int count,
       double min,
       double max,
       double average,
-      @Schema(description = "of the sample") double standardDeviation,
+      @Schema(description = "sample standard deviation") double standardDeviation,
       double p50,
       double p90,
       double p95,
       double p99,
       List<Bar> histogram,
-      @Schema(
-              description =
-                  "over the cases by number; a point stands for several where they are many")
+      @Schema(description = "times by number of the case; a point may represent several cases")
           List<Point> overCases) {}
 
   @Schema(name = "HistogramBar")
   record Bar(
       @Schema(description = "inclusive") double from,
-      @Schema(description = "exclusive but for the last bar") double to,
+      @Schema(description = "exclusive, except for the last bar") double to,
       int count) {}
 
   @Schema(name = "TimePoint")
@@ -55,7 +55,7 @@ record StatisticsView(
   record ByParameter(
       String name,
       @Schema(description = "numbers in ascending order, at most 200") List<ByValue> values,
-      @Schema(description = "further values that are left out") int leftOut) {}
+      @Schema(description = "number of omitted values") int leftOut) {}
 
   @Schema(name = "VerdictsByValue")
   record ByValue(String value, int pass, int fail, int error, int dont) {}
@@ -93,24 +93,21 @@ record StatisticsView(
         overCases(timed));
   }
 
-  /** The nearest rank: a time that was measured, not one in between. */
+  /** The percentile by the nearest-rank method. */
   private static double percentile(double[] sorted, double share) {
     int rank = (int) Math.ceil(share * sorted.length);
     return sorted[Math.max(0, Math.min(sorted.length - 1, rank - 1))];
   }
 
-  /**
-   * Up to a percentile that a few outliers lie above, in equal bars; the last bar takes what is
-   * above.
-   */
+  /** Bars of equal width up to a high percentile; the last bar contains the outliers above. */
   private static List<Bar> histogram(double[] sorted) {
     double low = sorted[0];
-    double high = percentile(sorted, sorted.length < FEW ? 0.95 : 0.99);
+    double high = percentile(sorted, sorted.length < MIN_FOR_P99 ? 0.95 : 0.99);
     double top = sorted[sorted.length - 1];
     if (high <= low) {
       return List.of(new Bar(low, top, sorted.length));
     }
-    int bars = Math.max(1, Math.min(BARS, (int) Math.ceil(2 * Math.cbrt(sorted.length)) * 2));
+    int bars = Math.max(1, Math.min(MAX_BARS, (int) Math.ceil(2 * Math.cbrt(sorted.length)) * 2));
     int[] counts = new int[bars];
     double width = (high - low) / bars;
     for (double time : sorted) {
@@ -127,15 +124,15 @@ record StatisticsView(
   private static List<Point> overCases(List<CaseResult> timed) {
     List<CaseResult> ordered =
         timed.stream().sorted(Comparator.comparingInt(CaseResult::no)).toList();
-    int step = Math.max(1, (ordered.size() + POINTS - 1) / POINTS);
+    int step = Math.max(1, (ordered.size() + MAX_POINTS - 1) / MAX_POINTS);
     List<Point> points = new ArrayList<>();
     for (int from = 0; from < ordered.size(); from += step) {
-      List<CaseResult> some = ordered.subList(from, Math.min(ordered.size(), from + step));
-      double[] times = some.stream().mapToDouble(StatisticsView::time).toArray();
+      List<CaseResult> range = ordered.subList(from, Math.min(ordered.size(), from + step));
+      double[] times = range.stream().mapToDouble(StatisticsView::time).toArray();
       points.add(
           new Point(
-              some.get(0).no(),
-              some.get(some.size() - 1).no(),
+              range.get(0).no(),
+              range.get(range.size() - 1).no(),
               Arrays.stream(times).min().orElseThrow(),
               Arrays.stream(times).average().orElseThrow(),
               Arrays.stream(times).max().orElseThrow()));
@@ -145,18 +142,19 @@ record StatisticsView(
 
   private static ByParameter byParameter(TestResult result, int parameter) {
     Map<String, int[]> counts = new LinkedHashMap<>();
-    for (CaseResult kase : result.cases()) {
-      if (parameter < kase.values().size()) {
+    for (CaseResult testCase : result.cases()) {
+      if (parameter < testCase.values().size()) {
         counts
-            .computeIfAbsent(kase.values().get(parameter), v -> new int[Verdict.values().length])[
-            kase.verdict().ordinal()]++;
+            .computeIfAbsent(
+                testCase.values().get(parameter), v -> new int[Verdict.values().length])[
+            testCase.verdict().ordinal()]++;
       }
     }
     List<String> values = new ArrayList<>(counts.keySet());
     sort(values);
     List<ByValue> shown =
         values.stream()
-            .limit(VALUES)
+            .limit(MAX_VALUES)
             .map(
                 v -> {
                   int[] n = Objects.requireNonNull(counts.get(v));
@@ -182,7 +180,7 @@ record StatisticsView(
     }
   }
 
-  private static double time(CaseResult kase) {
-    return Objects.requireNonNull(kase.time()).total();
+  private static double time(CaseResult testCase) {
+    return Objects.requireNonNull(testCase.time()).total();
   }
 }

@@ -1,4 +1,4 @@
-/** What agents brought back: accepted results, their rows, and exports. */
+/** Accepted results: storage, statistics and exports. */
 @NullMarked
 package org.sitaf.server.result;
 

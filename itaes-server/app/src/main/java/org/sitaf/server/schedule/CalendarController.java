@@ -8,8 +8,8 @@ import java.time.LocalDate;
 import java.util.List;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
-import org.sitaf.server.refusal.Refusal;
-import org.sitaf.server.schedule.timing.LeftOutDays;
+import org.sitaf.server.error.RequestException;
+import org.sitaf.server.schedule.timing.ExcludedDays;
 import org.springframework.http.HttpStatus;
 import org.springframework.web.bind.annotation.DeleteMapping;
 import org.springframework.web.bind.annotation.GetMapping;
@@ -32,11 +32,9 @@ class CalendarController {
     this.schedules = schedules;
   }
 
-  @Schema(
-      name = "Calendar",
-      description = "days on which schedules that leave them out do not fire")
+  @Schema(name = "Calendar", description = "days on which the schedules that use it do not fire")
   record CalendarView(String name, Set<LocalDate> days, Set<DayOfWeek> weekdays) {
-    static CalendarView of(String name, LeftOutDays days) {
+    static CalendarView of(String name, ExcludedDays days) {
       return new CalendarView(name, days.days(), days.weekdays());
     }
   }
@@ -47,7 +45,7 @@ class CalendarController {
       @Nullable Set<DayOfWeek> weekdays) {}
 
   @GetMapping
-  @Operation(operationId = "listCalendars", summary = "Calendars, by name")
+  @Operation(operationId = "listCalendars", summary = "Lists calendars by name")
   List<CalendarView> list() {
     return calendars.all().entrySet().stream()
         .map(e -> CalendarView.of(e.getKey(), e.getValue()))
@@ -57,10 +55,12 @@ class CalendarController {
   @PutMapping("/{name}")
   @Operation(
       operationId = "saveCalendar",
-      summary = "Makes a calendar or changes it, and with it the schedules that leave its days out")
+      summary = "Creates or changes a calendar",
+      description = "Schedules that use the calendar are updated.")
   CalendarView save(@PathVariable String name, @RequestBody CalendarDays request) {
-    LeftOutDays days =
-        new LeftOutDays(given("days", request.days()), given("weekdays", request.weekdays()));
+    ExcludedDays days =
+        new ExcludedDays(
+            requireNoNulls("days", request.days()), requireNoNulls("weekdays", request.weekdays()));
     schedules.saveCalendar(name, days);
     return CalendarView.of(name, days);
   }
@@ -69,20 +69,20 @@ class CalendarController {
   @Operation(
       operationId = "deleteCalendar",
       summary = "Deletes a calendar",
-      description = "Refused (409) while a schedule uses it.")
+      description = "Fails with 409 while a schedule uses it.")
   @ResponseStatus(HttpStatus.NO_CONTENT)
   void delete(@PathVariable String name) {
     schedules.deleteCalendar(name);
   }
 
-  /** An empty text is read as null, and is no day. */
-  private static <T> Set<T> given(String field, @Nullable Set<T> days) {
+  /** Rejects null elements, which the JSON reader creates from empty strings. */
+  private static <T> Set<T> requireNoNulls(String field, @Nullable Set<T> days) {
     if (days == null) {
       return Set.of();
     }
     for (T day : days) {
       if (day == null) {
-        throw Refusal.malformed(field + " holds an empty entry; leave it out or give a day.");
+        throw RequestException.malformed(field + ": must not contain empty entries.");
       }
     }
     return days;

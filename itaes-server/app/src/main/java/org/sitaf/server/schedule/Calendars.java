@@ -11,12 +11,12 @@ import java.util.function.Function;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import org.sitaf.server.refusal.Refusal;
-import org.sitaf.server.schedule.timing.LeftOutDays;
+import org.sitaf.server.error.RequestException;
+import org.sitaf.server.schedule.timing.ExcludedDays;
 import org.springframework.jdbc.core.simple.JdbcClient;
 import org.springframework.stereotype.Repository;
 
-/** Named sets of days on which nothing fires. */
+/** Named sets of days on which schedules do not fire. */
 @Repository
 class Calendars {
   private static final Pattern NAME = Pattern.compile("[A-Za-z0-9._-]{1,100}");
@@ -27,35 +27,33 @@ class Calendars {
     this.jdbc = jdbc;
   }
 
-  /** By name. */
-  Map<String, LeftOutDays> all() {
-    Map<String, LeftOutDays> found = new TreeMap<>();
+  Map<String, ExcludedDays> all() {
+    Map<String, ExcludedDays> calendars = new TreeMap<>();
     jdbc.sql("SELECT name, days, weekdays FROM calendar")
         .query(
             (row, index) ->
-                found.put(
+                calendars.put(
                     row.getString(1),
-                    new LeftOutDays(
+                    new ExcludedDays(
                         words(row.getString(2), LocalDate::parse),
                         words(row.getString(3), DayOfWeek::valueOf))))
         .list();
-    return found;
+    return calendars;
   }
 
-  LeftOutDays find(String name) {
+  ExcludedDays find(String name) {
     return Optional.ofNullable(all().get(name))
-        .orElseThrow(() -> Refusal.notFound("calendar", name));
+        .orElseThrow(() -> RequestException.notFound("calendar", name));
   }
 
-  /** The days of several together. */
-  LeftOutDays union(Collection<String> names) {
-    return LeftOutDays.union(names.stream().map(this::find).toList());
+  /** The excluded days of several calendars. */
+  ExcludedDays union(Collection<String> names) {
+    return ExcludedDays.union(names.stream().map(this::find).toList());
   }
 
-  void save(String name, LeftOutDays calendar) {
+  void save(String name, ExcludedDays calendar) {
     if (!NAME.matcher(name).matches()) {
-      throw Refusal.malformed(
-          "The name of a calendar has 1 to 100 letters, digits, '.', '_' or '-'.");
+      throw RequestException.malformed("name: must be 1 to 100 letters, digits, '.', '_' or '-'.");
     }
     delete(name);
     jdbc.sql("INSERT INTO calendar (name, days, weekdays) VALUES (?, ?, ?)")
@@ -63,7 +61,7 @@ class Calendars {
         .update();
   }
 
-  /** False when there is none. */
+  /** Returns false if there is no such calendar. */
   boolean delete(String name) {
     return jdbc.sql("DELETE FROM calendar WHERE name = ?").param(name).update() > 0;
   }

@@ -8,8 +8,8 @@ import org.springframework.scheduling.quartz.SchedulerFactoryBean;
 import org.springframework.stereotype.Component;
 
 /**
- * With a database that several servers share, Quartz fires each time on one of them, and what a
- * server that died left is taken over by another.
+ * Enables Quartz's clustering if several servers can share the database, so that each trigger fires
+ * on one of them.
  */
 @Component
 class QuartzCluster implements SchedulerFactoryBeanCustomizer {

@@ -16,12 +16,12 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Inserts a build request, and nothing else: what happens to it is the business of others. A fire
- * time at which that fails is tried again by triggers of their own, which survive a restart.
+ * Requests the build of a fire time. If the request fails, it is retried by persistent triggers.
+ * The class name is stored in Quartz's tables.
  */
 @DisallowConcurrentExecution
 class ReservedBuildJob implements Job {
-  /** With delays of 1 s, 2 s, 4 s and so on: more than eight minutes in all. */
+  /** With delays of 1 s, 2 s, 4 s and so on, more than eight minutes in total. */
   private static final int MAX_ATTEMPTS = 10;
 
   private static final String FIRE_TIME = "fireTime";
@@ -48,7 +48,8 @@ class ReservedBuildJob implements Job {
       schedules.fire(key.getName(), fireTime);
     } catch (RuntimeException e) {
       if (attempt < MAX_ATTEMPTS) {
-        log.warn("Schedule {} could not request its build of {} yet", key.getName(), fireTime, e);
+        log.warn(
+            "Schedule {}: requesting the build of {} failed; retrying", key.getName(), fireTime, e);
         retry(context, fireTime, attempt + 1);
       } else {
         schedules.giveUp(key.getName(), fireTime);
@@ -72,7 +73,7 @@ class ReservedBuildJob implements Job {
     try {
       context.getScheduler().scheduleJob(trigger);
     } catch (SchedulerException e) {
-      // The database is away. Quartz executes the job again at once, and waits for a connection.
+      // The database is unavailable. Quartz refires the job and waits for a connection.
       throw new JobExecutionException(e, true);
     }
   }

@@ -12,13 +12,13 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
-import org.sitaf.server.build.request.AgentWishes;
+import org.sitaf.server.build.request.AgentConstraints;
 import org.sitaf.server.build.request.BuildOptions;
 import org.sitaf.server.build.request.RecordedCases;
 import org.sitaf.server.schedule.timing.Misfire;
 import org.sitaf.server.schedule.timing.Timing;
 
-/** What is to be built, how, and when. */
+/** A schedule: what to build, how and when. */
 @Entity
 class Schedule {
   private static final String SEPARATOR = ",";
@@ -26,14 +26,14 @@ class Schedule {
   @Id private String id;
   private String name;
 
-  @Column(name = "workspace_id")
+  @Column(name = "activity_id")
   private String activityId;
 
   private String model;
   private @Nullable String suiteId;
   private @Nullable Long seed;
 
-  /** The time of a reservation, or the first time of an interval. */
+  /** The time of a reservation, or the start of an interval. */
   private @Nullable Instant fireAt;
 
   private String zone;
@@ -46,7 +46,7 @@ class Schedule {
   private boolean paused;
   private String leaveOut;
   private int priority;
-  private int parts;
+  private int shards;
   private @Nullable Integer retries;
   private String toolchain;
   private String labels;
@@ -72,17 +72,17 @@ class Schedule {
   }
 
   /**
-   * What is built.
+   * What to build.
    *
-   * @param suiteId a suite as it is; null to make one anew from the model each time
-   * @param seed of the suites that are made anew; null as the model is generated without one
+   * @param suiteId an existing suite; null to generate a new suite from the model for each build
+   * @param seed of the generated suites; null for the default
    */
   record Subject(String activityId, String model, @Nullable String suiteId, @Nullable Long seed) {}
 
   /**
-   * A schedule.
+   * Creates a schedule.
    *
-   * @param leaveOut names of calendars
+   * @param leaveOut names of calendars whose days are excluded
    */
   Schedule(
       String id,
@@ -112,7 +112,7 @@ class Schedule {
     this.misfire = misfire;
     this.leaveOut = String.join(SEPARATOR, new TreeSet<>(leaveOut));
     this.priority = options.priority();
-    this.parts = options.parts();
+    this.shards = options.shards();
     this.retries = options.retries();
     this.toolchain = options.agent().toolchain();
     this.labels = String.join(SEPARATOR, new TreeSet<>(options.agent().labels()));
@@ -120,13 +120,13 @@ class Schedule {
     this.created = now;
   }
 
-  /** A build was requested. */
+  /** Stores the time when a build was last requested. */
   void markFired(Instant now) {
     fired = now;
   }
 
-  void pause(boolean whether) {
-    paused = whether;
+  void setPaused(boolean paused) {
+    this.paused = paused;
   }
 
   String id() {
@@ -159,7 +159,7 @@ class Schedule {
     return paused;
   }
 
-  /** Names of calendars. */
+  /** Names of the calendars whose days are excluded. */
   List<String> leaveOut() {
     return leaveOut.isEmpty() ? List.of() : List.of(leaveOut.split(SEPARATOR));
   }
@@ -167,9 +167,10 @@ class Schedule {
   BuildOptions options() {
     return new BuildOptions(
         priority,
-        parts,
+        shards,
         retries,
-        new AgentWishes(toolchain, labels.isEmpty() ? Set.of() : Set.of(labels.split(SEPARATOR))),
+        new AgentConstraints(
+            toolchain, labels.isEmpty() ? Set.of() : Set.of(labels.split(SEPARATOR))),
         recordedCases);
   }
 

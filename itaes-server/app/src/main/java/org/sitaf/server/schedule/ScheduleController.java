@@ -9,7 +9,7 @@ import java.time.Instant;
 import java.time.ZoneOffset;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.error.RequestException;
 import org.sitaf.server.schedule.ScheduleView.FireView;
 import org.sitaf.server.web.Listing;
 import org.sitaf.server.web.Sorting;
@@ -32,28 +32,28 @@ import org.springframework.web.bind.annotation.RestController;
 class ScheduleController {
   private static final Sorting SORTING = Sorting.by("created", "name", "model");
   private static final String SORT =
-      "one of created, name, model; with a minus before it the largest first; without it -created";
+      "one of created, name, model; a leading minus means descending order; default -created";
 
   private static final int MAX_TIMES = 100;
 
   private final Schedules schedules;
-  private final Clockwork clockwork;
+  private final BuildScheduler scheduler;
   private final Clock clock;
 
-  ScheduleController(Schedules schedules, Clockwork clockwork, Clock clock) {
+  ScheduleController(Schedules schedules, BuildScheduler scheduler, Clock clock) {
     this.schedules = schedules;
-    this.clockwork = clockwork;
+    this.scheduler = scheduler;
     this.clock = clock;
   }
 
   @PostMapping
   @Operation(
       operationId = "makeSchedule",
-      summary = "Schedules builds: once at a time to come, or periodically")
+      summary = "Creates a schedule, which requests a build once or periodically")
   @ResponseStatus(HttpStatus.CREATED)
-  ResponseEntity<ScheduleView> make(@RequestBody ScheduleRequest request) {
+  ResponseEntity<ScheduleView> create(@RequestBody ScheduleRequest request) {
     String id =
-        schedules.make(
+        schedules.create(
             request.nameOrNone(),
             request.subject(schedules),
             request.timing(clock.instant().atOffset(ZoneOffset.UTC)),
@@ -64,7 +64,7 @@ class ScheduleController {
   }
 
   @GetMapping
-  @Operation(operationId = "listSchedules", summary = "Schedules, the newest first")
+  @Operation(operationId = "listSchedules", summary = "Lists schedules, newest first")
   Listing<ScheduleView> list(
       @RequestParam(required = false) @Nullable String activityId,
       @RequestParam(defaultValue = "0") int page,
@@ -75,20 +75,20 @@ class ScheduleController {
   }
 
   @GetMapping("/{id}")
-  @Operation(operationId = "getSchedule", summary = "A schedule")
+  @Operation(operationId = "getSchedule", summary = "Returns a schedule")
   ScheduleView get(@PathVariable String id) {
     return view(schedules.find(id));
   }
 
   @DeleteMapping("/{id}")
-  @Operation(operationId = "deleteSchedule", summary = "Gives a schedule up; its builds stay")
+  @Operation(operationId = "deleteSchedule", summary = "Deletes a schedule; its builds are kept")
   @ResponseStatus(HttpStatus.NO_CONTENT)
   void delete(@PathVariable String id) {
     schedules.delete(id);
   }
 
   @PostMapping("/{id}/pause")
-  @Operation(operationId = "pauseSchedule", summary = "Has a schedule not fire until it is resumed")
+  @Operation(operationId = "pauseSchedule", summary = "Pauses a schedule until it is resumed")
   ScheduleView pause(@PathVariable String id) {
     schedules.pause(id);
     return get(id);
@@ -97,23 +97,21 @@ class ScheduleController {
   @PostMapping("/{id}/resume")
   @Operation(
       operationId = "resumeSchedule",
-      summary = "Has a paused schedule fire again",
-      description = "What it missed meanwhile is dealt with as its misfire says.")
+      summary = "Resumes a paused schedule",
+      description = "The schedule's misfire policy applies to the times that it missed.")
   ScheduleView resume(@PathVariable String id) {
     schedules.resume(id);
     return get(id);
   }
 
   @PostMapping("/{id}/run")
-  @Operation(
-      operationId = "runSchedule",
-      summary = "Requests a build of a schedule now, beside its times")
+  @Operation(operationId = "runSchedule", summary = "Requests a build of a schedule now")
   FireView run(@PathVariable String id) {
     return FireView.of(schedules.runNow(id));
   }
 
   @GetMapping("/{id}/fire-times")
-  @Operation(operationId = "listFireTimes", summary = "The next times of a schedule")
+  @Operation(operationId = "listFireTimes", summary = "Lists the next fire times of a schedule")
   List<Instant> fireTimes(@PathVariable String id, @RequestParam(defaultValue = "10") int count) {
     return schedules.next(id, requireCount(count));
   }
@@ -121,8 +119,10 @@ class ScheduleController {
   @PostMapping("/preview")
   @Operation(
       operationId = "previewSchedule",
-      summary = "The next times that a schedule would have",
-      description = "Looks at times, zone and days only; none where it would never fire.")
+      summary = "Previews the fire times of a schedule",
+      description =
+          "Only times, zone and calendars are used. The list is empty if the schedule would never"
+              + " fire.")
   List<Instant> preview(
       @RequestBody ScheduleRequest request, @RequestParam(defaultValue = "10") int count) {
     return schedules.preview(
@@ -134,7 +134,7 @@ class ScheduleController {
   @GetMapping("/{id}/history")
   @Operation(
       operationId = "getScheduleHistory",
-      summary = "What came of the times of a schedule, the latest first")
+      summary = "Lists the past fire times of a schedule and their builds, newest first")
   Listing<FireView> history(
       @PathVariable String id,
       @RequestParam(defaultValue = "0") int page,
@@ -145,13 +145,13 @@ class ScheduleController {
 
   private static int requireCount(int count) {
     if (count < 1 || count > MAX_TIMES) {
-      throw Refusal.malformed("count: must be 1 to " + MAX_TIMES + ".");
+      throw RequestException.malformed("count: must be 1 to " + MAX_TIMES + ".");
     }
     return count;
   }
 
   private ScheduleView view(Schedule schedule) {
     return ScheduleView.of(
-        schedule, schedule.paused() ? null : clockwork.next(schedule.id()).orElse(null));
+        schedule, schedule.paused() ? null : scheduler.next(schedule.id()).orElse(null));
   }
 }

@@ -8,71 +8,76 @@ import java.time.ZoneOffset;
 import java.util.Set;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
-import org.sitaf.server.build.request.AgentWishes;
+import org.sitaf.server.build.request.AgentConstraints;
 import org.sitaf.server.build.request.BuildOptions;
 import org.sitaf.server.build.request.RecordedCases;
-import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.error.RequestException;
 import org.sitaf.server.schedule.timing.Misfire;
 import org.sitaf.server.schedule.timing.Timing;
 
-/** A schedule to be made: one of suiteId and activityId, one of at, cron and everyMinutes. */
+/**
+ * A request to create a schedule, with either suiteId or activityId, and one of at, cron and
+ * everyMinutes.
+ */
 @Schema(name = "ScheduleRequest")
 record ScheduleRequest(
-    @Schema(description = "for people; at most 200 characters") @Nullable String name,
-    @Schema(description = "suite that is built as it is") @Nullable String suiteId,
-    @Schema(description = "activity of which a suite is made anew each time")
-        @Nullable String activityId,
-    @Schema(description = "model of the activity; with activityId") @Nullable String model,
-    @Schema(description = "of the suites that are made anew; with activityId") @Nullable Long seed,
+    @Schema(description = "at most 200 characters") @Nullable String name,
+    @Schema(description = "suite to build") @Nullable String suiteId,
+    @Schema(description = "activity of the model") @Nullable String activityId,
     @Schema(
             description =
-                "date and time with zone, such as 2026-12-01T22:00:00+09:00; with everyMinutes the first time")
+                "model from which a new suite is generated for each build; with activityId")
+        @Nullable String model,
+    @Schema(description = "of the generated suites; with activityId") @Nullable Long seed,
+    @Schema(
+            description =
+                "time of the build, such as 2026-12-01T22:00:00+09:00; with everyMinutes the time"
+                    + " of the first build")
         @Nullable OffsetDateTime at,
     @Schema(
             description =
-                "minute, hour, day of month, month, day of week; such as '0 3 * * 1-5'; Quartz's form is taken too")
+                "minute, hour, day of month, month and day of week, such as '0 3 * * 1-5'; Quartz's"
+                    + " format is supported, too")
         @Nullable String cron,
-    @Schema(description = "minutes from one time to the next") @Nullable Integer everyMinutes,
-    @Schema(description = "in which cron and days are meant, such as Asia/Seoul; UTC where absent")
+    @Schema(description = "interval in minutes") @Nullable Integer everyMinutes,
+    @Schema(description = "time zone of cron and calendars, such as Asia/Seoul; default UTC")
         @Nullable String zone,
-    @Schema(description = "what becomes of times that are missed; ONCE where absent")
-        @Nullable Misfire misfire,
-    @Schema(description = "names of calendars on whose days nothing fires")
+    @Schema(description = "policy for missed times; default ONCE") @Nullable Misfire misfire,
+    @Schema(description = "names of the calendars whose days are excluded")
         @Nullable Set<String> leaveOut,
-    @Schema(description = "-100 to 100; higher ones are given to agents first; 0 where absent")
+    @Schema(description = "-100 to 100; builds with higher priority run first; default 0")
         @Nullable Integer priority,
-    @Schema(description = "over how many agents the cases are spread, 1 to 100; 1 where absent")
+    @Schema(description = "number of shards that run in parallel, 1 to 100; default 1")
         @Nullable Integer shards,
     @Schema(
             description =
-                "after failures of the infrastructure, 0 to 99; a test that fails is never repeated")
+                "number of retries after infrastructure failures, 0 to 99; failed tests are not"
+                    + " retried")
         @Nullable Integer retries,
-    @Schema(description = "release of the component's tools, such as 17; any where absent")
+    @Schema(description = "version of the toolchain, such as 17; default any")
         @Nullable String toolchain,
-    @Schema(description = "that the agent must have") @Nullable Set<String> labels,
-    @Schema(description = "of which cases it is recorded what moves; as of a build")
+    @Schema(description = "required labels of the agent") @Nullable Set<String> labels,
+    @Schema(description = "which cases are recorded in the simulation, as in a build request")
         @Nullable RecordedCases recordings) {
   private static final int MAX_NAME = 200;
 
-  /** What is built. */
   Schedule.Subject subject(Schedules schedules) {
     if ((suiteId == null) == (activityId == null)) {
-      throw Refusal.malformed("Either suiteId or activityId must be given; not both.");
+      throw RequestException.malformed("Either suiteId or activityId must be given, not both.");
     }
     if (suiteId != null) {
-      return schedules.frozen(suiteId);
+      return schedules.existingSuite(suiteId);
     }
     if (activityId == null || model == null) {
-      throw Refusal.malformed("model is missing; it says of which model suites are made.");
+      throw RequestException.malformed("model must be given with activityId.");
     }
-    return schedules.anew(activityId, model, seed);
+    return schedules.generatedSuites(activityId, model, seed);
   }
 
-  /** When it fires. */
   Timing timing(OffsetDateTime now) {
     long kinds = Stream.of(cron, everyMinutes).filter(java.util.Objects::nonNull).count();
     if (kinds > 1 || (kinds == 0 && at == null) || (cron != null && at != null)) {
-      throw Refusal.malformed("One of at, cron and everyMinutes must be given.");
+      throw RequestException.malformed("One of at, cron and everyMinutes must be given.");
     }
     if (cron != null) {
       return new Timing.Cron(cron, zoneId());
@@ -88,7 +93,8 @@ record ScheduleRequest(
         priority == null ? 0 : priority,
         shards == null ? 1 : shards,
         retries,
-        new AgentWishes(toolchain == null ? "" : toolchain, labels == null ? Set.of() : labels),
+        new AgentConstraints(
+            toolchain == null ? "" : toolchain, labels == null ? Set.of() : labels),
         recordings);
   }
 
@@ -102,7 +108,7 @@ record ScheduleRequest(
 
   String nameOrNone() {
     if (name != null && name.length() > MAX_NAME) {
-      throw Refusal.malformed("name: must be at most " + MAX_NAME + " characters.");
+      throw RequestException.malformed("name: must be at most " + MAX_NAME + " characters.");
     }
     return name == null ? "" : name.replace('\0', ' ');
   }
@@ -111,8 +117,8 @@ record ScheduleRequest(
     try {
       return zone == null ? ZoneOffset.UTC : ZoneId.of(zone);
     } catch (DateTimeException e) {
-      throw Refusal.malformed(
-          "zone: '" + zone + "' is no time zone; give one such as Asia/Seoul or +09:00.");
+      throw RequestException.malformed(
+          "zone: '" + zone + "' is not a time zone; examples are Asia/Seoul and +09:00.");
     }
   }
 }

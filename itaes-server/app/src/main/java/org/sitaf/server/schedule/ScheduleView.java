@@ -11,27 +11,30 @@ import org.sitaf.server.build.request.RecordedCases;
 import org.sitaf.server.schedule.timing.Misfire;
 import org.sitaf.server.schedule.timing.Timing;
 
-/** A schedule as people and programs see it. */
+/** A schedule in the REST interface. */
 @Schema(name = "Schedule")
 record ScheduleView(
     String id,
     @Nullable String name,
     String activityId,
     String model,
-    @Schema(description = "suite that is built as it is; absent where one is made anew each time")
+    @Schema(description = "suite to build; absent if a new suite is generated for each build")
         @Nullable String suiteId,
     @Nullable Long seed,
-    @Schema(description = "in the zone in which it was given; of a reservation or an interval")
+    @Schema(
+            description =
+                "time of the build, or of the first build of an interval, in the given zone")
         @Nullable OffsetDateTime at,
     @Nullable String cron,
     @Nullable Integer everyMinutes,
     String zone,
     @Schema(
             description =
-                "what becomes of times that are missed: nothing, one build for all, or one build for each")
+                "policy for missed times: no build, one build for all of them, or one build for"
+                    + " each")
         Misfire misfire,
     boolean paused,
-    @Schema(description = "names of calendars on whose days nothing fires") List<String> leaveOut,
+    @Schema(description = "names of the calendars whose days are excluded") List<String> leaveOut,
     int priority,
     int shards,
     @Nullable Integer retries,
@@ -39,19 +42,19 @@ record ScheduleView(
     List<String> labels,
     @Nullable RecordedCases recordings,
     Instant created,
-    @Schema(description = "when a build was last requested; absent before") @Nullable Instant fired,
-    @Schema(description = "absent when it fires no more") @Nullable Instant next) {
+    @Schema(description = "time of the last build; absent if there was none")
+        @Nullable Instant fired,
+    @Schema(description = "next fire time; absent if there is none") @Nullable Instant next) {
 
-  /** What came of a fire time. */
+  /** A past fire time. */
   @Schema(name = "ScheduleFire")
   record FireView(
       Instant fireTime,
       Instant noted,
       @Nullable String buildId,
-      @Schema(description = "absent when there is no such build any more")
-          @Nullable String buildState,
-      @Schema(description = "why there is no build") @Nullable String message) {
-    static FireView of(Fires.Fire fire) {
+      @Schema(description = "absent if the build was deleted") @Nullable String buildState,
+      @Schema(description = "why no build was requested") @Nullable String message) {
+    static FireView of(FireTimes.FireTime fire) {
       return new FireView(
           fire.fireTime(),
           fire.noted(),
@@ -85,7 +88,7 @@ record ScheduleView(
         schedule.paused(),
         schedule.leaveOut(),
         options.priority(),
-        options.parts(),
+        options.shards(),
         options.retries(),
         options.agent().toolchain().isEmpty() ? null : options.agent().toolchain(),
         List.copyOf(new TreeSet<>(options.agent().labels())),

@@ -12,8 +12,8 @@ import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.server.build.Builds;
 import org.sitaf.server.build.request.BuildOptions;
 import org.sitaf.server.build.request.Reservation;
-import org.sitaf.server.refusal.OvertimeException;
-import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.error.ComputationTimeoutException;
+import org.sitaf.server.error.RequestException;
 import org.sitaf.server.schedule.Schedule.Subject;
 import org.sitaf.server.schedule.timing.Misfire;
 import org.sitaf.server.schedule.timing.Timing;
@@ -25,13 +25,13 @@ import org.springframework.data.domain.Pageable;
 import org.springframework.stereotype.Service;
 import org.springframework.transaction.support.TransactionTemplate;
 
-/** Schedules: what is to be built at which times, and what came of it. */
+/** Creates schedules and requests their builds. */
 @Service
 class Schedules {
   private final ScheduleRepository schedules;
   private final Calendars calendars;
-  private final Fires fires;
-  private final Clockwork clockwork;
+  private final FireTimes fireTimes;
+  private final BuildScheduler scheduler;
   private final Suites suites;
   private final Builds builds;
   private final TransactionTemplate transaction;
@@ -41,8 +41,8 @@ class Schedules {
   Schedules(
       ScheduleRepository schedules,
       Calendars calendars,
-      Fires fires,
-      Clockwork clockwork,
+      FireTimes fireTimes,
+      BuildScheduler scheduler,
       Suites suites,
       Builds builds,
       TransactionTemplate transaction,
@@ -50,8 +50,8 @@ class Schedules {
       Clock clock) {
     this.schedules = schedules;
     this.calendars = calendars;
-    this.fires = fires;
-    this.clockwork = clockwork;
+    this.fireTimes = fireTimes;
+    this.scheduler = scheduler;
     this.suites = suites;
     this.builds = builds;
     this.transaction = transaction;
@@ -59,25 +59,26 @@ class Schedules {
     this.clock = clock;
   }
 
-  /** What a suite that is built as it is belongs to. */
-  Subject frozen(String suiteId) {
+  /** The subject of a schedule that builds an existing suite. */
+  Subject existingSuite(String suiteId) {
     SuiteOrigin origin = suites.origin(suiteId);
     return new Subject(origin.activityId(), origin.model(), suiteId, null);
   }
 
-  /** A model of an activity, whose suite is made anew each time. */
-  Subject anew(String activityId, String model, @Nullable Long seed) {
+  /** The subject of a schedule that generates a new suite for each build. */
+  Subject generatedSuites(String activityId, String model, @Nullable Long seed) {
     suites.requireModel(activityId, model);
     return new Subject(activityId, model, null, seed);
   }
 
   /**
-   * Makes a schedule; times that pass while no server is up are dealt with as {@code misfire} says.
+   * Creates a schedule.
    *
-   * @param leaveOut names of calendars
+   * @param misfire policy for times that are missed, such as while no server is running
+   * @param leaveOut names of calendars whose days are excluded
    * @return its id
    */
-  String make(
+  String create(
       String name,
       Subject subject,
       Timing timing,
@@ -85,41 +86,42 @@ class Schedules {
       Set<String> leaveOut,
       BuildOptions options) {
     if (timing instanceof Timing.Reserved reserved && !reserved.at().toInstant().isAfter(now())) {
-      throw Refusal.malformed(
-          "at: " + reserved.at() + " is past; give a time to come, or request a build at once.");
+      throw RequestException.malformed(
+          "at: " + reserved.at() + " is in the past; use a future time, or request a build.");
     }
     String id = UUID.randomUUID().toString();
     transaction.executeWithoutResult(
         status -> {
           schedules.save(
               new Schedule(id, name, subject, timing, misfire, leaveOut, options, now()));
-          if (!clockwork.arm(id, timing, misfire, calendars.union(leaveOut))) {
-            throw Refusal.malformed("The schedule would never fire; look at its times and days.");
+          if (!scheduler.add(id, timing, misfire, calendars.union(leaveOut))) {
+            throw RequestException.malformed(
+                "The schedule would never fire; check its times and calendars.");
           }
         });
-    clockwork.wake(id);
+    scheduler.wake(id);
     return id;
   }
 
   /**
-   * Requests the build of a fire time; doing so again makes no second one. A schedule that is gone
-   * fires no more.
+   * Requests the build of a fire time. Does nothing if it was requested before or the schedule was
+   * deleted.
    */
   void fire(String id, Instant fireTime) {
     Schedule schedule = schedules.findById(id).orElse(null);
     if (schedule == null) {
-      transaction.executeWithoutResult(status -> clockwork.disarm(id));
+      transaction.executeWithoutResult(status -> scheduler.remove(id));
       return;
     }
     Instant time = fireTime.truncatedTo(ChronoUnit.MICROS);
-    if (!fires.isNoted(id, time)) {
+    if (!fireTimes.isRecorded(id, time)) {
       request(schedule, time);
     }
   }
 
   /** Notes for people that a fire time has no build, since each attempt to request one failed. */
   void giveUp(String id, Instant fireTime) {
-    fires.note(
+    fireTimes.record(
         id,
         fireTime.truncatedTo(ChronoUnit.MICROS),
         now(),
@@ -127,11 +129,11 @@ class Schedules {
         "The server failed to request the build; its log says why.");
   }
 
-  /** Requests a build now, beside the times of the schedule. */
-  Fires.Fire runNow(String id) {
+  /** Requests a build now, in addition to the schedule's fire times. */
+  FireTimes.FireTime runNow(String id) {
     Instant now = now();
     request(find(id), now);
-    return fires.of(id, Pageable.ofSize(500)).stream()
+    return fireTimes.of(id, Pageable.ofSize(500)).stream()
         .filter(fire -> fire.fireTime().equals(now))
         .findFirst()
         .orElseThrow();
@@ -145,16 +147,16 @@ class Schedules {
       disk.requireForNewWork();
       String suiteId = subject.suiteId();
       if (suiteId == null) {
-        suiteId = suites.generateAnew(subject.activityId(), subject.model(), subject.seed());
+        suiteId = suites.generate(subject.activityId(), subject.model(), subject.seed());
       }
       buildId =
           builds.requestReserved(suiteId, schedule.options(), new Reservation(schedule.id(), time));
     } catch (InvalidInputException e) {
-      message = "The model gives no suite: " + e.diagnostics().get(0);
-    } catch (Refusal | OvertimeException e) {
+      message = "No suite can be generated from the model: " + e.diagnostics().get(0);
+    } catch (RequestException | ComputationTimeoutException e) {
       message = String.valueOf(e.getMessage());
     }
-    fires.note(schedule.id(), time, now(), buildId, message);
+    fireTimes.record(schedule.id(), time, now(), buildId, message);
     transaction.executeWithoutResult(
         status -> schedules.findById(schedule.id()).ifPresent(s -> s.markFired(now())));
   }
@@ -165,37 +167,37 @@ class Schedules {
 
   void resume(String id) {
     change(id, false);
-    clockwork.wake(id);
+    scheduler.wake(id);
   }
 
   private void change(String id, boolean pause) {
     transaction.executeWithoutResult(
         status -> {
           Schedule schedule = find(id);
-          schedule.pause(pause);
+          schedule.setPaused(pause);
           schedules.save(schedule);
           if (pause) {
-            clockwork.pause(id);
+            scheduler.pause(id);
           } else {
-            clockwork.resume(id);
+            scheduler.resume(id);
           }
         });
   }
 
   List<Instant> next(String id, int count) {
-    return clockwork.next(find(id).id(), count);
+    return scheduler.next(find(id).id(), count);
   }
 
-  /** The next times of a schedule that is not made yet. */
+  /** The first fire times of a schedule that does not exist yet. */
   List<Instant> preview(Timing timing, Set<String> leaveOut, int count) {
-    return Clockwork.times(timing, calendars.union(leaveOut), count);
+    return BuildScheduler.preview(timing, calendars.union(leaveOut), count);
   }
 
-  Page<Fires.Fire> history(String id, Pageable page) {
-    return fires.of(find(id).id(), page);
+  Page<FireTimes.FireTime> history(String id, Pageable page) {
+    return fireTimes.of(find(id).id(), page);
   }
 
-  /** Of an activity, or of all where it is null. */
+  /** Returns a page of the schedules; an activity of null means all. */
   Page<Schedule> list(@Nullable String activityId, Pageable page) {
     return activityId == null
         ? schedules.findAll(page)
@@ -203,24 +205,24 @@ class Schedules {
   }
 
   Schedule find(String id) {
-    return schedules.findById(id).orElseThrow(() -> Refusal.notFound("schedule", id));
+    return schedules.findById(id).orElseThrow(() -> RequestException.notFound("schedule", id));
   }
 
   void delete(String id) {
     transaction.executeWithoutResult(
         status -> {
           schedules.delete(find(id));
-          clockwork.disarm(id);
+          scheduler.remove(id);
         });
   }
 
-  /** Puts a calendar in place, and has all schedules follow it that leave its days out. */
-  void saveCalendar(String name, org.sitaf.server.schedule.timing.LeftOutDays days) {
+  /** Saves a calendar and updates the schedules that use it. */
+  void saveCalendar(String name, org.sitaf.server.schedule.timing.ExcludedDays days) {
     transaction.executeWithoutResult(
         status -> {
           calendars.save(name, days);
           for (Schedule schedule : using(name)) {
-            clockwork.leaveOut(
+            scheduler.exclude(
                 schedule.id(), calendars.union(schedule.leaveOut()), schedule.timing().zone());
           }
         });
@@ -231,11 +233,11 @@ class Schedules {
         status -> {
           List<Schedule> users = using(name);
           if (!users.isEmpty()) {
-            throw Refusal.conflict(
-                users.size() + " schedules leave the days of calendar '" + name + "' out.");
+            throw RequestException.conflict(
+                users.size() + " schedules use calendar '" + name + "'; change them first.");
           }
           if (!calendars.delete(name)) {
-            throw Refusal.notFound("calendar", name);
+            throw RequestException.notFound("calendar", name);
           }
         });
   }

@@ -1,4 +1,4 @@
-/** Schedules: builds at reserved times and periodically; Quartz keeps the time. */
+/** Schedules: builds at fixed times and periodically, based on Quartz. */
 @NullMarked
 package org.sitaf.server.schedule;
 

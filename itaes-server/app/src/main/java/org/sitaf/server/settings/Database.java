@@ -5,7 +5,7 @@ import java.sql.SQLException;
 import javax.sql.DataSource;
 import org.springframework.stereotype.Component;
 
-/** Which database there is, and so whether this server is alone with it. */
+/** The kind of database, which decides whether several servers can share it. */
 @Component
 public class Database {
   private final boolean shared;
@@ -16,7 +16,7 @@ public class Database {
     }
   }
 
-  /** Whether other servers may work with the same database: with PostgreSQL, not with H2. */
+  /** Whether other servers may use the same database: true for PostgreSQL, false for H2. */
   public boolean isShared() {
     return shared;
   }

@@ -9,19 +9,18 @@ import org.springframework.util.unit.DataSize;
 import org.springframework.validation.annotation.Validated;
 
 /**
- * Settings {@code sitaf.limits.*} of the server: what a single caller gets of it. None of them
- * holds for the command that started the server on its own machine.
+ * Settings {@code sitaf.limits.*}: limits per caller. They do not apply to the command that started
+ * the server on the same machine.
  *
- * @param bodyTime for how long the body of a request may be on its way; a large one gets a second
- *     more for each 16 KiB
- * @param signInBodyTime the same before anybody has signed in
- * @param uploadsAtOnce how many archives are unpacked at the same time
- * @param quota what the distinct files of a person's activities and builds may take together,
- *     unless an administrator has set another one
- * @param activities of a person
- * @param suites of a person's activities
- * @param openBuilds of a person that are not over
- * @param tokens of a person
+ * @param bodyTime deadline for a request's body to arrive; a second more for each 16 KiB
+ * @param signInBodyTime the same for requests that are not authenticated
+ * @param uploadsAtOnce maximum number of archives that are unpacked concurrently
+ * @param quota maximum size of the distinct files of a user's activities and builds, unless an
+ *     administrator has set another quota
+ * @param activities maximum number per user
+ * @param suites maximum number per user
+ * @param openBuilds maximum number of unfinished builds per user
+ * @param tokens maximum number per user
  */
 @Validated
 @ConfigurationProperties("sitaf.limits")

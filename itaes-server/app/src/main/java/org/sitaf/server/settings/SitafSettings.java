@@ -17,24 +17,24 @@ import org.springframework.validation.annotation.Validated;
 /**
  * Settings {@code sitaf.*} of the server.
  *
- * @param dataDirectory where the database and {@code ports.properties} lie; absolute, or beginning
+ * @param dataDirectory folder of the database and {@code ports.properties}; absolute, or beginning
  *     with {@code ./}
- * @param logDirectory where earlier versions kept the logs of builds, which are imported into the
+ * @param logDirectory folder of build logs of earlier releases, which are imported into the
  *     database once; null for {@code logs} in the data directory
- * @param publicHosts host names, besides those of the loopback, under which people reach the server
- * @param trustedProxies addresses, and ranges such as {@code 10.0.0.0/8}, whose word is taken for
- *     whom they speak for: {@code X-Forwarded-For}, {@code X-Forwarded-Proto}, {@code Forwarded}
- * @param lease an agent from which nothing is heard for so long is taken for lost
- * @param maxAttempts how often a build is tried while only the infrastructure fails
- * @param retryDelay how long a build waits after its first failure of the infrastructure; twice as
- *     long after each further one, up to a minute
- * @param maxUpload largest body of a request
- * @param maxLog largest log of a build; what goes beyond is dropped, with a note
- * @param maxRecordings what the recordings of a build may take together
- * @param minFree with less room than this on the disk of the data no new work is taken, and with a
- *     quarter of it nothing is written; 0 asks for none
- * @param stopWithStdin whether the server ends when its standard input does, so that it never
- *     outlives a launcher
+ * @param publicHosts host names under which users reach the server, in addition to localhost
+ * @param trustedProxies addresses and ranges, such as {@code 10.0.0.0/8}, of reverse proxies whose
+ *     headers are used: {@code X-Forwarded-For}, {@code X-Forwarded-Proto}, {@code Forwarded}
+ * @param lease an agent that sends nothing for this long is considered lost
+ * @param maxAttempts maximum number of attempts of a build when the infrastructure fails
+ * @param retryDelay delay after the first infrastructure failure of a build; it doubles after each
+ *     further one, up to a minute
+ * @param maxUpload maximum size of a request body
+ * @param maxLog maximum size of a build's log; the rest is dropped, with a note
+ * @param maxRecordings maximum total size of a build's recordings
+ * @param minFree with less free space on the disk of the data the server accepts no new work, and
+ *     with less than a quarter of it writes nothing; 0 disables the check
+ * @param stopWithStdin whether the server stops when its standard input is closed, so that it does
+ *     not outlive its launcher
  */
 @Validated
 @ConfigurationProperties("sitaf")

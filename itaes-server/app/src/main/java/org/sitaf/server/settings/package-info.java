@@ -1,4 +1,4 @@
-/** What an operator may set, validated at start. */
+/** Settings, validated at startup. */
 @NullMarked
 package org.sitaf.server.settings;
 

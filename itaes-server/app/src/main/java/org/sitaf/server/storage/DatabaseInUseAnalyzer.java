@@ -6,8 +6,8 @@ import org.springframework.boot.diagnostics.AbstractFailureAnalyzer;
 import org.springframework.boot.diagnostics.FailureAnalysis;
 
 /**
- * A second server with the data of one that runs says so in a sentence; named in {@code
- * META-INF/spring.factories}.
+ * Reports that another server uses the same data directory, without a stack trace; registered in
+ * {@code META-INF/spring.factories}.
  */
 final class DatabaseInUseAnalyzer extends AbstractFailureAnalyzer<SQLException> {
   /** H2's DATABASE_ALREADY_OPEN_1. */
@@ -17,8 +17,8 @@ final class DatabaseInUseAnalyzer extends AbstractFailureAnalyzer<SQLException> 
   protected @Nullable FailureAnalysis analyze(Throwable root, SQLException cause) {
     return cause.getErrorCode() == ALREADY_OPEN
         ? new FailureAnalysis(
-            "The server does not start: another one works with the same data directory.",
-            "Stop that one, or give this one another folder by --sitaf.data-directory.",
+            "The server does not start: another server uses the same data directory.",
+            "Stop the other server, or set another folder with --sitaf.data-directory.",
             cause)
         : null;
   }

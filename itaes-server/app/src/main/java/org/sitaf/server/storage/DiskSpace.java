@@ -4,21 +4,21 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.ToLongFunction;
-import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.error.RequestException;
 import org.sitaf.server.settings.SitafSettings;
 import org.springframework.beans.factory.annotation.Autowired;
 import org.springframework.core.env.Environment;
 import org.springframework.stereotype.Component;
 
 /**
- * Room on the disk that the server writes to. With less than {@code sitaf.min-free} it takes no new
- * work, so that what it has taken can come to its end; with less than the reserve, a quarter of
- * that, it writes nothing at all, so that no write fails half-way.
+ * Free space on the disk that the server writes to. With less than {@code sitaf.min-free} the
+ * server accepts no new work, so that running work can finish. With less than a quarter of that it
+ * writes nothing, so that no write fails half-way.
  */
 @Component
 public class DiskSpace {
   private static final long MIB = 1 << 20;
-  private static final int RESERVES = 4;
+  private static final int RESERVE_FRACTION = 4;
 
   private final Path data;
   private final boolean holdsDatabase;
@@ -26,9 +26,9 @@ public class DiskSpace {
   private final ToLongFunction<Path> usableBytes;
 
   /**
-   * Asks the file system.
+   * Creates an instance that asks the file system.
    *
-   * @throws NoRoomToStartException when there is no room for the little that every start writes
+   * @throws DiskFullAtStartException if the disk is too full to start
    */
   @Autowired
   public DiskSpace(SitafSettings settings, Environment environment) {
@@ -36,7 +36,7 @@ public class DiskSpace {
     whyNothingIsWritten()
         .ifPresent(
             why -> {
-              throw new NoRoomToStartException(why, settings);
+              throw new DiskFullAtStartException(why, settings);
             });
   }
 
@@ -47,53 +47,56 @@ public class DiskSpace {
     this.usableBytes = usableBytes;
   }
 
-  /** Why no new work is taken; empty when it is. */
+  /** Why the server accepts no new work; empty if it does. */
   public Optional<String> whyNoNewWork() {
-    return lack(minFree);
+    return shortage(minFree);
   }
 
-  /** Why nothing is written any more; empty when there is room. */
+  /** Why the server writes nothing; empty if there is enough space. */
   public Optional<String> whyNothingIsWritten() {
-    return lack(minFree / RESERVES);
+    return shortage(minFree / RESERVE_FRACTION);
   }
 
-  /** Whether the database is written to at present. */
+  /** Whether the server writes to the database. */
   public boolean canWrite() {
     return whyTheDatabaseIsNotWritten().isEmpty();
   }
 
-  /** Why the database is not written to; empty when it is, and where its disk is not ours. */
+  /**
+   * Why the server does not write to the database; empty if it does, or if the database is on
+   * another machine.
+   */
   Optional<String> whyTheDatabaseIsNotWritten() {
-    return holdsDatabase ? lack(minFree / RESERVES) : Optional.empty();
+    return holdsDatabase ? shortage(minFree / RESERVE_FRACTION) : Optional.empty();
   }
 
   /**
-   * Makes sure that there is room for new work.
+   * Checks that there is space for new work.
    *
-   * @throws Refusal when there is none
+   * @throws RequestException if the disk is too full
    */
   public void requireForNewWork() {
     whyNoNewWork()
         .ifPresent(
             why -> {
-              throw Refusal.noRoom("No new work is taken", why);
+              throw RequestException.diskFull("The server accepts no new work", why);
             });
   }
 
   /**
-   * Makes sure that there is room to keep something large.
+   * Checks that there is space to store the given number of bytes.
    *
-   * @throws Refusal when there is none
+   * @throws RequestException if the disk is too full
    */
   public void requireFor(long bytes) {
-    lack(minFree == 0 ? 0 : minFree / RESERVES + bytes)
+    shortage(minFree == 0 ? 0 : minFree / RESERVE_FRACTION + bytes)
         .ifPresent(
             why -> {
-              throw Refusal.noRoom("There is no room for it", why);
+              throw RequestException.diskFull("There is not enough disk space", why);
             });
   }
 
-  private Optional<String> lack(long needed) {
+  private Optional<String> shortage(long needed) {
     if (needed == 0) {
       return Optional.empty();
     }
@@ -101,15 +104,15 @@ public class DiskSpace {
     return free >= needed
         ? Optional.empty()
         : Optional.of(
-            "the disk of the server's data has only %d MiB left, %d are needed"
+            "the disk of the server's data has only %d MiB left, %d MiB are required"
                 .formatted(free / MIB, (needed + MIB - 1) / MIB));
   }
 
-  /** Of the folder, or of where it will be made; 0 where nobody knows. */
+  /** Usable space of the folder, or of its nearest parent that exists; 0 if there is none. */
   private static long usableBytes(Path folder) {
-    for (Path place = folder; place != null; place = place.getParent()) {
-      if (Files.exists(place)) {
-        return place.toFile().getUsableSpace();
+    for (Path path = folder; path != null; path = path.getParent()) {
+      if (Files.exists(path)) {
+        return path.toFile().getUsableSpace();
       }
     }
     return 0;

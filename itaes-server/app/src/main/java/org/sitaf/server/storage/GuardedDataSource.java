@@ -20,14 +20,14 @@ import org.springframework.core.env.Environment;
 import org.springframework.jdbc.datasource.DelegatingDataSource;
 
 /**
- * A database in a file on a disk of ours. Of a statement that writes on a full disk the database
- * never hears, as it would close itself, for those who only read, too; if it does so nevertheless,
- * it is opened anew.
+ * The data source of an H2 database in a local file. H2 closes the database after a failed write,
+ * also for readers. So statements that write are rejected while the disk is full; if the database
+ * is closed nevertheless, {@link DatabaseReopener} opens it again.
  */
 final class GuardedDataSource extends DelegatingDataSource implements AutoCloseable {
-  private static final String OWN_FILE = "jdbc:h2:file:";
-  private static final Duration REOPENED_WITHIN = Duration.ofSeconds(5);
-  private static final Set<String> READING =
+  private static final String LOCAL_FILE = "jdbc:h2:file:";
+  private static final Duration REOPEN_TIMEOUT = Duration.ofSeconds(5);
+  private static final Set<String> READ_ONLY =
       Set.of("SELECT", "WITH", "VALUES", "SHOW", "EXPLAIN", "SET", "CALL");
   private static final Pattern FIRST_WORD = Pattern.compile("[\\s(]*([A-Za-z]+)");
   private static final Pattern LOCKS =
@@ -35,34 +35,34 @@ final class GuardedDataSource extends DelegatingDataSource implements AutoClosea
 
   private final HikariDataSource pool;
   private final Supplier<Optional<String>> whyFull;
-  private final Reopening reopening;
+  private final DatabaseReopener reopener;
 
-  /** Whether the database of these settings is a file on a disk of ours. */
+  /** Whether the configured database is a local file. */
   static boolean guards(Environment environment) {
-    return environment.getProperty("spring.datasource.url", "").startsWith(OWN_FILE);
+    return environment.getProperty("spring.datasource.url", "").startsWith(LOCAL_FILE);
   }
 
   /**
-   * Guards a pool that has not begun its work.
+   * Wraps a pool that is not in use yet.
    *
-   * @param whyFull why nothing can be written at present; empty when it can
+   * @param whyFull why nothing can be written; empty if the disk has enough space
    */
   GuardedDataSource(HikariDataSource pool, Supplier<Optional<String>> whyFull) {
     super(pool);
     this.pool = pool;
     this.whyFull = whyFull;
-    this.reopening = new Reopening(pool);
+    this.reopener = new DatabaseReopener(pool);
   }
 
   @Override
   public Connection getConnection() throws SQLException {
     try {
-      if (!reopening.await(REOPENED_WITHIN)) {
-        throw new SQLTransientConnectionException("the database is being opened anew");
+      if (!reopener.await(REOPEN_TIMEOUT)) {
+        throw new SQLTransientConnectionException("the database is being reopened");
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      throw new SQLTransientConnectionException("interrupted while the database was opened", e);
+      throw new SQLTransientConnectionException("interrupted while waiting for the database", e);
     }
     return guarded(pool.getConnection());
   }
@@ -72,14 +72,14 @@ final class GuardedDataSource extends DelegatingDataSource implements AutoClosea
         Proxy.newProxyInstance(
             GuardedDataSource.class.getClassLoader(),
             new Class<?>[] {Connection.class},
-            new Guard(connection));
+            new ConnectionHandler(connection));
   }
 
-  /** Lets a connection prepare what it may. */
-  private final class Guard implements InvocationHandler {
+  /** Rejects statements that write while the disk is full. */
+  private final class ConnectionHandler implements InvocationHandler {
     private final Connection connection;
 
-    Guard(Connection connection) {
+    ConnectionHandler(Connection connection) {
       this.connection = connection;
     }
 
@@ -95,11 +95,11 @@ final class GuardedDataSource extends DelegatingDataSource implements AutoClosea
         }
         case "prepareStatement", "prepareCall" -> {
           if (arguments != null && writes(String.valueOf(arguments[0]))) {
-            requireRoom();
+            requireSpace();
           }
         }
         default -> {
-          // Nothing else writes: what the server executes, it prepares.
+          // The server only executes prepared statements.
         }
       }
       try {
@@ -110,17 +110,18 @@ final class GuardedDataSource extends DelegatingDataSource implements AutoClosea
     }
   }
 
-  private void requireRoom() throws NoRoomException {
+  private void requireSpace() throws DiskFullException {
     Optional<String> why = whyFull.get();
     if (why.isPresent()) {
-      throw new NoRoomException(why.get());
+      throw new DiskFullException(why.get());
     }
   }
 
-  /** Whether a statement changes anything; rows that are locked are changed for H2. */
+  /** Whether a statement writes; H2 also writes when it locks rows. */
   static boolean writes(String sql) {
     Matcher first = FIRST_WORD.matcher(sql);
-    boolean reads = first.lookingAt() && READING.contains(first.group(1).toUpperCase(Locale.ROOT));
+    boolean reads =
+        first.lookingAt() && READ_ONLY.contains(first.group(1).toUpperCase(Locale.ROOT));
     return !reads || LOCKS.matcher(sql).find();
   }
 

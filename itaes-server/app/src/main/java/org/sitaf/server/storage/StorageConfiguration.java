@@ -14,14 +14,14 @@ import org.springframework.transaction.support.TransactionCallback;
 import org.springframework.transaction.support.TransactionOperations;
 import org.springframework.transaction.support.TransactionTemplate;
 
-/** Has the server bear a full disk. */
+/** Keeps the server readable when its disk is full. */
 @Configuration(proxyBeanMethods = false)
 class StorageConfiguration {
   private static final Logger log = LoggerFactory.getLogger(StorageConfiguration.class);
 
-  /** A database server looks after its disk itself; a file on ours is ours to look after. */
+  /** Applies to H2 files only; a database server handles its disk itself. */
   @Bean
-  static BeanPostProcessor guardOfTheDatabase(
+  static BeanPostProcessor diskFullProtection(
       ObjectProvider<DiskSpace> disks, Environment environment) {
     return new BeanPostProcessor() {
       @Override
@@ -33,7 +33,7 @@ class StorageConfiguration {
     };
   }
 
-  /** A request that only looks is answered, though it cannot be noted when it was. */
+  /** Requests that only read succeed although the session's last access time cannot be stored. */
   @Bean(defaultCandidate = false)
   TransactionOperations springSessionTransactionOperations(PlatformTransactionManager manager) {
     TransactionTemplate transaction = new TransactionTemplate(manager);
@@ -44,10 +44,10 @@ class StorageConfiguration {
         try {
           return transaction.execute(action);
         } catch (RuntimeException e) {
-          if (StorageFailure.of(e).filter(StorageFailure.NO_ROOM::equals).isEmpty()) {
+          if (StorageFailure.of(e).filter(StorageFailure.DISK_FULL::equals).isEmpty()) {
             throw e;
           }
-          log.debug("The use of a session is not noted: the disk is full", e);
+          log.debug("The session's last access time was not stored: the disk is full", e);
           return null;
         }
       }

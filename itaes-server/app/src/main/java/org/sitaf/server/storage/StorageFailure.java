@@ -6,55 +6,52 @@ import java.sql.SQLTransientConnectionException;
 import java.util.Optional;
 import java.util.Set;
 
-/** Failures of what the server keeps things in, which pass. */
+/** Temporary failures of the server's storage. */
 public enum StorageFailure {
-  /** A disk or quota is used up. */
-  NO_ROOM,
-  /** The database cannot be reached, or is being opened anew. */
-  DATABASE_AWAY;
+  /** A disk is full, or a disk quota is exceeded. */
+  DISK_FULL,
+  /** The database cannot be reached, or is being reopened. */
+  DATABASE_UNAVAILABLE;
 
-  private static final int DEEPEST = 30;
+  private static final int MAX_CAUSES = 30;
 
-  /**
-   * Of H2: the database has been closed, or is at this moment; the file is in use, by what has not
-   * let go of it yet.
-   */
+  /** H2's error codes: the database is closed or closing, or its file is still in use. */
   private static final Set<Integer> CLOSED = Set.of(90098, 90121, 90020);
 
   private static final int GENERAL_ERROR = 50000;
 
-  /** What lies behind an exception, if it is one of these. */
+  /** Returns the storage failure that caused an exception, if any. */
   public static Optional<StorageFailure> of(Throwable failure) {
     Optional<StorageFailure> found = Optional.empty();
     Throwable cause = failure;
-    for (int depth = 0; cause != null && depth < DEEPEST; depth++) {
-      if (isNoRoom(cause)) {
-        return Optional.of(NO_ROOM);
+    for (int depth = 0; cause != null && depth < MAX_CAUSES; depth++) {
+      if (isDiskFull(cause)) {
+        return Optional.of(DISK_FULL);
       }
-      if (isAway(cause)) {
-        found = Optional.of(DATABASE_AWAY);
+      if (isUnavailable(cause)) {
+        found = Optional.of(DATABASE_UNAVAILABLE);
       }
       cause = cause.getCause();
     }
     return found;
   }
 
-  private static boolean isNoRoom(Throwable cause) {
+  private static boolean isDiskFull(Throwable cause) {
     String message = String.valueOf(cause.getMessage());
     return cause instanceof SQLException sql
-        ? NoRoomException.DISK_FULL.equals(sql.getSQLState())
+        ? DiskFullException.DISK_FULL.equals(sql.getSQLState())
         : cause instanceof IOException
             && (message.contains("No space left on device")
                 || message.contains("Disk quota exceeded"));
   }
 
-  private static boolean isAway(Throwable cause) {
+  private static boolean isUnavailable(Throwable cause) {
     return cause instanceof SQLTransientConnectionException
         || (cause instanceof SQLException sql
             && (String.valueOf(sql.getSQLState()).startsWith("08") || isClosedH2(sql)));
   }
 
-  /** H2 closes a database whose file it could not write, for all who have a connection. */
+  /** Whether H2 closed the database, which it does for all connections when a write fails. */
   static boolean isClosedH2(SQLException e) {
     return CLOSED.contains(e.getErrorCode())
         || (e.getErrorCode() == GENERAL_ERROR

@@ -1,4 +1,4 @@
-/** The server's own disks, and what happens when they run full. */
+/** Handling of full disks, and permissions of the server's files. */
 @NullMarked
 package org.sitaf.server.storage;
 

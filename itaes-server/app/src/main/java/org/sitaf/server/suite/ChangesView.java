@@ -12,24 +12,23 @@ import org.sitaf.core.suite.TestSuite;
 import org.sitaf.server.suite.SuiteView.CaseView;
 
 /**
- * What a suite has that the one before it, of the same model, had not. Cases are the same when
- * their values are.
+ * The differences between a suite and the previous suite of the same model. Cases are matched by
+ * their values.
  */
 @Schema(name = "SuiteChanges")
 record ChangesView(
-    @Schema(description = "the suite before; absent where this is the first")
+    @Schema(description = "the previous suite; absent for the first one")
         @Nullable String previousId,
-    @Schema(description = "whether the parameters are others, so that no case can be compared")
+    @Schema(description = "whether the parameters differ, so that cases cannot be compared")
         boolean otherParameters,
     int kept,
     int added,
     int removed,
     @Schema(description = "cases whose expected values changed") int expectedChanged,
-    @Schema(description = "the first of those that are not kept, at most 300")
+    @Schema(description = "the first 300 cases that were added, removed or changed")
         List<ChangeView> items) {
   private static final int MAX_ITEMS = 300;
 
-  /** What became of a case. */
   enum Change {
     added,
     removed,
@@ -47,27 +46,27 @@ record ChangesView(
     if (!names(before).equals(names(now))) {
       return new ChangesView(previousId, true, 0, 0, 0, 0, List.of());
     }
-    Map<List<String>, TestCase> old = new HashMap<>();
-    before.cases().forEach(c -> old.put(c.values(), c));
+    Map<List<String>, TestCase> remaining = new HashMap<>();
+    before.cases().forEach(c -> remaining.put(c.values(), c));
     List<ChangeView> items = new ArrayList<>();
     int kept = 0;
     int added = 0;
     int changed = 0;
     for (TestCase testCase : now.cases()) {
-      TestCase was = old.remove(testCase.values());
-      if (was == null) {
+      TestCase previous = remaining.remove(testCase.values());
+      if (previous == null) {
         added++;
         add(items, new ChangeView(Change.added, null, CaseView.of(testCase)));
-      } else if (!was.expected().equals(testCase.expected())) {
+      } else if (!previous.expected().equals(testCase.expected())) {
         changed++;
-        add(items, new ChangeView(Change.expected, CaseView.of(was), CaseView.of(testCase)));
+        add(items, new ChangeView(Change.expected, CaseView.of(previous), CaseView.of(testCase)));
       } else {
         kept++;
       }
     }
     int removed = 0;
     for (TestCase testCase : before.cases()) {
-      if (old.get(testCase.values()) == testCase) {
+      if (remaining.get(testCase.values()) == testCase) {
         removed++;
         add(items, new ChangeView(Change.removed, CaseView.of(testCase), null));
       }

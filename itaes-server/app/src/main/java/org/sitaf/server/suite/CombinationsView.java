@@ -9,35 +9,36 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.suite.TestCase;
 import org.sitaf.core.suite.TestSuite;
-import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.error.RequestException;
 
-/** Which values occur together in the cases of a suite. */
+/** The pairs of values in the cases of a suite. */
 @Schema(name = "Combinations")
 record CombinationsView(
     List<ValuesView> parameters,
-    @Schema(description = "of two parameters each, in the order of the parameters")
+    @Schema(description = "a pair of parameters each, in the order of the parameters")
         List<PairView> pairs,
-    @Schema(description = "absent where no pair was asked for") @Nullable CountsView counts) {
-  /** Pairs of more parameters are too many to draw. */
+    @Schema(description = "absent if no pair was requested") @Nullable CountsView counts) {
+  /** The portal cannot draw the pairs of more parameters. */
   private static final int MAX_PARAMETERS = 60;
 
   @Schema(name = "ParameterValues")
   record ValuesView(
       String name,
-      @Schema(description = "that occur, numbers in ascending order") List<String> values) {}
+      @Schema(description = "values in the cases; numbers in ascending order")
+          List<String> values) {}
 
   @Schema(name = "PairCoverage")
   record PairView(
       @Schema(description = "index of a parameter, from 0") int first,
       @Schema(description = "index of a parameter, from 0") int second,
-      @Schema(description = "pairs of values that occur in a case") int covered,
-      @Schema(description = "pairs of values that there are") int possible) {}
+      @Schema(description = "number of pairs of values in the cases") int covered,
+      @Schema(description = "number of possible pairs of values") int possible) {}
 
   @Schema(name = "PairCounts")
   record CountsView(
       int first,
       int second,
-      @Schema(description = "cases by index of the first's value, then of the second's")
+      @Schema(description = "number of cases by index of the first's value, then of the second's")
           List<List<Integer>> cases) {}
 
   static CombinationsView of(TestSuite suite, @Nullable Integer first, @Nullable Integer second) {
@@ -70,7 +71,7 @@ record CombinationsView(
     CountsView counts = null;
     if (first != null && second != null) {
       if (first < 0 || second < 0 || first >= width || second >= width) {
-        throw Refusal.malformed("first and second are indices of parameters, from 0.");
+        throw RequestException.malformed("first and second must be indices of parameters, from 0.");
       }
       List<List<Integer>> rows = new ArrayList<>();
       for (int[] row : count(codes, parameters, first, second)) {

@@ -12,20 +12,19 @@ import org.sitaf.core.harness.InterfaceTestApplicationGenerator;
 import org.sitaf.core.harness.TestApplication;
 import org.sitaf.core.model.TestModel;
 
-/** A generated source of a test application. */
+/** A source file of a test application. */
 @Schema(name = "HarnessFile")
 record HarnessFile(
     String path,
     String content,
     @Schema(
             description =
-                "whether it is meant to be edited and kept in the activity, below harness/MODEL/")
+                "whether users can edit it; the edited file is stored in the activity's"
+                    + " harness/MODEL/")
         boolean editable,
-    @Schema(
-            description =
-                "where the activity keeps the user's own; absent where it is not editable")
+    @Schema(description = "path of the edited file in the activity; absent if it is not editable")
         @Nullable String keptPath,
-    @Schema(description = "what would be generated, where the activity keeps a file of the user's")
+    @Schema(description = "the generated text; absent unless the activity contains an edited file")
         @Nullable String generated) {
 
   static List<HarnessFile> of(TestApplication application) {
@@ -33,12 +32,12 @@ record HarnessFile(
     TestModel model = application.model();
     FileTree sources = application.harness();
     String editable = InterfaceTestApplicationGenerator.editableFile(activity, model);
-    String kept = InterfaceTestApplicationGenerator.keptDriver(activity, model);
+    String editedPath = InterfaceTestApplicationGenerator.keptDriver(activity, model);
     String generated =
-        activity.files().contains(kept)
+        activity.files().contains(editedPath)
             ? text(
                 InterfaceTestApplicationGenerator.generate(
-                        without(activity, kept), model, application.suite())
+                        without(activity, editedPath), model, application.suite())
                     .harness(),
                 editable)
             : null;
@@ -49,7 +48,7 @@ record HarnessFile(
                     path,
                     text(sources, path),
                     path.equals(editable),
-                    path.equals(editable) ? kept : null,
+                    path.equals(editable) ? editedPath : null,
                     path.equals(editable) ? generated : null))
         .toList();
   }

@@ -13,7 +13,7 @@ import org.springframework.jdbc.core.simple.JdbcClient;
 import org.springframework.jdbc.datasource.SingleConnectionDataSource;
 import org.springframework.stereotype.Component;
 
-/** V91: reads the parameters of the suites that are stored already from their documents. */
+/** V91: fills the parameters of existing suites from their documents. */
 @Component
 class ParametersMigration implements JavaMigration {
   @Override

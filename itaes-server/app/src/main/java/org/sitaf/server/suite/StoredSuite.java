@@ -21,11 +21,11 @@ import org.sitaf.core.diagnostic.Severity;
 import org.sitaf.core.model.InputKind;
 import org.sitaf.core.suite.CaseParameter;
 import org.sitaf.core.suite.TestSuite;
-import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.error.RequestException;
 
 /**
- * What lists show of a suite. The suite itself is its document, which {@link SuiteDocuments} keeps:
- * to list suites reads no document.
+ * A suite in the database, without its document, which {@link SuiteDocuments} stores separately so
+ * that lists do not load it.
  */
 @Entity
 @Table(name = "suite")
@@ -34,7 +34,7 @@ class StoredSuite {
 
   @Id private String id;
 
-  @Column(name = "workspace_id")
+  @Column(name = "activity_id")
   private String activityId;
 
   private String model;
@@ -44,10 +44,10 @@ class StoredSuite {
   private int valid;
   private Instant created;
 
-  /** Null until it is stored, which is how the persistence provider knows that it is new. */
+  /** Null for a new entity; this is how the persistence provider recognizes one. */
   @Version private @Nullable Long version;
 
-  /** Changes with each document, so that the version does. */
+  /** Changes with each document, so that the version is incremented. */
   private Instant updated;
 
   @ElementCollection
@@ -60,7 +60,7 @@ class StoredSuite {
   @OrderColumn(name = "position")
   private List<Note> notes = new ArrayList<>();
 
-  /** What its reader should know of its making, such as values that a type cannot hold. */
+  /** A note of the generator, such as values that a type cannot represent. */
   @Embeddable
   record Note(
       @Enumerated(EnumType.STRING) Severity severity,
@@ -86,7 +86,7 @@ class StoredSuite {
     }
   }
 
-  /** What the values at one position of every case stand for. */
+  /** A parameter of the cases. */
   @Embeddable
   record Parameter(String name, @Enumerated(EnumType.STRING) InputKind kind, String realType) {
     static Parameter of(CaseParameter parameter) {
@@ -118,21 +118,25 @@ class StoredSuite {
     replace(suite, now);
   }
 
-  /** Puts an edited suite of the same model into the place of the present one. */
+  /** Replaces the suite with an edited one of the same model. */
   final void replace(TestSuite suite, Instant now) {
     if (!suite.modelName().equals(model)) {
-      throw Refusal.conflict(
-          "The document is of model '" + suite.modelName() + "', the suite of '" + model + "'.");
+      throw RequestException.conflict(
+          "The document belongs to model '"
+              + suite.modelName()
+              + "', but the suite to '"
+              + model
+              + "'.");
     }
     name = suite.name();
     seed = suite.generation().seed();
     total = suite.cases().size();
     valid = Math.toIntExact(suite.validCount());
     updated = now;
-    List<Parameter> present = suite.parameters().stream().map(Parameter::of).toList();
-    if (!parameters.equals(present)) {
+    List<Parameter> newParameters = suite.parameters().stream().map(Parameter::of).toList();
+    if (!parameters.equals(newParameters)) {
       parameters.clear();
-      parameters.addAll(present);
+      parameters.addAll(newParameters);
     }
   }
 

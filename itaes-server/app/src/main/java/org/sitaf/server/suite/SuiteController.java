@@ -37,7 +37,7 @@ import org.springframework.web.bind.annotation.RestController;
 class SuiteController {
   private static final Sorting SORTING = Sorting.by("created", "model", "name");
   private static final String SORT =
-      "one of created, model, name; with a minus before it the largest first; without it -created";
+      "one of created, model, name; a leading minus means descending order; default -created";
 
   private final Suites suites;
   private final Requests requests;
@@ -48,7 +48,7 @@ class SuiteController {
   }
 
   @PostMapping("/activities/{id}/models/{name}/suites")
-  @Operation(operationId = "generateSuite", summary = "Generates the cases of a model")
+  @Operation(operationId = "generateSuite", summary = "Generates a suite from a model")
   @ResponseStatus(HttpStatus.CREATED)
   ResponseEntity<SuiteView> generate(
       @PathVariable String id,
@@ -60,7 +60,7 @@ class SuiteController {
   }
 
   @GetMapping("/activities/{id}/suites")
-  @Operation(operationId = "listSuites", summary = "Suites of an activity, the newest first")
+  @Operation(operationId = "listSuites", summary = "Lists the suites of an activity, newest first")
   Listing<SuiteView> list(
       @PathVariable String id,
       @RequestParam(defaultValue = "0") int page,
@@ -72,13 +72,13 @@ class SuiteController {
   }
 
   @GetMapping("/suites/{id}")
-  @Operation(operationId = "getSuite", summary = "A suite")
+  @Operation(operationId = "getSuite", summary = "Returns a suite")
   SuiteView get(@PathVariable String id) {
     return suites.inspect(id, suites::view);
   }
 
   @GetMapping("/suites/{id}/cases")
-  @Operation(operationId = "listSuiteCases", summary = "Cases of a suite, by number")
+  @Operation(operationId = "listSuiteCases", summary = "Lists the cases of a suite by number")
   Listing<CaseView> cases(
       @PathVariable String id,
       @RequestParam(defaultValue = "0") int page,
@@ -90,7 +90,7 @@ class SuiteController {
   @GetMapping(path = "/suites/{id}/document", produces = MediaType.APPLICATION_XML_VALUE)
   @Operation(
       operationId = "getSuiteDocument",
-      summary = "The document of a suite (test_suite_data)")
+      summary = "Returns the document of a suite (test_suite_data)")
   ResponseEntity<byte[]> document(@PathVariable String id) {
     StoredSuite stored = suites.find(id);
     return ResponseEntity.ok()
@@ -102,8 +102,8 @@ class SuiteController {
   @PutMapping(path = "/suites/{id}/document", consumes = MediaType.APPLICATION_XML_VALUE)
   @Operation(
       operationId = "replaceSuiteDocument",
-      summary = "Puts an edited document into the place of a suite's",
-      description = "For expected values, or cases of one's own.",
+      summary = "Replaces the document of a suite",
+      description = "For edited expected values or custom cases.",
       requestBody =
           @io.swagger.v3.oas.annotations.parameters.RequestBody(
               required = true,
@@ -125,8 +125,7 @@ class SuiteController {
   @GetMapping("/suites/{id}/harness")
   @Operation(
       operationId = "getHarness",
-      summary =
-          "The sources of the test application that executes a suite, as they would be generated now")
+      summary = "Returns the generated sources of a suite's test application")
   List<HarnessFile> harness(@PathVariable String id) {
     return HarnessFile.of(suites.application(id));
   }

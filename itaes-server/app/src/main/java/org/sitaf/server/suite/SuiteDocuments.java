@@ -4,7 +4,7 @@ import java.util.Optional;
 import org.springframework.jdbc.core.simple.JdbcClient;
 import org.springframework.stereotype.Repository;
 
-/** The present documents of suites. */
+/** The current documents of suites. */
 @Repository
 class SuiteDocuments {
   private final JdbcClient jdbc;
@@ -20,7 +20,7 @@ class SuiteDocuments {
         .optional();
   }
 
-  /** Stores the document of a stored suite, within the transaction that changes the suite. */
+  /** Stores the document of a suite, within the transaction that changes the suite. */
   void save(String suiteId, byte[] document) {
     int replaced =
         jdbc.sql("UPDATE suite_document SET document = ? WHERE suite_id = ?")

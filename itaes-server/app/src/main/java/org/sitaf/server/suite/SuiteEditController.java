@@ -32,7 +32,7 @@ import org.springframework.web.bind.annotation.RequestParam;
 import org.springframework.web.bind.annotation.RestController;
 import tools.jackson.databind.json.JsonMapper;
 
-/** What the grid of a suite's cases does. */
+/** Operations for editing the cases of a suite. */
 @RestController
 @RequestMapping("/api/v1/suites/{id}")
 @Tag(name = "suites")
@@ -64,8 +64,8 @@ class SuiteEditController {
   @PostMapping("/expected/fill")
   @Operation(
       operationId = "fillExpected",
-      summary = "Works expected values out by a formula",
-      description = "Nothing is changed where it has no value for a case.")
+      summary = "Computes expected values with a formula",
+      description = "Nothing is changed if the formula has no value for a case.")
   SuiteView fill(
       @PathVariable String id,
       @RequestHeader(HttpHeaders.IF_MATCH) String ifMatch,
@@ -80,15 +80,15 @@ class SuiteEditController {
   @PostMapping("/undo")
   @Operation(
       operationId = "undoSuiteChange",
-      summary = "Brings back what a suite was before its latest change",
-      description = "Refused (409) when no change is left to undo.")
+      summary = "Undoes the latest change of a suite",
+      description = "Fails with 409 if there is no change to undo.")
   SuiteView undo(@PathVariable String id, @RequestHeader(HttpHeaders.IF_MATCH) String ifMatch) {
     suites.undo(id, Requests.expected(ifMatch));
     return suites.inspect(id, suites::view);
   }
 
   @GetMapping(path = "/cases.csv", produces = CSV)
-  @Operation(operationId = "exportSuiteAsCsv", summary = "The cases as comma-separated values")
+  @Operation(operationId = "exportSuiteAsCsv", summary = "Exports the cases as CSV")
   byte[] csv(@PathVariable String id) throws IOException {
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     SuiteCsv.write(suites.suite(id), out);
@@ -98,8 +98,8 @@ class SuiteEditController {
   @PutMapping(path = "/cases.csv", consumes = CSV)
   @Operation(
       operationId = "importSuiteFromCsv",
-      summary = "Puts other cases into the place of a suite's",
-      description = "The header must be the one of the export.",
+      summary = "Replaces the cases of a suite with those of a CSV document",
+      description = "The header must be that of the export.",
       requestBody =
           @io.swagger.v3.oas.annotations.parameters.RequestBody(
               required = true,
@@ -114,7 +114,7 @@ class SuiteEditController {
   }
 
   @GetMapping(path = "/cases.json", produces = MediaType.APPLICATION_OCTET_STREAM_VALUE)
-  @Operation(operationId = "exportSuiteAsJson", summary = "The cases as JSON, to keep in a file")
+  @Operation(operationId = "exportSuiteAsJson", summary = "Exports the cases as JSON")
   byte[] json(@PathVariable String id) {
     return SuiteJson.write(suites.suite(id), json);
   }
@@ -122,7 +122,7 @@ class SuiteEditController {
   @PutMapping(path = "/cases.json", consumes = MediaType.APPLICATION_OCTET_STREAM_VALUE)
   @Operation(
       operationId = "importSuiteFromJson",
-      summary = "Puts the cases of a JSON document into the place of a suite's",
+      summary = "Replaces the cases of a suite with those of a JSON document",
       requestBody =
           @io.swagger.v3.oas.annotations.parameters.RequestBody(
               required = true,
@@ -142,8 +142,10 @@ class SuiteEditController {
   @GetMapping("/combinations")
   @Operation(
       operationId = "getCombinations",
-      summary = "Which values occur together",
-      description = "With first and second, also how often each pair of their values does.")
+      summary = "Returns which pairs of values occur in the cases",
+      description =
+          "With first and second, also the number of cases for each pair of values of these two"
+              + " parameters.")
   CombinationsView combinations(
       @PathVariable String id,
       @RequestParam(required = false) @Nullable Integer first,
@@ -154,7 +156,7 @@ class SuiteEditController {
   @GetMapping("/changes")
   @Operation(
       operationId = "getSuiteChanges",
-      summary = "What changed since the suite of the same model that was made before")
+      summary = "Compares a suite with the previous suite of the same model")
   ChangesView changes(@PathVariable String id) {
     StoredSuite stored = suites.find(id);
     return suites

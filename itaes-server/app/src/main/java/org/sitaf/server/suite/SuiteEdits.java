@@ -16,9 +16,9 @@ import org.sitaf.core.suite.ExpectedFormula;
 import org.sitaf.core.suite.ExpectedValue;
 import org.sitaf.core.suite.TestCase;
 import org.sitaf.core.suite.TestSuite;
-import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.error.RequestException;
 
-/** The changes that people make to the expected values of a suite. */
+/** Changes of the expected values of a suite. */
 final class SuiteEdits {
   private static final String SOURCE = "expected values";
   private static final int MAX_PROBLEMS = 50;
@@ -30,21 +30,23 @@ final class SuiteEdits {
 
   @Schema(name = "ExpectedChange")
   record ExpectedChange(
-      @Schema(description = "of the case") int no,
-      @Schema(description = "absent where the model has only one") @Nullable String output,
-      @Schema(description = "absent to expect nothing") @Nullable String literal) {}
+      @Schema(description = "number of the case") int no,
+      @Schema(description = "may be absent if the model has only one output")
+          @Nullable String output,
+      @Schema(description = "absent to remove the expected value") @Nullable String literal) {}
 
   @Schema(name = "ExpectedFill")
   record ExpectedFill(
-      @Schema(description = "absent where the model has only one") @Nullable String output,
-      @Schema(description = "CEL over the inputs and valid") String expression,
-      @Schema(description = "whether values that are there stay; true where absent")
+      @Schema(description = "may be absent if the model has only one output")
+          @Nullable String output,
+      @Schema(description = "CEL expression over the inputs and valid") String expression,
+      @Schema(description = "whether existing values are kept; default true")
           @Nullable Boolean onlyEmpty) {}
 
   /** Sets single expected values. */
   static TestSuite change(TestSuite suite, TestModel model, ExpectedChanges changes) {
     if (changes.changes() == null) {
-      throw Refusal.malformed("changes is missing; it lists the expected values to set.");
+      throw RequestException.malformed("changes must be given.");
     }
     Map<Integer, TestCase> byNo = new HashMap<>();
     suite.cases().forEach(c -> byNo.put(c.no(), c));
@@ -61,7 +63,7 @@ final class SuiteEdits {
             change.literal() == null || change.literal().isBlank()
                 ? null
                 : Value.parse(change.literal(), output.type()).literal();
-        byNo.put(change.no(), expecting(old, name(model, output), literal));
+        byNo.put(change.no(), withExpected(old, name(model, output), literal));
       } catch (IllegalArgumentException e) {
         diagnostics.error(SOURCE, 0, "case " + change.no(), String.valueOf(e.getMessage()));
       }
@@ -70,10 +72,10 @@ final class SuiteEdits {
     return suite.withCases(suite.cases().stream().map(c -> byNo.getOrDefault(c.no(), c)).toList());
   }
 
-  /** Works expected values out by a formula. */
+  /** Computes expected values with a formula. */
   static TestSuite fill(TestSuite suite, TestModel model, ExpectedFill fill) {
     if (fill.expression() == null || fill.expression().isBlank()) {
-      throw Refusal.malformed("expression is missing; it says what is expected.");
+      throw RequestException.malformed("expression must be given.");
     }
     ExpectedFormula formula;
     OutputElement output;
@@ -95,7 +97,7 @@ final class SuiteEdits {
         continue;
       }
       try {
-        cases.add(expecting(testCase, name, formula.expect(testCase).literal()));
+        cases.add(withExpected(testCase, name, formula.expect(testCase).literal()));
       } catch (EvaluationException | IllegalArgumentException e) {
         if (++problems > MAX_PROBLEMS) {
           break;
@@ -103,7 +105,7 @@ final class SuiteEdits {
         diagnostics.error(
             "expression", 0, "case " + testCase.no(), "has no value: " + e.getMessage());
         if (e instanceof EvaluationException evaluation && evaluation.tooCostly()) {
-          // It would take as much in each of the other cases.
+          // The other cases would exceed the limit, too.
           break;
         }
       }
@@ -124,12 +126,12 @@ final class SuiteEdits {
                         + model.outputs().stream().map(OutputElement::name).toList()));
   }
 
-  /** As cases name an output: not at all where the model has only one. */
+  /** The output's name in cases: empty if the model has only one output. */
   private static String name(TestModel model, OutputElement output) {
     return model.outputs().size() == 1 ? "" : output.name();
   }
 
-  private static TestCase expecting(TestCase old, String output, @Nullable String literal) {
+  private static TestCase withExpected(TestCase old, String output, @Nullable String literal) {
     List<ExpectedValue> expected =
         new ArrayList<>(old.expected().stream().filter(e -> !e.output().equals(output)).toList());
     if (literal != null) {

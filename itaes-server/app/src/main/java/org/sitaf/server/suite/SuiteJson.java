@@ -17,18 +17,18 @@ import tools.jackson.databind.json.JsonMapper;
 final class SuiteJson {
   private SuiteJson() {}
 
-  /** The document. Values are literals, as in the XML document. */
+  /** The exported document. Values are literals, as in the XML document. */
   record Document(String name, String model, List<String> parameters, List<CaseView> cases) {}
 
-  /** A case as people write it: what is expected is absent or by the name of the output. */
-  record Line(
+  /** A case of an imported document; expected values are keyed by the name of the output. */
+  record ImportedCase(
       int no,
       @Nullable Boolean valid,
       @Nullable List<String> values,
       @Nullable Map<String, String> expected) {}
 
-  /** What is read of a document. */
-  record Lines(@Nullable List<Line> cases) {}
+  /** An imported document; other properties are ignored. */
+  record ImportedDocument(@Nullable List<ImportedCase> cases) {}
 
   static byte[] write(TestSuite suite, JsonMapper json) {
     return json.writeValueAsBytes(
@@ -39,15 +39,16 @@ final class SuiteJson {
             suite.cases().stream().map(CaseView::of).toList()));
   }
 
-  /** Reads cases into the place of a suite's. */
+  /** Returns the suite with the cases of a document. */
   static TestSuite read(byte[] document, TestSuite suite, JsonMapper json) {
     try {
-      List<Line> lines = json.readValue(document, Lines.class).cases();
-      if (lines == null) {
+      List<ImportedCase> cases = json.readValue(document, ImportedDocument.class).cases();
+      if (cases == null) {
         throw InvalidInputException.of("the JSON document", "has no cases");
       }
-      boolean one = lines.stream().allMatch(l -> l.expected() == null || l.expected().size() <= 1);
-      return suite.withCases(lines.stream().map(l -> read(l, one)).toList());
+      boolean oneOutput =
+          cases.stream().allMatch(c -> c.expected() == null || c.expected().size() <= 1);
+      return suite.withCases(cases.stream().map(c -> read(c, oneOutput)).toList());
     } catch (JacksonException e) {
       throw InvalidInputException.of(
           "the JSON document", "cannot be read: " + e.getOriginalMessage());
@@ -56,13 +57,13 @@ final class SuiteJson {
     }
   }
 
-  private static TestCase read(Line line, boolean oneOutput) {
+  private static TestCase read(ImportedCase testCase, boolean oneOutput) {
     Map<String, String> expected =
-        line.expected() == null ? new LinkedHashMap<>() : line.expected();
+        testCase.expected() == null ? new LinkedHashMap<>() : testCase.expected();
     return new TestCase(
-        line.no(),
-        line.valid() == null || line.valid(),
-        line.values() == null ? List.of() : line.values(),
+        testCase.no(),
+        testCase.valid() == null || testCase.valid(),
+        testCase.values() == null ? List.of() : testCase.values(),
         expected.entrySet().stream()
             .map(e -> new ExpectedValue(oneOutput ? "" : e.getKey(), e.getValue()))
             .toList());

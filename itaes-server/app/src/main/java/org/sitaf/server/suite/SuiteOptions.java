@@ -5,16 +5,16 @@ import org.jspecify.annotations.Nullable;
 import org.sitaf.core.model.InvalidValues;
 import org.sitaf.core.model.Strength;
 import org.sitaf.core.suite.GenerationOptions;
-import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.error.RequestException;
 
-/** How cases are to be generated; what is absent is as the model has it. */
+/** Options of the generator; absent ones are taken from the model. */
 @Schema(name = "SuiteOptions")
 record SuiteOptions(
-    @Schema(description = "1 where absent") @Nullable Long seed,
+    @Schema(description = "default 1") @Nullable Long seed,
     @Schema(description = "1 to 6, or all") @Nullable String orderOfCombinations,
     @Nullable Handling invalidValues) {
 
-  /** How invalid values take part. */
+  /** How invalid values are combined. */
   enum Handling {
     isolate,
     combine
@@ -32,7 +32,7 @@ record SuiteOptions(
           seed == null ? GenerationOptions.DEFAULT.seed() : seed,
           GenerationOptions.DEFAULT.effort());
     } catch (IllegalArgumentException e) {
-      throw Refusal.malformed("orderOfCombinations: " + e.getMessage() + ".");
+      throw RequestException.malformed("orderOfCombinations: " + e.getMessage() + ".");
     }
   }
 }

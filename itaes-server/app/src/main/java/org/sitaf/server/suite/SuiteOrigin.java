@@ -1,4 +1,4 @@
 package org.sitaf.server.suite;
 
-/** What a suite belongs to. */
+/** The activity and the model that a suite belongs to. */
 public record SuiteOrigin(String activityId, String activityName, String suiteId, String model) {}

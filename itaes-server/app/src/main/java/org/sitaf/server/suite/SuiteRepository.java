@@ -10,11 +10,11 @@ import org.springframework.data.repository.Repository;
 interface SuiteRepository extends Repository<StoredSuite, String> {
   Optional<StoredSuite> findById(String id);
 
-  /** The version of a suite, without the document that a whole suite brings along. */
+  /** The version of a suite, without loading its document. */
   @Query("select s.version from StoredSuite s where s.id = :id")
   Optional<Long> versionOf(String id);
 
-  /** The suite of a model that was made last before another. */
+  /** The newest suite of a model that is older than the given time. */
   Optional<StoredSuite> findFirstByActivityIdAndModelAndCreatedBeforeOrderByCreatedDesc(
       String activityId, String model, Instant created);
 

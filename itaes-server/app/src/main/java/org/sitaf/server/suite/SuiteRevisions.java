@@ -4,11 +4,11 @@ import java.util.Optional;
 import org.springframework.jdbc.core.simple.JdbcClient;
 import org.springframework.stereotype.Repository;
 
-/** What suites were before their latest changes. */
+/** Earlier revisions of suites, for undo. */
 @Repository
 class SuiteRevisions {
-  /** Revisions that are kept of a suite. */
-  static final int KEPT = 10;
+  /** Maximum number of revisions per suite. */
+  static final int MAX_REVISIONS = 10;
 
   private final JdbcClient jdbc;
 
@@ -16,7 +16,7 @@ class SuiteRevisions {
     this.jdbc = jdbc;
   }
 
-  /** Keeps a document that is about to be replaced, within the transaction that replaces it. */
+  /** Stores a revision, within the transaction that replaces it. */
   void push(String suiteId, long version, byte[] document) {
     jdbc.sql("INSERT INTO suite_revision (suite_id, version, document) VALUES (?, ?, ?)")
         .params(suiteId, version, document)
@@ -24,11 +24,11 @@ class SuiteRevisions {
     jdbc.sql(
             "DELETE FROM suite_revision WHERE suite_id = ? AND version NOT IN (SELECT version FROM"
                 + " suite_revision WHERE suite_id = ? ORDER BY version DESC LIMIT ?)")
-        .params(suiteId, suiteId, KEPT)
+        .params(suiteId, suiteId, MAX_REVISIONS)
         .update();
   }
 
-  /** Takes the latest document that was kept. */
+  /** Removes and returns the latest revision. */
   Optional<byte[]> pop(String suiteId) {
     Optional<Long> latest = latest(suiteId);
     return latest.flatMap(
@@ -45,7 +45,7 @@ class SuiteRevisions {
         });
   }
 
-  /** How many changes can be undone. */
+  /** The number of revisions. */
   int count(String suiteId) {
     return jdbc.sql("SELECT COUNT(*) FROM suite_revision WHERE suite_id = ?")
         .param(suiteId)

@@ -11,7 +11,7 @@ import org.sitaf.core.suite.CaseParameter;
 import org.sitaf.core.suite.TestCase;
 import org.sitaf.server.web.DiagnosticView;
 
-/** A suite as people and programs see it. */
+/** A suite in the REST interface. */
 @Schema(name = "Suite")
 record SuiteView(
     String id,
@@ -20,19 +20,19 @@ record SuiteView(
     String name,
     long seed,
     @Schema(description = "number of cases") int total,
-    @Schema(description = "cases that hold no invalid value") int valid,
-    @Schema(description = "cases that hold an invalid value") int invalid,
+    @Schema(description = "cases without invalid values") int valid,
+    @Schema(description = "cases with an invalid value") int invalid,
     Instant created,
-    @Schema(description = "grows with each change; for If-Match") long version,
-    @Schema(description = "latest changes that can be undone") int undoable,
+    @Schema(description = "increases with each change; for If-Match") long version,
+    @Schema(description = "number of changes that can be undone") int undoable,
     List<ParameterView> parameters,
-    @Schema(description = "what was left out, and other things to know of the generation")
+    @Schema(description = "notes of the generator, such as omitted values")
         List<DiagnosticView> notes) {
 
   @Schema(name = "Parameter")
   record ParameterView(
       String name,
-      @Schema(description = "direct input, simulation, or test stub") InputKind type,
+      @Schema(description = "direct input, simulation or test stub") InputKind type,
       String realType) {
     static ParameterView of(CaseParameter parameter) {
       return new ParameterView(parameter.name(), parameter.kind(), parameter.realType());

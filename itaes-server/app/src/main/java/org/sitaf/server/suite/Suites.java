@@ -24,26 +24,26 @@ import org.sitaf.core.suite.GenerationOptions;
 import org.sitaf.core.suite.TestCaseGenerator;
 import org.sitaf.core.suite.TestSuite;
 import org.sitaf.core.suite.document.TestSuiteXml;
-import org.sitaf.server.activity.Workspaces;
+import org.sitaf.server.activity.StoredActivities;
 import org.sitaf.server.computation.Computations;
+import org.sitaf.server.error.RequestException;
 import org.sitaf.server.quota.Quotas;
-import org.sitaf.server.refusal.Refusal;
 import org.sitaf.server.web.Requests;
 import org.springframework.data.domain.Page;
 import org.springframework.data.domain.Pageable;
 import org.springframework.stereotype.Service;
 import org.springframework.transaction.support.TransactionTemplate;
 
-/** The suites on the server. */
+/** Generates, stores and edits suites. */
 @Service
 public class Suites {
-  /** Of all suites in memory together. */
+  /** Maximum number of cases in the cache. */
   private static final int MAX_CASES = 500_000;
 
-  private static final Duration KEPT = Duration.ofMinutes(30);
+  private static final Duration CACHED = Duration.ofMinutes(30);
 
   private final SuiteRepository suites;
-  private final Workspaces workspaces;
+  private final StoredActivities activities;
   private final Quotas quotas;
   private final TransactionTemplate transaction;
   private final Clock clock;
@@ -52,21 +52,21 @@ public class Suites {
   private final Computations computations;
 
   /**
-   * The suites used last, as read from their documents: a person who scrolls through 100,000 cases
-   * must not have them parsed for every page.
+   * Cache of parsed suites, so that paging through a large suite does not parse its document for
+   * each page.
    */
   private final Cache<Key, TestSuite> parsed =
       Caffeine.newBuilder()
           .maximumWeight(MAX_CASES)
           .weigher((Key key, TestSuite suite) -> suite.cases().size())
-          .expireAfterAccess(KEPT)
+          .expireAfterAccess(CACHED)
           .build();
 
   private record Key(String id, long version) {}
 
   Suites(
       SuiteRepository suites,
-      Workspaces workspaces,
+      StoredActivities activities,
       Quotas quotas,
       TransactionTemplate transaction,
       Clock clock,
@@ -74,7 +74,7 @@ public class Suites {
       SuiteRevisions revisions,
       Computations computations) {
     this.suites = suites;
-    this.workspaces = workspaces;
+    this.activities = activities;
     this.quotas = quotas;
     this.documents = documents;
     this.revisions = revisions;
@@ -84,53 +84,53 @@ public class Suites {
   }
 
   /**
-   * The test application that executes a suite, generated from the present state of its activity.
+   * Generates the test application of a suite from the current state of its activity.
    *
-   * @throws Refusal when there is no such suite, or its model has changed so that it no longer fits
-   * @throws org.sitaf.core.diagnostic.InvalidInputException when no application can be made of it
+   * @throws RequestException if there is no such suite, or if it no longer matches its model
+   * @throws org.sitaf.core.diagnostic.InvalidInputException if the application cannot be generated
    */
   public TestApplication application(String suiteId) {
     StoredSuite stored = find(suiteId);
-    Activity activity = workspaces.activity(stored.activityId());
-    TestModel model = Workspaces.model(activity, stored.model());
+    Activity activity = activities.activity(stored.activityId());
+    TestModel model = StoredActivities.model(activity, stored.model());
     TestSuite suite = suite(stored);
     requireFit(suite, model);
     return InterfaceTestApplicationGenerator.generate(activity, model, suite);
   }
 
   /**
-   * What a suite belongs to, whether or not an application can be made of it.
+   * Returns the activity and the model of a suite.
    *
-   * @throws Refusal when there is no such suite
+   * @throws RequestException if there is no such suite
    */
   public SuiteOrigin origin(String suiteId) {
     StoredSuite stored = find(suiteId);
     return new SuiteOrigin(
-        stored.activityId(), workspaces.name(stored.activityId()), stored.id(), stored.model());
+        stored.activityId(), activities.name(stored.activityId()), stored.id(), stored.model());
   }
 
   /**
-   * Makes sure that an activity has a model.
+   * Checks that an activity has a model.
    *
-   * @throws Refusal when it has not
+   * @throws RequestException if it has no model with this name
    */
   public void requireModel(String activityId, String modelName) {
-    Workspaces.model(workspaces.activity(activityId), modelName);
+    StoredActivities.model(activities.activity(activityId), modelName);
   }
 
   /**
-   * Makes a suite from the present state of a model.
+   * Generates and stores a suite from the current state of a model.
    *
-   * @param seed null as a suite is generated without one
+   * @param seed null for the default
    * @return its id
-   * @throws org.sitaf.core.diagnostic.InvalidInputException when the model gives none
+   * @throws org.sitaf.core.diagnostic.InvalidInputException if the suite cannot be generated
    */
-  public String generateAnew(String activityId, String modelName, @Nullable Long seed) {
+  public String generate(String activityId, String modelName, @Nullable Long seed) {
     return generate(activityId, modelName, new SuiteOptions(seed, null, null).toGeneration());
   }
 
   String generate(String activityId, String modelName, GenerationOptions options) {
-    TestModel model = Workspaces.model(workspaces.activity(activityId), modelName);
+    TestModel model = StoredActivities.model(activities.activity(activityId), modelName);
     GeneratedSuite generated =
         computations.generation(
             "The generation of the suite", () -> TestCaseGenerator.generate(model, options));
@@ -149,35 +149,36 @@ public class Suites {
     return id;
   }
 
-  /** Puts an edited document into the place of a suite's. */
+  /** Replaces the document of a suite. */
   void replaceDocument(String id, byte[] document, Requests.Expected expected) {
     TestSuite edited = TestSuiteXml.read(new ByteArrayInputStream(document), "the document");
     edit(id, expected, (suite, model) -> edited);
   }
 
-  /** A change of a suite, made with the model that it belongs to. */
+  /** A change of a suite; it can use the suite's model. */
   @FunctionalInterface
   interface Edit {
     TestSuite apply(TestSuite suite, TestModel model);
   }
 
-  /** Changes a suite; what it was can be brought back with {@link #undo}. */
+  /** Changes a suite; {@link #undo} reverts the change. */
   void edit(String id, Requests.Expected expected, Edit edit) {
-    StoredSuite seen = find(id);
-    expected.require("suite", seen.version());
-    TestModel model = Workspaces.model(workspaces.activity(seen.activityId()), seen.model());
-    TestSuite edited = edit.apply(suite(seen), model);
+    StoredSuite original = find(id);
+    expected.require("suite", original.version());
+    TestModel model =
+        StoredActivities.model(activities.activity(original.activityId()), original.model());
+    TestSuite edited = edit.apply(suite(original), model);
     requireFit(edited, model);
     byte[] document = document(edited);
     if (Arrays.equals(document, document(id))) {
-      // Nothing changed, so there is nothing to bring back.
+      // Without a change there is nothing to undo.
       return;
     }
     transaction.executeWithoutResult(
         status -> {
           StoredSuite stored = find(id);
-          // What was changed is what was seen, whether or not its author named a version.
-          Requests.Expected.version(seen.version()).require("suite", stored.version());
+          // The edit was applied to this version, also if the client expects any version.
+          Requests.Expected.version(original.version()).require("suite", stored.version());
           revisions.push(id, stored.version(), document(id));
           stored.replace(edited, now());
           suites.saveAndFlush(stored);
@@ -186,7 +187,7 @@ public class Suites {
     parsed.put(new Key(id, version(id)), edited);
   }
 
-  /** Brings back what a suite was before its latest change. */
+  /** Reverts the latest change of a suite. */
   void undo(String id, Requests.Expected expected) {
     transaction.executeWithoutResult(
         status -> {
@@ -195,7 +196,7 @@ public class Suites {
           byte[] document =
               revisions
                   .pop(id)
-                  .orElseThrow(() -> Refusal.conflict("There is no change left to undo."));
+                  .orElseThrow(() -> RequestException.conflict("There is no change to undo."));
           stored.replace(
               TestSuiteXml.read(new ByteArrayInputStream(document), stored.name()), now());
           suites.saveAndFlush(stored);
@@ -203,45 +204,43 @@ public class Suites {
         });
   }
 
-  /** The suite of the same model that was made last before this one. */
+  /** The previous suite of the same model. */
   Optional<StoredSuite> previous(StoredSuite stored) {
     return suites.findFirstByActivityIdAndModelAndCreatedBeforeOrderByCreatedDesc(
         stored.activityId(), stored.model(), stored.created());
   }
 
-  /** The present version of a suite. */
   long version(String id) {
-    return suites.versionOf(id).orElseThrow(() -> Refusal.notFound("suite", id));
+    return suites.versionOf(id).orElseThrow(() -> RequestException.notFound("suite", id));
   }
 
-  /** The suite of an id, as its document says. */
   TestSuite suite(String id) {
     Key key = new Key(id, version(id));
     return Optional.ofNullable(parsed.getIfPresent(key)).orElseGet(() -> suite(find(id)));
   }
 
-  /** A suite as people and programs see it; within a transaction. */
+  /** Returns the view of a suite; must be called within a transaction. */
   SuiteView view(StoredSuite stored) {
     return SuiteView.of(stored, revisions.count(stored.id()));
   }
 
   StoredSuite find(String id) {
-    return suites.findById(id).orElseThrow(() -> Refusal.notFound("suite", id));
+    return suites.findById(id).orElseThrow(() -> RequestException.notFound("suite", id));
   }
 
-  /** Views a suite, within a transaction. */
+  /** Applies a function to a suite within a transaction. */
   <T> T inspect(String id, Function<StoredSuite, T> view) {
     return Objects.requireNonNull(transaction.execute(status -> view.apply(find(id))));
   }
 
-  /** A page of an activity's suites, each viewed within the transaction. */
+  /** Returns a page of an activity's suites. */
   <T> Page<T> ofActivity(String activityId, Pageable page, Function<StoredSuite, T> view) {
-    workspaces.name(activityId);
+    activities.name(activityId);
     return Objects.requireNonNull(
         transaction.execute(status -> suites.findByActivityId(activityId, page).map(view)));
   }
 
-  /** The suite as its document says. */
+  /** Reads the suite's document, or returns it from the cache. */
   TestSuite suite(StoredSuite stored) {
     return parsed.get(
         new Key(stored.id(), stored.version()),
@@ -249,12 +248,12 @@ public class Suites {
   }
 
   /**
-   * The document of a suite.
+   * Returns the document of a suite.
    *
-   * @throws Refusal when there is no such suite
+   * @throws RequestException if there is no such suite
    */
   byte[] document(String id) {
-    return documents.find(id).orElseThrow(() -> Refusal.notFound("suite", id));
+    return documents.find(id).orElseThrow(() -> RequestException.notFound("suite", id));
   }
 
   private Instant now() {
@@ -273,10 +272,10 @@ public class Suites {
             .map(i -> new CaseParameter(i.name(), i.kind(), i.realType()))
             .toList();
     if (!suite.parameters().equals(expected)) {
-      throw Refusal.conflict(
-          "The suite's parameters are not those of the model '"
+      throw RequestException.conflict(
+          "The suite no longer matches the parameters of model '"
               + model.name()
-              + "' any more; generate a suite anew.");
+              + "'; generate a new suite.");
     }
   }
 }

@@ -1,6 +1,4 @@
-/**
- * Test suites: generated from a model, kept as documents, edited, and made into test applications.
- */
+/** Test suites: generation, storage and editing; generation of test applications. */
 @NullMarked
 package org.sitaf.server.suite;
 

@@ -3,21 +3,17 @@ package org.sitaf.server.timer;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 
-/** One thread that does things at their time, one after the other. */
+/** Creates executors for periodic tasks. */
 public final class DaemonTimer {
   private DaemonTimer() {}
 
-  /**
-   * Begins to wait for tasks; never keeps the process from its end.
-   *
-   * @param name of its thread
-   */
+  /** Creates an executor with a single daemon thread of the given name. */
   public static ScheduledExecutorService named(String name) {
     return Executors.newSingleThreadScheduledExecutor(
         task -> {
-          Thread made = new Thread(task, name);
-          made.setDaemon(true);
-          return made;
+          Thread thread = new Thread(task, name);
+          thread.setDaemon(true);
+          return thread;
         });
   }
 }

@@ -1,4 +1,4 @@
-/** What the server does beside its requests, now and then. */
+/** Periodic tasks of the server. */
 @NullMarked
 package org.sitaf.server.timer;
 

@@ -8,20 +8,20 @@ import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletRequestWrapper;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
-import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.error.RequestException;
 import org.springframework.http.MediaType;
 import org.springframework.stereotype.Component;
 import org.springframework.util.unit.DataSize;
 import org.springframework.web.filter.OncePerRequestFilter;
 
 /**
- * JSON is held in memory as a whole, so its size is bounded, and is small before anybody has signed
- * in. Other bodies are read piece by piece, as {@link Requests#body} bounds them.
+ * Limits the size of JSON bodies, which are held in memory. The limit for signing in is smaller
+ * because those requests are not authenticated. {@link Requests#body} limits other bodies.
  */
 @Component
 class BodyLimit extends OncePerRequestFilter {
-  private static final DataSize MOST = DataSize.ofMegabytes(64);
-  private static final DataSize MOST_OF_SIGN_IN = DataSize.ofKilobytes(64);
+  private static final DataSize LIMIT = DataSize.ofMegabytes(64);
+  private static final DataSize SIGN_IN_LIMIT = DataSize.ofKilobytes(64);
   private static final String SIGN_IN = "/api/v1/session";
 
   @Override
@@ -32,41 +32,41 @@ class BodyLimit extends OncePerRequestFilter {
         request.getContentType() != null
             && request.getContentType().startsWith(MediaType.APPLICATION_JSON_VALUE);
     if (request.getRequestURI().startsWith(SIGN_IN)) {
-      chain.doFilter(new Limited(request, MOST_OF_SIGN_IN), response);
+      chain.doFilter(new LimitedRequest(request, SIGN_IN_LIMIT), response);
     } else if (json) {
-      chain.doFilter(new Limited(request, MOST), response);
+      chain.doFilter(new LimitedRequest(request, LIMIT), response);
     } else {
       chain.doFilter(request, response);
     }
   }
 
-  private static final class Limited extends HttpServletRequestWrapper {
-    private final DataSize most;
+  private static final class LimitedRequest extends HttpServletRequestWrapper {
+    private final DataSize limit;
 
-    Limited(HttpServletRequest request, DataSize most) {
+    LimitedRequest(HttpServletRequest request, DataSize limit) {
       super(request);
-      this.most = most;
+      this.limit = limit;
     }
 
     @Override
     public ServletInputStream getInputStream() throws IOException {
-      if (getContentLengthLong() > most.toBytes()) {
-        throw tooLarge(most);
+      if (getContentLengthLong() > limit.toBytes()) {
+        throw tooLarge(limit);
       }
-      return new Counted(super.getInputStream(), most);
+      return new CountingStream(super.getInputStream(), limit);
     }
   }
 
-  /** What a client does not announce is counted as it comes. */
-  private static final class Counted extends ServletInputStream {
+  /** Enforces the limit for bodies without a Content-Length header. */
+  private static final class CountingStream extends ServletInputStream {
     private final ServletInputStream in;
-    private final DataSize most;
+    private final DataSize limit;
     private long left;
 
-    Counted(ServletInputStream in, DataSize most) {
+    CountingStream(ServletInputStream in, DataSize limit) {
       this.in = in;
-      this.most = most;
-      this.left = most.toBytes();
+      this.limit = limit;
+      this.left = limit.toBytes();
     }
 
     @Override
@@ -81,12 +81,12 @@ class BodyLimit extends OncePerRequestFilter {
       return read < 0 ? read : count(read, read);
     }
 
-    private int count(int answer, int bytes) {
+    private int count(int result, int bytes) {
       left -= bytes;
       if (left < 0) {
-        throw tooLarge(most);
+        throw tooLarge(limit);
       }
-      return answer;
+      return result;
     }
 
     @Override
@@ -105,7 +105,8 @@ class BodyLimit extends OncePerRequestFilter {
     }
   }
 
-  private static Refusal tooLarge(DataSize most) {
-    return Refusal.tooLarge("The JSON is larger than " + most.toKilobytes() + " KiB.");
+  private static RequestException tooLarge(DataSize limit) {
+    return RequestException.tooLarge(
+        "The JSON body is larger than " + limit.toKilobytes() + " KiB.");
   }
 }

@@ -4,15 +4,14 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import org.sitaf.core.diagnostic.Diagnostic;
 import org.sitaf.core.diagnostic.Severity;
 
-/** What is wrong with an input. */
+/** A problem of an input. */
 @Schema(name = "Diagnostic")
 public record DiagnosticView(
     Severity severity,
     @Schema(description = "name of the document") String file,
-    @Schema(description = "from 1; 0 where unknown") int line,
+    @Schema(description = "from 1; 0 if unknown") int line,
     @Schema(description = "element or entry; empty for the whole document") String element,
     @Schema(description = "what is wrong, what was expected, and what to do") String message) {
-  /** The view of a diagnostic. */
   public static DiagnosticView of(Diagnostic diagnostic) {
     return new DiagnosticView(
         diagnostic.severity(),

@@ -3,7 +3,7 @@ package org.sitaf.server.web;
 import io.swagger.v3.oas.annotations.media.Schema;
 import java.util.List;
 import java.util.function.Function;
-import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.error.RequestException;
 import org.springframework.data.domain.Page;
 import org.springframework.data.domain.PageRequest;
 import org.springframework.data.domain.Sort;
@@ -13,27 +13,27 @@ import org.springframework.data.domain.Sort;
  *
  * @param page from 0
  * @param size at most {@value #MAX_SIZE}
- * @param total of all pages together
+ * @param total number of items on all pages
  */
 public record Listing<T>(
     List<T> items,
     @Schema(description = "from 0") int page,
     @Schema(description = "at most 500") int size,
-    @Schema(description = "of all pages together") long total) {
-  /** Largest page that is answered. */
+    @Schema(description = "number of items on all pages") long total) {
+  /** Maximum number of items on a page. */
   public static final int MAX_SIZE = 500;
 
   public Listing {
     items = List.copyOf(items);
   }
 
-  /** A page of what the database holds. */
-  public static <E, T> Listing<T> of(Page<E> found, Function<E, T> view) {
+  /** Converts a page of database rows. */
+  public static <E, T> Listing<T> of(Page<E> rows, Function<E, T> view) {
     return new Listing<>(
-        found.map(view).getContent(), found.getNumber(), found.getSize(), found.getTotalElements());
+        rows.map(view).getContent(), rows.getNumber(), rows.getSize(), rows.getTotalElements());
   }
 
-  /** A page of a list in memory. */
+  /** Returns a page of a list in memory. */
   public static <E, T> Listing<T> of(List<E> all, PageRequest page, Function<E, T> view) {
     return new Listing<>(
         all.stream().skip(page.getOffset()).limit(page.getPageSize()).map(view).toList(),
@@ -43,13 +43,13 @@ public record Listing<T>(
   }
 
   /**
-   * Which page is asked for.
+   * Validates the parameters of a page request.
    *
-   * @throws Refusal when there can be no such page
+   * @throws RequestException if a parameter is out of range
    */
   public static PageRequest request(int page, int size, Sort sort) {
     if (page < 0 || size < 1 || size > MAX_SIZE) {
-      throw Refusal.malformed(
+      throw RequestException.malformed(
           "page must be 0 or more and size 1 to "
               + MAX_SIZE
               + ", not "
@@ -59,7 +59,7 @@ public record Listing<T>(
               + ".");
     }
     if ((long) page * size > Integer.MAX_VALUE) {
-      throw Refusal.malformed("page " + page + " lies beyond what a list can hold.");
+      throw RequestException.malformed("page " + page + " is too large.");
     }
     return PageRequest.of(page, size, sort);
   }

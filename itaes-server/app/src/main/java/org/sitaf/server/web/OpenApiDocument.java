@@ -22,8 +22,8 @@ import org.springframework.context.annotation.Configuration;
 import org.springframework.context.annotation.Lazy;
 
 /**
- * The OpenAPI document at /v3/api-docs: the same bytes wherever the server runs, good enough to
- * generate a client from.
+ * The OpenAPI document at /v3/api-docs. It does not depend on where the server runs; clients are
+ * generated from it.
  */
 @Configuration(proxyBeanMethods = false)
 class OpenApiDocument {
@@ -39,10 +39,11 @@ class OpenApiDocument {
                 .title("SITAF")
                 .version("v1")
                 .description(
-                    "Automated interface testing of robot software components. Errors are problem details"
-                        + " (RFC 9457): 401 without a session or token, 403 where the role does not"
-                        + " allow it. Looking takes a viewer, changing a tester; users, the audit"
-                        + " log, webhooks and keys of agents an administrator."))
+                    "Automated interface testing of robot software components. Errors are problem"
+                        + " details (RFC 9457): 401 without a session or token, 403 if the caller's"
+                        + " role does not allow the operation. Reading requires the role VIEWER,"
+                        + " changing TESTER; users, the audit log, webhooks and agents' keys"
+                        + " require ADMINISTRATOR."))
         .components(
             new Components()
                 .addSecuritySchemes(
@@ -50,7 +51,7 @@ class OpenApiDocument {
                     new SecurityScheme()
                         .type(SecurityScheme.Type.HTTP)
                         .scheme("bearer")
-                        .description("for scripts; made in the portal"))
+                        .description("for scripts; created in the portal"))
                 .addSecuritySchemes(
                     "session",
                     new SecurityScheme()
@@ -58,8 +59,8 @@ class OpenApiDocument {
                         .in(SecurityScheme.In.COOKIE)
                         .name("SITAF_SESSION")
                         .description(
-                            "for browsers; changes also need the value of the cookie XSRF-TOKEN as"
-                                + " the header X-XSRF-TOKEN")))
+                            "for browsers; changes also require the value of the cookie XSRF-TOKEN"
+                                + " in the header X-XSRF-TOKEN")))
         .security(
             List.of(
                 new SecurityRequirement().addList("token"),
@@ -69,7 +70,7 @@ class OpenApiDocument {
 
   @Bean
   @Lazy
-  OpenApiCustomizer tidied() {
+  OpenApiCustomizer customizer() {
     return document -> {
       Components components = document.getComponents();
       for (Class<?> view : Problems.views()) {
@@ -79,18 +80,18 @@ class OpenApiDocument {
       document
           .getPaths()
           .values()
-          .forEach(path -> path.readOperations().forEach(OpenApiDocument::tidy));
+          .forEach(path -> path.readOperations().forEach(OpenApiDocument::customize));
     };
   }
 
-  /** {@code ListingActivity} reads better as {@code ActivityPage}. */
+  /** Renames {@code ListingActivity} to {@code ActivityPage}. */
   private static void renamePages(Components components) {
     Map<String, Schema> renamed = new LinkedHashMap<>();
     components.getSchemas().forEach((name, schema) -> renamed.put(pageName(name), schema));
     components.setSchemas(renamed);
   }
 
-  private static void tidy(Operation operation) {
+  private static void customize(Operation operation) {
     ApiResponses responses = operation.getResponses();
     responses
         .values()
@@ -104,7 +105,7 @@ class OpenApiDocument {
     responses.addApiResponse(
         "default",
         new ApiResponse()
-            .description("what went wrong")
+            .description("error")
             .content(
                 new Content()
                     .addMediaType(
@@ -119,7 +120,7 @@ class OpenApiDocument {
     }
   }
 
-  /** Bytes in Java are text or binary on the wire, and only within JSON base64. */
+  /** Java's byte arrays are base64 in JSON only; other media types contain text or binary data. */
   private static void correctFormat(String type, MediaType content) {
     Schema<?> schema = content.getSchema();
     if (schema != null && "byte".equals(schema.getFormat()) && !type.contains("json")) {

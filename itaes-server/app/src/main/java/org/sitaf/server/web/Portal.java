@@ -13,8 +13,8 @@ import org.springframework.web.servlet.config.annotation.WebMvcConfigurer;
 import org.springframework.web.servlet.resource.PathResourceResolver;
 
 /**
- * The portal's files, which lie in its jar. The portal has addresses of its own, such as {@code
- * /builds/ID}: whatever has no dot and is no address of the server opens its one page.
+ * Serves the portal's files from its jar. The portal is a single-page application: paths such as
+ * {@code /builds/ID}, which contain no dot and do not belong to the server, return index.html.
  */
 @Configuration(proxyBeanMethods = false)
 class Portal implements WebMvcConfigurer {
@@ -28,7 +28,7 @@ class Portal implements WebMvcConfigurer {
 
   @Override
   public void addResourceHandlers(ResourceHandlerRegistry registry) {
-    // The names of these hold a digest of their content.
+    // File names contain a hash of the content.
     registry
         .addResourceHandler("/assets/**")
         .addResourceLocations(FILES + "assets/")
@@ -38,15 +38,16 @@ class Portal implements WebMvcConfigurer {
         .addResourceLocations(FILES)
         .setCacheControl(CacheControl.noCache())
         .resourceChain(false)
-        .addResolver(new PageForRoutes());
+        .addResolver(new RouteResolver());
   }
 
-  private static final class PageForRoutes extends PathResourceResolver {
+  private static final class RouteResolver extends PathResourceResolver {
     @Override
     protected @Nullable Resource getResource(String path, Resource location) throws IOException {
       Resource file = super.getResource(path, location);
-      boolean ofServer = Stream.of("api/", "v3/", "actuator/").anyMatch((path + "/")::startsWith);
-      return file != null || ofServer || path.indexOf('.') >= 0
+      boolean belongsToServer =
+          Stream.of("api/", "v3/", "actuator/").anyMatch((path + "/")::startsWith);
+      return file != null || belongsToServer || path.indexOf('.') >= 0
           ? file
           : super.getResource(PAGE, location);
     }

@@ -1,13 +1,14 @@
 package org.sitaf.server.web;
 
 import io.swagger.v3.oas.annotations.media.Schema;
+import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import org.apache.tomcat.util.http.InvalidParameterException;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.diagnostic.InvalidInputException;
-import org.sitaf.server.refusal.OvertimeException;
-import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.error.ComputationTimeoutException;
+import org.sitaf.server.error.RequestException;
 import org.sitaf.server.storage.StorageFailure;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -27,14 +28,12 @@ import org.springframework.web.bind.annotation.RestControllerAdvice;
 import org.springframework.web.context.request.WebRequest;
 import org.springframework.web.servlet.mvc.method.annotation.ResponseEntityExceptionHandler;
 
-/**
- * Errors as problem details (RFC 9457); what is wrong with an input stands in {@code diagnostics}.
- */
+/** Converts exceptions to problem details (RFC 9457). */
 @RestControllerAdvice
 class Problems extends ResponseEntityExceptionHandler {
   private static final Logger log = LoggerFactory.getLogger(Problems.class);
 
-  /** What a problem looks like, for the OpenAPI document. */
+  /** The schema of a problem in the OpenAPI document. */
   @Schema(name = "Problem", description = "RFC 9457 problem details")
   record ProblemView(
       @Nullable String type,
@@ -42,102 +41,101 @@ class Problems extends ResponseEntityExceptionHandler {
       int status,
       @Nullable String detail,
       @Nullable String instance,
-      @Schema(description = "what is wrong with the input; absent where that is not the matter")
+      @Schema(description = "the problems of an invalid input; absent for other errors")
           @Nullable List<DiagnosticView> diagnostics) {}
 
   @ExceptionHandler
   ResponseEntity<ProblemDetail> invalid(InvalidInputException e) {
-    ProblemDetail problem =
-        problem(HttpStatus.UNPROCESSABLE_CONTENT, "The input cannot be used", e);
+    ProblemDetail problem = problem(HttpStatus.UNPROCESSABLE_CONTENT, "Invalid input", e);
     problem.setProperty("diagnostics", e.diagnostics().stream().map(DiagnosticView::of).toList());
-    return answer(problem);
+    return response(problem);
   }
 
   @ExceptionHandler
-  ResponseEntity<ProblemDetail> refused(Refusal e) {
-    return answer(
+  ResponseEntity<ProblemDetail> rejected(RequestException e) {
+    ProblemDetail problem =
         switch (e.reason()) {
+          case UNAUTHENTICATED -> problem(HttpStatus.UNAUTHORIZED, "Not signed in", e);
+          case FORBIDDEN -> problem(HttpStatus.FORBIDDEN, "Not allowed", e);
+          case TOO_MANY_ATTEMPTS -> problem(HttpStatus.TOO_MANY_REQUESTS, "Too many attempts", e);
           case NOT_FOUND -> problem(HttpStatus.NOT_FOUND, "Not found", e);
-          case MALFORMED -> problem(HttpStatus.BAD_REQUEST, "The request is wrong", e);
-          case CONFLICT -> problem(HttpStatus.CONFLICT, "Not possible at present", e);
-          case OUTDATED -> problem(HttpStatus.PRECONDITION_FAILED, "Changed meanwhile", e);
+          case MALFORMED -> problem(HttpStatus.BAD_REQUEST, "Invalid request", e);
+          case CONFLICT -> problem(HttpStatus.CONFLICT, "Conflict", e);
+          case OUTDATED -> problem(HttpStatus.PRECONDITION_FAILED, "Version outdated", e);
           case TOO_LARGE -> problem(HttpStatus.CONTENT_TOO_LARGE, "Too large", e);
-          case NO_ROOM -> problem(HttpStatus.INSUFFICIENT_STORAGE, "No room", e);
-          case QUOTA -> problem(HttpStatus.CONTENT_TOO_LARGE, "Quota used up", e);
-          case TOO_SLOW -> problem(HttpStatus.REQUEST_TIMEOUT, "Too slow", e);
-          case BUSY -> problem(HttpStatus.SERVICE_UNAVAILABLE, "Busy", e);
-        });
+          case DISK_FULL -> problem(HttpStatus.INSUFFICIENT_STORAGE, "Disk full", e);
+          case QUOTA -> problem(HttpStatus.CONTENT_TOO_LARGE, "Quota exceeded", e);
+          case TIMEOUT -> problem(HttpStatus.REQUEST_TIMEOUT, "Request timeout", e);
+          case BUSY -> problem(HttpStatus.SERVICE_UNAVAILABLE, "Server busy", e);
+        };
+    return response(problem, e.retryAfter());
   }
 
   @ExceptionHandler
-  ResponseEntity<ProblemDetail> overtime(OvertimeException e) {
-    return answer(problem(HttpStatus.UNPROCESSABLE_CONTENT, "The input takes too long", e));
+  ResponseEntity<ProblemDetail> timedOut(ComputationTimeoutException e) {
+    return response(problem(HttpStatus.UNPROCESSABLE_CONTENT, "Computation timed out", e));
   }
 
-  /** A query or form that cannot be read. */
+  /** Tomcat cannot decode the query string. */
   @ExceptionHandler
   ResponseEntity<ProblemDetail> unreadable(InvalidParameterException e) {
-    return answer(problem(HttpStatus.BAD_REQUEST, "The request is wrong", e));
+    return response(problem(HttpStatus.BAD_REQUEST, "Invalid request", e));
   }
 
-  /** What the readers let pass and no column holds. */
+  /** A value passed validation but violates a constraint of the database. */
   @ExceptionHandler
   ResponseEntity<ProblemDetail> unstorable(DataIntegrityViolationException e, WebRequest request) {
     log.warn("{}: {}", request.getDescription(false), e.getMessage());
-    ProblemDetail problem =
-        ProblemDetail.forStatusAndDetail(
+    return response(
+        problem(
             HttpStatus.BAD_REQUEST,
-            "Something in the request cannot be stored: a name or a text is too long, or it refers to what is gone.");
-    problem.setTitle("The request is wrong");
-    return answer(problem);
+            "Invalid request",
+            "The request cannot be stored: a name or a text is too long, or it refers to something"
+                + " that was deleted."));
   }
 
   @ExceptionHandler
   ResponseEntity<ProblemDetail> outdated(OptimisticLockingFailureException e) {
-    ProblemDetail problem =
-        ProblemDetail.forStatusAndDetail(
+    return response(
+        problem(
             HttpStatus.CONFLICT,
-            "Somebody else changed it at the same moment; repeat the request.");
-    problem.setTitle("Changed meanwhile");
-    return answer(problem);
+            "Conflict",
+            "Another request changed the resource at the same time; repeat the request."));
   }
 
-  /** What nobody foresaw: the log has it all, the answer nothing of the inside. */
+  /** The log contains the stack trace; the response does not reveal internals. */
   @ExceptionHandler
   @Nullable ResponseEntity<Object> failed(Exception e, WebRequest request) {
-    Optional<StorageFailure> passing = StorageFailure.of(e);
-    if (passing.isPresent()) {
+    Optional<StorageFailure> storageFailure = StorageFailure.of(e);
+    if (storageFailure.isPresent()) {
       log.warn("{}: {}", request.getDescription(false), e.getMessage());
-      ResponseEntity<ProblemDetail> answer = answer(problem(passing.get()));
-      return createResponseEntity(
-          answer.getBody(), answer.getHeaders(), answer.getStatusCode(), request);
+      return convert(response(problem(storageFailure.get())), request);
     }
-    log.error("A request failed: {}", request.getDescription(false), e);
+    log.error("Request failed: {}", request.getDescription(false), e);
     ProblemDetail problem =
         ProblemDetail.forStatusAndDetail(
-            HttpStatus.INTERNAL_SERVER_ERROR, "The server failed; its log says why.");
+            HttpStatus.INTERNAL_SERVER_ERROR, "Internal server error; see the server's log.");
     return handleExceptionInternal(
         e, problem, new HttpHeaders(), HttpStatus.INTERNAL_SERVER_ERROR, request);
   }
 
-  private static ProblemDetail problem(StorageFailure passing) {
-    ProblemDetail problem =
-        switch (passing) {
-          case NO_ROOM ->
-              ProblemDetail.forStatusAndDetail(
-                  HttpStatus.INSUFFICIENT_STORAGE,
-                  "The server's disk is full, so nothing was changed. Repeat the request when there"
-                      + " is room on it; what is stored can be read.");
-          case DATABASE_AWAY ->
-              ProblemDetail.forStatusAndDetail(
-                  HttpStatus.SERVICE_UNAVAILABLE,
-                  "The server's database cannot be reached at present; repeat the request soon.");
-        };
-    problem.setTitle(passing == StorageFailure.NO_ROOM ? "No room" : "Not available");
-    return problem;
+  private static ProblemDetail problem(StorageFailure failure) {
+    return switch (failure) {
+      case DISK_FULL ->
+          problem(
+              HttpStatus.INSUFFICIENT_STORAGE,
+              "Disk full",
+              "The server's disk is full; nothing was changed. Repeat the request when there is"
+                  + " free space; stored data can be read.");
+      case DATABASE_UNAVAILABLE ->
+          problem(
+              HttpStatus.SERVICE_UNAVAILABLE,
+              "Database unavailable",
+              "The server cannot reach its database; repeat the request soon.");
+    };
   }
 
-  /** Without If-Match a change could undo one of another person unnoticed (RFC 6585, section 3). */
+  /** Requires If-Match, so that concurrent changes are not lost (RFC 6585, section 3). */
   @Override
   protected @Nullable ResponseEntity<Object> handleServletRequestBindingException(
       ServletRequestBindingException e,
@@ -149,15 +147,15 @@ class Problems extends ResponseEntityExceptionHandler {
       ProblemDetail problem =
           ProblemDetail.forStatusAndDetail(
               HttpStatus.PRECONDITION_REQUIRED,
-              "Send If-Match with the version that the change is made to, such as \"3\", or with *"
-                  + " to change any version.");
+              "Send If-Match with the version to which the change applies, such as \"3\", or with *"
+                  + " for any version.");
       problem.setTitle("If-Match is missing");
       return createResponseEntity(problem, headers, HttpStatus.PRECONDITION_REQUIRED, request);
     }
     return super.handleServletRequestBindingException(e, headers, status, request);
   }
 
-  /** A refusal while a body was read comes wrapped by the reader. */
+  /** The JSON reader wraps a {@link RequestException} that the body's stream throws. */
   @Override
   protected @Nullable ResponseEntity<Object> handleHttpMessageNotReadable(
       HttpMessageNotReadableException e,
@@ -165,46 +163,62 @@ class Problems extends ResponseEntityExceptionHandler {
       HttpStatusCode status,
       WebRequest request) {
     for (Throwable cause = e; cause != null; cause = cause.getCause()) {
-      if (cause instanceof Refusal refusal) {
-        ResponseEntity<ProblemDetail> answer = refused(refusal);
-        return createResponseEntity(
-            answer.getBody(), answer.getHeaders(), answer.getStatusCode(), request);
+      if (cause instanceof RequestException rejected) {
+        return convert(rejected(rejected), request);
       }
     }
     return super.handleHttpMessageNotReadable(e, headers, status, request);
   }
 
+  private @Nullable ResponseEntity<Object> convert(
+      ResponseEntity<ProblemDetail> response, WebRequest request) {
+    return createResponseEntity(
+        response.getBody(), response.getHeaders(), response.getStatusCode(), request);
+  }
+
   @Override
   protected @Nullable ResponseEntity<Object> createResponseEntity(
       @Nullable Object body, HttpHeaders headers, HttpStatusCode status, WebRequest request) {
-    HttpHeaders own = new HttpHeaders();
-    own.putAll(headers);
-    own.setContentType(MediaType.APPLICATION_PROBLEM_JSON);
-    return super.createResponseEntity(body, own, status, request);
+    HttpHeaders problemHeaders = new HttpHeaders();
+    problemHeaders.putAll(headers);
+    problemHeaders.setContentType(MediaType.APPLICATION_PROBLEM_JSON);
+    return super.createResponseEntity(body, problemHeaders, status, request);
   }
 
   private static ProblemDetail problem(HttpStatus status, String title, RuntimeException e) {
-    ProblemDetail problem = ProblemDetail.forStatusAndDetail(status, e.getMessage());
+    return problem(status, title, e.getMessage());
+  }
+
+  private static ProblemDetail problem(HttpStatus status, String title, @Nullable String detail) {
+    ProblemDetail problem = ProblemDetail.forStatusAndDetail(status, detail);
     problem.setTitle(title);
     return problem;
   }
 
-  /**
-   * As JSON whatever the client asked for: a client that wants XML still has to learn what is
-   * wrong.
-   */
-  private static ResponseEntity<ProblemDetail> answer(ProblemDetail problem) {
-    ResponseEntity.BodyBuilder answer =
+  private static ResponseEntity<ProblemDetail> response(ProblemDetail problem) {
+    return response(problem, defaultRetryAfter(problem.getStatus()));
+  }
+
+  private static Optional<Duration> defaultRetryAfter(int status) {
+    return switch (HttpStatus.valueOf(status)) {
+      case INSUFFICIENT_STORAGE -> Optional.of(Duration.ofMinutes(1));
+      case SERVICE_UNAVAILABLE -> Optional.of(Duration.ofSeconds(2));
+      default -> Optional.empty();
+    };
+  }
+
+  /** Always JSON: a client that accepts only XML still needs the error. */
+  private static ResponseEntity<ProblemDetail> response(
+      ProblemDetail problem, Optional<Duration> retryAfter) {
+    ResponseEntity.BodyBuilder response =
         ResponseEntity.status(problem.getStatus()).contentType(MediaType.APPLICATION_PROBLEM_JSON);
-    if (problem.getStatus() == HttpStatus.INSUFFICIENT_STORAGE.value()) {
-      answer.header(HttpHeaders.RETRY_AFTER, "60");
-    } else if (problem.getStatus() == HttpStatus.SERVICE_UNAVAILABLE.value()) {
-      answer.header(HttpHeaders.RETRY_AFTER, Integer.toString(Refusal.retryAfterSeconds()));
-    } else if (problem.getStatus() == HttpStatus.REQUEST_TIMEOUT.value()) {
-      // What is left of the body is not waited for.
-      answer.header(HttpHeaders.CONNECTION, "close");
+    retryAfter.ifPresent(
+        wait -> response.header(HttpHeaders.RETRY_AFTER, Long.toString(wait.toSeconds())));
+    if (problem.getStatus() == HttpStatus.REQUEST_TIMEOUT.value()) {
+      // Do not wait for the rest of the body.
+      response.header(HttpHeaders.CONNECTION, "close");
     }
-    return answer.body(problem);
+    return response.body(problem);
   }
 
   static List<Class<?>> views() {

@@ -5,19 +5,14 @@ import java.io.FilterInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import org.jspecify.annotations.Nullable;
-import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.error.RequestException;
 import org.sitaf.server.settings.SitafSettings;
 import org.springframework.stereotype.Component;
 
-/**
- * What requests bring besides JSON: bodies of bounded size, and the version that a change is meant
- * for.
- */
+/** Reads request bodies of limited size and {@code If-Match} headers. */
 @Component
 public class Requests {
-  /**
-   * Documents are read into memory as a whole, and into several times as much when they are read.
-   */
+  /** Documents are held in memory; parsing them takes several times their size. */
   private static final long MAX_DOCUMENT = 64 << 20;
 
   private final long maxUpload;
@@ -26,7 +21,7 @@ public class Requests {
     maxUpload = settings.maxUpload().toBytes();
   }
 
-  /** The body; reading beyond the limit ends in a {@link Refusal}. */
+  /** The request body; reading beyond the limit throws a {@link RequestException}. */
   public InputStream body(HttpServletRequest request) throws IOException {
     boolean archive = String.valueOf(request.getContentType()).startsWith("application/zip");
     long maxBytes = archive ? maxUpload : Math.min(maxUpload, MAX_DOCUMENT);
@@ -61,7 +56,7 @@ public class Requests {
     };
   }
 
-  /** The version that a change is made to, from an {@code If-Match} header. */
+  /** Parses an {@code If-Match} header. */
   public static Expected expected(String ifMatch) {
     if (ifMatch.strip().equals("*")) {
       return Expected.ANY;
@@ -69,20 +64,21 @@ public class Requests {
     try {
       return Expected.version(Long.parseLong(ifMatch.replace("\"", "").strip()));
     } catch (NumberFormatException e) {
-      throw Refusal.malformed("If-Match must be a version, such as \"3\", not " + ifMatch + ".");
+      throw RequestException.malformed(
+          "If-Match must be a version, such as \"3\", not " + ifMatch + ".");
     }
   }
 
   /**
-   * Which version of a resource a change is made to.
+   * The version of a resource to which a change applies.
    *
    * @param version null for any
    */
   public record Expected(@Nullable Long version) {
-    /** Whatever the version is. */
+    /** Any version. */
     public static final Expected ANY = new Expected(null);
 
-    /** One version. */
+    /** A single version. */
     public static Expected version(long version) {
       return new Expected(version);
     }
@@ -92,18 +88,18 @@ public class Requests {
     }
 
     /**
-     * Makes sure that the resource has this version.
+     * Checks the version of a resource.
      *
-     * @throws Refusal when it has another one
+     * @throws RequestException if it has another version
      */
-    public void require(String what, long present) {
-      if (version != null && version != present) {
-        throw Refusal.outdated(what, present);
+    public void require(String what, long current) {
+      if (version != null && version != current) {
+        throw RequestException.outdated(what, current);
       }
     }
   }
 
-  private static Refusal tooLarge(long maxBytes) {
-    return Refusal.tooLarge("The body is larger than " + (maxBytes >> 20) + " MiB.");
+  private static RequestException tooLarge(long maxBytes) {
+    return RequestException.tooLarge("The body is larger than " + (maxBytes >> 20) + " MiB.");
   }
 }

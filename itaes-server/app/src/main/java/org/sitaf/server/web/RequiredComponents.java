@@ -12,8 +12,8 @@ import org.springframework.context.annotation.Lazy;
 import org.springframework.stereotype.Component;
 
 /**
- * What the code says of null, for the OpenAPI document: a component of a record that is not
- * nullable is a required property.
+ * Marks record components that are not {@link Nullable} as required properties in the OpenAPI
+ * document.
  */
 @Component
 @Lazy

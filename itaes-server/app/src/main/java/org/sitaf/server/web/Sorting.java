@@ -2,16 +2,16 @@ package org.sitaf.server.web;
 
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.error.RequestException;
 import org.springframework.data.domain.Sort;
 
 /**
- * By what a list may be sorted. A request names a property, with a minus before it for the largest
- * first: {@code sort=-created}. Equals follow each other by their ids, so that pages neither
- * overlap nor leave out.
+ * The properties by which a list can be sorted. A request names a property, with a leading minus
+ * for descending order: {@code sort=-created}. Items with equal values are sorted by id, so that
+ * pages do not overlap.
  */
 public final class Sorting {
-  /** What a list is sorted by when nothing is asked for. */
+  /** The default order. */
   public static final String NEWEST_FIRST = "-created";
 
   private final List<String> properties;
@@ -20,29 +20,28 @@ public final class Sorting {
     this.properties = properties;
   }
 
-  /** Of a list whose items have these properties. */
   public static Sorting by(String... properties) {
     return new Sorting(List.of(properties));
   }
 
   /**
-   * The order that is asked for.
+   * Parses a request's {@code sort} parameter.
    *
-   * @throws Refusal when the items have no such property
+   * @throws RequestException if the property is unknown
    */
-  public Sort order(@Nullable String asked) {
-    String wanted = asked == null ? NEWEST_FIRST : asked;
-    boolean largestFirst = wanted.startsWith("-");
-    String property = largestFirst ? wanted.substring(1) : wanted;
+  public Sort order(@Nullable String requested) {
+    String order = requested == null ? NEWEST_FIRST : requested;
+    boolean descending = order.startsWith("-");
+    String property = descending ? order.substring(1) : order;
     if (!properties.contains(property)) {
-      throw Refusal.malformed(
+      throw RequestException.malformed(
           "sort must be one of "
               + String.join(", ", properties)
-              + ", with a minus before it for the largest first, not "
-              + wanted
+              + ", with a leading minus for descending order, not "
+              + order
               + ".");
     }
     Sort sort = Sort.by(property);
-    return (largestFirst ? sort.descending() : sort).and(Sort.by("id"));
+    return (descending ? sort.descending() : sort).and(Sort.by("id"));
   }
 }

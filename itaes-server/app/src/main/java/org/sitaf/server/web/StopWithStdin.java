@@ -9,7 +9,7 @@ import org.springframework.boot.context.event.ApplicationReadyEvent;
 import org.springframework.context.event.EventListener;
 import org.springframework.stereotype.Component;
 
-/** Ends the server when its standard input ends: a launcher that dies takes it along. */
+/** Stops the server when its standard input is closed, such as when its launcher dies. */
 @Component
 @ConditionalOnBooleanProperty("sitaf.stop-with-stdin")
 class StopWithStdin {
@@ -31,10 +31,10 @@ class StopWithStdin {
   private static void waitForEnd() {
     try {
       while (System.in.read() >= 0) {
-        // What is written does not matter, only that it ends.
+        // Ignore the input and wait for its end.
       }
     } catch (IOException e) {
-      log.info("Standard input is gone: {}", e.getMessage());
+      log.info("Standard input cannot be read: {}", e.getMessage());
     }
   }
 }

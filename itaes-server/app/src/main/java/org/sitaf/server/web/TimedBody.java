@@ -7,35 +7,35 @@ import java.net.SocketTimeoutException;
 import java.time.Duration;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
-import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.error.RequestException;
 import org.sitaf.server.settings.LimitSettings;
 
 /**
- * A body that arrives in time, or is refused: reading it ends in a {@link Refusal} when it is too
- * slow, when it breaks off, and when too many others are waited for.
+ * A request body with a deadline. Reading throws a {@link RequestException} if the body is too slow
+ * or incomplete, or if too many other requests are waiting for their bodies.
  */
 final class TimedBody extends ServletInputStream {
-  /** What a slow line brings in a second. */
-  private static final int BYTES_A_SECOND = 16 << 10;
+  /** The slowest connection that is supported. */
+  private static final int MIN_BYTES_PER_SECOND = 16 << 10;
 
   private final ServletInputStream in;
   private final LimitSettings limits;
-  private final BodyPlaces places;
-  private final Supplier<BodyPlaces.Waiter> waiter;
-  private BodyPlaces.@Nullable Waiter place;
-  private long began;
+  private final BodyPermits permits;
+  private final Supplier<BodyPermits.Client> client;
+  private BodyPermits.@Nullable Client permitHolder;
+  private long startNanos;
   private long count;
-  private boolean over;
+  private boolean ended;
 
   TimedBody(
       ServletInputStream in,
       LimitSettings limits,
-      BodyPlaces places,
-      Supplier<BodyPlaces.Waiter> waiter) {
+      BodyPermits permits,
+      Supplier<BodyPermits.Client> client) {
     this.in = in;
     this.limits = limits;
-    this.places = places;
-    this.waiter = waiter;
+    this.permits = permits;
+    this.client = client;
   }
 
   @Override
@@ -47,20 +47,20 @@ final class TimedBody extends ServletInputStream {
 
   @Override
   public int read(byte[] buffer, int offset, int length) {
-    if (over || length == 0) {
-      return over ? -1 : 0;
+    if (ended || length == 0) {
+      return ended ? -1 : 0;
     }
-    BodyPlaces.Waiter who = waiter.get();
+    BodyPermits.Client sender = client.get();
     int read;
     try {
-      takePlace(who);
+      acquirePermit(sender);
       read = in.read(buffer, offset, length);
     } catch (IOException e) {
       end();
       throw isTimeout(e)
-          ? tooSlow()
-          : Refusal.malformed(
-              "The body ends before it is complete, after %d bytes; send it again."
+          ? timeout()
+          : RequestException.malformed(
+              "The request body is incomplete: it ended after %d bytes; send it again."
                   .formatted(count));
     }
     if (read < 0) {
@@ -68,37 +68,37 @@ final class TimedBody extends ServletInputStream {
       return read;
     }
     count += read;
-    if (System.nanoTime() - began > allowed(who).toNanos()) {
+    if (System.nanoTime() - startNanos > timeLimit(sender).toNanos()) {
       end();
-      throw tooSlow();
+      throw timeout();
     }
     return read;
   }
 
-  /** What is there already is not waited for. */
-  private void takePlace(BodyPlaces.Waiter who) throws IOException {
-    if (began == 0) {
-      began = System.nanoTime();
+  /** Acquires a permit unless data is available, so that reading does not block. */
+  private void acquirePermit(BodyPermits.Client sender) throws IOException {
+    if (startNanos == 0) {
+      startNanos = System.nanoTime();
     }
-    if (place == null && in.available() == 0) {
-      if (!places.take(who)) {
-        throw Refusal.busy(
-            "The server waits for as many bodies of requests as it can; try again in some seconds.");
+    if (permitHolder == null && in.available() == 0) {
+      if (!permits.tryAcquire(sender)) {
+        throw RequestException.busy(
+            "Too many requests are waiting for their bodies; try again in some seconds.");
       }
-      place = who;
+      permitHolder = sender;
     }
   }
 
-  private Duration allowed(BodyPlaces.Waiter who) {
-    return who.stranger()
+  private Duration timeLimit(BodyPermits.Client sender) {
+    return sender.anonymous()
         ? limits.signInBodyTime()
-        : limits.bodyTime().plusSeconds(count / BYTES_A_SECOND);
+        : limits.bodyTime().plusSeconds(count / MIN_BYTES_PER_SECOND);
   }
 
-  private Refusal tooSlow() {
-    return Refusal.tooSlow(
-        "The body arrives too slowly: %d bytes in %d s. Send it faster."
-            .formatted(count, Duration.ofNanos(System.nanoTime() - began).toSeconds()));
+  private RequestException timeout() {
+    return RequestException.timeout(
+        "The request body arrived too slowly: %d bytes in %d s."
+            .formatted(count, Duration.ofNanos(System.nanoTime() - startNanos).toSeconds()));
   }
 
   private static boolean isTimeout(IOException e) {
@@ -110,23 +110,23 @@ final class TimedBody extends ServletInputStream {
     return false;
   }
 
-  /** Nothing more is read. */
+  /** Stops reading and releases the permit. */
   void end() {
-    over = true;
-    if (place != null) {
-      places.leave(place);
-      place = null;
+    ended = true;
+    if (permitHolder != null) {
+      permits.release(permitHolder);
+      permitHolder = null;
     }
   }
 
   @Override
   public int available() throws IOException {
-    return over ? 0 : in.available();
+    return ended ? 0 : in.available();
   }
 
   @Override
   public boolean isFinished() {
-    return over || in.isFinished();
+    return ended || in.isFinished();
   }
 
   @Override

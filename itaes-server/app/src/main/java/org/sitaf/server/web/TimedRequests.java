@@ -12,8 +12,8 @@ import java.io.InputStreamReader;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.server.error.RequestException;
 import org.sitaf.server.network.Addresses;
-import org.sitaf.server.refusal.Refusal;
 import org.sitaf.server.settings.LimitSettings;
 import org.springframework.core.Ordered;
 import org.springframework.core.annotation.Order;
@@ -24,21 +24,24 @@ import org.springframework.security.core.context.SecurityContextHolder;
 import org.springframework.stereotype.Component;
 import org.springframework.web.filter.OncePerRequestFilter;
 
-/** Gives the bodies of requests a deadline, and those that nobody reads too. */
+/** Sets deadlines for request bodies, including those that no handler reads. */
 @Component
 @Order(Ordered.HIGHEST_PRECEDENCE + 1)
 class TimedRequests extends OncePerRequestFilter {
-  /** So much of a body that nobody wanted is read, for its sender to see the answer. */
-  private static final long UNWANTED = 4 << 20;
+  /**
+   * Bytes of an unread body that are drained after the handler has ended. Some clients only read
+   * the response after they have sent the whole body.
+   */
+  private static final long MAX_DRAINED = 4 << 20;
 
-  private static final Duration UNWANTED_WITHIN = Duration.ofSeconds(2);
+  private static final Duration DRAIN_TIMEOUT = Duration.ofSeconds(2);
 
   private final LimitSettings limits;
-  private final BodyPlaces places;
+  private final BodyPermits permits;
 
-  TimedRequests(LimitSettings limits, BodyPlaces places) {
+  TimedRequests(LimitSettings limits, BodyPermits permits) {
     this.limits = limits;
-    this.places = places;
+    this.permits = permits;
   }
 
   @Override
@@ -54,10 +57,10 @@ class TimedRequests extends OncePerRequestFilter {
     }
     String address = Addresses.group(request.getRemoteAddr());
     TimedBody timed =
-        new TimedBody(request.getInputStream(), limits, places, () -> waiter(address));
+        new TimedBody(request.getInputStream(), limits, permits, () -> client(address));
     try {
-      chain.doFilter(new Timed(request, timed), response);
-      if (!request.isAsyncStarted() && !isReadToItsEnd(timed) && !response.isCommitted()) {
+      chain.doFilter(new TimedRequest(request, timed), response);
+      if (!request.isAsyncStarted() && !drain(timed) && !response.isCommitted()) {
         response.setHeader(HttpHeaders.CONNECTION, "close");
       }
     } finally {
@@ -65,37 +68,38 @@ class TimedRequests extends OncePerRequestFilter {
     }
   }
 
-  private static BodyPlaces.Waiter waiter(String address) {
-    Authentication present = SecurityContextHolder.getContext().getAuthentication();
-    boolean stranger = present == null || present instanceof AnonymousAuthenticationToken;
-    return new BodyPlaces.Waiter(stranger ? address : present.getName(), stranger);
+  private static BodyPermits.Client client(String address) {
+    Authentication caller = SecurityContextHolder.getContext().getAuthentication();
+    boolean anonymous = caller == null || caller instanceof AnonymousAuthenticationToken;
+    return new BodyPermits.Client(anonymous ? address : caller.getName(), anonymous);
   }
 
-  private static boolean isReadToItsEnd(TimedBody body) {
-    long began = System.nanoTime();
+  /** Reads the rest of a body; returns whether its end was reached. */
+  private static boolean drain(TimedBody body) {
+    long startNanos = System.nanoTime();
     byte[] buffer = new byte[1 << 14];
-    long left = UNWANTED;
+    long left = MAX_DRAINED;
     try {
       while (!body.isFinished()
           && left > 0
-          && System.nanoTime() - began < UNWANTED_WITHIN.toNanos()) {
+          && System.nanoTime() - startNanos < DRAIN_TIMEOUT.toNanos()) {
         int read = body.read(buffer, 0, buffer.length);
         if (read < 0) {
           return true;
         }
         left -= read;
       }
-    } catch (Refusal e) {
+    } catch (RequestException e) {
       return false;
     }
     return body.isFinished();
   }
 
-  private static final class Timed extends HttpServletRequestWrapper {
+  private static final class TimedRequest extends HttpServletRequestWrapper {
     private final TimedBody body;
     private @Nullable BufferedReader reader;
 
-    Timed(HttpServletRequest request, TimedBody body) {
+    TimedRequest(HttpServletRequest request, TimedBody body) {
       super(request);
       this.body = body;
     }

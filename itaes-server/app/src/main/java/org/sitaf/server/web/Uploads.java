@@ -13,7 +13,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Function;
 import org.sitaf.core.activity.ActivityArchive;
 import org.sitaf.core.activity.FileTree;
-import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.error.RequestException;
 import org.sitaf.server.settings.LimitSettings;
 import org.sitaf.server.settings.SitafSettings;
 import org.springframework.boot.context.event.ApplicationReadyEvent;
@@ -21,16 +21,16 @@ import org.springframework.context.event.EventListener;
 import org.springframework.stereotype.Component;
 
 /**
- * Takes the archives of activities. They arrive in a file, at their senders' pace, and are unpacked
- * in memory, a few at the same time.
+ * Receives uploaded archives of activities. An archive is first saved to a file and then unpacked
+ * in memory; the number of archives that are unpacked concurrently is limited.
  */
 @Component
 public class Uploads {
-  private static final int MOST_WAITING = 16;
-  private static final long PATIENCE_S = 20;
+  private static final int MAX_WAITING = 16;
+  private static final long WAIT_S = 20;
 
-  /** Of the memory that there is, for the files of one archive. */
-  private static final int PART_OF_MEMORY = 8;
+  /** An archive may take this fraction of the heap. */
+  private static final int HEAP_FRACTION = 8;
 
   private final Requests requests;
   private final Path folder;
@@ -42,10 +42,10 @@ public class Uploads {
     this.folder = settings.dataDirectory().resolve("uploads");
     this.unpacking = new Semaphore(limits.uploadsAtOnce(), true);
     this.maxUnpacked =
-        Math.min(ActivityArchive.MAX_SIZE, Runtime.getRuntime().maxMemory() / PART_OF_MEMORY);
+        Math.min(ActivityArchive.MAX_SIZE, Runtime.getRuntime().maxMemory() / HEAP_FRACTION);
   }
 
-  /** What a server that was killed has left. */
+  /** Deletes files that a killed server left. */
   @EventListener
   void on(ApplicationReadyEvent ready) throws IOException {
     if (Files.isDirectory(folder)) {
@@ -58,9 +58,9 @@ public class Uploads {
   }
 
   /**
-   * Does something with the archive in the body of a request.
+   * Unpacks the archive in a request's body and applies a function to its files.
    *
-   * @throws Refusal when it does not arrive, or too many others are worked on
+   * @throws RequestException if the body is incomplete or the server is busy
    */
   public <T> T unpack(HttpServletRequest request, Function<FileTree, T> use) throws IOException {
     Files.createDirectories(folder);
@@ -70,7 +70,7 @@ public class Uploads {
           OutputStream out = Files.newOutputStream(file)) {
         body.transferTo(out);
       }
-      takeTurn();
+      acquire();
       try (InputStream zip = new BufferedInputStream(Files.newInputStream(file))) {
         return use.apply(ActivityArchive.read(zip, "the uploaded archive", maxUnpacked));
       } finally {
@@ -81,15 +81,16 @@ public class Uploads {
     }
   }
 
-  private void takeTurn() {
+  private void acquire() {
     try {
-      if (unpacking.getQueueLength() < MOST_WAITING
-          && unpacking.tryAcquire(PATIENCE_S, TimeUnit.SECONDS)) {
+      if (unpacking.getQueueLength() < MAX_WAITING
+          && unpacking.tryAcquire(WAIT_S, TimeUnit.SECONDS)) {
         return;
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }
-    throw Refusal.busy("The server unpacks as many archives as it can; try again in some seconds.");
+    throw RequestException.busy(
+        "The server is busy with other uploads; try again in some seconds.");
   }
 }

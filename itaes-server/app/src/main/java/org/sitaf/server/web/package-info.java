@@ -1,6 +1,6 @@
 /**
- * What all of the HTTP interface shares: errors, pages, protection, the portal's files, the OpenAPI
- * document.
+ * Common parts of the HTTP interface: errors, pages, request filters, the portal's files, the
+ * OpenAPI document.
  */
 @NullMarked
 package org.sitaf.server.web;

@@ -17,16 +17,16 @@ import org.springframework.jdbc.core.simple.JdbcClient;
 import org.springframework.scheduling.annotation.Scheduled;
 import org.springframework.stereotype.Service;
 
-/** Sends what is to be sent, again and again until the other side has confirmed it. */
+/** Sends webhook messages, with retries until the receiver confirms them. */
 @Service
 class Deliveries {
   private static final Logger log = LoggerFactory.getLogger(Deliveries.class);
-  private static final int AT_ONCE = 20;
-  private static final int MOST_TRIES = 10;
-  private static final int LONGEST_ANSWER = 400;
-  private static final Duration FIRST_PAUSE = Duration.ofSeconds(5);
+  private static final int BATCH_SIZE = 20;
+  private static final int MAX_TRIES = 10;
+  private static final int MAX_RESPONSE = 400;
+  private static final Duration FIRST_DELAY = Duration.ofSeconds(5);
 
-  /** Another server takes over what one that died was about to send. */
+  /** If a server dies while it sends a message, another server sends it after this time. */
   private static final Duration CLAIM = Duration.ofMinutes(1);
 
   private static final String COLUMNS =
@@ -54,7 +54,7 @@ class Deliveries {
     }
     List<Delivery> due =
         jdbc.sql(COLUMNS + "WHERE state = 'WAITING' AND due <= ? ORDER BY due LIMIT ?")
-            .params(utc(clock.instant()), AT_ONCE)
+            .params(utc(clock.instant()), BATCH_SIZE)
             .query(Deliveries::delivery)
             .list();
     due.stream().filter(this::claim).forEach(this::send);
@@ -74,7 +74,7 @@ class Deliveries {
         .single();
   }
 
-  /** Of several servers one gets it. */
+  /** Claims a delivery, so that only one of several servers sends it. */
   private boolean claim(Delivery delivery) {
     return jdbc.sql(
                 "UPDATE webhook_delivery SET tries = tries + 1, due = ?"
@@ -94,31 +94,35 @@ class Deliveries {
             .optional()
             .orElse(null);
     if (message == null) {
-      // The webhook was deleted meanwhile.
+      // The webhook was deleted in the meantime.
       return;
     }
-    String answer;
+    String response;
     boolean confirmed = false;
     try {
       int status = sender.send(message.url(), message.secret(), delivery.id(), message.payload());
       confirmed = status / 100 == 2;
-      answer = "HTTP " + status;
+      response = "HTTP " + status;
     } catch (IOException | RuntimeException e) {
-      answer = String.valueOf(e.getMessage());
+      response = String.valueOf(e.getMessage());
     }
     int tries = delivery.tries() + 1;
     Delivery.State state =
         confirmed
             ? Delivery.State.DELIVERED
-            : tries < MOST_TRIES ? Delivery.State.WAITING : Delivery.State.GIVEN_UP;
+            : tries < MAX_TRIES ? Delivery.State.WAITING : Delivery.State.GIVEN_UP;
     if (state == Delivery.State.GIVEN_UP) {
-      log.warn("Webhook {} was given up for build {}", delivery.webhookId(), delivery.buildId());
+      log.warn(
+          "Delivery of webhook {} for build {} failed; giving up after {} tries",
+          delivery.webhookId(),
+          delivery.buildId(),
+          tries);
     }
     jdbc.sql("UPDATE webhook_delivery SET state = ?, due = ?, last_answer = ? WHERE id = ?")
         .params(
             state.name(),
-            utc(clock.instant().plus(FIRST_PAUSE.multipliedBy(1L << Math.min(tries - 1, 12)))),
-            answer.substring(0, Math.min(answer.length(), LONGEST_ANSWER)),
+            utc(clock.instant().plus(FIRST_DELAY.multipliedBy(1L << Math.min(tries - 1, 12)))),
+            response.substring(0, Math.min(response.length(), MAX_RESPONSE)),
             delivery.id())
         .update();
   }

@@ -5,10 +5,10 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What is, or was, to be sent to a webhook.
+ * The delivery of a message to a webhook.
  *
- * @param tries how often it was tried so far
- * @param due when it is tried next, while it waits
+ * @param tries number of tries so far
+ * @param due time of the next try, if {@link State#WAITING}
  */
 record Delivery(
     String id,
@@ -19,13 +19,12 @@ record Delivery(
     Instant due,
     Instant created,
     @Nullable String lastAnswerOrNull) {
-  /** What became of it. */
   enum State {
-    /** Is tried when it is due. */
+    /** Will be sent when it is due. */
     WAITING,
-    /** The other side has confirmed it. */
+    /** The receiver confirmed it. */
     DELIVERED,
-    /** Was tried for too long. */
+    /** All tries failed. */
     GIVEN_UP
   }
 

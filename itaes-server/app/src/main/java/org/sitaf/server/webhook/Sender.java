@@ -22,14 +22,14 @@ import org.springframework.context.annotation.Configuration;
 import org.springframework.scheduling.annotation.EnableScheduling;
 
 /**
- * Sends a message, signed: {@code Sitaf-Signature: t=SECONDS,v1=HEX} where HEX is the HMAC-SHA-256,
- * by the webhook's secret, of {@code SECONDS.BODY}. Redirects are not followed.
+ * Sends signed messages. The header is {@code Sitaf-Signature: t=SECONDS,v1=HEX}, where HEX is the
+ * HMAC-SHA-256 of {@code SECONDS.BODY} with the webhook's secret. Redirects are not followed.
  */
 @Configuration(proxyBeanMethods = false)
 @EnableScheduling
 @EnableConfigurationProperties(WebhookSettings.class)
 class Sender implements AutoCloseable {
-  private static final Timeout PATIENCE = Timeout.ofSeconds(5);
+  private static final Timeout TIMEOUT = Timeout.ofSeconds(5);
   private static final String ALGORITHM = "HmacSHA256";
 
   private final CloseableHttpClient client;
@@ -46,14 +46,14 @@ class Sender implements AutoCloseable {
                     .setDnsResolver(target)
                     .setDefaultConnectionConfig(
                         ConnectionConfig.custom()
-                            .setConnectTimeout(PATIENCE)
-                            .setSocketTimeout(PATIENCE)
+                            .setConnectTimeout(TIMEOUT)
+                            .setSocketTimeout(TIMEOUT)
                             .build())
                     .build())
             .setDefaultRequestConfig(
                 RequestConfig.custom()
-                    .setResponseTimeout(PATIENCE)
-                    .setConnectionRequestTimeout(PATIENCE)
+                    .setResponseTimeout(TIMEOUT)
+                    .setConnectionRequestTimeout(TIMEOUT)
                     .build())
             .disableRedirectHandling()
             .disableAutomaticRetries()
@@ -63,7 +63,7 @@ class Sender implements AutoCloseable {
             .build();
   }
 
-  /** Sends, and answers with the status; of what comes back nothing else is read. */
+  /** Sends a message and returns the HTTP status; the response body is ignored. */
   int send(String url, String secret, String id, String payload) throws IOException {
     HttpPost request = new HttpPost(target.verify(url));
     long seconds = clock.instant().getEpochSecond();
@@ -74,13 +74,13 @@ class Sender implements AutoCloseable {
     return client.execute(
         request,
         response -> {
-          // Closes the connection instead of reading a body of any length.
+          // Close the connection instead of reading a body of unknown length.
           request.abort();
           return response.getCode();
         });
   }
 
-  /** Hexadecimal. */
+  /** HMAC-SHA-256 in hexadecimal. */
   static String hmac(String secret, String text) {
     try {
       Mac mac = Mac.getInstance(ALGORITHM);

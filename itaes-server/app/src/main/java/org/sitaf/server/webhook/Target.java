@@ -9,12 +9,12 @@ import java.util.Arrays;
 import java.util.Locale;
 import org.apache.hc.client5.http.DnsResolver;
 import org.apache.hc.client5.http.SystemDefaultDnsResolver;
-import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.error.RequestException;
 
 /**
- * Where webhooks may go: the server must not be made to speak with its own neighbours. The name is
- * looked at when a webhook is made, the addresses each time that something is sent, and the
- * connection goes to the very addresses that were looked at.
+ * Prevents server-side request forgery by webhooks. The host name is checked when a webhook is
+ * created, and its IP addresses are checked each time a message is sent; the connection uses the
+ * checked addresses.
  */
 final class Target implements DnsResolver {
   private static final int SHARED_FIRST = 100;
@@ -31,32 +31,32 @@ final class Target implements DnsResolver {
   }
 
   /**
-   * Reads an address.
+   * Parses and checks the URL of a webhook.
    *
-   * @throws Refusal when webhooks may not go there
+   * @throws RequestException if the URL is invalid or its host is not allowed
    */
   URI verify(String url) {
     URI address;
     try {
       address = new URI(url);
     } catch (URISyntaxException e) {
-      throw Refusal.malformed("url: " + e.getReason() + ".");
+      throw RequestException.malformed("url: " + e.getReason() + ".");
     }
     boolean web = "https".equals(address.getScheme()) || "http".equals(address.getScheme());
     if (!web
         || address.getHost() == null
         || address.getUserInfo() != null
         || url.length() > MAX_LENGTH) {
-      throw Refusal.malformed(
-          "url: expected http or https, a host, and no user, at most "
+      throw RequestException.malformed(
+          "url: must be an http or https URL with a host and without a user, at most "
               + MAX_LENGTH
               + " characters.");
     }
     if (!isAllowed(address.getHost())) {
-      throw Refusal.malformed(
-          "url: webhooks may not go to "
+      throw RequestException.malformed(
+          "url: webhooks are not allowed to "
               + address.getHost()
-              + "; the operator lists hosts in sitaf.webhooks.allowed-hosts.");
+              + "; the administrator can add hosts to sitaf.webhooks.allowed-hosts.");
     }
     return address;
   }
@@ -75,14 +75,17 @@ final class Target implements DnsResolver {
   @Override
   public InetAddress[] resolve(String host) throws UnknownHostException {
     if (!isAllowed(host)) {
-      throw new UnknownHostException("webhooks may not go to " + host);
+      throw new UnknownHostException("webhooks are not allowed to " + host);
     }
     InetAddress[] addresses = SystemDefaultDnsResolver.INSTANCE.resolve(host);
     if (!settings.privateAddresses()) {
       for (InetAddress address : addresses) {
         if (isPrivate(address)) {
           throw new UnknownHostException(
-              host + " is " + address.getHostAddress() + ", an address of no public network");
+              host
+                  + " resolves to "
+                  + address.getHostAddress()
+                  + ", which is not a public address");
         }
       }
     }
@@ -94,7 +97,7 @@ final class Target implements DnsResolver {
     return host;
   }
 
-  /** Of this machine, of the network that it is in, or of nobody. */
+  /** Whether an address belongs to this machine, to a private network, or to no network. */
   static boolean isPrivate(InetAddress address) {
     if (address.isLoopbackAddress()
         || address.isAnyLocalAddress()
@@ -105,7 +108,7 @@ final class Target implements DnsResolver {
     }
     byte[] bytes = address.getAddress();
     if (address instanceof Inet6Address) {
-      // fc00::/7; 64:ff9b::/96 and 2002::/16 carry any address of version 4.
+      // fc00::/7; 64:ff9b::/96 and 2002::/16 contain arbitrary IPv4 addresses.
       return (bytes[0] & UNIQUE_LOCAL_MASK) == UNIQUE_LOCAL
           || bytes[0] == 0 && bytes[1] == 0x64
           || bytes[0] == 0x20 && bytes[1] == 0x02

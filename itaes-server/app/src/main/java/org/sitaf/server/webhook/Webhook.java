@@ -6,9 +6,9 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Whom to tell that a build is over.
+ * A URL that is notified when a build ends.
  *
- * @param activityOrNull name of the activities whose builds are told; null for all
+ * @param activityOrNull name of the activities whose builds are reported; null for all
  */
 record Webhook(
     String id, URI url, @Nullable String activityOrNull, Instant created, String createdBy) {

@@ -7,7 +7,7 @@ import java.net.URI;
 import java.time.Instant;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.server.access.Caller;
-import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.error.RequestException;
 import org.sitaf.server.web.Listing;
 import org.springframework.data.domain.PageRequest;
 import org.springframework.data.domain.Sort;
@@ -27,7 +27,7 @@ import org.springframework.web.bind.annotation.RestController;
 @RequestMapping("/api/v1/webhooks")
 @Tag(name = "webhooks")
 class WebhookController {
-  private static final int LONGEST_NAME = 200;
+  private static final int MAX_NAME = 200;
 
   private final Webhooks webhooks;
   private final Deliveries deliveries;
@@ -39,7 +39,7 @@ class WebhookController {
 
   @Schema(name = "WebhookRequest")
   record WebhookRequest(
-      @Schema(description = "to a host that the operator allows") String url,
+      @Schema(description = "its host must be in sitaf.webhooks.allowed-hosts") String url,
       @Schema(description = "only builds of activities of this name; absent for all")
           @Nullable String activity) {}
 
@@ -61,8 +61,8 @@ class WebhookController {
       WebhookView webhook,
       @Schema(
               description =
-                  "signs what is sent: Sitaf-Signature is t=SECONDS,v1=HEX with the HMAC-SHA-256 of"
-                      + " SECONDS.BODY; shown this once")
+                  "signs the messages: Sitaf-Signature is t=SECONDS,v1=HEX with the HMAC-SHA-256 of"
+                      + " SECONDS.BODY; shown only once")
           String secret) {}
 
   @Schema(name = "WebhookDelivery")
@@ -71,9 +71,9 @@ class WebhookController {
       String buildId,
       Delivery.State state,
       int tries,
-      @Schema(description = "when it is tried next; absent when it is not") @Nullable Instant due,
+      @Schema(description = "time of the next try; absent if there is none") @Nullable Instant due,
       Instant created,
-      @Schema(description = "what came of the last try") @Nullable String lastAnswer) {
+      @Schema(description = "HTTP status or error of the last try") @Nullable String lastAnswer) {
     static DeliveryView of(Delivery delivery) {
       return new DeliveryView(
           delivery.id(),
@@ -87,37 +87,41 @@ class WebhookController {
   }
 
   @GetMapping
-  @Operation(operationId = "listWebhooks", summary = "Webhooks, the newest first")
+  @Operation(operationId = "listWebhooks", summary = "Lists webhooks, newest first")
   Listing<WebhookView> list(
       @RequestParam(defaultValue = "0") int page, @RequestParam(defaultValue = "50") int size) {
-    PageRequest wanted = Listing.request(page, size, Sort.unsorted());
+    PageRequest pageRequest = Listing.request(page, size, Sort.unsorted());
     return new Listing<>(
-        webhooks.list(wanted).stream().map(WebhookView::of).toList(), page, size, webhooks.count());
+        webhooks.list(pageRequest).stream().map(WebhookView::of).toList(),
+        page,
+        size,
+        webhooks.count());
   }
 
   @PostMapping
   @Operation(
       operationId = "createWebhook",
-      summary = "Has another system told when builds are over",
+      summary = "Creates a webhook, which is called when a build ends",
       description =
-          "By POST of JSON: event (build.finished), build, activity, model, state, finished, counts."
-              + " Sent at least once; Sitaf-Delivery is the same each time.")
+          "The server sends a POST request with JSON: event (build.finished), build, activity,"
+              + " model, state, finished, counts. A message is sent at least once; its header"
+              + " Sitaf-Delivery is the same each time.")
   @ResponseStatus(HttpStatus.CREATED)
   ResponseEntity<WebhookWithSecret> create(@RequestBody WebhookRequest request) {
     if (request.url() == null) {
-      throw Refusal.malformed("url must be given.");
+      throw RequestException.malformed("url must be given.");
     }
-    if (request.activity() != null && request.activity().length() > LONGEST_NAME) {
-      throw Refusal.malformed("activity: at most " + LONGEST_NAME + " characters.");
+    if (request.activity() != null && request.activity().length() > MAX_NAME) {
+      throw RequestException.malformed("activity: must be at most " + MAX_NAME + " characters.");
     }
-    Webhooks.WithSecret made =
+    Webhooks.WithSecret created =
         webhooks.create(request.url(), request.activity(), Caller.currentName());
-    return ResponseEntity.created(URI.create("/api/v1/webhooks/" + made.webhook().id()))
-        .body(new WebhookWithSecret(WebhookView.of(made.webhook()), made.secret()));
+    return ResponseEntity.created(URI.create("/api/v1/webhooks/" + created.webhook().id()))
+        .body(new WebhookWithSecret(WebhookView.of(created.webhook()), created.secret()));
   }
 
   @DeleteMapping("/{id}")
-  @Operation(operationId = "deleteWebhook", summary = "Tells that system no more")
+  @Operation(operationId = "deleteWebhook", summary = "Deletes a webhook")
   @ResponseStatus(HttpStatus.NO_CONTENT)
   void delete(@PathVariable String id) {
     webhooks.delete(id);
@@ -126,15 +130,15 @@ class WebhookController {
   @GetMapping("/{id}/deliveries")
   @Operation(
       operationId = "listWebhookDeliveries",
-      summary = "What was sent, or is to be, the newest first")
+      summary = "Lists the deliveries of a webhook, newest first")
   Listing<DeliveryView> deliveries(
       @PathVariable String id,
       @RequestParam(defaultValue = "0") int page,
       @RequestParam(defaultValue = "50") int size) {
-    PageRequest wanted = Listing.request(page, size, Sort.unsorted());
+    PageRequest pageRequest = Listing.request(page, size, Sort.unsorted());
     webhooks.find(id);
     return new Listing<>(
-        deliveries.list(id, wanted).stream().map(DeliveryView::of).toList(),
+        deliveries.list(id, pageRequest).stream().map(DeliveryView::of).toList(),
         page,
         size,
         deliveries.count(id));

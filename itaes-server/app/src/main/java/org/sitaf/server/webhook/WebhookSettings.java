@@ -7,9 +7,9 @@ import org.springframework.boot.context.properties.bind.DefaultValue;
 /**
  * Settings {@code sitaf.webhooks.*} of the server.
  *
- * @param allowedHosts hosts to which webhooks may go, such as {@code ci.example.org}, or {@code
- *     *.example.org} for all below one; none where empty
- * @param privateAddresses whether such a host may be one of a private network, or this machine
+ * @param allowedHosts hosts that webhooks may call, such as {@code ci.example.org} or {@code
+ *     *.example.org}; empty allows none
+ * @param privateAddresses whether such a host may have a private or loopback address
  */
 @ConfigurationProperties("sitaf.webhooks")
 record WebhookSettings(

@@ -16,7 +16,7 @@ import org.sitaf.server.access.Secret;
 import org.sitaf.server.build.Build;
 import org.sitaf.server.build.BuildEvent;
 import org.sitaf.server.build.Builds;
-import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.error.RequestException;
 import org.springframework.data.domain.PageRequest;
 import org.springframework.jdbc.core.simple.JdbcClient;
 import org.springframework.stereotype.Service;
@@ -24,7 +24,7 @@ import org.springframework.transaction.event.TransactionPhase;
 import org.springframework.transaction.event.TransactionalEventListener;
 import tools.jackson.databind.json.JsonMapper;
 
-/** The webhooks, and what is to be sent to them. */
+/** Stores webhooks and creates deliveries when builds end. */
 @Service
 class Webhooks {
   private static final String SECRET_PREFIX = "sitaf-hook_";
@@ -45,13 +45,13 @@ class Webhooks {
     this.clock = clock;
   }
 
-  /** A webhook, and the secret that signs what is sent: to be shown once. */
+  /** A new webhook and its secret, which is shown only once. */
   record WithSecret(Webhook webhook, String secret) {}
 
   WithSecret create(String url, @Nullable String activity, String createdBy) {
     URI address = target.verify(url);
     String id = UUID.randomUUID().toString();
-    String secret = Secret.fresh(SECRET_PREFIX);
+    String secret = Secret.generate(SECRET_PREFIX);
     jdbc.sql(
             "INSERT INTO webhook (id, url, secret, activity, created, created_by)"
                 + " VALUES (?, ?, ?, ?, ?, ?)")
@@ -65,7 +65,7 @@ class Webhooks {
         .param(id)
         .query(Webhooks::webhook)
         .optional()
-        .orElseThrow(() -> Refusal.notFound("webhook", id));
+        .orElseThrow(() -> RequestException.notFound("webhook", id));
   }
 
   List<Webhook> list(PageRequest page) {
@@ -84,7 +84,7 @@ class Webhooks {
     jdbc.sql("DELETE FROM webhook WHERE id = ?").param(id).update();
   }
 
-  /** In the transaction in which the build ends: either both are on disk or neither. */
+  /** Runs in the transaction that ends the build, so that no delivery is lost. */
   @TransactionalEventListener(phase = TransactionPhase.BEFORE_COMMIT)
   void on(BuildEvent.Changed changed) {
     if (!changed.state().isOver()) {
@@ -96,9 +96,9 @@ class Webhooks {
     }
     Map<String, Object> payload = builds.inspect(changed.buildId(), Webhooks::payload);
     for (Webhook webhook : all) {
-      boolean wanted =
+      boolean matches =
           webhook.activity().map(name -> name.equals(payload.get("activity"))).orElse(true);
-      if (wanted) {
+      if (matches) {
         enqueue(webhook, changed.buildId(), json.writeValueAsString(payload));
       }
     }

@@ -1,4 +1,4 @@
-/** Tells other systems, by HTTP, that a build is over. */
+/** Webhooks: HTTP callbacks when a build ends. */
 @NullMarked
 package org.sitaf.server.webhook;
 

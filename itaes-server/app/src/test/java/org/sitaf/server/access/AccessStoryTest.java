@@ -17,7 +17,7 @@ import org.springframework.beans.factory.annotation.Autowired;
 import org.springframework.jdbc.core.simple.JdbcClient;
 import tools.jackson.databind.JsonNode;
 
-/** People and scripts sign in, do what they may, and are refused the rest. */
+/** Users and scripts sign in; operations that their role does not allow are rejected. */
 class AccessStoryTest extends ServerTest {
   @Autowired private JdbcClient jdbc;
 
@@ -27,18 +27,18 @@ class AccessStoryTest extends ServerTest {
   private Browser browser = new Browser(0);
 
   @BeforeEach
-  void letSomebodyIn() {
-    JsonNode made =
+  void createUser() {
+    JsonNode created =
         api.post("/api/v1/users", "{\"name\":\"%s\",\"role\":\"TESTER\"}".formatted(name))
             .expect(201)
             .json();
-    id = made.get("user").get("id").asString();
-    password = made.get("password").asString();
+    id = created.get("user").get("id").asString();
+    password = created.get("password").asString();
     browser = new Browser(httpPort());
   }
 
   @Test
-  void aPersonSignsInAndOut() {
+  void userSignsInAndOut() {
     browser.get("/api/v1/session").expect(401);
     browser.get("/api/v1/builds").expect(401);
     JsonNode caller = browser.signIn(name, password).expect(200).json();
@@ -51,7 +51,7 @@ class AccessStoryTest extends ServerTest {
   }
 
   @Test
-  void theCookieOfASessionIsNoScriptsBusiness() {
+  void sessionCookieIsHttpOnlyAndSameSite() {
     Api.Answer answer = browser.signIn(name, password).expect(200);
     assertThat(answer.headers().allValues("Set-Cookie"))
         .filteredOn(cookie -> cookie.startsWith("SITAF_SESSION="))
@@ -60,7 +60,7 @@ class AccessStoryTest extends ServerTest {
   }
 
   @Test
-  void theDatabaseHoldsNothingThatTakesASessionOver() {
+  void sessionIdsAreStoredAsHashes() {
     browser.signIn(name, password).expect(200);
     String cookie = browser.cookie("SITAF_SESSION").orElseThrow();
     String secret = new String(Base64.getDecoder().decode(cookie), StandardCharsets.UTF_8);
@@ -72,17 +72,19 @@ class AccessStoryTest extends ServerTest {
     assertThat(stored).singleElement().isNotEqualTo(secret).isEqualTo(Secret.hash(secret));
     String stolen =
         Base64.getEncoder().encodeToString(stored.get(0).getBytes(StandardCharsets.UTF_8));
-    Api nobody = new Api(httpPort(), null);
-    nobody
-        .send(nobody.request("/api/v1/session").header("Cookie", "SITAF_SESSION=" + stolen).GET())
+    Api anonymous = new Api(httpPort(), null);
+    anonymous
+        .send(
+            anonymous.request("/api/v1/session").header("Cookie", "SITAF_SESSION=" + stolen).GET())
         .expect(401);
-    nobody
-        .send(nobody.request("/api/v1/session").header("Cookie", "SITAF_SESSION=" + cookie).GET())
+    anonymous
+        .send(
+            anonymous.request("/api/v1/session").header("Cookie", "SITAF_SESSION=" + cookie).GET())
         .expect(200);
   }
 
   @Test
-  void signingInChangesTheSession() {
+  void signingInCreatesANewSession() {
     browser.signIn(name, password).expect(200);
     String first = browser.cookie("SITAF_SESSION").orElseThrow();
     browser.signIn(name, password).expect(200);
@@ -90,7 +92,7 @@ class AccessStoryTest extends ServerTest {
   }
 
   @Test
-  void whatAForeignPageMakesABrowserSendChangesNothing() {
+  void crossSiteRequestsAreRejected() {
     browser.signIn(name, password).expect(200);
     browser
         .sendForged("POST", "/api/v1/tokens", "{\"name\":\"x\",\"role\":\"VIEWER\",\"days\":1}")
@@ -100,13 +102,13 @@ class AccessStoryTest extends ServerTest {
   }
 
   @Test
-  void aWrongPasswordAndAnUnknownNameAreToldAlike() {
+  void wrongPasswordAndUnknownNameGetTheSameResponse() {
     String wrong = browser.signIn(name, password + "x").expect(401).text();
     assertThat(browser.signIn("nobody-" + name, password).expect(401).text()).isEqualTo(wrong);
   }
 
   @Test
-  void guessingIsStoppedAndOthersAreNot() {
+  void guessingPasswordsIsThrottledPerUser() {
     for (int i = 0; i < 5; i++) {
       browser.signIn(name, "a wrong password " + i).expect(401);
     }
@@ -121,7 +123,7 @@ class AccessStoryTest extends ServerTest {
   }
 
   @Test
-  void aPersonChangesTheirPasswordAndOtherSessionsEnd() {
+  void changingThePasswordEndsOtherSessions() {
     browser.signIn(name, password).expect(200);
     Browser elsewhere = new Browser(httpPort());
     elsewhere.signIn(name, password).expect(200);
@@ -141,7 +143,7 @@ class AccessStoryTest extends ServerTest {
   }
 
   @Test
-  void aTokenDoesWhatItsRoleMayUntilItIsRevoked() {
+  void tokenIsLimitedByItsRoleUntilItIsRevoked() {
     browser.signIn(name, password).expect(200);
     JsonNode made = token("VIEWER");
     String secret = made.get("secret").asString();
@@ -161,7 +163,7 @@ class AccessStoryTest extends ServerTest {
   }
 
   @Test
-  void aTokenNeverDoesMoreThanItsOwnerAndEndsWithThem() {
+  void tokenIsLimitedByItsOwnersRoleAndDeletedWithTheOwner() {
     browser.signIn(name, password).expect(200);
     browser
         .send("POST", "/api/v1/tokens", "{\"name\":\"x\",\"role\":\"ADMINISTRATOR\",\"days\":1}")
@@ -182,7 +184,7 @@ class AccessStoryTest extends ServerTest {
   }
 
   @Test
-  void anExpiredTokenIsRefused() {
+  void expiredTokenIsRejected() {
     browser.signIn(name, password).expect(200);
     JsonNode made = token("VIEWER");
     jdbc.sql("UPDATE api_token SET expires = CURRENT_TIMESTAMP WHERE id = ?")
@@ -192,7 +194,7 @@ class AccessStoryTest extends ServerTest {
   }
 
   @Test
-  void oneCannotRevokeTheTokenOfAnother() {
+  void usersCannotRevokeTokensOfOthers() {
     browser.signIn(name, password).expect(200);
     String tokenId = token("VIEWER").get("token").get("id").asString();
     JsonNode other =
@@ -207,7 +209,7 @@ class AccessStoryTest extends ServerTest {
   }
 
   @Test
-  void noSecretIsStoredAsItIs() {
+  void tokensAndPasswordsAreStoredAsHashes() {
     browser.signIn(name, password).expect(200);
     String secret = token("VIEWER").get("secret").asString();
     assertThat(jdbc.sql("SELECT hash FROM api_token").query(String.class).list())
@@ -223,7 +225,7 @@ class AccessStoryTest extends ServerTest {
   }
 
   @Test
-  void aLinkOpensThePortalOnce() {
+  void signInLinkCanBeUsedOnce() {
     String path = api.post("/api/v1/session/link", "").expect(200).json().get("path").asString();
     Api.Answer opened = browser.get(path).expect(303);
     assertThat(opened.headers().firstValue("Location")).contains("/");
@@ -237,13 +239,13 @@ class AccessStoryTest extends ServerTest {
   }
 
   @Test
-  void whoComesByALinkHasSignedIn() {
+  void signInLinkUpdatesTheLastSignIn() {
     Instant before = Instant.now().truncatedTo(ChronoUnit.MILLIS);
     String path = api.post("/api/v1/session/link", "").expect(200).json().get("path").asString();
     browser.get(path).expect(303);
-    String who = browser.get("/api/v1/session").expect(200).json().get("name").asString();
+    String caller = browser.get("/api/v1/session").expect(200).json().get("name").asString();
     assertThat(api.get("/api/v1/users?size=500").expect(200).json().get("items"))
-        .filteredOn(user -> user.get("name").asString().equals(who))
+        .filteredOn(user -> user.get("name").asString().equals(caller))
         .singleElement()
         .satisfies(
             user ->
@@ -252,7 +254,7 @@ class AccessStoryTest extends ServerTest {
   }
 
   @Test
-  void whatChangedIsInTheAuditLogWithWhoDidIt() {
+  void changesAndRejectionsAreInTheAuditLog() {
     browser.signIn(name, password + "x").expect(401);
     browser.signIn(name, password).expect(200);
     token("VIEWER");
@@ -268,7 +270,7 @@ class AccessStoryTest extends ServerTest {
   }
 
   @Test
-  void theOnlyAdministratorStays() {
+  void lastAdministratorCannotBeRemoved() {
     JsonNode administrator = null;
     for (JsonNode user : api.get("/api/v1/users?size=500").expect(200).json().get("items")) {
       if (user.get("role").asString().equals("ADMINISTRATOR")) {
@@ -287,17 +289,17 @@ class AccessStoryTest extends ServerTest {
   }
 
   @Test
-  void aWrongTokenIsRefusedEvenWhereNoneIsNeeded() {
+  void invalidTokenIsRejectedForPublicPages() {
     Api wrong = new Api(httpPort(), "sitaf_" + "x".repeat(43));
     wrong.get("/api/v1/builds").expect(401);
     wrong.get("/").expect(401);
-    Api nobody = new Api(httpPort(), null);
-    nobody.get("/").expect(200);
-    nobody.get("/actuator/health").expect(200);
-    nobody.get("/actuator/prometheus").expect(401);
+    Api anonymous = new Api(httpPort(), null);
+    anonymous.get("/").expect(200);
+    anonymous.get("/actuator/health").expect(200);
+    anonymous.get("/actuator/prometheus").expect(401);
     assertThat(api.get("/actuator/prometheus").expect(200).text()).contains("jvm_memory_used");
-    nobody.get("/actuator/env").expect(401);
-    nobody.get("/v3/api-docs").expect(401);
+    anonymous.get("/actuator/env").expect(401);
+    anonymous.get("/v3/api-docs").expect(401);
   }
 
   private JsonNode token(String role) {

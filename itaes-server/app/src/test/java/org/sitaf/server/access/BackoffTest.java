@@ -12,7 +12,7 @@ class BackoffTest {
   private final Backoff backoff = new Backoff(3, Duration.ofSeconds(1), Duration.ofSeconds(10));
 
   @Test
-  void delaysGrowAndAreNeverLongerThanTheLongest() {
+  void delaysDoubleUpToTheLongest() {
     Instant now = START;
     for (int i = 0; i < 3; i++) {
       assertThat(backoff.attempt("a", now)).isZero();
@@ -26,7 +26,7 @@ class BackoffTest {
   }
 
   @Test
-  void whoComesTooEarlyWaitsNoLongerForIt() {
+  void earlyAttemptsDoNotIncreaseTheDelay() {
     for (int i = 0; i < 3; i++) {
       backoff.attempt("a", START);
     }
@@ -37,7 +37,7 @@ class BackoffTest {
   }
 
   @Test
-  void rightAttemptsDoNotCountAndOldFailuresAreForgotten() {
+  void successfulAttemptsAndOldFailuresDoNotCount() {
     for (int i = 0; i < 50; i++) {
       assertThat(backoff.attempt("a", START)).isZero();
       backoff.takeBack("a");
@@ -50,9 +50,9 @@ class BackoffTest {
   }
 
   @Test
-  void manyStrangersTakeBoundedMemoryAndAreStillServed() {
+  void memoryIsBoundedForManyKeys() {
     for (int i = 0; i < 50_000; i++) {
-      assertThat(backoff.attempt("stranger " + i, START.plusMillis(i))).isZero();
+      assertThat(backoff.attempt("key " + i, START.plusMillis(i))).isZero();
     }
     assertThat(backoff.size()).isLessThan(20_000);
   }

@@ -18,13 +18,12 @@ import org.springframework.boot.test.system.OutputCaptureExtension;
 import org.springframework.boot.web.server.context.WebServerApplicationContext;
 import org.springframework.context.ConfigurableApplicationContext;
 
-/** The first password is in a file of the server's own user, until it is changed. */
+/** The first password is stored in a private file until it is changed. */
 @Tag("slow")
 @ExtendWith(OutputCaptureExtension.class)
 class FirstPasswordTest {
   @Test
-  void theFirstPasswordIsInAPrivateFileOnlyAndGoesWhenItIsChanged(CapturedOutput output)
-      throws IOException {
+  void firstPasswordIsInAPrivateFileUntilItIsChanged(CapturedOutput output) throws IOException {
     Path data = ServerTest.temporary();
     Files.setPosixFilePermissions(data, PosixFilePermissions.fromString("rwxr-xr-x"));
     try (ConfigurableApplicationContext server =

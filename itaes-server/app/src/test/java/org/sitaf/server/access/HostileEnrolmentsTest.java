@@ -24,21 +24,21 @@ import org.sitaf.server.support.ServerTest;
 import org.springframework.test.annotation.DirtiesContext;
 import org.springframework.test.context.TestPropertySource;
 
-/** Those who have no key yet bring little into the server's memory and its database. */
+/** Unauthenticated clients can use little memory and database space. */
 @DirtiesContext
 @TestPropertySource(properties = "sitaf.trusted-proxies=127.0.0.0/8,::1")
 class HostileEnrolmentsTest extends ServerTest {
   private static final Metadata.Key<String> FORWARDED =
       Metadata.Key.of("x-forwarded-for", Metadata.ASCII_STRING_MARSHALLER);
 
-  /** As a stream its head is sent at once, and the server waits for the message. */
-  private static final MethodDescriptor<EnrolRequest, EnrolResponse> BEGUN =
+  /** As a client stream, so that the headers are sent before the message. */
+  private static final MethodDescriptor<EnrolRequest, EnrolResponse> WITHOUT_MESSAGE =
       AgentServiceGrpc.getEnrolMethod().toBuilder()
           .setType(MethodDescriptor.MethodType.CLIENT_STREAMING)
           .build();
 
   @Test
-  void messagesOfManyMebibytesAreRefusedBeforeTheyAreRead() throws Exception {
+  void largeMessagesAreRejected() throws Exception {
     ManagedChannel channel = channel("203.0.113.40");
     try {
       for (int mib : new int[] {5, 60}) {
@@ -54,7 +54,7 @@ class HostileEnrolmentsTest extends ServerTest {
   }
 
   @Test
-  void fewCallsOfStrangersAreHeldAndNoneForLong() throws Exception {
+  void pendingEnrolmentsAreLimitedAndTimeOut() throws Exception {
     ManagedChannel channel = channel("203.0.113.41");
     ManagedChannel other = channel("203.0.113.42");
     try {
@@ -62,7 +62,8 @@ class HostileEnrolmentsTest extends ServerTest {
       for (int i = 0; i < 40; i++) {
         CompletableFuture<Status> end = new CompletableFuture<>();
         ends.add(end);
-        ClientCall<EnrolRequest, EnrolResponse> call = channel.newCall(BEGUN, CallOptions.DEFAULT);
+        ClientCall<EnrolRequest, EnrolResponse> call =
+            channel.newCall(WITHOUT_MESSAGE, CallOptions.DEFAULT);
         call.start(
             new ClientCall.Listener<>() {
               @Override
@@ -73,9 +74,9 @@ class HostileEnrolmentsTest extends ServerTest {
             new Metadata());
         call.request(1);
       }
-      EnrolRequest right =
+      EnrolRequest valid =
           EnrolRequest.newBuilder().setToken(ENROLMENT).setName("a-" + UUID.randomUUID()).build();
-      assertThat(enrol(other, right).isOk()).isTrue();
+      assertThat(enrol(other, valid).isOk()).isTrue();
       List<Status.Code> codes = new ArrayList<>();
       for (CompletableFuture<Status> end : ends) {
         codes.add(end.get(60, TimeUnit.SECONDS).getCode());
@@ -89,7 +90,7 @@ class HostileEnrolmentsTest extends ServerTest {
   }
 
   @Test
-  void refusedEnrolmentsAreSlowedDownAndLeaveFewTraces() throws Exception {
+  void failedEnrolmentsAreThrottledAndSummarizedInTheAuditLog() throws Exception {
     String address = "203.0.113.43";
     ManagedChannel channel = channel(address);
     try {

@@ -17,15 +17,15 @@ import org.junit.jupiter.api.Test;
 import org.sitaf.agent.v1.Assignment;
 import org.sitaf.server.support.Activities;
 import org.sitaf.server.support.Api;
-import org.sitaf.server.support.RimAgent;
+import org.sitaf.server.support.FakeAgent;
 import org.sitaf.server.support.ServerTest;
 import org.springframework.test.annotation.DirtiesContext;
 import org.springframework.test.context.TestPropertySource;
 import tools.jackson.databind.JsonNode;
 
 /**
- * What strangers send, and how much people store, is bounded, and others do not notice. The tests
- * come from addresses of their own, as if through a proxy.
+ * Limits for requests and stored data do not affect other users. Each test uses its own client
+ * addresses, as behind a proxy.
  */
 @DirtiesContext
 @TestPropertySource(
@@ -43,7 +43,7 @@ class LimitsTest extends ServerTest {
   private final String name = "ann-" + UUID.randomUUID().toString().substring(0, 8);
 
   @Test
-  void slowSignInsDoNotStopTheRest() throws IOException {
+  void slowSignInsDoNotBlockOthers() throws IOException {
     List<Socket> slow = new ArrayList<>();
     try {
       for (int i = 0; i < 250; i++) {
@@ -70,7 +70,7 @@ class LimitsTest extends ServerTest {
   }
 
   @Test
-  void aBodyThatComesByteForByteIsDropped() throws Exception {
+  void slowBodyTimesOut() throws Exception {
     try (Socket socket =
         begin(
             "POST /api/v1/activities",
@@ -86,7 +86,7 @@ class LimitsTest extends ServerTest {
                     socket.getOutputStream().write('x');
                   }
                 } catch (IOException | InterruptedException e) {
-                  // The server has closed the connection, as it should.
+                  // Expected: the server closed the connection.
                   return;
                 }
               });
@@ -98,7 +98,7 @@ class LimitsTest extends ServerTest {
   }
 
   @Test
-  void aBodyThatBreaksOffIsTheSendersFault() throws IOException {
+  void incompleteBodyIsABadRequest() throws IOException {
     for (String request :
         List.of(
             "POST /api/v1/activities@application/zip",
@@ -119,7 +119,7 @@ class LimitsTest extends ServerTest {
   }
 
   @Test
-  void wrongPasswordsOfOthersBehindAProxyLockNobodyOutWhoCameFromThereBefore() {
+  void failedSignInsBehindAProxyDoNotLockOutKnownUsers() {
     String address = "203.0.113.5";
     String password = user("VIEWER").get("password").asString();
     assertThat(signIn(address, name, password).status()).isEqualTo(200);
@@ -133,7 +133,7 @@ class LimitsTest extends ServerTest {
   }
 
   @Test
-  void guessesFromEverywhereLockNobodyOutWhereTheyHaveSignedInBefore() {
+  void failedSignInsFromManyAddressesDoNotLockOutKnownUsers() {
     String password = user("VIEWER").get("password").asString();
     assertThat(signIn("203.0.113.9", name, password).status()).isEqualTo(200);
     List<Integer> answers = new ArrayList<>();
@@ -151,7 +151,7 @@ class LimitsTest extends ServerTest {
   }
 
   @Test
-  void theAuditLogHasTheClientsAddressAndTheCookieIsSecureBehindAProxyThatEndsTls() {
+  void clientAddressAndSchemeAreTakenFromTheProxy() {
     String password = user("VIEWER").get("password").asString();
     Api.Answer answer = signIn("203.0.113.20", name, password);
     assertThat(answer.headers().allValues("Set-Cookie"))
@@ -164,7 +164,7 @@ class LimitsTest extends ServerTest {
   }
 
   @Test
-  void refusalsFillTheAuditLogSlowly() {
+  void rejectionsAreSummarizedInTheAuditLog() {
     for (int i = 0; i < 100; i++) {
       signIn("203.0.113.30", "nobody-" + i, "a wrong password");
     }
@@ -180,9 +180,9 @@ class LimitsTest extends ServerTest {
   }
 
   @Test
-  void aPersonStoresAsMuchAsTheyMay() {
-    JsonNode made = user("TESTER");
-    Api own = new Api(httpPort(), token(made));
+  void quotaIsEnforced() {
+    JsonNode created = user("TESTER");
+    Api own = new Api(httpPort(), token(created));
     byte[] first = activityWith(1);
     own.upload(first);
     own.upload(first);
@@ -194,7 +194,7 @@ class LimitsTest extends ServerTest {
     assertThat(usage.get("maxBytes").asLong()).isEqualTo(1L << 20);
     assertThat(usage.get("activities").asInt()).isEqualTo(2);
 
-    String path = "/api/v1/users/" + made.get("user").get("id").asString();
+    String path = "/api/v1/users/" + created.get("user").get("id").asString();
     api.put(
             path + "/quota",
             "application/json",
@@ -209,7 +209,7 @@ class LimitsTest extends ServerTest {
         .expect(200);
     String id = own.upload(activityWith(2));
     assertThat(own.post("/api/v1/activities", "application/zip", first).expect(409).text())
-        .contains("You have 3 activities");
+        .contains("You have 3 of at most 3 activities");
     assertThat(api.get(path + "/usage").expect(200).json().get("activities").asInt()).isEqualTo(3);
     own.delete("/api/v1/activities/" + id).expect(204);
     String again = own.upload(first);
@@ -224,14 +224,14 @@ class LimitsTest extends ServerTest {
   }
 
   @Test
-  void aResultBeyondAMessageComesInParts() throws Exception {
+  void largeResultIsUploadedInChunks() throws Exception {
     api.build(api.suite(api.upload(Activities.zip())));
-    try (RimAgent agent = RimAgent.register(grpcPort(), "parts-" + name, "java")) {
+    try (FakeAgent agent = FakeAgent.register(grpcPort(), "chunks-" + name, "java")) {
       Assignment assignment = agent.nextAssignment();
-      byte[] document = RimAgent.result(agent.download(assignment), List.of());
+      byte[] document = FakeAgent.result(agent.download(assignment), List.of());
       byte[] large = java.util.Arrays.copyOf(document, document.length + (6 << 20));
       java.util.Arrays.fill(large, document.length, large.length, (byte) '\n');
-      assertThat(agent.submitInParts(assignment.getAttempt(), large, 1 << 20)).isTrue();
+      assertThat(agent.submitInChunks(assignment.getAttempt(), large, 1 << 20)).isTrue();
       String build = assignment.getAttempt().getBuildId();
       assertThat(api.get("/api/v1/builds/" + build).json().get("state").asString())
           .isEqualTo("DONE");
@@ -260,10 +260,10 @@ class LimitsTest extends ServerTest {
             .findFirst()
             .orElseThrow()
             .split(";", 2)[0];
-    Api nobody = new Api(httpPort(), null);
-    return nobody
+    Api anonymous = new Api(httpPort(), null);
+    return anonymous
         .send(
-            nobody
+            anonymous
                 .request("/api/v1/tokens")
                 .header("Content-Type", "application/json")
                 .header("Cookie", "XSRF-TOKEN=x; " + session)
@@ -275,10 +275,10 @@ class LimitsTest extends ServerTest {
         .asString();
   }
 
-  private Api.Answer signIn(String address, String who, String password) {
-    Api nobody = new Api(httpPort(), null);
-    return nobody.send(
-        nobody
+  private Api.Answer signIn(String address, String user, String password) {
+    Api anonymous = new Api(httpPort(), null);
+    return anonymous.send(
+        anonymous
             .request("/api/v1/session")
             .header("Content-Type", "application/json")
             .header("X-Forwarded-For", address)
@@ -287,10 +287,10 @@ class LimitsTest extends ServerTest {
             .header("X-XSRF-TOKEN", "x")
             .POST(
                 BodyPublishers.ofString(
-                    "{\"name\":\"%s\",\"password\":\"%s\"}".formatted(who, password))));
+                    "{\"name\":\"%s\",\"password\":\"%s\"}".formatted(user, password))));
   }
 
-  /** Sends the head of a request and the beginning of its body. */
+  /** Sends the headers of a request and the beginning of its body. */
   private Socket begin(String request, String headers, int length, String body) throws IOException {
     Socket socket = new Socket(InetAddress.getLoopbackAddress(), httpPort());
     OutputStream out = socket.getOutputStream();

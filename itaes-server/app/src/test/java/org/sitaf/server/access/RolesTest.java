@@ -16,47 +16,47 @@ import org.sitaf.server.support.ServerTest;
 import tools.jackson.databind.JsonNode;
 
 /**
- * Every operation of the OpenAPI document under every role: let through exactly as the rule here
- * has it, which knows nothing of how the server decides.
+ * Calls each operation of the OpenAPI document with each role, and compares the outcome with the
+ * rules below.
  */
 @Tag("slow")
 class RolesTest extends ServerTest {
-  private static final String NOBODY = "nobody";
+  private static final String ANONYMOUS = "anonymous";
   private static final List<String> ROLES = List.of("VIEWER", "TESTER", "ADMINISTRATOR");
   private static final Set<String> METHODS = Set.of("get", "put", "post", "patch", "delete");
 
-  /** Whatever is not named here: looking takes a VIEWER, changing a TESTER. */
+  /** By default reading requires VIEWER and changing requires TESTER. */
   private static final Map<String, String> EXCEPTIONS =
-      Map.of("signIn", NOBODY, "signOut", "VIEWER", "changePassword", "VIEWER");
+      Map.of("signIn", ANONYMOUS, "signOut", "VIEWER", "changePassword", "VIEWER");
 
   private static final List<String> FOR_ADMINISTRATORS =
       List.of("/api/v1/users", "/api/v1/audit", "/api/v1/enrolments", "/api/v1/webhooks");
 
   private record Operation(String method, String path, String id) {
-    String needs() {
+    String requiredRole() {
       if (EXCEPTIONS.containsKey(id)) {
         return EXCEPTIONS.get(id);
       }
-      boolean looks = method.equals("get");
+      boolean reads = method.equals("get");
       if (FOR_ADMINISTRATORS.stream().anyMatch(path::startsWith)
-          || !looks && path.startsWith("/api/v1/agents")) {
+          || !reads && path.startsWith("/api/v1/agents")) {
         return "ADMINISTRATOR";
       }
-      // A token of one's own is no change of what others see.
-      return looks || path.startsWith("/api/v1/tokens") || path.startsWith("/api/v1/session")
+      // Users manage their own tokens and session.
+      return reads || path.startsWith("/api/v1/tokens") || path.startsWith("/api/v1/session")
           ? "VIEWER"
           : "TESTER";
     }
   }
 
   @Test
-  void everyOperationIsOpenToThoseWhoMayAndToNobodyElse() {
+  void everyOperationRequiresItsRole() {
     List<Operation> operations = operations();
     assertThat(operations).hasSizeGreaterThan(30);
     List<String> wrong = new ArrayList<>();
     for (Operation operation : operations) {
-      int required = ROLES.indexOf(operation.needs());
-      check(operation, NOBODY, new Api(httpPort(), null), required < 0 ? "open" : "401", wrong);
+      int required = ROLES.indexOf(operation.requiredRole());
+      check(operation, ANONYMOUS, new Api(httpPort(), null), required < 0 ? "open" : "401", wrong);
       for (int role = 0; role < ROLES.size(); role++) {
         Api api = new Api(httpPort(), tokenOf(ROLES.get(role)));
         check(operation, ROLES.get(role), api, role >= required ? "open" : "403", wrong);
@@ -66,18 +66,18 @@ class RolesTest extends ServerTest {
   }
 
   private static void check(
-      Operation operation, String role, Api api, String wanted, List<String> wrong) {
+      Operation operation, String role, Api api, String expected, List<String> wrong) {
     Api.Answer answer = api.send(request(api, operation));
-    boolean refused =
+    boolean rejected =
         answer.status() == 403 && answer.text().contains("Your role does not allow this")
-            || answer.status() == 401 && !answer.text().contains("Name or password are wrong");
-    String got = refused ? Integer.toString(answer.status()) : "open";
-    if (!got.equals(wanted) || answer.status() >= 500) {
-      wrong.add(operation + " as " + role + ": " + answer.status() + ", wanted " + wanted);
+            || answer.status() == 401 && !answer.text().contains("Wrong name or password");
+    String actual = rejected ? Integer.toString(answer.status()) : "open";
+    if (!actual.equals(expected) || answer.status() >= 500) {
+      wrong.add(operation + " as " + role + ": " + answer.status() + ", expected " + expected);
     }
   }
 
-  /** Names things that do not exist, so that what is let through changes nothing. */
+  /** Uses ids that do not exist, so that allowed operations change nothing. */
   private static java.net.http.HttpRequest.Builder request(Api api, Operation operation) {
     String path = operation.path().replaceAll("\\{[^}]*}", "none");
     return api.request(path)

@@ -17,31 +17,31 @@ import org.sitaf.core.expression.EvaluationException;
 import org.sitaf.core.expression.ExpressionCompiler;
 import org.sitaf.server.access.Caller;
 import org.sitaf.server.access.Role;
-import org.sitaf.server.refusal.OvertimeException;
-import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.error.ComputationTimeoutException;
+import org.sitaf.server.error.RequestException;
 import org.springframework.security.core.context.SecurityContextHolder;
 
 class ComputationsTest {
   private static final Duration SHORT = Duration.ofMillis(300);
   private static final Duration LONG = Duration.ofMinutes(10);
 
-  private @Nullable Computations started;
+  private @Nullable Computations running;
 
   @AfterEach
   void stop() {
-    if (started != null) {
-      started.stop();
+    if (running != null) {
+      running.stop();
     }
   }
 
   @Test
-  void whatTakesTooLongIsEndedAndItsPlaceIsFreeAgain() {
+  void timedOutComputationIsCancelledAndReleasesItsPermit() {
     Computations computations = computations(1, SHORT, LONG);
     for (int i = 0; i < 3; i++) {
       CountDownLatch ended = new CountDownLatch(1);
       assertThatThrownBy(
               () -> as("eve", () -> computations.generation("It", () -> evaluate(ended))))
-          .isInstanceOf(OvertimeException.class)
+          .isInstanceOf(ComputationTimeoutException.class)
           .hasMessageContaining("took longer than");
       await(ended);
     }
@@ -49,16 +49,18 @@ class ComputationsTest {
   }
 
   @Test
-  void nobodyTakesThePlacesOfOthers() {
+  void permitsAreSharedFairly() {
     Computations computations = computations(4, LONG, Duration.ZERO);
-    CountDownLatch begun = new CountDownLatch(2);
+    CountDownLatch started = new CountDownLatch(2);
     CountDownLatch ended = new CountDownLatch(2);
     List<CompletableFuture<Integer>> heavy =
-        List.of(later("eve", computations, begun, ended), later("eve", computations, begun, ended));
-    await(begun);
+        List.of(
+            later("eve", computations, started, ended), later("eve", computations, started, ended));
+    await(started);
     assertThatThrownBy(() -> as("eve", () -> computations.generation("It", () -> 1)))
         .isInstanceOfSatisfying(
-            Refusal.class, e -> assertThat(e.reason()).isEqualTo(Refusal.Reason.BUSY));
+            RequestException.class,
+            e -> assertThat(e.reason()).isEqualTo(RequestException.Reason.BUSY));
     assertThat(as("adam", () -> computations.generation("It", () -> 2))).isEqualTo(2);
     assertThat(as("adam", () -> computations.preview("It", () -> 3))).isEqualTo(3);
 
@@ -67,14 +69,14 @@ class ComputationsTest {
     for (CompletableFuture<Integer> each : heavy) {
       assertThatThrownBy(each::join)
           .isInstanceOf(CompletionException.class)
-          .hasMessageContaining("the server stops");
+          .hasMessageContaining("the server is stopping");
     }
   }
 
   @Test
-  void aLaterPreviewOfTheSamePersonEndsTheEarlierOne() {
+  void laterPreviewOfTheSameUserReplacesTheEarlierOne() {
     Computations computations = computations(2, LONG, LONG);
-    CountDownLatch begun = new CountDownLatch(1);
+    CountDownLatch started = new CountDownLatch(1);
     CountDownLatch ended = new CountDownLatch(1);
     CompletableFuture<Integer> earlier =
         CompletableFuture.supplyAsync(
@@ -85,17 +87,17 @@ class ComputationsTest {
                         computations.preview(
                             "It",
                             () -> {
-                              begun.countDown();
+                              started.countDown();
                               return evaluate(ended);
                             })));
-    await(begun);
+    await(started);
     assertThat(as("eve", () -> computations.preview("It", () -> 5))).isEqualTo(5);
     await(ended);
-    assertThatThrownBy(earlier::join).hasMessageContaining("a later request of yours");
+    assertThatThrownBy(earlier::join).hasMessageContaining("you sent a later request");
   }
 
   private static CompletableFuture<Integer> later(
-      String name, Computations computations, CountDownLatch begun, CountDownLatch ended) {
+      String name, Computations computations, CountDownLatch started, CountDownLatch ended) {
     return CompletableFuture.supplyAsync(
         () ->
             as(
@@ -104,12 +106,12 @@ class ComputationsTest {
                     computations.generation(
                         "It",
                         () -> {
-                          begun.countDown();
+                          started.countDown();
                           return evaluate(ended);
                         })));
   }
 
-  /** Never ends by itself. */
+  /** Does not end until it is interrupted. */
   private static int evaluate(CountDownLatch ended) {
     String digits = "[0,1,2,3,4,5,6,7,8,9]";
     String nested = digits + ".all(a, " + digits + ".all(b, " + digits + ".all(c, a < 10)))";
@@ -125,11 +127,11 @@ class ComputationsTest {
     }
   }
 
-  private Computations computations(int places, Duration limit, Duration wait) {
+  private Computations computations(int permits, Duration limit, Duration wait) {
     Computations computations =
-        new Computations(new ComputationSettings(places, limit, limit, wait));
+        new Computations(new ComputationSettings(permits, limit, limit, wait));
     computations.start();
-    started = computations;
+    running = computations;
     return computations;
   }
 

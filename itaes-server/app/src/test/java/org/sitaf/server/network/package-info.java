@@ -1,4 +1,4 @@
-/** Whose requests they are. */
+/** Tests of client addresses behind proxies. */
 @NullMarked
 package org.sitaf.server.network;
 

@@ -9,7 +9,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
-import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.error.RequestException;
 import org.sitaf.server.settings.SitafSettings;
 import org.springframework.util.unit.DataSize;
 
@@ -21,7 +21,7 @@ class DiskSpaceTest {
   }
 
   private static DiskSpace disk(long minFreeMib, boolean holdsDatabase, Map<Path, Long> freeMib) {
-    DataSize some = DataSize.ofMegabytes(1);
+    DataSize anySize = DataSize.ofMegabytes(1);
     SitafSettings settings =
         new SitafSettings(
             DATA,
@@ -31,9 +31,9 @@ class DiskSpaceTest {
             Duration.ofSeconds(15),
             3,
             Duration.ofSeconds(1),
-            some,
-            some,
-            some,
+            anySize,
+            anySize,
+            anySize,
             DataSize.ofMegabytes(minFreeMib),
             false);
     return new DiskSpace(
@@ -43,7 +43,7 @@ class DiskSpaceTest {
   }
 
   @Test
-  void withRoomAllIsTaken() {
+  void newWorkIsAcceptedWithEnoughSpace() {
     DiskSpace disk = disk(256, Map.of(DATA, 256L));
     assertThat(disk.whyNoNewWork()).isEmpty();
     assertThat(disk.canWrite()).isTrue();
@@ -51,43 +51,45 @@ class DiskSpaceTest {
   }
 
   @Test
-  void withLittleRoomOnlyNewWorkIsRefused() {
+  void onlyNewWorkIsRejectedWithLittleSpace() {
     DiskSpace disk = disk(256, Map.of(DATA, 255L));
     assertThat(disk.whyNoNewWork())
-        .contains("the disk of the server's data has only 255 MiB left, 256 are needed");
+        .contains("the disk of the server's data has only 255 MiB left, 256 MiB are required");
     assertThat(disk.canWrite()).isTrue();
     assertThatThrownBy(disk::requireForNewWork)
         .isInstanceOfSatisfying(
-            Refusal.class, e -> assertThat(e.reason()).isEqualTo(Refusal.Reason.NO_ROOM))
-        .hasMessageStartingWith("No new work is taken: the disk of the server's data has only");
+            RequestException.class,
+            e -> assertThat(e.reason()).isEqualTo(RequestException.Reason.DISK_FULL))
+        .hasMessageStartingWith(
+            "The server accepts no new work: the disk of the server's data has only");
   }
 
   @Test
-  void belowTheReserveNothingIsWritten() {
+  void nothingIsWrittenBelowTheReserve() {
     DiskSpace disk = disk(256, Map.of(DATA, 63L));
     assertThat(disk.whyNothingIsWritten()).isPresent();
     assertThat(disk.canWrite()).isFalse();
   }
 
   @Test
-  void whatIsLargeLeavesTheReserve() {
+  void largeContentMustLeaveTheReserve() {
     DiskSpace disk = disk(256, Map.of(DATA, 100L));
     assertThatCode(() -> disk.requireFor(DataSize.ofMegabytes(36).toBytes()))
         .doesNotThrowAnyException();
     assertThatThrownBy(() -> disk.requireFor(DataSize.ofMegabytes(37).toBytes()))
-        .isInstanceOf(Refusal.class)
-        .hasMessageContaining("100 MiB left, 101 are needed");
+        .isInstanceOf(RequestException.class)
+        .hasMessageContaining("100 MiB left, 101 MiB are required");
   }
 
   @Test
-  void aDatabaseElsewhereIsWrittenToWhateverIsLeftHere() {
+  void remoteDatabaseIsWrittenRegardlessOfLocalSpace() {
     DiskSpace disk = disk(256, false, Map.of(DATA, 0L));
     assertThat(disk.whyNoNewWork()).isPresent();
     assertThat(disk.canWrite()).isTrue();
   }
 
   @Test
-  void whoAsksForNoRoomIsRefusedNothing() {
+  void minFreeOfZeroDisablesTheCheck() {
     DiskSpace disk = disk(0, Map.of());
     assertThat(disk.whyNoNewWork()).isEmpty();
     assertThat(disk.canWrite()).isTrue();

@@ -56,17 +56,17 @@ class GuardedDataSourceTest {
         Statement statement = connection.createStatement()) {
       statement.execute("SHUTDOWN IMMEDIATELY");
     } catch (SQLException e) {
-      assertThat(StorageFailure.of(e)).contains(StorageFailure.DATABASE_AWAY);
+      assertThat(StorageFailure.of(e)).contains(StorageFailure.DATABASE_UNAVAILABLE);
     }
   }
 
-  private void insertWhenItIsThere(int no) {
+  private void insertWhenAvailable(int no) {
     while (true) {
       try {
         insert(no);
         return;
       } catch (DataAccessException e) {
-        assertThat(StorageFailure.of(e)).contains(StorageFailure.DATABASE_AWAY);
+        assertThat(StorageFailure.of(e)).contains(StorageFailure.DATABASE_UNAVAILABLE);
       }
     }
   }
@@ -78,12 +78,12 @@ class GuardedDataSourceTest {
   }
 
   @Test
-  void aFullDiskIsReadFromAndNotWrittenTo() {
+  void databaseIsReadOnlyWhileTheDiskIsFull() {
     whyFull = Optional.of("the disk is full");
     assertThat(stored()).containsExactly(1);
     assertThatThrownBy(() -> insert(2))
         .isInstanceOf(DataAccessException.class)
-        .satisfies(e -> assertThat(StorageFailure.of(e)).contains(StorageFailure.NO_ROOM))
+        .satisfies(e -> assertThat(StorageFailure.of(e)).contains(StorageFailure.DISK_FULL))
         .hasRootCauseMessage("the disk is full");
     whyFull = Optional.empty();
     insert(3);
@@ -91,7 +91,7 @@ class GuardedDataSourceTest {
   }
 
   @Test
-  void whatLocksRowsWrites() {
+  void statementsThatLockRowsCountAsWrites() {
     assertThat(GuardedDataSource.writes("select a from b where c = 'x' for update")).isTrue();
     assertThat(GuardedDataSource.writes("SELECT * FROM QRTZ_LOCKS WHERE x = ? FOR UPDATE"))
         .isTrue();
@@ -104,7 +104,7 @@ class GuardedDataSourceTest {
   }
 
   @Test
-  void aDatabaseThatHasClosedItselfIsOpenedAnewForAll() throws SQLException {
+  void closedDatabaseIsReopened() throws SQLException {
     List<Connection> idle = new ArrayList<>();
     for (int i = 0; i < 4; i++) {
       idle.add(database.getConnection());
@@ -114,16 +114,16 @@ class GuardedDataSourceTest {
     }
     for (int round = 2; round < 5; round++) {
       shutDown();
-      insertWhenItIsThere(round);
+      insertWhenAvailable(round);
     }
     assertThat(stored()).containsExactly(1, 2, 3, 4);
   }
 
   @Test
-  void othersFailuresAreTheirs() {
+  void onlyStorageFailuresAreRecognized() {
     assertThatThrownBy(() -> insert(1)).satisfies(e -> assertThat(StorageFailure.of(e)).isEmpty());
     assertThat(StorageFailure.of(new IOException("write failed: No space left on device")))
-        .contains(StorageFailure.NO_ROOM);
+        .contains(StorageFailure.DISK_FULL);
     assertThat(
             StorageFailure.of(
                 new IllegalStateException(
@@ -132,6 +132,6 @@ class GuardedDataSourceTest {
                         "HY000",
                         50000,
                         new IOException("No space left on device")))))
-        .contains(StorageFailure.NO_ROOM);
+        .contains(StorageFailure.DISK_FULL);
   }
 }

@@ -1,4 +1,4 @@
-/** What other systems are told, and where the server does not go. */
+/** Tests of disk space and the database file. */
 @NullMarked
 package org.sitaf.server.storage;
 

@@ -14,7 +14,7 @@ import org.springframework.beans.factory.annotation.Autowired;
 import org.springframework.jdbc.core.simple.JdbcClient;
 import tools.jackson.databind.JsonNode;
 
-/** Activities and suites over HTTP. */
+/** Activities and suites in the REST interface. */
 @Tag("slow")
 class ActivityStoryTest extends ServerTest {
   private static final String ZIP = "application/zip";
@@ -23,7 +23,7 @@ class ActivityStoryTest extends ServerTest {
   @Autowired private JdbcClient jdbc;
 
   @Test
-  void anActivityIsDownloadedAsItWasUploaded() {
+  void activityIsDownloadedUnchanged() {
     byte[] zip = Activities.zip();
     Api.Answer created = api.post("/api/v1/activities", ZIP, zip).expect(201);
     JsonNode activity = created.json();
@@ -48,20 +48,20 @@ class ActivityStoryTest extends ServerTest {
   }
 
   @Test
-  void aModelIsReplacedOnlyByOneThatFits() {
+  void modelIsReplacedOnlyByAValidOne() {
     String path = "/api/v1/activities/" + api.upload(Activities.zip());
     String modelPath = path + "/models/" + Activities.MODEL;
     String model = api.get(modelPath).expect(200).text();
-    byte[] spoilt =
+    byte[] invalid =
         model
             .replace("min=\"1\" max=\"7\"", "min=\"8\" max=\"7\"")
             .replace("offset=\"0.5\"", "offset=\"-0.5\"")
             .getBytes(StandardCharsets.UTF_8);
-    Api.Answer refused = api.put(modelPath, XML, spoilt, "*").expect(422);
-    assertThat(refused.headers().firstValue("Content-Type").orElse(""))
+    Api.Answer rejected = api.put(modelPath, XML, invalid, "*").expect(422);
+    assertThat(rejected.headers().firstValue("Content-Type").orElse(""))
         .isEqualTo("application/problem+json");
-    assertThat(refused.json().get("diagnostics").size()).isGreaterThanOrEqualTo(3);
-    assertThat(refused.json().get("diagnostics").get(0).get("line").asInt()).isPositive();
+    assertThat(rejected.json().get("diagnostics").size()).isGreaterThanOrEqualTo(3);
+    assertThat(rejected.json().get("diagnostics").get(0).get("line").asInt()).isPositive();
     assertThat(api.get(modelPath).text()).isEqualTo(model);
 
     String version = api.get(modelPath).headers().firstValue("ETag").orElseThrow();
@@ -73,17 +73,17 @@ class ActivityStoryTest extends ServerTest {
   }
 
   @Test
-  void badUploadsAreRefusedAndLeaveNothing() {
+  void invalidUploadsAreRejectedAndNotStored() {
     long before = total("/api/v1/activities");
     Map<String, byte[]> files = Activities.files();
     byte[] yaml = files.get("activity.yaml");
-    refused(new byte[0], "zip");
-    refused("no zip".getBytes(StandardCharsets.UTF_8), "zip");
-    refused(Activities.rawZip(List.of("activity.yaml", "../../etc/x"), yaml), "../../etc/x");
-    refused(Activities.rawZip(List.of("/etc/x"), yaml), "/etc/x");
-    refused(Activities.rawZip(List.of("a", "a/b"), yaml), "a");
-    refused(Activities.rawZip(List.of("readme.txt"), yaml), "activity.yaml");
-    refused(Activities.rawZip(List.of("zeros"), new byte[300 << 20]), "100 times its size");
+    assertRejected(new byte[0], "zip");
+    assertRejected("no zip".getBytes(StandardCharsets.UTF_8), "zip");
+    assertRejected(Activities.rawZip(List.of("activity.yaml", "../../etc/x"), yaml), "../../etc/x");
+    assertRejected(Activities.rawZip(List.of("/etc/x"), yaml), "/etc/x");
+    assertRejected(Activities.rawZip(List.of("a", "a/b"), yaml), "a");
+    assertRejected(Activities.rawZip(List.of("readme.txt"), yaml), "activity.yaml");
+    assertRejected(Activities.rawZip(List.of("zeros"), new byte[300 << 20]), "100 times its size");
     String model = new String(files.get("GetInfraredData.xml"), StandardCharsets.UTF_8);
     files.put(
         "GetInfraredData.xml",
@@ -92,12 +92,12 @@ class ActivityStoryTest extends ServerTest {
                 "<test_model>",
                 "<!DOCTYPE test_model [<!ENTITY x SYSTEM \"file:///etc/passwd\">]><test_model>")
             .getBytes(StandardCharsets.UTF_8));
-    refused(Activities.zip(files), "DOCTYPE");
+    assertRejected(Activities.zip(files), "DOCTYPE");
     assertThat(total("/api/v1/activities")).isEqualTo(before);
   }
 
   @Test
-  void theCasesOfAModelAreThoseOfThePaper() {
+  void suiteHasTheCasesOfThePaper() {
     String activityId = api.upload(Activities.zip());
     String suites = "/api/v1/activities/" + activityId + "/models/" + Activities.MODEL + "/suites";
     JsonNode suite = api.post(suites, "{}").expect(201).json();
@@ -167,7 +167,7 @@ class ActivityStoryTest extends ServerTest {
   }
 
   @Test
-  void whatIsNotThereIsAProblemAndNotAPage() {
+  void missingResourcesReturnProblemDetails() {
     for (String path :
         List.of(
             "/api/v1/activities/none",
@@ -190,7 +190,7 @@ class ActivityStoryTest extends ServerTest {
     api.post("/api/v1/activities", "text/plain", new byte[0]).expect(415);
   }
 
-  private void refused(byte[] upload, String word) {
+  private void assertRejected(byte[] upload, String word) {
     Api.Answer answer = api.post("/api/v1/activities", ZIP, upload);
     assertThat(answer.status()).as(answer.text()).isEqualTo(422);
     assertThat(

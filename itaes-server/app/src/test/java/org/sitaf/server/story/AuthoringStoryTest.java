@@ -16,11 +16,11 @@ import org.junit.jupiter.api.Test;
 import org.sitaf.core.harness.TestApplication;
 import org.sitaf.server.support.Activities;
 import org.sitaf.server.support.Api;
-import org.sitaf.server.support.RimAgent;
+import org.sitaf.server.support.FakeAgent;
 import org.sitaf.server.support.ServerTest;
 import tools.jackson.databind.JsonNode;
 
-/** Writing models and expected values, and looking at results, as the portal does it over HTTP. */
+/** Editing activities and suites, and viewing results, with the operations that the portal uses. */
 @Tag("slow")
 class AuthoringStoryTest extends ServerTest {
   private static final String XML = "application/xml";
@@ -35,7 +35,7 @@ class AuthoringStoryTest extends ServerTest {
   }
 
   @Test
-  void anActivityIsDescribedWithItsTypesAndItsWorld() {
+  void descriptionContainsTypesAndWorld() {
     JsonNode description = api.get(activity + "/description").expect(200).json();
     JsonNode methods = description.get("provided").get(0).get("methods");
     JsonNode method =
@@ -56,7 +56,7 @@ class AuthoringStoryTest extends ServerTest {
   }
 
   @Test
-  void severalFilesChangeTogetherOrNotAtAll() {
+  void fileChangesAreAtomic() {
     String version = version(activity);
     String yaml = api.get(activity + "/files/activity.yaml").expect(200).text();
     String model = api.get(activity + "/models/" + Activities.MODEL).text();
@@ -97,7 +97,7 @@ class AuthoringStoryTest extends ServerTest {
   }
 
   @Test
-  void aDraftOfAModelShowsItsValuesAndTheExactCountOfItsCases() {
+  void previewContainsValuesAndNumberOfCases() {
     String model = api.get(activity + "/models/" + Activities.MODEL).text();
     String path = activity + "/model-previews?cases=true";
     JsonNode preview = api.post(path, XML, bytes(model)).expect(200).json();
@@ -114,7 +114,7 @@ class AuthoringStoryTest extends ServerTest {
     JsonNode wide =
         api.post(path, XML, bytes(model.replace("max=\"10.0\"", "max=\"1e6\""))).expect(200).json();
     assertThat(wide.has("counts")).isFalse();
-    assertThat(wide.get("inputs").size()).as("values are shown all the same").isEqualTo(3);
+    assertThat(wide.get("inputs").size()).as("values are shown despite the error").isEqualTo(3);
     assertThat(wide.get("diagnostics").get(0).get("element").asString()).contains("Distance");
     JsonNode unreadable = api.post(path, XML, bytes("<test_model/>")).expect(200).json();
     assertThat(unreadable.get("diagnostics").size()).isPositive();
@@ -122,7 +122,7 @@ class AuthoringStoryTest extends ServerTest {
   }
 
   @Test
-  void aDraftThatAsksForTooMuchIsReportedAtOnce() {
+  void previewOfTooLargeModelFailsImmediately() {
     String model = api.get(activity + "/models/" + Activities.MODEL).text();
     String path = activity + "/model-previews?cases=true";
     String digits = "[0,1,2,3,4,5,6,7,8,9].all(i, ".repeat(14) + "true" + ")".repeat(14);
@@ -142,7 +142,7 @@ class AuthoringStoryTest extends ServerTest {
   }
 
   @Test
-  void expectedValuesAreSetFilledImportedAndUndone() {
+  void expectedValuesCanBeSetFilledImportedAndUndone() {
     String suite = "/api/v1/suites/" + api.suite(activityId);
     String version = version(suite);
     String one = "{\"changes\":[{\"no\":3,\"literal\":\"7\"},{\"no\":4}]}";
@@ -158,7 +158,7 @@ class AuthoringStoryTest extends ServerTest {
         .contains("case 3");
 
     api.change(suite + "/expected/fill", "{\"expression\":\"Distance * 2.0\"}", "*").expect(200);
-    assertThat(expected(suite, 3)).as("stays").isEqualTo("7.0");
+    assertThat(expected(suite, 3)).as("is kept").isEqualTo("7.0");
     assertThat(Double.valueOf(expected(suite, 4)))
         .isEqualTo(2 * Double.parseDouble(value(suite, 4, 2)));
     api.change(suite + "/expected/fill", "{\"expression\":\"Nothing + 1\"}", "*").expect(422);
@@ -184,7 +184,7 @@ class AuthoringStoryTest extends ServerTest {
   }
 
   @Test
-  void aDriverOfOnesOwnStandsBesideTheGeneratedOne() {
+  void customDriverIsShownWithTheGeneratedOne() {
     String suite = api.suite(activityId);
     JsonNode generated = driver(suite);
     assertThat(generated.has("generated")).isFalse();
@@ -199,7 +199,7 @@ class AuthoringStoryTest extends ServerTest {
   }
 
   @Test
-  void aChangeWithoutAVersionIsRefused() {
+  void changeWithoutIfMatchIsRejected() {
     String id = api.upload(Activities.zip());
     String activity = "/api/v1/activities/" + id;
     String suite = "/api/v1/suites/" + api.suite(id);
@@ -214,7 +214,7 @@ class AuthoringStoryTest extends ServerTest {
   }
 
   @Test
-  void peopleWhoChangeDifferentFilesOfAnyVersionKeepTheChangesOfEachOther() {
+  void concurrentChangesOfDifferentFilesAreMerged() {
     String activity = "/api/v1/activities/" + api.upload(Activities.zip());
     List<String> paths = IntStream.range(0, 4).mapToObj("note-%d.txt"::formatted).toList();
     List<CompletableFuture<Api.Answer>> answers =
@@ -240,7 +240,7 @@ class AuthoringStoryTest extends ServerTest {
   }
 
   @Test
-  void aSuiteShowsItsCombinationsAndWhatChangedSinceTheOneBefore() {
+  void combinationsAndChangesOfASuite() {
     String first = api.suite(activityId);
     assertThat(api.get("/api/v1/suites/" + first + "/changes").json().has("previousId")).isFalse();
     String combined =
@@ -271,9 +271,9 @@ class AuthoringStoryTest extends ServerTest {
   }
 
   @Test
-  void aResultIsAnalysedComparedAndSent() {
+  void resultIsAnalysedComparedAndExported() {
     String suite = api.suite(activityId);
-    try (RimAgent agent = RimAgent.register(grpcPort(), "analyst", "java")) {
+    try (FakeAgent agent = FakeAgent.register(grpcPort(), "analyst", "java")) {
       String before = build(agent, suite, List.of(7, 8));
       String now = build(agent, suite, List.of(8, 9));
       String result = "/api/v1/builds/" + now + "/result";
@@ -315,11 +315,11 @@ class AuthoringStoryTest extends ServerTest {
     }
   }
 
-  private String build(RimAgent agent, String suiteId, List<Integer> failing) {
+  private String build(FakeAgent agent, String suiteId, List<Integer> failing) {
     String id = api.build(suiteId);
     var assignment = agent.nextAssignment();
     TestApplication application = agent.download(assignment);
-    agent.submit(assignment.getAttempt(), RimAgent.result(application, failing));
+    agent.submit(assignment.getAttempt(), FakeAgent.result(application, failing));
     return id;
   }
 

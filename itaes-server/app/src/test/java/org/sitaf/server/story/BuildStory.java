@@ -13,21 +13,21 @@ import org.sitaf.agent.v1.Cancellation;
 import org.sitaf.agent.v1.Diagnostic;
 import org.sitaf.core.harness.TestApplication;
 import org.sitaf.server.support.Activities;
-import org.sitaf.server.support.RimAgent;
+import org.sitaf.server.support.FakeAgent;
 import org.springframework.beans.factory.annotation.Autowired;
 import org.springframework.jdbc.core.simple.JdbcClient;
 import tools.jackson.databind.JsonNode;
 
-/** Builds from request to result, with an agent at the rim. Each database runs all of it. */
+/** Builds from request to result, with a fake agent. Runs with each database. */
 abstract class BuildStory extends RecordingStory {
   @Autowired private JdbcClient jdbc;
 
   @Test
-  void aBuildGoesFromRequestToResult() {
+  void buildRunsFromRequestToResult() {
     String id = api.build(suiteId);
     assertThat(build(id).get("state").asString()).isEqualTo("QUEUED");
     assertThat(build(id).get("waitingFor").asString()).startsWith("no agent is connected");
-    try (RimAgent agent = RimAgent.register(grpcPort(), "whole-story", "java")) {
+    try (FakeAgent agent = FakeAgent.register(grpcPort(), "whole-story", "java")) {
       Assignment assignment = agent.nextAssignment();
       AttemptRef attempt = assignment.getAttempt();
       assertThat(attempt.getBuildId()).isEqualTo(id);
@@ -43,7 +43,7 @@ abstract class BuildStory extends RecordingStory {
       assertThat(build(id).get("casesDone").asInt()).isEqualTo(4);
       assertThat(build(id).get("agent").asString()).isEqualTo("whole-story");
       agent.report(attempt, AttemptState.ATTEMPT_STATE_UPLOADING);
-      byte[] document = RimAgent.result(application, List.of(7));
+      byte[] document = FakeAgent.result(application, List.of(7));
       assertThat(agent.submit(attempt, document)).isTrue();
       assertThat(agent.submit(attempt, document)).as("again").isTrue();
 
@@ -75,13 +75,13 @@ abstract class BuildStory extends RecordingStory {
   }
 
   @Test
-  void aResultThatCannotBeTrustedSaysSoWhereverItIsLookedAt() {
+  void suspectResultIsMarkedInAllViews() {
     String id = api.build(suiteId);
     String reason = "a line without number and token (3 times)";
-    try (RimAgent agent = RimAgent.register(grpcPort(), "honest", "java")) {
+    try (FakeAgent agent = FakeAgent.register(grpcPort(), "honest", "java")) {
       Assignment assignment = agent.nextAssignment();
       byte[] document =
-          RimAgent.result(agent.download(assignment), List.of(), List.of(reason, "a torn line"));
+          FakeAgent.result(agent.download(assignment), List.of(), List.of(reason, "a torn line"));
       assertThat(agent.submit(assignment.getAttempt(), document)).isTrue();
     }
     JsonNode build = api.awaitState(id, "DONE");
@@ -106,23 +106,23 @@ abstract class BuildStory extends RecordingStory {
   }
 
   @Test
-  void anAgentGetsOnlyWhatItsToolchainsCanBuild() throws Exception {
+  void agentGetsOnlyBuildsForItsToolchains() throws Exception {
     String id = api.build(suiteId);
-    try (RimAgent agent = RimAgent.register(grpcPort(), "snake", "python")) {
-      assertThat(agent.hearsNothingFor(300)).isTrue();
+    try (FakeAgent agent = FakeAgent.register(grpcPort(), "snake", "python")) {
+      assertThat(agent.receivesNothingFor(300)).isTrue();
       assertThat(build(id).get("waitingFor").asString()).startsWith("no agent offers java");
     }
   }
 
   @Test
-  void anAgentGetsNoMoreThanItHasSlots() throws Exception {
+  void agentGetsNoMoreBuildsThanSlots() throws Exception {
     String first = api.build(suiteId);
-    try (RimAgent agent = RimAgent.register(grpcPort(), "one-slot", "java")) {
+    try (FakeAgent agent = FakeAgent.register(grpcPort(), "one-slot", "java")) {
       AttemptRef attempt = agent.nextAssignment().getAttempt();
       assertThat(attempt.getBuildId()).isEqualTo(first);
       String second = api.build(suiteId);
       agent.heartbeat(attempt);
-      assertThat(agent.hearsNothingFor(300)).isTrue();
+      assertThat(agent.receivesNothingFor(300)).isTrue();
       assertThat(build(second).get("waitingFor").asString()).contains("busy");
       agent.submit(attempt, failure(BuildFailure.Category.COMPILATION, "does not compile"));
       assertThat(agent.nextAssignment().getAttempt().getBuildId()).isEqualTo(second);
@@ -130,9 +130,9 @@ abstract class BuildStory extends RecordingStory {
   }
 
   @Test
-  void aCompilationFailureIsFinalAndShowsWhereItIs() {
+  void compilationFailureIsFinalAndHasALocation() {
     String id = api.build(suiteId);
-    try (RimAgent agent = RimAgent.register(grpcPort(), "compiler", "java")) {
+    try (FakeAgent agent = FakeAgent.register(grpcPort(), "compiler", "java")) {
       AttemptRef attempt = agent.nextAssignment().getAttempt();
       BuildFailure failure =
           failure(BuildFailure.Category.COMPILATION, "1 error").toBuilder()
@@ -154,9 +154,9 @@ abstract class BuildStory extends RecordingStory {
   }
 
   @Test
-  void anInfrastructureFailureIsTriedAgainButNotForEver() {
+  void infrastructureFailureIsRetriedUpToTheLimit() {
     String id = api.build(suiteId);
-    try (RimAgent agent = RimAgent.register(grpcPort(), "unlucky", "java")) {
+    try (FakeAgent agent = FakeAgent.register(grpcPort(), "unlucky", "java")) {
       long lastToken = 0;
       for (int no = 1; no <= 3; no++) {
         AttemptRef attempt = agent.nextAssignment().getAttempt();
@@ -171,25 +171,26 @@ abstract class BuildStory extends RecordingStory {
   }
 
   @Test
-  void theBuildOfALostAgentIsGivenToAnotherOneAndTheLateResultChangesNothing() {
+  void buildOfLostAgentIsReassignedAndLateResultIsIgnored() {
     String id = api.build(suiteId);
-    RimAgent lost = RimAgent.register(grpcPort(), "lost", "java");
+    FakeAgent lost = FakeAgent.register(grpcPort(), "lost", "java");
     Assignment first = lost.nextAssignment();
     lost.report(first.getAttempt(), AttemptState.ATTEMPT_STATE_RUNNING);
-    // It stays connected and is silent for a lease.
+    // The agent stays connected but sends nothing for a lease.
     api.awaitState(id, "QUEUED");
-    try (RimAgent other = RimAgent.register(grpcPort(), "other", "java")) {
+    try (FakeAgent other = FakeAgent.register(grpcPort(), "other", "java")) {
       Assignment second = other.nextAssignment();
       assertThat(second.getAttempt().getAttempt()).isEqualTo(2);
       TestApplication application = other.download(second);
-      byte[] late = RimAgent.result(application, List.of(1, 2, 3));
-      refused(
+      byte[] late = FakeAgent.result(application, List.of(1, 2, 3));
+      assertRejected(
           Status.Code.FAILED_PRECONDITION,
           () -> lost.report(first.getAttempt(), AttemptState.ATTEMPT_STATE_UPLOADING));
-      refused(Status.Code.FAILED_PRECONDITION, () -> lost.appendLog(first.getAttempt(), 0, "late"));
-      refused(Status.Code.FAILED_PRECONDITION, () -> lost.submit(first.getAttempt(), late));
+      assertRejected(
+          Status.Code.FAILED_PRECONDITION, () -> lost.appendLog(first.getAttempt(), 0, "late"));
+      assertRejected(Status.Code.FAILED_PRECONDITION, () -> lost.submit(first.getAttempt(), late));
       other.heartbeat(second.getAttempt());
-      assertThat(other.submit(second.getAttempt(), RimAgent.result(application, List.of())))
+      assertThat(other.submit(second.getAttempt(), FakeAgent.result(application, List.of())))
           .isTrue();
       assertThat(lost.submit(first.getAttempt(), late)).as("superseded").isFalse();
       assertThat(build(id).get("summary").get("fail").asInt()).isZero();
@@ -199,9 +200,9 @@ abstract class BuildStory extends RecordingStory {
   }
 
   @Test
-  void heartbeatsKeepALease() throws Exception {
+  void heartbeatsRenewALease() throws Exception {
     String id = api.build(suiteId);
-    try (RimAgent agent = RimAgent.register(grpcPort(), "alive", "java")) {
+    try (FakeAgent agent = FakeAgent.register(grpcPort(), "alive", "java")) {
       AttemptRef attempt = agent.nextAssignment().getAttempt();
       for (int i = 0; i < 14; i++) {
         Thread.sleep(400);
@@ -213,24 +214,24 @@ abstract class BuildStory extends RecordingStory {
   }
 
   @Test
-  void anAgentThatDialsAgainGoesOnWithItsAttempt() {
+  void reconnectedAgentContinuesItsAttempt() {
     String id = api.build(suiteId);
-    RimAgent before = RimAgent.register(grpcPort(), "again", "java");
+    FakeAgent before = FakeAgent.register(grpcPort(), "again", "java");
     Assignment assignment = before.nextAssignment();
     TestApplication application = before.download(assignment);
     before.close();
-    try (RimAgent after = reconnect("again", assignment.getAttempt())) {
+    try (FakeAgent after = reconnect("again", assignment.getAttempt())) {
       after.report(assignment.getAttempt(), AttemptState.ATTEMPT_STATE_UPLOADING);
-      assertThat(after.submit(assignment.getAttempt(), RimAgent.result(application, List.of())))
+      assertThat(after.submit(assignment.getAttempt(), FakeAgent.result(application, List.of())))
           .isTrue();
     }
     assertThat(build(id).get("attempt").asInt()).isEqualTo(1);
   }
 
   @Test
-  void aCancelledBuildStopsItsAgentAndTakesNoResult() {
+  void cancelledBuildStopsItsAgentAndAcceptsNoResult() {
     String id = api.build(suiteId);
-    try (RimAgent agent = RimAgent.register(grpcPort(), "stopped", "java")) {
+    try (FakeAgent agent = FakeAgent.register(grpcPort(), "stopped", "java")) {
       Assignment assignment = agent.nextAssignment();
       TestApplication application = agent.download(assignment);
       agent.report(assignment.getAttempt(), AttemptState.ATTEMPT_STATE_RUNNING);
@@ -238,9 +239,9 @@ abstract class BuildStory extends RecordingStory {
       Cancellation cancellation = agent.next().getCancellation();
       assertThat(cancellation.getAttempt()).isEqualTo(assignment.getAttempt());
       assertThat(cancellation.getGivenUp()).isFalse();
-      refused(
+      assertRejected(
           Status.Code.FAILED_PRECONDITION,
-          () -> agent.submit(assignment.getAttempt(), RimAgent.result(application, List.of())));
+          () -> agent.submit(assignment.getAttempt(), FakeAgent.result(application, List.of())));
       assertThat(build(id).get("state").asString()).isEqualTo("CANCELLED");
       assertThat(
               agent.submit(
@@ -253,14 +254,14 @@ abstract class BuildStory extends RecordingStory {
   }
 
   @Test
-  void theLogIsKeptByOffsetsAndCutWhereItIsTooLarge() {
+  void logIsAppendedByOffsetAndTruncatedAtTheLimit() {
     String id = api.build(suiteId);
-    try (RimAgent agent = RimAgent.register(grpcPort(), "logger", "java")) {
+    try (FakeAgent agent = FakeAgent.register(grpcPort(), "logger", "java")) {
       AttemptRef attempt = agent.nextAssignment().getAttempt();
       assertThat(agent.appendLog(attempt, 0, "hello ")).isEqualTo(6);
       assertThat(agent.appendLog(attempt, 0, "hello world")).isEqualTo(11);
       assertThat(agent.appendLog(attempt, 0, "hello")).as("sent again").isEqualTo(11);
-      refused(Status.Code.OUT_OF_RANGE, () -> agent.appendLog(attempt, 12, "gap"));
+      assertRejected(Status.Code.OUT_OF_RANGE, () -> agent.appendLog(attempt, 12, "gap"));
       var answer = api.get("/api/v1/builds/" + id + "/log?offset=6").expect(200);
       assertThat(answer.text()).isEqualTo("world");
       assertThat(answer.headers().firstValue("Sitaf-Log-End")).contains("11");
@@ -269,15 +270,15 @@ abstract class BuildStory extends RecordingStory {
       agent.appendLog(attempt, 11 + much.length(), much);
       assertThat(api.get("/api/v1/builds/" + id + "/log").expect(200).text())
           .hasSizeBetween(64 << 10, (64 << 10) + 200)
-          .endsWith("[the log is cut here: it is larger than this server keeps]\n");
+          .endsWith("[log truncated: it exceeds the limit of this server]\n");
     }
   }
 
   @Test
-  void logsAreInTheDatabaseSoThatServersShareNothingElse() {
+  void logsAreStoredInTheDatabase() {
     String activity = api.upload(Activities.zip());
     String id = api.build(api.suite(activity));
-    try (RimAgent agent = RimAgent.register(grpcPort(), "log-sharer", "java")) {
+    try (FakeAgent agent = FakeAgent.register(grpcPort(), "log-sharer", "java")) {
       AttemptRef attempt = agent.nextAssignment().getAttempt();
       assertThat(attempt.getBuildId()).isEqualTo(id);
       agent.appendLog(attempt, 0, "one\n");
@@ -298,13 +299,14 @@ abstract class BuildStory extends RecordingStory {
   }
 
   @Test
-  void aDeletedResultIsNotShownAnyMore() {
+  void deletedResultIsNotCached() {
     String activity = api.upload(Activities.zip());
     String id = api.build(api.suite(activity));
-    try (RimAgent agent = RimAgent.register(grpcPort(), "deleted", "java")) {
+    try (FakeAgent agent = FakeAgent.register(grpcPort(), "deleted", "java")) {
       Assignment assignment = agent.nextAssignment();
       assertThat(assignment.getAttempt().getBuildId()).isEqualTo(id);
-      agent.submit(assignment.getAttempt(), RimAgent.result(agent.download(assignment), List.of()));
+      agent.submit(
+          assignment.getAttempt(), FakeAgent.result(agent.download(assignment), List.of()));
     }
     String csv = "/api/v1/builds/" + id + "/result/cases.csv";
     api.get(csv).expect(200);
@@ -313,31 +315,32 @@ abstract class BuildStory extends RecordingStory {
   }
 
   @Test
-  void whatContradictsTheProtocolIsRefused() throws Exception {
+  void protocolViolationsAreRejected() throws Exception {
     api.build(suiteId);
-    try (RimAgent agent = RimAgent.register(grpcPort(), "strict", "java")) {
+    try (FakeAgent agent = FakeAgent.register(grpcPort(), "strict", "java")) {
       Assignment assignment = agent.nextAssignment();
       AttemptRef attempt = assignment.getAttempt();
-      byte[] document = RimAgent.result(agent.download(assignment), List.of());
+      byte[] document = FakeAgent.result(agent.download(assignment), List.of());
       AttemptRef forged =
           attempt.toBuilder().setFencingToken(attempt.getFencingToken() + 1).build();
-      refused(Status.Code.FAILED_PRECONDITION, () -> agent.submit(forged, document));
-      refused(Status.Code.INVALID_ARGUMENT, () -> agent.submit(attempt, document, "0".repeat(64)));
-      refused(Status.Code.INVALID_ARGUMENT, () -> agent.submit(attempt, new byte[] {'<'}));
-      refused(Status.Code.NOT_FOUND, () -> agent.download(attempt, "0".repeat(64)));
-      refused(
+      assertRejected(Status.Code.FAILED_PRECONDITION, () -> agent.submit(forged, document));
+      assertRejected(
+          Status.Code.INVALID_ARGUMENT, () -> agent.submit(attempt, document, "0".repeat(64)));
+      assertRejected(Status.Code.INVALID_ARGUMENT, () -> agent.submit(attempt, new byte[] {'<'}));
+      assertRejected(Status.Code.NOT_FOUND, () -> agent.download(attempt, "0".repeat(64)));
+      assertRejected(
           Status.Code.INVALID_ARGUMENT,
           () -> agent.report(attempt, AttemptState.ATTEMPT_STATE_UNSPECIFIED));
       agent.report(attempt, AttemptState.ATTEMPT_STATE_RUNNING);
-      refused(
+      assertRejected(
           Status.Code.INVALID_ARGUMENT,
           () -> agent.report(attempt, AttemptState.ATTEMPT_STATE_COMPILING));
-      try (RimAgent twin = RimAgent.dial(grpcPort())) {
+      try (FakeAgent twin = FakeAgent.dial(grpcPort())) {
         twin.sendRegister("strict", "java");
         assertThat(Status.fromThrowable(twin.end()).getCode())
             .isEqualTo(Status.Code.ALREADY_EXISTS);
       }
-      try (RimAgent nameless = RimAgent.dial(grpcPort())) {
+      try (FakeAgent nameless = FakeAgent.dial(grpcPort())) {
         nameless.sendRegister("no good name", "java");
         assertThat(Status.fromThrowable(nameless.end()).getCode())
             .isEqualTo(Status.Code.INVALID_ARGUMENT);
@@ -346,7 +349,7 @@ abstract class BuildStory extends RecordingStory {
   }
 
   @Test
-  void anActivityWithABuildUnderWayIsNotDeleted() {
+  void activityWithRunningBuildIsNotDeleted() {
     String id = api.build(suiteId);
     assertThat(api.delete("/api/v1/activities/" + activityId).expect(409).text()).contains(id);
     api.post("/api/v1/builds/" + id + "/cancel", "").expect(200);
@@ -356,8 +359,8 @@ abstract class BuildStory extends RecordingStory {
   }
 
   @Test
-  void agentsAreListedConnectedOrNot() {
-    try (RimAgent agent = RimAgent.register(grpcPort(), "listed", "java")) {
+  void agentsAreListedWithTheirState() {
+    try (FakeAgent agent = FakeAgent.register(grpcPort(), "listed", "java")) {
       agent.heartbeat();
       assertThat(agentNamed("listed").get("state").asString()).isEqualTo("ONLINE");
     }
@@ -365,11 +368,11 @@ abstract class BuildStory extends RecordingStory {
         .until(() -> agentNamed("listed").get("state").asString().equals("OFFLINE"));
   }
 
-  /** The server may take a moment to see that the former connection is gone. */
-  private RimAgent reconnect(String name, AttemptRef running) {
+  /** The server may take a moment to detect that the former connection was closed. */
+  private FakeAgent reconnect(String name, AttemptRef running) {
     return org.awaitility.Awaitility.await()
         .ignoreExceptionsMatching(AssertionError.class::isInstance)
-        .until(() -> RimAgent.register(grpcPort(), name, "java", running), a -> true);
+        .until(() -> FakeAgent.register(grpcPort(), name, "java", running), a -> true);
   }
 
   private static BuildFailure failure(BuildFailure.Category category, String message) {

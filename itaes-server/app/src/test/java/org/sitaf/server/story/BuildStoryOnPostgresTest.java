@@ -14,14 +14,11 @@ import org.springframework.test.annotation.DirtiesContext;
 import org.springframework.test.context.DynamicPropertyRegistry;
 import org.springframework.test.context.DynamicPropertySource;
 
-/** The same builds, with the same migrations, on PostgreSQL. */
+/** Builds with PostgreSQL. */
 @Tag("slow")
 @DirtiesContext
 class BuildStoryOnPostgresTest extends BuildStory {
-  /**
-   * Outlives the server, which is closed after the class; stops by a hook of its own with this
-   * process.
-   */
+  /** Runs longer than the server, which is closed after the class; a shutdown hook stops it. */
   private static final EmbeddedPostgres POSTGRES = start();
 
   @Autowired private DataSource database;
@@ -32,7 +29,7 @@ class BuildStoryOnPostgresTest extends BuildStory {
   }
 
   @Test
-  void theDatabaseIsPostgresql() throws Exception {
+  void databaseIsPostgresql() throws Exception {
     try (Connection connection = database.getConnection()) {
       assertThat(connection.getMetaData().getDatabaseProductName()).isEqualTo("PostgreSQL");
     }

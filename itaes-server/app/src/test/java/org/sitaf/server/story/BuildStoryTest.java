@@ -2,6 +2,6 @@ package org.sitaf.server.story;
 
 import org.junit.jupiter.api.Tag;
 
-/** Builds, on H2 in a file. */
+/** Builds with an H2 file. */
 @Tag("slow")
 class BuildStoryTest extends BuildStory {}

@@ -16,25 +16,25 @@ import org.sitaf.agent.v1.BuildFailure;
 import org.sitaf.agent.v1.Cancellation;
 import org.sitaf.core.harness.TestApplication;
 import org.sitaf.server.support.Activities;
-import org.sitaf.server.support.RimAgent;
+import org.sitaf.server.support.FakeAgent;
 import org.sitaf.server.support.ServerTest;
 import tools.jackson.databind.JsonNode;
 
-/** Which build goes to which agent, and builds that are spread over several. */
+/** Dispatching of builds to agents, and builds with shards. */
 abstract class DispatchStory extends ServerTest {
   protected String activityId = "";
   protected String suiteId = "";
 
   @BeforeEach
-  void makeSuite() {
+  void createSuite() {
     activityId = api.upload(Activities.zip());
     suiteId = api.suite(activityId);
   }
 
-  /** The tests of a database share a server: what others have left waiting would come first. */
+  /** Tests share a server: queued builds of other tests would be dispatched first. */
   @BeforeEach
   @AfterEach
-  void cancelWhatIsLeft() {
+  void cancelRemainingBuilds() {
     for (JsonNode build : api.get("/api/v1/builds?size=500").json().get("items")) {
       if (!build.has("finished")) {
         api.post("/api/v1/builds/" + build.get("id").asString() + "/cancel", "");
@@ -43,13 +43,13 @@ abstract class DispatchStory extends ServerTest {
   }
 
   @Test
-  void aHigherPriorityGoesFirstAndThenTheActivityThatIsWorkedOnLeast() {
+  void dispatchOrderIsPriorityThenLeastActiveActivity() {
     String otherSuite = api.suite(api.upload(Activities.zip()));
     String first = api.build(suiteId);
     String second = api.build(suiteId);
     String other = api.build(otherSuite);
     String urgent = request("\"priority\": 5");
-    try (RimAgent agent = RimAgent.register(grpcPort(), "fair", 3, List.of(), "java")) {
+    try (FakeAgent agent = FakeAgent.register(grpcPort(), "fair", 3, List.of(), "java")) {
       List<String> order = new ArrayList<>();
       for (int i = 0; i < 3; i++) {
         order.add(agent.nextAssignment().getAttempt().getBuildId());
@@ -60,21 +60,21 @@ abstract class DispatchStory extends ServerTest {
   }
 
   @Test
-  void aBuildWaitsForAnAgentWithItsLabelAndItsTools() throws Exception {
+  void buildWaitsForAnAgentWithItsLabelAndToolchain() throws Exception {
     String build = request("\"labels\": [\"real-hardware\"], \"toolchain\": \"17\"");
-    try (RimAgent plain = RimAgent.register(grpcPort(), "plain", "java")) {
-      assertThat(plain.hearsNothingFor(300)).isTrue();
+    try (FakeAgent plain = FakeAgent.register(grpcPort(), "plain", "java")) {
+      assertThat(plain.receivesNothingFor(300)).isTrue();
       assertThat(build(build).get("waitingFor").asString())
           .startsWith("no agent offers the label real-hardware");
-      try (RimAgent labelled =
-          RimAgent.register(grpcPort(), "labelled", 1, List.of("real-hardware"), "java")) {
-        assertThat(labelled.hearsNothingFor(300)).isTrue();
+      try (FakeAgent labelled =
+          FakeAgent.register(grpcPort(), "labelled", 1, List.of("real-hardware"), "java")) {
+        assertThat(labelled.receivesNothingFor(300)).isTrue();
         assertThat(build(build).get("waitingFor").asString()).startsWith("no agent offers java 17");
       }
     }
     String other = request("\"labels\": [\"real-hardware\"], \"toolchain\": \"test\"");
-    try (RimAgent labelled =
-        RimAgent.register(grpcPort(), "labelled-2", 1, List.of("real-hardware"), "java")) {
+    try (FakeAgent labelled =
+        FakeAgent.register(grpcPort(), "labelled-2", 1, List.of("real-hardware"), "java")) {
       assertThat(labelled.nextAssignment().getAttempt().getBuildId()).isEqualTo(other);
       assertThat(agentNamed("labelled-2").get("labels").get(0).asString())
           .isEqualTo("real-hardware");
@@ -84,28 +84,28 @@ abstract class DispatchStory extends ServerTest {
   }
 
   @Test
-  void anAgentThatDrainsFinishesAndOneThatIsDisabledLosesWhatItHad() throws Exception {
+  void drainingAgentFinishesAndDisabledAgentLosesItsBuilds() throws Exception {
     String id = api.build(suiteId);
-    try (RimAgent agent = RimAgent.register(grpcPort(), "drained", "java")) {
+    try (FakeAgent agent = FakeAgent.register(grpcPort(), "drained", "java")) {
       Assignment assignment = agent.nextAssignment();
       TestApplication application = agent.download(assignment);
-      stand("drained", "DRAINING");
-      agent.submit(assignment.getAttempt(), RimAgent.result(application, List.of()));
+      setStanding("drained", "DRAINING");
+      agent.submit(assignment.getAttempt(), FakeAgent.result(application, List.of()));
       assertThat(build(id).get("state").asString()).isEqualTo("DONE");
       String waiting = api.build(suiteId);
       agent.heartbeat();
-      assertThat(agent.hearsNothingFor(300)).isTrue();
+      assertThat(agent.receivesNothingFor(300)).isTrue();
       agent.heartbeat();
       await()
           .untilAsserted(
               () -> assertThat(build(waiting).get("waitingFor").asString()).contains("draining"));
       agent.heartbeat();
-      stand("drained", "ACTIVE");
+      setStanding("drained", "ACTIVE");
       AttemptRef attempt = agent.nextAssignment().getAttempt();
-      stand("drained", "DISABLED");
+      setStanding("drained", "DISABLED");
       Cancellation cancellation = agent.next().getCancellation();
       assertThat(cancellation.getAttempt()).isEqualTo(attempt);
-      assertThat(cancellation.getGivenUp()).as("a late result is kept").isTrue();
+      assertThat(cancellation.getGivenUp()).as("a late result is stored").isTrue();
       assertThat(build(waiting).get("state").asString()).isEqualTo("QUEUED");
       api.delete("/api/v1/agents/drained").expect(409);
     }
@@ -115,20 +115,20 @@ abstract class DispatchStory extends ServerTest {
   }
 
   @Test
-  void aBuildThatLostItsAgentsDoesNotWaitTheLongerForIt() {
+  void lostAgentsDoNotIncreaseTheRetryDelay() {
     String id =
         api.post("/api/v1/builds", "{\"suiteId\":\"%s\",\"retries\":10}".formatted(suiteId))
             .expect(201)
             .json()
             .get("id")
             .asString();
-    try (RimAgent agent = RimAgent.register(grpcPort(), "often-lost", "java")) {
+    try (FakeAgent agent = FakeAgent.register(grpcPort(), "often-lost", "java")) {
       for (int lost = 1; lost <= 9; lost++) {
         AttemptRef attempt = agent.nextAssignment().getAttempt();
-        stand("often-lost", "DISABLED");
+        setStanding("often-lost", "DISABLED");
         assertThat(agent.next().getCancellation().getAttempt()).isEqualTo(attempt);
         agent.heartbeat();
-        stand("often-lost", "ACTIVE");
+        setStanding("often-lost", "ACTIVE");
       }
       AttemptRef attempt = agent.nextAssignment().getAttempt();
       assertThat(attempt.getAttempt()).isEqualTo(10);
@@ -140,18 +140,18 @@ abstract class DispatchStory extends ServerTest {
               .build());
       Instant failed = Instant.now();
       assertThat(agent.nextAssignment().getAttempt().getBuildId()).isEqualTo(id);
-      // Of ten failures it would be half a minute.
+      // After ten reported failures it would be half a minute.
       assertThat(Duration.between(failed, Instant.now())).isLessThan(Duration.ofSeconds(10));
     }
   }
 
   @Test
-  void anAgentWithAFullDiskIsGivenNothing() throws Exception {
-    try (RimAgent agent = RimAgent.register(grpcPort(), "full", "java")) {
+  void agentWithFullDiskGetsNoBuilds() throws Exception {
+    try (FakeAgent agent = FakeAgent.register(grpcPort(), "full", "java")) {
       agent.refuse("its disk has only 3 MiB left");
       await().until(() -> agentNamed("full").has("refuses"));
       String id = api.build(suiteId);
-      assertThat(agent.hearsNothingFor(300)).isTrue();
+      assertThat(agent.receivesNothingFor(300)).isTrue();
       assertThat(build(id).get("waitingFor").asString()).contains("3 MiB");
       agent.heartbeat();
       assertThat(agent.nextAssignment().getAttempt().getBuildId()).isEqualTo(id);
@@ -159,14 +159,15 @@ abstract class DispatchStory extends ServerTest {
   }
 
   @Test
-  void whatAnAgentDoesNotKnowOfAfterItsStartIsGivenAwayAtOnce() {
+  void attemptsThatARestartedAgentDoesNotReportAreReassigned() {
     String id = api.build(suiteId);
-    RimAgent before = RimAgent.register(grpcPort(), "forgetful", "java");
+    FakeAgent before = FakeAgent.register(grpcPort(), "forgetful", "java");
     AttemptRef lost = before.nextAssignment().getAttempt();
     before.close();
     await().until(() -> agentNamed("forgetful").get("state").asString().equals("OFFLINE"));
-    try (RimAgent after = RimAgent.register(grpcPort(), "forgetful", "java")) {
-      // Of what it has forgotten it is told nothing; the first that it hears is the next attempt.
+    try (FakeAgent after = FakeAgent.register(grpcPort(), "forgetful", "java")) {
+      // The server sends no cancellation for an unreported attempt; the next message is the new
+      // attempt.
       AttemptRef attempt = after.nextAssignment().getAttempt();
       assertThat(attempt.getFencingToken()).isGreaterThan(lost.getFencingToken());
       assertThat(attempt.getBuildId()).isEqualTo(id);
@@ -175,24 +176,24 @@ abstract class DispatchStory extends ServerTest {
   }
 
   @Test
-  void aSuiteIsSpreadOverAgentsAndBecomesOneResult() {
+  void shardsAreJoinedToOneResult() {
     String id = request("\"shards\": 2");
     assertThat(build(id).get("shards").asInt()).isEqualTo(2);
-    try (RimAgent one = RimAgent.register(grpcPort(), "shard-one", "java");
-        RimAgent two = RimAgent.register(grpcPort(), "shard-two", "java")) {
+    try (FakeAgent one = FakeAgent.register(grpcPort(), "shard-one", "java");
+        FakeAgent two = FakeAgent.register(grpcPort(), "shard-two", "java")) {
       Assignment first = one.nextAssignment();
       Assignment second = two.nextAssignment();
-      TestApplication firstPart = one.download(first);
-      TestApplication secondPart = two.download(second);
-      assertThat(firstPart.suite().cases().size() + secondPart.suite().cases().size())
+      TestApplication firstShard = one.download(first);
+      TestApplication secondShard = two.download(second);
+      assertThat(firstShard.suite().cases().size() + secondShard.suite().cases().size())
           .isEqualTo(55);
-      one.reportCases(first.getAttempt(), firstPart.suite().cases().get(0).no());
+      one.reportCases(first.getAttempt(), firstShard.suite().cases().get(0).no());
       api.await(id, b -> b.get("casesDone").asInt() == 1);
       one.appendLog(first.getAttempt(), 0, "log of one\n");
       two.appendLog(second.getAttempt(), 0, "log of two\n");
-      one.submit(first.getAttempt(), RimAgent.result(firstPart, List.of(7)));
+      one.submit(first.getAttempt(), FakeAgent.result(firstShard, List.of(7)));
       assertThat(build(id).get("state").asString()).isEqualTo("RUNNING");
-      two.submit(second.getAttempt(), RimAgent.result(secondPart, List.of()));
+      two.submit(second.getAttempt(), FakeAgent.result(secondShard, List.of()));
     }
     JsonNode done = api.awaitState(id, "DONE");
     assertThat(done.get("summary").get("total").asInt()).isEqualTo(55);
@@ -209,9 +210,9 @@ abstract class DispatchStory extends ServerTest {
   }
 
   @Test
-  void aCancelledBuildTakesItsShardsAlong() {
+  void cancellingABuildCancelsItsShards() {
     String id = request("\"shards\": 3");
-    try (RimAgent agent = RimAgent.register(grpcPort(), "shard-cancel", "java")) {
+    try (FakeAgent agent = FakeAgent.register(grpcPort(), "shard-cancel", "java")) {
       AttemptRef attempt = agent.nextAssignment().getAttempt();
       api.post("/api/v1/builds/" + id + "/cancel", "").expect(200);
       assertThat(agent.next().getCancellation().getAttempt()).isEqualTo(attempt);
@@ -234,7 +235,7 @@ abstract class DispatchStory extends ServerTest {
     return api.get("/api/v1/builds/" + id).expect(200).json();
   }
 
-  private void stand(String agent, String standing) {
+  private void setStanding(String agent, String standing) {
     api.put(
             "/api/v1/agents/" + agent + "/standing",
             "application/json",

@@ -18,11 +18,11 @@ import org.sitaf.agent.v1.AttemptState;
 import org.sitaf.server.SitafServer;
 import org.sitaf.server.support.Activities;
 import org.sitaf.server.support.Api;
-import org.sitaf.server.support.RimAgent;
+import org.sitaf.server.support.FakeAgent;
 import org.sitaf.server.support.ServerTest;
 import tools.jackson.databind.JsonNode;
 
-/** The server as a process of its own, killed and started again. */
+/** A server process that is killed and restarted. */
 @Tag("slow")
 class DurabilityTest {
   private static final Pattern LISTENING = Pattern.compile("listening http=(\\d+) grpc=(\\d+)");
@@ -30,7 +30,7 @@ class DurabilityTest {
   private final Path data = ServerTest.temporary();
 
   @Test
-  void whatWasAcknowledgedSurvivesKillAndWhatWasUnderWayGoesOn() throws Exception {
+  void acknowledgedDataSurvivesKillAndRunningBuildContinues() throws Exception {
     String finished;
     String underWay;
     String suiteId;
@@ -39,9 +39,9 @@ class DurabilityTest {
     try (Running server = new Running()) {
       suiteId = server.api.suite(server.api.upload(Activities.zip()));
       finished = server.api.build(suiteId);
-      try (RimAgent agent = RimAgent.register(server.grpcPort, "survivor", "java")) {
+      try (FakeAgent agent = FakeAgent.register(server.grpcPort, "survivor", "java")) {
         Assignment first = agent.nextAssignment();
-        document = RimAgent.result(agent.download(first), List.of());
+        document = FakeAgent.result(agent.download(first), List.of());
         assertThat(agent.submit(first.getAttempt(), document)).isTrue();
         server.process.destroyForcibly().waitFor();
         assertThat(agent.end()).isNotNull();
@@ -53,7 +53,7 @@ class DurabilityTest {
       assertThat(server.api.get("/api/v1/builds/" + finished + "/result/document").bytes())
           .isEqualTo(document);
       underWay = server.api.build(suiteId);
-      try (RimAgent agent = RimAgent.register(server.grpcPort, "survivor", "java")) {
+      try (FakeAgent agent = FakeAgent.register(server.grpcPort, "survivor", "java")) {
         second = agent.nextAssignment();
         assertThat(second.getAttempt().getBuildId()).isEqualTo(underWay);
         agent.report(second.getAttempt(), AttemptState.ATTEMPT_STATE_RUNNING);
@@ -61,8 +61,8 @@ class DurabilityTest {
       }
     }
     try (Running server = new Running();
-        RimAgent agent =
-            RimAgent.register(server.grpcPort, "survivor", "java", second.getAttempt())) {
+        FakeAgent agent =
+            FakeAgent.register(server.grpcPort, "survivor", "java", second.getAttempt())) {
       assertThat(agent.submit(second.getAttempt(), document)).isTrue();
       JsonNode build = server.api.get("/api/v1/builds/" + underWay).expect(200).json();
       assertThat(build.get("state").asString()).isEqualTo("DONE");
@@ -70,7 +70,7 @@ class DurabilityTest {
     }
   }
 
-  /** A server process that ends with its standard input, and so with this test. */
+  /** A server process that stops when its standard input is closed, and thus with this test. */
   private final class Running implements AutoCloseable {
     final Process process;
     final Api api;
@@ -110,7 +110,7 @@ class DurabilityTest {
       return System.getProperty("surefire.test.class.path", System.getProperty("java.class.path"));
     }
 
-    /** Ends the server by ending its standard input, unless it is dead. */
+    /** Stops the server by closing its standard input. */
     @Override
     public void close() throws IOException, InterruptedException {
       process.getOutputStream().close();

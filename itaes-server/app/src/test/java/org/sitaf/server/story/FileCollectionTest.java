@@ -13,37 +13,37 @@ import org.sitaf.server.support.ServerTest;
 import org.springframework.beans.factory.annotation.Autowired;
 import org.springframework.jdbc.core.simple.JdbcClient;
 
-/** File contents live as long as something refers to them. */
+/** Unreferenced file contents are deleted. */
 @Tag("slow")
 class FileCollectionTest extends ServerTest {
   @Autowired private StoredFiles files;
   @Autowired private JdbcClient jdbc;
 
   @Test
-  void onlyContentsThatNothingRefersToAreCollectedAndNotAtOnce() {
+  void onlyUnreferencedContentsAreDeletedAfterAGracePeriod() {
     String activity = api.upload(Activities.zip());
     String orphan =
         files
             .store(FileTree.of(Map.of("x", "nobody's".getBytes(StandardCharsets.UTF_8))))
             .get(0)
             .sha256();
-    files.collect();
+    files.deleteUnreferenced();
     assertThat(count(orphan)).isEqualTo(1);
     jdbc.sql("UPDATE file_content SET stored = TIMESTAMP WITH TIME ZONE '2001-01-01 00:00:00Z'")
         .update();
-    files.collect();
+    files.deleteUnreferenced();
     assertThat(count(orphan)).isZero();
     byte[] whole = api.get("/api/v1/activities/" + activity + "/content").expect(200).bytes();
     assertThat(whole).isEqualTo(Activities.zip());
   }
 
   @Test
-  void aContentThatIsStoredAgainIsNotCollected() {
+  void storingAContentAgainRestartsTheGracePeriod() {
     FileTree tree = FileTree.of(Map.of("x", "wanted again".getBytes(StandardCharsets.UTF_8)));
     String content = files.store(tree).get(0).sha256();
     jdbc.sql("UPDATE file_content SET stored = NULL WHERE sha256 = ?").param(content).update();
     files.store(tree);
-    files.collect();
+    files.deleteUnreferenced();
     assertThat(count(content)).isEqualTo(1);
   }
 

@@ -18,13 +18,13 @@ import org.sitaf.server.support.ServerTest;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
-/** Uploads that mean harm are refused with a reason, and the server takes good ones afterwards. */
+/** Malicious uploads are rejected with a reason, and the server accepts valid ones afterwards. */
 @Tag("slow")
 class HostileUploadsTest extends ServerTest {
   private static final String DATA = "../../tests/faults/hostile/uploads.py";
 
   @Test
-  void hostileUploadsAreRefusedWithAReason() throws Exception {
+  void hostileUploadsAreRejectedWithAReason() throws Exception {
     Path folder = generated();
     List<String> wrong = new ArrayList<>();
     int tried = 0;
@@ -59,7 +59,7 @@ class HostileUploadsTest extends ServerTest {
   }
 
   @Test
-  void textsOfAnyLengthInEveryFieldAreAnsweredAndNeverAFailure() {
+  void longTextsInEveryFieldAreRejectedWithoutServerError() {
     String id = api.upload(Activities.zip());
     String files = new String(Activities.files().get("activity.yaml"), StandardCharsets.UTF_8);
     for (String field : List.of("name: ir-sensor", "description: Infrared", "class: org")) {

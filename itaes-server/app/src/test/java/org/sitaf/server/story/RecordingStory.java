@@ -17,17 +17,17 @@ import org.sitaf.agent.v1.RecordingOrder;
 import org.sitaf.core.harness.TestApplication;
 import org.sitaf.server.file.StoredFiles;
 import org.sitaf.server.support.Api;
-import org.sitaf.server.support.RimAgent;
+import org.sitaf.server.support.FakeAgent;
 import org.springframework.beans.factory.annotation.Autowired;
 import org.springframework.jdbc.core.simple.JdbcClient;
 import tools.jackson.databind.JsonNode;
 
-/** What moved in the cases of builds, from an agent to whoever wants to see it. */
+/** Recordings of cases, from the upload by an agent to the download. */
 abstract class RecordingStory extends DispatchStory {
   @Autowired private StoredFiles files;
   @Autowired private JdbcClient jdbc;
 
-  /** Binary glTF, as far as its header. */
+  /** The header of a binary glTF file. */
   private static byte[] glb(int size, int content) {
     return ByteBuffer.allocate(size)
         .order(ByteOrder.LITTLE_ENDIAN)
@@ -50,10 +50,10 @@ abstract class RecordingStory extends DispatchStory {
   }
 
   @Test
-  void recordingsAreSeenWhileTheBuildRunsAndAfterwards() {
+  void recordingsAreAvailableDuringAndAfterTheBuild() {
     String id = api.build(suiteId);
     assertThat(build(id).get("recordedCases").asString()).isEqualTo("ALL");
-    try (RimAgent agent = RimAgent.register(grpcPort(), "films", "java")) {
+    try (FakeAgent agent = FakeAgent.register(grpcPort(), "films", "java")) {
       Assignment assignment = agent.nextAssignment();
       assertThat(assignment.getRecordings().getCases()).isEqualTo(RecordingOrder.Cases.ALL);
       assertThat(assignment.getRecordings().getMaxBytes()).isEqualTo(1L << 20);
@@ -64,7 +64,7 @@ abstract class RecordingStory extends DispatchStory {
       assertThat(recorded(id, "CASE")).containsExactly(3, 7);
       assertThat(recorded(id, "NEWEST")).containsExactly(7, 3);
       TestApplication application = agent.download(assignment);
-      agent.submit(attempt, RimAgent.result(application, List.of()));
+      agent.submit(attempt, FakeAgent.result(application, List.of()));
     }
     Api.Answer answer = recording(id, 3).expect(200);
     assertThat(answer.bytes()).isEqualTo(glb(1000, 3));
@@ -83,32 +83,36 @@ abstract class RecordingStory extends DispatchStory {
   }
 
   @Test
-  void whatIsRecordedIsWhatWasAskedFor() {
+  void requestedCasesAreRecorded() {
     String none = request("\"recordings\": \"NONE\"");
-    try (RimAgent agent = RimAgent.register(grpcPort(), "no-films", "java")) {
+    try (FakeAgent agent = FakeAgent.register(grpcPort(), "no-films", "java")) {
       Assignment assignment = agent.nextAssignment();
       AttemptRef attempt = assignment.getAttempt();
       assertThat(attempt.getBuildId()).isEqualTo(none);
       assertThat(assignment.getRecordings().getCases())
           .isEqualTo(RecordingOrder.Cases.CASES_UNSPECIFIED);
-      refused(Status.Code.INVALID_ARGUMENT, () -> agent.uploadRecording(attempt, 1, glb(20, 1)));
-      agent.submit(attempt, RimAgent.result(agent.download(assignment), List.of()));
+      assertRejected(
+          Status.Code.INVALID_ARGUMENT, () -> agent.uploadRecording(attempt, 1, glb(20, 1)));
+      agent.submit(attempt, FakeAgent.result(agent.download(assignment), List.of()));
     }
     String failed = request("\"recordings\": \"FAILED\"");
     assertThat(build(failed).get("recordedCases").asString()).isEqualTo("FAILED");
-    try (RimAgent agent = RimAgent.register(grpcPort(), "failed-films", "java")) {
+    try (FakeAgent agent = FakeAgent.register(grpcPort(), "failed-films", "java")) {
       Assignment assignment = agent.nextAssignment();
       AttemptRef attempt = assignment.getAttempt();
       assertThat(assignment.getRecordings().getCases()).isEqualTo(RecordingOrder.Cases.FAILED);
-      refused(Status.Code.INVALID_ARGUMENT, () -> agent.uploadRecording(attempt, 1, new byte[100]));
-      refused(Status.Code.INVALID_ARGUMENT, () -> agent.uploadRecording(attempt, 0, glb(20, 1)));
+      assertRejected(
+          Status.Code.INVALID_ARGUMENT, () -> agent.uploadRecording(attempt, 1, new byte[100]));
+      assertRejected(
+          Status.Code.INVALID_ARGUMENT, () -> agent.uploadRecording(attempt, 0, glb(20, 1)));
       byte[] cut = java.util.Arrays.copyOf(glb(100, 1), 50);
-      refused(Status.Code.INVALID_ARGUMENT, () -> agent.uploadRecording(attempt, 1, cut));
-      refused(
+      assertRejected(Status.Code.INVALID_ARGUMENT, () -> agent.uploadRecording(attempt, 1, cut));
+      assertRejected(
           Status.Code.INVALID_ARGUMENT,
           () -> agent.uploadRecording(attempt, 1, glb(20, 1), StoredFiles.sha256(cut)));
-      agent.submit(attempt, RimAgent.result(agent.download(assignment), List.of()));
-      refused(Status.Code.FAILED_PRECONDITION, () -> agent.uploadRecording(attempt, 1, glb(20, 1)));
+      agent.submit(attempt, FakeAgent.result(agent.download(assignment), List.of()));
+      assertRejected(
+          Status.Code.FAILED_PRECONDITION, () -> agent.uploadRecording(attempt, 1, glb(20, 1)));
     }
     assertThat(recorded(failed, "CASE")).isEmpty();
     api.post("/api/v1/builds", "{\"suiteId\":\"" + suiteId + "\",\"recordings\":\"SOME\"}")
@@ -116,13 +120,13 @@ abstract class RecordingStory extends DispatchStory {
   }
 
   @Test
-  void anAttemptHasNoMoreRecordingsThanItMay() {
+  void recordingsOfAnAttemptAreLimited() {
     String id = api.build(suiteId);
-    try (RimAgent agent = RimAgent.register(grpcPort(), "large-films", "java")) {
+    try (FakeAgent agent = FakeAgent.register(grpcPort(), "large-films", "java")) {
       AttemptRef attempt = agent.nextAssignment().getAttempt();
       agent.uploadRecording(attempt, 1, glb(700_000, 1));
       agent.uploadRecording(attempt, 2, glb(300_000, 2));
-      refused(
+      assertRejected(
           Status.Code.INVALID_ARGUMENT, () -> agent.uploadRecording(attempt, 3, glb(100_000, 3)));
       agent.uploadRecording(attempt, 1, glb(100, 1));
       agent.uploadRecording(attempt, 3, glb(100_000, 3));
@@ -131,9 +135,9 @@ abstract class RecordingStory extends DispatchStory {
   }
 
   @Test
-  void aBuildShowsTheRecordingsOfItsLatestAttemptOnly() {
+  void buildHasTheRecordingsOfItsLatestAttemptOnly() {
     String id = api.build(suiteId);
-    try (RimAgent agent = RimAgent.register(grpcPort(), "film-again", "java")) {
+    try (FakeAgent agent = FakeAgent.register(grpcPort(), "film-again", "java")) {
       AttemptRef first = agent.nextAssignment().getAttempt();
       agent.uploadRecording(first, 1, glb(100, 1));
       agent.uploadRecording(first, 2, glb(100, 2));
@@ -151,9 +155,9 @@ abstract class RecordingStory extends DispatchStory {
   }
 
   @Test
-  void aBuildWithShardsShowsTheRecordingsOfAllOfThem() {
+  void buildWithShardsHasAllTheirRecordings() {
     String id = request("\"shards\": 2");
-    try (RimAgent agent = RimAgent.register(grpcPort(), "film-parts", 2, List.of(), "java")) {
+    try (FakeAgent agent = FakeAgent.register(grpcPort(), "film-shards", 2, List.of(), "java")) {
       AttemptRef one = agent.nextAssignment().getAttempt();
       AttemptRef other = agent.nextAssignment().getAttempt();
       agent.uploadRecording(one, 5, glb(100, 5));
@@ -165,18 +169,19 @@ abstract class RecordingStory extends DispatchStory {
   }
 
   @Test
-  void recordingsAreKeptAsLongAsTheirBuild() {
+  void recordingsAreDeletedWithTheirBuild() {
     String id = api.build(suiteId);
     byte[] film = glb(64, 4711);
-    try (RimAgent agent = RimAgent.register(grpcPort(), "film-kept", "java")) {
+    try (FakeAgent agent = FakeAgent.register(grpcPort(), "film-kept", "java")) {
       Assignment assignment = agent.nextAssignment();
       agent.uploadRecording(assignment.getAttempt(), 1, film);
-      agent.submit(assignment.getAttempt(), RimAgent.result(agent.download(assignment), List.of()));
+      agent.submit(
+          assignment.getAttempt(), FakeAgent.result(agent.download(assignment), List.of()));
     }
-    collect();
+    deleteUnreferenced();
     assertThat(recording(id, 1).expect(200).bytes()).isEqualTo(film);
     api.delete("/api/v1/activities/" + activityId).expect(204);
-    collect();
+    deleteUnreferenced();
     assertThat(
             jdbc.sql("SELECT COUNT(*) FROM file_content WHERE sha256 = ?")
                 .param(StoredFiles.sha256(film))
@@ -185,16 +190,16 @@ abstract class RecordingStory extends DispatchStory {
         .isZero();
   }
 
-  protected static void refused(Status.Code code, ThrowingCallable call) {
+  protected static void assertRejected(Status.Code code, ThrowingCallable call) {
     assertThatThrownBy(call)
         .isInstanceOfSatisfying(
             StatusRuntimeException.class,
             e -> assertThat(e.getStatus().getCode()).as(e.getMessage()).isEqualTo(code));
   }
 
-  private void collect() {
+  private void deleteUnreferenced() {
     jdbc.sql("UPDATE file_content SET stored = TIMESTAMP WITH TIME ZONE '2001-01-01 00:00:00Z'")
         .update();
-    files.collect();
+    files.deleteUnreferenced();
   }
 }

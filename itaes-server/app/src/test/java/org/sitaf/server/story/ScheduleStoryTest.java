@@ -22,7 +22,7 @@ import org.springframework.beans.factory.annotation.Autowired;
 import org.springframework.jdbc.core.simple.JdbcClient;
 import tools.jackson.databind.JsonNode;
 
-/** Reserved and periodic builds. */
+/** Schedules of single and periodic builds. */
 @Tag("slow")
 class ScheduleStoryTest extends ServerTest {
   private static final String JSON = "application/json";
@@ -31,7 +31,7 @@ class ScheduleStoryTest extends ServerTest {
   @Autowired private JdbcClient jdbc;
 
   @Test
-  void aReservedBuildIsRequestedAtItsTimeAndOnce() throws Exception {
+  void reservedBuildIsRequestedOnceAtItsTime() throws Exception {
     String activityId = api.upload(Activities.zip());
     String suiteId = api.suite(activityId);
     OffsetDateTime at = OffsetDateTime.now(ZoneOffset.ofHours(9)).plusSeconds(3);
@@ -55,7 +55,7 @@ class ScheduleStoryTest extends ServerTest {
   }
 
   @Test
-  void aFireTimeAtWhichTheServerFailedIsTriedAgain() throws Exception {
+  void failedFireTimeIsRetried() throws Exception {
     String activityId = api.upload(Activities.zip());
     String id =
         api.post(
@@ -80,7 +80,7 @@ class ScheduleStoryTest extends ServerTest {
   }
 
   @Test
-  void aReservationThatIsGivenUpRequestsNothing() throws Exception {
+  void deletedReservationRequestsNoBuild() throws Exception {
     String activityId = api.upload(Activities.zip());
     String suiteId = api.suite(activityId);
     String id =
@@ -100,7 +100,7 @@ class ScheduleStoryTest extends ServerTest {
   }
 
   @Test
-  void aTimeThatIsPastOrNoTimeIsRefused() {
+  void pastOrInvalidTimeIsRejected() {
     String suiteId = api.suite(api.upload(Activities.zip()));
     api.post(
             "/api/v1/schedules",
@@ -113,13 +113,14 @@ class ScheduleStoryTest extends ServerTest {
   }
 
   @Test
-  void aScheduleThatIsNotMadeYetSaysWhenItWouldFire() {
+  void previewListsFireTimes() {
     api.put("/api/v1/calendars/mondays", JSON, bytes("{\"weekdays\":[\"MONDAY\"]}"), null)
         .expect(200);
     JsonNode times =
         api.post(
                 "/api/v1/schedules/preview?count=4",
-                "{\"cron\": \"30 3 * * 1,2\", \"zone\": \"Asia/Seoul\", \"leaveOut\": [\"mondays\"]}")
+                "{\"cron\": \"30 3 * * 1,2\", \"zone\": \"Asia/Seoul\", \"leaveOut\":"
+                    + " [\"mondays\"]}")
             .expect(200)
             .json();
     assertThat(times).hasSize(4);
@@ -131,12 +132,12 @@ class ScheduleStoryTest extends ServerTest {
               assertThat(there.toLocalTime()).isEqualTo(LocalTime.of(3, 30));
             });
     assertThat(api.post("/api/v1/schedules/preview", "{\"cron\": \"soon\"}").expect(400).text())
-        .contains("is no cron expression");
+        .contains("is not a cron expression");
     api.post("/api/v1/schedules/preview?count=0", "{\"everyMinutes\": 5}").expect(400);
   }
 
   @Test
-  void aPeriodicScheduleSaysWhenItFiresAndIsPausedAndResumed() {
+  void periodicScheduleListsFireTimesAndCanBePaused() {
     String activityId = api.upload(Activities.zip());
     api.put("/api/v1/calendars/holidays", JSON, bytes("{\"weekdays\":[\"SUNDAY\"]}"), null)
         .expect(200);
@@ -191,7 +192,7 @@ class ScheduleStoryTest extends ServerTest {
   }
 
   @Test
-  void anIntervalFiresEachTimeOnceAndAModelThatGivesNoSuiteIsSaidInTheHistory() {
+  void intervalFiresOncePerTimeAndHistoryContainsErrors() {
     String activityId = api.upload(Activities.zip());
     String at = OffsetDateTime.now(ZoneOffset.UTC).plusSeconds(1).toString();
     String path =
@@ -214,7 +215,7 @@ class ScheduleStoryTest extends ServerTest {
   }
 
   @Test
-  void whatIsNoScheduleIsRefused() {
+  void invalidSchedulesAreRejected() {
     String suiteId = api.suite(api.upload(Activities.zip()));
     for (String rest :
         new String[] {

@@ -20,11 +20,11 @@ import org.sitaf.core.verdict.TestResult;
 import org.sitaf.core.verdict.document.TestResultXml;
 import org.sitaf.server.result.Results;
 import org.sitaf.server.support.Activities;
-import org.sitaf.server.support.RimAgent;
+import org.sitaf.server.support.FakeAgent;
 import org.sitaf.server.support.ServerTest;
 import tools.jackson.databind.JsonNode;
 
-/** What people see of a build while it runs, and of its parts afterwards. */
+/** The live view of a running build, and logs, coverage and filters afterwards. */
 @Tag("slow")
 class WatchingStoryTest extends ServerTest {
   private static final String SOURCE = "component/org/sitaf/examples/ir/InfraredSensor.java";
@@ -37,7 +37,7 @@ class WatchingStoryTest extends ServerTest {
   }
 
   @AfterEach
-  void cancelWhatIsLeft() {
+  void cancelRemainingBuilds() {
     for (JsonNode build : api.get("/api/v1/builds?size=500").json().get("items")) {
       if (!build.has("finished")) {
         api.post("/api/v1/builds/" + build.get("id").asString() + "/cancel", "");
@@ -46,9 +46,9 @@ class WatchingStoryTest extends ServerTest {
   }
 
   @Test
-  void casesAreSeenAsTheyFinishUntilTheResultIsThere() {
+  void finishedCasesAreListedUntilTheResultIsAccepted() {
     String id = api.build(suiteId);
-    try (RimAgent agent = RimAgent.register(grpcPort(), "watched", "java")) {
+    try (FakeAgent agent = FakeAgent.register(grpcPort(), "watched", "java")) {
       Assignment assignment = agent.nextAssignment();
       AttemptRef attempt = assignment.getAttempt();
       agent.report(attempt, AttemptState.ATTEMPT_STATE_RUNNING);
@@ -56,12 +56,10 @@ class WatchingStoryTest extends ServerTest {
       agent.reportOutcomes(attempt, outcome(2, "PASS"), outcome(1, "FAIL"));
       agent.reportOutcomes(attempt, outcome(1, "FAIL"), outcome(3, "PASS"));
       JsonNode cases = live(id, "");
-      assertThat(cases.get("total").asInt())
-          .as("a case that is told again counts once")
-          .isEqualTo(3);
+      assertThat(cases.get("total").asInt()).as("a repeated case counts once").isEqualTo(3);
       assertThat(cases.get("items"))
           .extracting(c -> c.get("no").asInt())
-          .as("in the order in which they ended")
+          .as("in the order in which they finished")
           .containsExactly(2, 1, 3);
       JsonNode second = live(id, "?page=1&size=1").get("items").get(0);
       assertThat(second.get("verdict").asString()).isEqualTo("FAIL");
@@ -71,16 +69,16 @@ class WatchingStoryTest extends ServerTest {
       assertThat(second.get("processingTimeUs").asDouble()).isEqualTo(12.5);
       assertThat(second.get("message").asString()).hasSize(1002).startsWith("xxx");
 
-      agent.submit(attempt, RimAgent.result(agent.download(assignment), List.of()));
-      assertThat(live(id, "").get("total").asInt()).as("the result is there").isZero();
+      agent.submit(attempt, FakeAgent.result(agent.download(assignment), List.of()));
+      assertThat(live(id, "").get("total").asInt()).as("the result was accepted").isZero();
     }
     api.get("/api/v1/builds/none/cases").expect(404);
   }
 
   @Test
-  void whatFinishedBeforeACancellationStaysToBeSeen() {
+  void cancelledBuildKeepsItsFinishedCases() {
     String id = api.build(suiteId);
-    try (RimAgent agent = RimAgent.register(grpcPort(), "cut-short", "java")) {
+    try (FakeAgent agent = FakeAgent.register(grpcPort(), "cut-short", "java")) {
       AttemptRef attempt = agent.nextAssignment().getAttempt();
       agent.report(attempt, AttemptState.ATTEMPT_STATE_RUNNING);
       agent.reportOutcomes(attempt, outcome(1, "PASS"));
@@ -90,9 +88,9 @@ class WatchingStoryTest extends ServerTest {
   }
 
   @Test
-  void theLogOfACaseIsWhatItPrinted() {
+  void caseLogContainsTheOutputOfTheCase() {
     String id = api.build(suiteId);
-    try (RimAgent agent = RimAgent.register(grpcPort(), "talker", "java")) {
+    try (FakeAgent agent = FakeAgent.register(grpcPort(), "talker", "java")) {
       AttemptRef attempt = agent.nextAssignment().getAttempt();
       agent.appendLog(
           attempt,
@@ -128,13 +126,13 @@ class WatchingStoryTest extends ServerTest {
   }
 
   @Test
-  void coverageIsShownFileByFileWithItsLines() {
+  void coverageIsAvailableByFileAndLine() {
     String id = api.build(suiteId);
-    try (RimAgent agent = RimAgent.register(grpcPort(), "covering", "java")) {
+    try (FakeAgent agent = FakeAgent.register(grpcPort(), "covering", "java")) {
       Assignment assignment = agent.nextAssignment();
       TestApplication application = agent.download(assignment);
       TestResult result =
-          Results.read(RimAgent.result(application, List.of()))
+          Results.read(FakeAgent.result(application, List.of()))
               .with(
                   new Coverage(
                       List.of(
@@ -162,11 +160,12 @@ class WatchingStoryTest extends ServerTest {
   }
 
   @Test
-  void aResultWithoutCoverageSaysSo() {
+  void resultWithoutCoverageIsNotMeasured() {
     String id = api.build(suiteId);
-    try (RimAgent agent = RimAgent.register(grpcPort(), "not-covering", "java")) {
+    try (FakeAgent agent = FakeAgent.register(grpcPort(), "not-covering", "java")) {
       Assignment assignment = agent.nextAssignment();
-      agent.submit(assignment.getAttempt(), RimAgent.result(agent.download(assignment), List.of()));
+      agent.submit(
+          assignment.getAttempt(), FakeAgent.result(agent.download(assignment), List.of()));
     }
     JsonNode coverage = api.get("/api/v1/builds/" + id + "/result/coverage").expect(200).json();
     assertThat(coverage.get("measured").asBoolean()).isFalse();
@@ -174,12 +173,12 @@ class WatchingStoryTest extends ServerTest {
   }
 
   @Test
-  void casesAreFoundByVerdictAndByAValueHoweverItIsWritten() {
+  void casesAreFilteredByVerdictAndNumericValue() {
     String id = api.build(suiteId);
-    try (RimAgent agent = RimAgent.register(grpcPort(), "filtering", "java")) {
+    try (FakeAgent agent = FakeAgent.register(grpcPort(), "filtering", "java")) {
       Assignment assignment = agent.nextAssignment();
       agent.submit(
-          assignment.getAttempt(), RimAgent.result(agent.download(assignment), List.of(2)));
+          assignment.getAttempt(), FakeAgent.result(agent.download(assignment), List.of(2)));
     }
     String path = "/api/v1/builds/" + id + "/result/cases?parameter=Distance&value=";
     int as = api.get(path + "5.0").expect(200).json().get("total").asInt();

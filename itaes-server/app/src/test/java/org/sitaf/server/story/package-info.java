@@ -1,4 +1,4 @@
-/** What people and agents do with the server, from the outside. */
+/** End-to-end tests of the server through its REST and gRPC interfaces. */
 @NullMarked
 package org.sitaf.server.story;
 

@@ -20,7 +20,7 @@ import org.springframework.jdbc.datasource.SingleConnectionDataSource;
 
 class ParametersMigrationTest {
   @Test
-  void suitesOfEarlierVersionsGetTheParametersOfTheirDocuments() throws Exception {
+  void parametersAreReadFromTheDocuments() throws Exception {
     TestSuite suite =
         TestCaseGenerator.generate(
                 Activity.read(FileTree.of(Activities.files())).models().get(0),

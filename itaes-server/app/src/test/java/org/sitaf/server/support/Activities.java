@@ -14,7 +14,7 @@ import java.util.zip.ZipOutputStream;
 import org.sitaf.core.activity.ActivityArchive;
 import org.sitaf.core.activity.FileTree;
 
-/** The example of the paper's evaluation, and spoilt versions of it. */
+/** The example of the paper's evaluation. */
 public final class Activities {
   public static final String MODEL = "GetInfraredData";
 
@@ -48,7 +48,7 @@ public final class Activities {
     return zip.toByteArray();
   }
 
-  /** A zip of entries as named, safe or not. */
+  /** A zip with the given entry names, which may be unsafe. */
   public static byte[] rawZip(List<String> names, byte[] content) {
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     try (ZipOutputStream zip = new ZipOutputStream(bytes)) {

@@ -16,33 +16,32 @@ import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
-/** The server's HTTP interface, as a program uses it. */
+/** A client of the server's REST interface. */
 public final class Api {
   private static final JsonMapper JSON = JsonMapper.builder().build();
-  private static final Duration PATIENCE = Duration.ofSeconds(60);
+  private static final Duration TIMEOUT = Duration.ofSeconds(60);
 
   private final HttpClient client =
       HttpClient.newBuilder().version(HttpClient.Version.HTTP_1_1).build();
   private final String root;
   private final @Nullable String token;
 
-  /** As the one who starts the server. */
+  /** A client with the launcher's token. */
   public Api(int port) {
     this(port, ServerTest.TOKEN);
   }
 
   /**
-   * As somebody.
+   * A client with an API token.
    *
-   * @param token null for nobody known
+   * @param token null for requests without authentication
    */
   public Api(int port, @Nullable String token) {
     this.root = "http://localhost:" + port;
     this.token = token;
   }
 
-  /** An answer. */
-  @SuppressWarnings("ArrayRecordComponent") // Nobody compares answers.
+  @SuppressWarnings("ArrayRecordComponent") // Responses are not compared.
   public record Answer(int status, byte[] bytes, java.net.http.HttpHeaders headers) {
     public String text() {
       return new String(bytes, StandardCharsets.UTF_8);
@@ -79,7 +78,7 @@ public final class Api {
             .POST(BodyPublishers.ofString(json)));
   }
 
-  /** Posts a change of the version, or of any with {@code *}. */
+  /** Sends a POST request with If-Match. */
   public Answer change(String path, String json, String ifMatch) {
     return send(
         request(path)
@@ -111,16 +110,16 @@ public final class Api {
   }
 
   public HttpRequest.Builder request(String path) {
-    HttpRequest.Builder request = HttpRequest.newBuilder(URI.create(root + path)).timeout(PATIENCE);
+    HttpRequest.Builder request = HttpRequest.newBuilder(URI.create(root + path)).timeout(TIMEOUT);
     return token == null ? request : request.header("Authorization", "Bearer " + token);
   }
 
-  /** Uploads an activity; answers its id. */
+  /** Uploads an activity and returns its id. */
   public String upload(byte[] zip) {
     return post("/api/v1/activities", "application/zip", zip).expect(201).id();
   }
 
-  /** Generates a suite of the model; answers its id. */
+  /** Generates a suite and returns its id. */
   public String suite(String activityId) {
     return post(
             "/api/v1/activities/" + activityId + "/models/" + Activities.MODEL + "/suites", "{}")
@@ -128,18 +127,18 @@ public final class Api {
         .id();
   }
 
-  /** Requests a build; answers its id. */
+  /** Requests a build and returns its id. */
   public String build(String suiteId) {
     return post("/api/v1/builds", "{\"suiteId\":\"" + suiteId + "\"}").expect(201).id();
   }
 
-  /** Waits, by long polls, until the build is as wanted. */
-  public JsonNode await(String buildId, Predicate<JsonNode> wanted) {
-    Instant deadline = Instant.now().plus(PATIENCE);
+  /** Waits with long polling until the build matches the condition. */
+  public JsonNode await(String buildId, Predicate<JsonNode> condition) {
+    Instant deadline = Instant.now().plus(TIMEOUT);
     JsonNode build = get("/api/v1/builds/" + buildId).expect(200).json();
-    while (!wanted.test(build)) {
+    while (!condition.test(build)) {
       if (Instant.now().isAfter(deadline)) {
-        throw new AssertionError("still not as wanted: " + build);
+        throw new AssertionError("timed out waiting for the build: " + build);
       }
       build =
           get("/api/v1/builds/"

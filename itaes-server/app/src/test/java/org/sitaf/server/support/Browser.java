@@ -12,7 +12,7 @@ import java.net.http.HttpResponse;
 import java.net.http.HttpResponse.BodyHandlers;
 import java.util.Optional;
 
-/** A person's browser: keeps cookies, and sends the value of one as the portal does. */
+/** A browser that stores cookies and sends the CSRF token like the portal. */
 public final class Browser {
   private final CookieManager cookies = new CookieManager();
   private final HttpClient client =
@@ -23,7 +23,7 @@ public final class Browser {
     root = "http://localhost:" + port;
   }
 
-  /** Opens the portal, and signs in. */
+  /** Opens the portal and signs in. */
   public Api.Answer signIn(String name, String password) {
     get("/api/v1/session");
     return send(
@@ -36,14 +36,14 @@ public final class Browser {
     return send(HttpRequest.newBuilder(URI.create(root + path)).GET());
   }
 
-  /** A change, as the portal requests it. */
+  /** Sends a request like the portal, with the CSRF token. */
   public Api.Answer send(String method, String path, String json) {
     HttpRequest.Builder request = change(method, path, json);
     cookie("XSRF-TOKEN").ifPresent(token -> request.header("X-XSRF-TOKEN", token));
     return send(request);
   }
 
-  /** A change, as a page of another site could make the browser send it. */
+  /** Sends a request like a page of another site, without the CSRF token. */
   public Api.Answer sendForged(String method, String path, String json) {
     return send(change(method, path, json));
   }

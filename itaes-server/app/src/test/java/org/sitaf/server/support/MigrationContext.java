@@ -5,7 +5,7 @@ import org.flywaydb.core.api.configuration.ClassicConfiguration;
 import org.flywaydb.core.api.configuration.Configuration;
 import org.flywaydb.core.api.migration.Context;
 
-/** What Flyway hands to a migration in Java. */
+/** The context of a Java migration. */
 public record MigrationContext(Connection connection) implements Context {
   @Override
   public Configuration getConfiguration() {

@@ -14,10 +14,7 @@ import org.springframework.grpc.server.lifecycle.GrpcServerLifecycle;
 import org.springframework.test.context.DynamicPropertyRegistry;
 import org.springframework.test.context.DynamicPropertySource;
 
-/**
- * A server on free ports of the loopback, with its database in a file; the tests of a kind share
- * it.
- */
+/** A server on free ports with an H2 database; tests with equal properties share it. */
 @SpringBootTest(
     classes = SitafServer.class,
     webEnvironment = WebEnvironment.RANDOM_PORT,
@@ -33,10 +30,10 @@ import org.springframework.test.context.DynamicPropertySource;
     })
 @Tag("slow")
 public abstract class ServerTest {
-  /** Of the one who starts the server; an administrator. */
+  /** The launcher's token, with the role of an administrator. */
   public static final String TOKEN = "launcher-token-of-the-tests-0123456789";
 
-  /** Lets agents in. */
+  /** The launcher's enrolment token for agents. */
   public static final String ENROLMENT = "launcher-enrolment-of-the-tests-012345";
 
   private static final Path DATA = temporary();

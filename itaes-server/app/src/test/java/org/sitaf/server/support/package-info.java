@@ -1,7 +1,4 @@
-/**
- * What tests of the server share: an HTTP client, an agent that speaks the protocol by hand, and an
- * activity.
- */
+/** Test support: clients of the REST interface, a fake agent, and an example activity. */
 @NullMarked
 package org.sitaf.server.support;
 

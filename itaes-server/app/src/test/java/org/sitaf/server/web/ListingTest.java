@@ -16,47 +16,47 @@ import org.sitaf.server.support.Api;
 import org.sitaf.server.support.ServerTest;
 import tools.jackson.databind.JsonNode;
 
-/** Lists are sorted as asked, and JSON is taken up to a size. */
+/** Sorting of lists, and the size limit of JSON bodies. */
 class ListingTest extends ServerTest {
   @Test
-  void aListIsSortedAsAsked() {
+  void listIsSortedByTheRequestedProperty() {
     String activity = api.upload(Activities.zip());
     for (int i = 0; i < 3; i++) {
       api.suite(activity);
     }
     String suites = "/api/v1/activities/" + activity + "/suites";
-    List<String> usual = values(suites, "created");
-    assertThat(usual).hasSize(3).isSortedAccordingTo(Comparator.reverseOrder());
-    assertThat(values(suites + "?sort=-created", "created")).isEqualTo(usual);
-    assertThat(values(suites + "?sort=created", "created")).isEqualTo(reversed(usual));
+    List<String> byDefault = values(suites, "created");
+    assertThat(byDefault).hasSize(3).isSortedAccordingTo(Comparator.reverseOrder());
+    assertThat(values(suites + "?sort=-created", "created")).isEqualTo(byDefault);
+    assertThat(values(suites + "?sort=created", "created")).isEqualTo(reversed(byDefault));
     assertThat(values("/api/v1/activities?sort=name&size=500", "name")).isSorted();
     assertThat(values("/api/v1/builds?sort=-priority&size=500", "id")).doesNotHaveDuplicates();
     assertThat(values("/api/v1/schedules?sort=name", "name")).isSorted();
   }
 
   @Test
-  void whatAListCannotBeSortedByIsNamed() {
+  void unknownSortPropertyIsReported() {
     for (String list : List.of("activities", "builds", "schedules")) {
-      Api.Answer refused = api.get("/api/v1/" + list + "?sort=secret").expect(400);
-      assertThat(refused.json().get("detail").asString())
+      Api.Answer rejected = api.get("/api/v1/" + list + "?sort=secret").expect(400);
+      assertThat(rejected.json().get("detail").asString())
           .startsWith("sort must be one of created")
           .endsWith("not secret.");
     }
   }
 
   @Test
-  void jsonBeyondTheLimitIsRefusedHoweverItComes() {
+  void jsonBeyondTheLimitIsRejected() {
     String large = "{\"name\":\"" + "x".repeat(100_000) + "\"}";
-    Api.Answer announced = api.post("/api/v1/session", large);
-    assertThat(announced.status()).isEqualTo(413);
-    assertThat(announced.json().get("detail").asString()).contains("larger than 64 KiB");
+    Api.Answer withLength = api.post("/api/v1/session", large);
+    assertThat(withLength.status()).isEqualTo(413);
+    assertThat(withLength.json().get("detail").asString()).contains("larger than 64 KiB");
     byte[] bytes = large.getBytes(StandardCharsets.UTF_8);
-    Api.Answer counted =
+    Api.Answer chunked =
         api.send(
             api.request("/api/v1/session")
                 .header("Content-Type", "application/json")
                 .POST(BodyPublishers.ofInputStream(() -> new ByteArrayInputStream(bytes))));
-    assertThat(counted.status()).isEqualTo(413);
+    assertThat(chunked.status()).isEqualTo(413);
   }
 
   private static List<String> reversed(List<String> list) {

@@ -10,13 +10,13 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.sitaf.server.support.ServerTest;
 
-/** The portal's client is generated from the committed copy of the document. */
+/** The portal's API types are generated from the committed copy of the OpenAPI document. */
 @Tag("slow")
 class OpenApiDocumentTest extends ServerTest {
   private static final Path COPY = Path.of("../../webapp/openapi.json");
 
   @Test
-  void theCommittedCopyIsTheServersDocument() throws IOException {
+  void committedCopyIsUpToDate() throws IOException {
     byte[] document =
         (api.get("/v3/api-docs").expect(200).text().strip() + "\n")
             .getBytes(StandardCharsets.UTF_8);
@@ -24,7 +24,7 @@ class OpenApiDocumentTest extends ServerTest {
       Files.write(COPY, document);
     }
     assertThat(new String(document, StandardCharsets.UTF_8))
-        .as("webapp/openapi.json is outdated; write it anew with -Dsitaf.write-openapi=true")
+        .as("webapp/openapi.json is outdated; update it with -Dsitaf.write-openapi=true")
         .isEqualTo(Files.readString(COPY));
   }
 }

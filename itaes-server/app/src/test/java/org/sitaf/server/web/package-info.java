@@ -1,4 +1,4 @@
-/** What all of the HTTP interface shares. */
+/** Tests of the common parts of the HTTP interface. */
 @NullMarked
 package org.sitaf.server.web;
 

@@ -9,7 +9,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.error.RequestException;
 
 class TargetTest {
   private final Target target =
@@ -23,7 +23,7 @@ class TargetTest {
         "http://CI.example.org:8080/hook?x=1",
         "https://a.b.hooks.example/"
       })
-  void whatIsListedIsAllowed(String url) {
+  void listedHostsAreAllowed(String url) {
     assertThat(target.verify(url)).hasToString(url);
   }
 
@@ -43,18 +43,18 @@ class TargetTest {
         "https:/ci.example.org",
         "not an address"
       })
-  void anythingElseIsRefused(String url) {
-    assertThatThrownBy(() -> target.verify(url)).isInstanceOf(Refusal.class);
+  void otherUrlsAreRejected(String url) {
+    assertThatThrownBy(() -> target.verify(url)).isInstanceOf(RequestException.class);
   }
 
   @Test
-  void aListedNameWithAnAddressOfThisMachineIsNotReached() {
+  void listedHostWithLoopbackAddressIsRejected() {
     assertThatThrownBy(() -> target.resolve("localhost"))
         .isInstanceOf(UnknownHostException.class)
-        .hasMessageContaining("no public network");
+        .hasMessageContaining("not a public address");
     assertThatThrownBy(() -> target.resolve("127.0.0.1"))
         .isInstanceOf(UnknownHostException.class)
-        .hasMessageContaining("may not go");
+        .hasMessageContaining("not allowed");
   }
 
   @ParameterizedTest
@@ -82,13 +82,13 @@ class TargetTest {
         "::ffff:10.0.0.1",
         "::10.0.0.1"
       })
-  void addressesOfNoPublicNetworkAreKnown(String address) throws UnknownHostException {
+  void privateAddressesAreRecognized(String address) throws UnknownHostException {
     assertThat(Target.isPrivate(InetAddress.getByName(address))).isTrue();
   }
 
   @ParameterizedTest
   @ValueSource(strings = {"192.0.2.1", "8.8.8.8", "100.128.0.1", "172.32.0.1", "2606:4700::1111"})
-  void othersAreNotTakenForThem(String address) throws UnknownHostException {
+  void publicAddressesAreRecognized(String address) throws UnknownHostException {
     assertThat(Target.isPrivate(InetAddress.getByName(address))).isFalse();
   }
 }

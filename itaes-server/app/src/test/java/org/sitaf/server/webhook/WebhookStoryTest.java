@@ -18,12 +18,12 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.sitaf.agent.v1.Assignment;
 import org.sitaf.server.support.Activities;
-import org.sitaf.server.support.RimAgent;
+import org.sitaf.server.support.FakeAgent;
 import org.sitaf.server.support.ServerTest;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
-/** Another system is told that a build is over, and can tell that it was this server. */
+/** Webhooks are called when a build ends, with a signature and with retries. */
 @Tag("slow")
 class WebhookStoryTest extends ServerTest {
   private final Queue<Received> received = new ConcurrentLinkedQueue<>();
@@ -60,15 +60,15 @@ class WebhookStoryTest extends ServerTest {
   }
 
   @Test
-  void theEndOfABuildIsToldSignedAndAgainUntilItIsConfirmed() {
+  void deliveryIsSignedAndRetriedUntilConfirmed() {
     answers.add(302);
-    JsonNode made =
+    JsonNode created =
         api.post(
                 "/api/v1/webhooks",
                 "{\"url\":\"http://localhost:%d/hook\"}".formatted(receiver.getAddress().getPort()))
             .expect(201)
             .json();
-    String id = made.get("webhook").get("id").asString();
+    String id = created.get("webhook").get("id").asString();
     String build = api.build(api.suite(api.upload(Activities.zip())));
     api.post("/api/v1/builds/" + build + "/cancel", "").expect(200);
     await().atMost(Duration.ofSeconds(60)).until(() -> delivery(id, "DELIVERED"));
@@ -77,18 +77,18 @@ class WebhookStoryTest extends ServerTest {
     assertThat(received.stream().map(Received::delivery).distinct()).hasSize(1);
     assertThat(received)
         .allSatisfy(
-            r -> assertThat(isSignedBy(made.get("secret").asString(), r)).as(r.body()).isTrue());
-    JsonNode told = JsonMapper.shared().readTree(received.element().body());
-    assertThat(told.get("event").asString()).isEqualTo("build.finished");
-    assertThat(told.get("build").asString()).isEqualTo(build);
-    assertThat(told.get("state").asString()).isEqualTo("CANCELLED");
-    assertThat(told.get("model").asString()).isEqualTo(Activities.MODEL);
+            r -> assertThat(isSignedBy(created.get("secret").asString(), r)).as(r.body()).isTrue());
+    JsonNode payload = JsonMapper.shared().readTree(received.element().body());
+    assertThat(payload.get("event").asString()).isEqualTo("build.finished");
+    assertThat(payload.get("build").asString()).isEqualTo(build);
+    assertThat(payload.get("state").asString()).isEqualTo("CANCELLED");
+    assertThat(payload.get("model").asString()).isEqualTo(Activities.MODEL);
     api.delete("/api/v1/webhooks/" + id).expect(204);
     api.get("/api/v1/webhooks/" + id + "/deliveries").expect(404);
   }
 
   @Test
-  void aSuspectBuildHasNotPassedAlthoughAllOfItsCasesHave() {
+  void suspectBuildHasNotPassed() {
     String id =
         api.post(
                 "/api/v1/webhooks",
@@ -99,11 +99,11 @@ class WebhookStoryTest extends ServerTest {
             .get("id")
             .asString();
     String build = api.build(api.suite(api.upload(Activities.zip())));
-    try (RimAgent agent = RimAgent.register(grpcPort(), "suspect", "java")) {
+    try (FakeAgent agent = FakeAgent.register(grpcPort(), "suspect", "java")) {
       Assignment assignment = agent.nextAssignment();
       agent.submit(
           assignment.getAttempt(),
-          RimAgent.result(agent.download(assignment), List.of(), List.of("a torn line")));
+          FakeAgent.result(agent.download(assignment), List.of(), List.of("a torn line")));
     }
     await().atMost(Duration.ofSeconds(60)).until(() -> delivery(id, "DELIVERED"));
     JsonNode message = JsonMapper.shared().readTree(received.element().body());
@@ -116,7 +116,7 @@ class WebhookStoryTest extends ServerTest {
   }
 
   @Test
-  void aHostThatTheOperatorDoesNotAllowIsRefused() {
+  void hostThatIsNotAllowedIsRejected() {
     assertThat(
             api.post("/api/v1/webhooks", "{\"url\":\"http://169.254.169.254/\"}")
                 .expect(400)

@@ -1,4 +1,4 @@
-/** What other systems are told, and where the server does not go. */
+/** Tests of webhooks. */
 @NullMarked
 package org.sitaf.server.webhook;
 

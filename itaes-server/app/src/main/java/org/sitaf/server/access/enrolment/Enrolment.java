@@ -5,10 +5,10 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What lets agents in for the first time.
+ * A token with which agents enrol and get their keys.
  *
- * @param agentOrNull the only agent that may use it; null for any that is not known yet
- * @param usesLeft how many agents it still lets in
+ * @param agentOrNull the only agent that may use it; null for any agent without a key
+ * @param usesLeft how many more agents can enrol with it
  */
 public record Enrolment(
     String id,
@@ -17,7 +17,7 @@ public record Enrolment(
     Instant created,
     String createdBy,
     Instant expires) {
-  /** The only agent that may use it; absent for any that is not known yet. */
+  /** The only agent that may use it; empty for any agent without a key. */
   public Optional<String> agent() {
     return Optional.ofNullable(agentOrNull);
   }

@@ -8,7 +8,7 @@ import java.time.Duration;
 import java.time.Instant;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.server.access.Caller;
-import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.error.RequestException;
 import org.sitaf.server.web.Listing;
 import org.springframework.data.domain.PageRequest;
 import org.springframework.data.domain.Sort;
@@ -28,8 +28,8 @@ import org.springframework.web.bind.annotation.RestController;
 @RequestMapping("/api/v1")
 @Tag(name = "enrolments")
 class EnrolmentController {
-  private static final int MOST_USES = 10_000;
-  private static final int MOST_HOURS = 30 * 24;
+  private static final int MAX_USES = 10_000;
+  private static final int MAX_HOURS = 30 * 24;
 
   private final Enrolments enrolments;
 
@@ -41,17 +41,17 @@ class EnrolmentController {
   record EnrolmentRequest(
       @Schema(
               description =
-                  "the only agent that may use it, in the place of one of that name; absent for any"
-                      + " agent that is not known yet")
+                  "the only agent that may use it, also when an agent of that name has a key;"
+                      + " absent for any agent without a key")
           @Nullable String agent,
-      @Schema(description = "how many agents it lets in, 1 to 10000") int uses,
-      @Schema(description = "for how long, 1 to 720") int hours) {}
+      @Schema(description = "number of agents that can enrol with it, 1 to 10000") int uses,
+      @Schema(description = "how long it is valid, 1 to 720 hours") int hours) {}
 
   @Schema(name = "Enrolment")
   record EnrolmentView(
       String id,
       @Nullable String agent,
-      @Schema(description = "how many agents it still lets in") int usesLeft,
+      @Schema(description = "how many more agents can enrol with it") int usesLeft,
       Instant created,
       String createdBy,
       Instant expires) {
@@ -71,47 +71,47 @@ class EnrolmentController {
       EnrolmentView enrolment,
       @Schema(
               description =
-                  "the agent's SITAF_ENROLMENT_TOKEN at its first start; shown this once, stored"
-                      + " nowhere")
+                  "the agent's SITAF_ENROLMENT_TOKEN at its first start; shown only once, not"
+                      + " stored")
           String secret) {}
 
   @GetMapping("/enrolments")
-  @Operation(operationId = "listEnrolments", summary = "What lets agents in, the newest first")
+  @Operation(operationId = "listEnrolments", summary = "Lists enrolment tokens, newest first")
   Listing<EnrolmentView> list(
       @RequestParam(defaultValue = "0") int page, @RequestParam(defaultValue = "50") int size) {
-    PageRequest wanted = Listing.request(page, size, Sort.unsorted());
+    PageRequest pageRequest = Listing.request(page, size, Sort.unsorted());
     return new Listing<>(
-        enrolments.list(wanted).stream().map(EnrolmentView::of).toList(),
+        enrolments.list(pageRequest).stream().map(EnrolmentView::of).toList(),
         page,
         size,
         enrolments.count());
   }
 
   @PostMapping("/enrolments")
-  @Operation(operationId = "createEnrolment", summary = "Makes a token that lets agents in")
+  @Operation(operationId = "createEnrolment", summary = "Creates an enrolment token for agents")
   @ResponseStatus(HttpStatus.CREATED)
   ResponseEntity<EnrolmentWithSecret> create(@RequestBody EnrolmentRequest request) {
-    if (request.uses() < 1 || request.uses() > MOST_USES) {
-      throw Refusal.malformed("uses: 1 to " + MOST_USES + ".");
+    if (request.uses() < 1 || request.uses() > MAX_USES) {
+      throw RequestException.malformed("uses: must be 1 to " + MAX_USES + ".");
     }
-    if (request.hours() < 1 || request.hours() > MOST_HOURS) {
-      throw Refusal.malformed("hours: 1 to " + MOST_HOURS + ".");
+    if (request.hours() < 1 || request.hours() > MAX_HOURS) {
+      throw RequestException.malformed("hours: must be 1 to " + MAX_HOURS + ".");
     }
-    Enrolments.WithSecret made =
+    Enrolments.WithSecret created =
         enrolments.create(
             request.agent(),
             request.uses(),
             Duration.ofHours(request.hours()),
             Caller.currentName());
-    return ResponseEntity.created(URI.create("/api/v1/enrolments/" + made.enrolment().id()))
-        .body(new EnrolmentWithSecret(EnrolmentView.of(made.enrolment()), made.secret()));
+    return ResponseEntity.created(URI.create("/api/v1/enrolments/" + created.enrolment().id()))
+        .body(new EnrolmentWithSecret(EnrolmentView.of(created.enrolment()), created.secret()));
   }
 
   @DeleteMapping("/enrolments/{id}")
   @Operation(
       operationId = "deleteEnrolment",
-      summary = "Lets no more agents in by this token",
-      description = "Agents that are in stay in.")
+      summary = "Deletes an enrolment token",
+      description = "Agents that enrolled with it keep their keys.")
   @ResponseStatus(HttpStatus.NO_CONTENT)
   void delete(@PathVariable String id) {
     enrolments.delete(id);
@@ -120,12 +120,12 @@ class EnrolmentController {
   @DeleteMapping("/agents/{name}/key")
   @Operation(
       operationId = "revokeAgentKey",
-      summary = "Shuts an agent out",
-      description = "Its key is refused from now on; a new enrolment lets it in again.")
+      summary = "Revokes an agent's key",
+      description = "The agent is disconnected until it enrols again.")
   @ResponseStatus(HttpStatus.NO_CONTENT)
   void revoke(@PathVariable String name) {
     if (!enrolments.revoke(name)) {
-      throw Refusal.notFound("agent with a key", name);
+      throw RequestException.notFound("agent with a key", name);
     }
   }
 }

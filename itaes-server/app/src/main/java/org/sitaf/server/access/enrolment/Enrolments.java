@@ -17,15 +17,15 @@ import org.sitaf.server.access.AccessSettings;
 import org.sitaf.server.access.Backoff;
 import org.sitaf.server.access.Secret;
 import org.sitaf.server.audit.Audit;
+import org.sitaf.server.error.RequestException;
 import org.sitaf.server.network.Addresses;
-import org.sitaf.server.refusal.Refusal;
 import org.springframework.dao.DuplicateKeyException;
 import org.springframework.data.domain.PageRequest;
 import org.springframework.jdbc.core.simple.JdbcClient;
 import org.springframework.stereotype.Service;
 import org.springframework.transaction.support.TransactionTemplate;
 
-/** Lets agents in, and knows them by their keys. */
+/** Enrols agents and authenticates them by their keys. */
 @Service
 public class Enrolments {
   private static final String TOKEN_PREFIX = "sitaf-enrol_";
@@ -54,39 +54,39 @@ public class Enrolments {
     this.clock = clock;
   }
 
-  /** An enrolment, and its token: to be shown once. */
+  /** A new enrolment and its token, which is shown only once. */
   record WithSecret(Enrolment enrolment, String secret) {}
 
   /**
-   * Takes an agent in.
+   * Enrols an agent.
    *
-   * @param token of an enrolment, which is used up thereby, or the launcher's
-   * @return the key by which the agent is known from now on
-   * @throws EnrolmentRefused when the token does not allow it
-   * @throws Refusal when no agent can have that name
+   * @param token an enrolment token, of which one use is consumed, or the launcher's
+   * @return the agent's key
+   * @throws EnrolmentException if the token is not valid for this agent
+   * @throws RequestException if the name is invalid or the address made too many attempts
    */
   public String enrol(String token, String agent, String address) {
     String from = Addresses.group(address);
     Duration wait = attempts.attempt(from, clock.instant());
     if (!wait.isZero()) {
       audit.recordRefusal("-", "enrol", agent, "refused: too often", address);
-      throw Refusal.busy(
-          "Too many enrolments from this address were refused: wait for %d s."
+      throw RequestException.busy(
+          "Too many failed enrolments from this address; try again in %d s."
               .formatted(Math.max(1, wait.toSeconds())));
     }
     if (!NAME.matcher(agent).matches()) {
-      throw Refusal.malformed("name: letters, digits, '.', '_', '-', at most 100.");
+      throw RequestException.malformed("name: must be 1 to 100 letters, digits, '.', '_' or '-'.");
     }
-    String key = Secret.fresh(KEY_PREFIX);
+    String key = Secret.generate(KEY_PREFIX);
     try {
       transaction.executeWithoutResult(
           status -> {
-            if (useUp(token, agent)) {
+            if (consume(token, agent)) {
               revoke(agent);
             }
             store(agent, key);
           });
-    } catch (EnrolmentRefused e) {
+    } catch (EnrolmentException e) {
       audit.recordRefusal("-", "enrol", agent, "refused", address);
       throw e;
     }
@@ -103,17 +103,17 @@ public class Enrolments {
         .optional();
   }
 
-  /** From now on the agent's key is refused; whether it had one. */
+  /** Revokes an agent's key; returns whether it had one. */
   public boolean revoke(String agent) {
     return jdbc.sql("DELETE FROM agent_key WHERE agent = ?").param(agent).update() > 0;
   }
 
   WithSecret create(@Nullable String agent, int uses, Duration validFor, String createdBy) {
     if (agent != null && !NAME.matcher(agent).matches()) {
-      throw Refusal.malformed("agent: letters, digits, '.', '_', '-', at most 100.");
+      throw RequestException.malformed("agent: must be 1 to 100 letters, digits, '.', '_' or '-'.");
     }
     String id = UUID.randomUUID().toString();
-    String secret = Secret.fresh(TOKEN_PREFIX);
+    String secret = Secret.generate(TOKEN_PREFIX);
     Instant now = clock.instant();
     jdbc.sql("DELETE FROM enrolment WHERE expires < ?").param(utc(now)).update();
     jdbc.sql(
@@ -145,11 +145,11 @@ public class Enrolments {
         .param(id)
         .query(Enrolments::enrolment)
         .optional()
-        .orElseThrow(() -> Refusal.notFound("enrolment", id));
+        .orElseThrow(() -> RequestException.notFound("enrolment", id));
   }
 
-  /** Whether the agent may take the place of one of its name. */
-  private boolean useUp(String token, String agent) {
+  /** Consumes a use of the token; returns whether the agent may replace one of the same name. */
+  private boolean consume(String token, String agent) {
     String launcher = settings.launcherEnrolment();
     if (launcher != null && Secret.same(token, launcher)) {
       return true;
@@ -162,7 +162,7 @@ public class Enrolments {
             .params(hash, utc(clock.instant()), agent)
             .update();
     if (used == 0) {
-      throw EnrolmentRefused.wrongToken();
+      throw EnrolmentException.invalidToken();
     }
     return jdbc.sql("SELECT agent FROM enrolment WHERE hash = ?")
         .param(hash)
@@ -176,7 +176,7 @@ public class Enrolments {
           .params(agent, Secret.hash(key), utc(clock.instant()))
           .update();
     } catch (DuplicateKeyException e) {
-      throw EnrolmentRefused.nameTaken(agent);
+      throw EnrolmentException.nameTaken(agent);
     }
   }
 

@@ -1,4 +1,4 @@
-/** How agents are let in: an enrolment once, a key of their own afterwards. */
+/** Enrolment of agents: an agent enrols with a token once and uses its own key afterwards. */
 @NullMarked
 package org.sitaf.server.access.enrolment;
 

@@ -14,61 +14,57 @@ import org.springframework.session.web.http.CookieSerializer;
 import org.springframework.session.web.http.DefaultCookieSerializer;
 
 /**
- * The store of sessions knows each by the hash of its secret, which only the browser has: who reads
- * the database cannot take a session over.
+ * Stores sessions under the hash of their id; only the browser has the id itself. Read access to
+ * the database is not enough to hijack a session.
  */
 @Configuration(proxyBeanMethods = false)
 class HashedSessions {
   @Bean
-  static NewSecrets sessionSecrets() {
-    return new NewSecrets();
+  static HashedIdGenerator sessionIds() {
+    return new HashedIdGenerator();
   }
 
   @Bean
-  static BeanPostProcessor hashedCookies(ObjectProvider<NewSecrets> secrets) {
+  static BeanPostProcessor hashedCookies(ObjectProvider<HashedIdGenerator> ids) {
     return new BeanPostProcessor() {
       @Override
       public Object postProcessAfterInitialization(Object bean, String name) {
         return bean instanceof DefaultCookieSerializer cookies
-            ? new HashedCookies(cookies, secrets.getObject())
+            ? new HashedCookies(cookies, ids.getObject())
             : bean;
       }
     };
   }
 
-  /** Makes secrets, and keeps each until it is in a cookie. */
-  static final class NewSecrets implements SessionIdGenerator {
-    private static final int MOST_KEPT = 1_000;
-
-    private final Map<String, String> byHash =
+  /** Generates ids and keeps each one in memory until its cookie is written. */
+  static final class HashedIdGenerator implements SessionIdGenerator {
+    private static final int MAX_PENDING = 1_000;
+    private final Map<String, String> idByHash =
         new LinkedHashMap<>() {
           private static final long serialVersionUID = 1L;
 
           @Override
           protected boolean removeEldestEntry(Map.Entry<String, String> eldest) {
-            return size() > MOST_KEPT;
+            return size() > MAX_PENDING;
           }
         };
 
     @Override
     public synchronized String generate() {
-      String secret = Secret.fresh("");
-      String hash = Secret.hash(secret);
-      byHash.put(hash, secret);
+      String id = Secret.generate("");
+      String hash = Secret.hash(id);
+      idByHash.put(hash, id);
       return hash;
     }
 
-    /**
-     * The secret of a session that was made just now; without one its own hash, which opens
-     * nothing.
-     */
-    private synchronized String taken(String hash) {
-      String secret = byHash.remove(hash);
-      return secret == null ? hash : secret;
+    /** The id of a new session; for other sessions the hash, which is not a valid id. */
+    private synchronized String remove(String hash) {
+      String id = idByHash.remove(hash);
+      return id == null ? hash : id;
     }
   }
 
-  private record HashedCookies(CookieSerializer cookies, NewSecrets secrets)
+  private record HashedCookies(CookieSerializer cookies, HashedIdGenerator ids)
       implements CookieSerializer {
     @Override
     public void writeCookieValue(CookieValue value) {
@@ -76,7 +72,7 @@ class HashedSessions {
       cookies.writeCookieValue(
           session.isEmpty()
               ? value
-              : new CookieValue(value.getRequest(), value.getResponse(), secrets.taken(session)));
+              : new CookieValue(value.getRequest(), value.getResponse(), ids.remove(session)));
     }
 
     @Override

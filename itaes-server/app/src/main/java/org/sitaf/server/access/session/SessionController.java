@@ -8,12 +8,11 @@ import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import jakarta.servlet.http.HttpSession;
 import org.sitaf.server.access.Caller;
-import org.sitaf.server.access.Denial;
 import org.sitaf.server.access.Role;
 import org.sitaf.server.access.user.User;
 import org.sitaf.server.access.user.Users;
 import org.sitaf.server.audit.Audit;
-import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.error.RequestException;
 import org.springframework.http.HttpStatus;
 import org.springframework.web.bind.annotation.DeleteMapping;
 import org.springframework.web.bind.annotation.GetMapping;
@@ -53,7 +52,7 @@ class SessionController {
       Role role,
       @Schema(
               description =
-                  "a person in a session, a token, or the command that started the server")
+                  "a user with a session, an API token, or the command that started the server")
           Caller.Kind kind) {
     static CallerView of(Caller caller) {
       return new CallerView(caller.name(), caller.role(), caller.kind());
@@ -62,11 +61,11 @@ class SessionController {
 
   @Schema(name = "SignInLink")
   record LinkView(
-      @Schema(description = "opens the portal signed in, once; below the server's address")
+      @Schema(description = "path on this server that opens the portal signed in; can be used once")
           String path) {}
 
   @GetMapping
-  @Operation(operationId = "getSession", summary = "Who you are, and what you may do")
+  @Operation(operationId = "getSession", summary = "Returns the caller and its role")
   CallerView get() {
     return CallerView.of(Caller.current());
   }
@@ -76,15 +75,15 @@ class SessionController {
       operationId = "signIn",
       summary = "Signs in",
       description =
-          "The answer sets the cookie of a session. 401: name or password are wrong; 429: too many"
-              + " attempts, and 503: too many people sign in at this moment; Retry-After says for"
-              + " how long.")
+          "The response sets a session cookie. 401: wrong name or password; 429: too many attempts;"
+              + " 503: too many concurrent sign-ins. Retry-After contains the time to wait in"
+              + " seconds.")
   CallerView signIn(
       @RequestBody SignIn credentials,
       @Parameter(hidden = true) HttpServletRequest request,
       @Parameter(hidden = true) HttpServletResponse response) {
     if (credentials.name() == null || credentials.password() == null) {
-      throw Refusal.malformed("name and password must be given.");
+      throw RequestException.malformed("name and password must be given.");
     }
     request.setAttribute(Audit.SUBJECT, credentials.name());
     String address = request.getRemoteAddr();
@@ -93,7 +92,7 @@ class SessionController {
     User user =
         users
             .signIn(name, credentials.password())
-            .orElseThrow(() -> Denial.unknown("Name or password are wrong."));
+            .orElseThrow(() -> RequestException.unauthenticated("Wrong name or password."));
     limit.succeeded(address, name);
     return CallerView.of(sessions.begin(user, request, response));
   }
@@ -120,10 +119,11 @@ class SessionController {
       @Parameter(hidden = true) HttpServletResponse response) {
     Caller caller = Caller.current();
     if (caller.kind() != Caller.Kind.PERSON || caller.personId() == null) {
-      throw Denial.forbidden("A password is changed by the person whose it is, in a session.");
+      throw RequestException.forbidden(
+          "Sign in to change your password; a token cannot change it.");
     }
     if (change.current() == null || change.next() == null) {
-      throw Refusal.malformed("current and next must be given.");
+      throw RequestException.malformed("current and next must be given.");
     }
     limit.attempt(request.getRemoteAddr(), caller.name());
     users.changePassword(caller.personId(), change.current(), change.next());
@@ -134,18 +134,20 @@ class SessionController {
   @PostMapping("/link")
   @Operation(
       operationId = "createSignInLink",
-      summary = "Makes an address that opens the portal signed in, once",
+      summary = "Creates a link that opens the portal signed in",
       description =
-          "For the command that started the server on its own machine, whose person need not type a"
-              + " password.")
+          "The link can be used once. Only the command that started the server on the same machine"
+              + " can create it.")
   LinkView createLink() {
     if (Caller.current().kind() != Caller.Kind.LAUNCHER) {
-      throw Denial.forbidden("Only the command that started the server makes such links.");
+      throw RequestException.forbidden(
+          "Only the command that started the server can create sign-in links.");
     }
     User user =
         users
             .firstAdministrator()
-            .orElseThrow(() -> Refusal.conflict("There is no administrator to sign in as."));
+            .orElseThrow(
+                () -> RequestException.conflict("There is no enabled administrator to sign in."));
     return new LinkView("/open/" + links.create(user.id()));
   }
 }

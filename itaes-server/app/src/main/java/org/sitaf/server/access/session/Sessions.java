@@ -11,12 +11,12 @@ import org.springframework.security.web.context.HttpSessionSecurityContextReposi
 import org.springframework.security.web.context.SecurityContextRepository;
 import org.springframework.stereotype.Component;
 
-/** Begins sessions. */
+/** Creates sessions. */
 @Component
 class Sessions {
   private final SecurityContextRepository contexts = new HttpSessionSecurityContextRepository();
 
-  /** A new session of a person; one that the browser had before ends. */
+  /** Creates a session for a user and ends the browser's former one. */
   Caller begin(User user, HttpServletRequest request, HttpServletResponse response) {
     HttpSession former = request.getSession(false);
     if (former != null) {

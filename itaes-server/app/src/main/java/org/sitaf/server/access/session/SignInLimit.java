@@ -4,26 +4,25 @@ import java.time.Clock;
 import java.time.Duration;
 import java.time.Instant;
 import org.sitaf.server.access.Backoff;
-import org.sitaf.server.access.Denial;
 import org.sitaf.server.audit.Audit;
+import org.sitaf.server.error.RequestException;
 import org.sitaf.server.network.Addresses;
 import org.springframework.stereotype.Component;
 
 /**
- * How often somebody may try to sign in: with delays that grow for a name from one address, for all
- * names from an address, and for a name from anywhere. The latter two do not hold for those who
- * have signed in from there before: strangers cannot lock them out, nor can they whose proxy they
- * share.
+ * Limits attempts to sign in by growing delays per (name, address), per address and per name. The
+ * delays per address and per name do not apply to users who signed in from the address before, so
+ * that others, such as users behind the same proxy, cannot lock them out.
  */
 @Component
 class SignInLimit {
   private static final Duration KNOWN_FOR = Duration.ofDays(30);
-  private static final int LONGEST_NAME = 100;
+  private static final int MAX_NAME = 100;
 
-  private final Backoff ofNameFromAddress =
+  private final Backoff perNameAndAddress =
       new Backoff(5, Duration.ofSeconds(10), Duration.ofMinutes(5));
-  private final Backoff ofAddress = new Backoff(30, Duration.ofSeconds(1), Duration.ofMinutes(1));
-  private final Backoff ofName = new Backoff(20, Duration.ofSeconds(1), Duration.ofMinutes(1));
+  private final Backoff perAddress = new Backoff(30, Duration.ofSeconds(1), Duration.ofMinutes(1));
+  private final Backoff perName = new Backoff(20, Duration.ofSeconds(1), Duration.ofMinutes(1));
 
   private final Audit audit;
   private final Clock clock;
@@ -34,43 +33,43 @@ class SignInLimit {
   }
 
   /**
-   * Notes an attempt; one that succeeds is taken back.
+   * Registers an attempt; {@link #succeeded} takes it back.
    *
-   * @throws org.springframework.web.ErrorResponseException (429) when it comes too early
+   * @throws RequestException if the caller has to wait
    */
   void attempt(String address, String anyName) {
     Instant now = clock.instant();
     String name = cut(anyName);
     String from = Addresses.group(address);
-    Duration wait = ofNameFromAddress.attempt(key(from, name), now);
+    Duration wait = perNameAndAddress.attempt(key(from, name), now);
     if (!wait.isZero()) {
-      throw Denial.tooOften(wait);
+      throw RequestException.tooManyAttempts(wait);
     }
-    Duration here = ofAddress.attempt(from, now);
-    Duration anywhere = here.isZero() ? ofName.attempt(name, now) : Duration.ZERO;
+    Duration here = perAddress.attempt(from, now);
+    Duration anywhere = here.isZero() ? perName.attempt(name, now) : Duration.ZERO;
     if ((here.isZero() && anywhere.isZero())
         || audit.hasSignedIn(name, address, now.minus(KNOWN_FOR))) {
       return;
     }
-    // What is refused has tried nothing.
-    ofNameFromAddress.takeBack(key(from, name));
+    // A rejected attempt does not count.
+    perNameAndAddress.takeBack(key(from, name));
     if (here.isZero()) {
-      ofAddress.takeBack(from);
+      perAddress.takeBack(from);
     }
-    throw Denial.tooOften(here.isZero() ? anywhere : here);
+    throw RequestException.tooManyAttempts(here.isZero() ? anywhere : here);
   }
 
-  /** The attempt was a right one. */
+  /** Takes back a successful attempt. */
   void succeeded(String address, String name) {
     String from = Addresses.group(address);
-    ofNameFromAddress.forget(key(from, cut(name)));
-    ofAddress.takeBack(from);
-    ofName.takeBack(cut(name));
+    perNameAndAddress.forget(key(from, cut(name)));
+    perAddress.takeBack(from);
+    perName.takeBack(cut(name));
   }
 
-  /** Nobody has a longer name, and what is remembered is strangers' to choose. */
+  /** Bounds the memory that unauthenticated callers can use; no user has a longer name. */
   private static String cut(String name) {
-    return name.length() <= LONGEST_NAME ? name : name.substring(0, LONGEST_NAME);
+    return name.length() <= MAX_NAME ? name : name.substring(0, MAX_NAME);
   }
 
   private static String key(String from, String name) {

@@ -11,7 +11,7 @@ import org.sitaf.server.access.user.Users;
 import org.springframework.jdbc.core.simple.JdbcClient;
 import org.springframework.stereotype.Service;
 
-/** Addresses that sign somebody in, each once. */
+/** Links that sign in a user, each of which can be used once. */
 @Service
 class SignInLinks {
   private static final Duration VALID = Duration.ofHours(24);
@@ -26,9 +26,9 @@ class SignInLinks {
     this.clock = clock;
   }
 
-  /** Makes a link for a person. */
+  /** Creates the code of a link for a user. */
   String create(String personId) {
-    String code = Secret.fresh("");
+    String code = Secret.generate("");
     jdbc.sql("DELETE FROM sign_in_link WHERE expires < ?").param(now()).update();
     jdbc.sql("INSERT INTO sign_in_link (hash, person_id, expires) VALUES (?, ?, ?)")
         .params(Secret.hash(code), personId, now().plus(VALID))
@@ -36,7 +36,7 @@ class SignInLinks {
     return code;
   }
 
-  /** Uses a link up; whose it was, who thereby signs in, unless it is none, or none any more. */
+  /** Consumes a link and signs its user in; empty if the link is invalid, used or expired. */
   Optional<User> use(String code) {
     String hash = Secret.hash(code);
     Optional<String> personId =
@@ -44,7 +44,7 @@ class SignInLinks {
             .params(hash, now())
             .query(String.class)
             .optional();
-    // Who deletes it has it: of two at the same time only one.
+    // Of two concurrent requests only the one that deletes the row succeeds.
     boolean first = jdbc.sql("DELETE FROM sign_in_link WHERE hash = ?").param(hash).update() == 1;
     return personId.filter(id -> first).map(users::find).filter(User::enabled).map(users::signedIn);
   }

@@ -1,4 +1,4 @@
-/** Signing in and out. */
+/** Sessions: sign in and sign out. */
 @NullMarked
 package org.sitaf.server.access.session;
 

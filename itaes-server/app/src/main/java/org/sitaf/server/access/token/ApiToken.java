@@ -6,10 +6,9 @@ import org.jspecify.annotations.Nullable;
 import org.sitaf.server.access.Role;
 
 /**
- * A token of a person. Its secret is known to its holder only.
+ * An API token of a user. Its secret is stored as a hash only.
  *
- * @param role what it may do at most; never more than its owner may at that time
- * @param expires from then on it is refused
+ * @param role upper limit of its permissions; the owner's current role limits them, too
  */
 public record ApiToken(
     String id,
@@ -20,7 +19,7 @@ public record ApiToken(
     Instant created,
     Instant expires,
     @Nullable Instant lastUsedOrNull) {
-  /** Absent for one that was never used. */
+  /** Empty if the token was never used. */
   public Optional<Instant> lastUsed() {
     return Optional.ofNullable(lastUsedOrNull);
   }

@@ -15,21 +15,21 @@ import org.sitaf.server.access.AccessSettings;
 import org.sitaf.server.access.Caller;
 import org.sitaf.server.access.Role;
 import org.sitaf.server.access.Secret;
-import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.error.RequestException;
 import org.sitaf.server.settings.LimitSettings;
 import org.sitaf.server.storage.DiskSpace;
 import org.springframework.data.domain.PageRequest;
 import org.springframework.jdbc.core.simple.JdbcClient;
 import org.springframework.stereotype.Service;
 
-/** The tokens of scripts. */
+/** API tokens, with which scripts authenticate. */
 @Service
 public class ApiTokens {
   private static final String PREFIX = "sitaf_";
-  private static final int LONGEST_NAME = 100;
+  private static final int MAX_NAME = 100;
 
-  /** When a token was last used is told to the minute: not every request should write. */
-  private static final Duration USE_STEP = Duration.ofMinutes(1);
+  /** Resolution of {@link ApiToken#lastUsed}, so that not every request writes to the database. */
+  private static final Duration LAST_USED_RESOLUTION = Duration.ofMinutes(1);
 
   private static final String COLUMNS =
       "SELECT t.id, t.name, p.id, p.name, t.role, t.created, t.expires, t.last_used, p.role"
@@ -50,12 +50,12 @@ public class ApiTokens {
     this.clock = clock;
   }
 
-  /** A token, and its secret: to be shown once. */
+  /** A new token and its secret, which is shown only once. */
   record WithSecret(ApiToken token, String secret) {}
 
   private record Use(ApiToken token, Role ownersRole) {}
 
-  /** Who makes a request with this secret; empty when it is no token, or one no more. */
+  /** The caller with this secret; empty if the token is unknown, revoked or expired. */
   public Optional<Caller> caller(String secret) {
     String launcher = settings.launcherToken();
     if (launcher != null && Secret.same(secret, launcher)) {
@@ -77,23 +77,18 @@ public class ApiTokens {
             });
   }
 
-  /**
-   * Makes a token for a person.
-   *
-   * @param validFor from now
-   */
+  /** Creates a token that expires after the given time. */
   WithSecret create(String personId, String name, Role role, Duration validFor) {
-    if (name.isBlank() || name.length() > LONGEST_NAME) {
-      throw Refusal.malformed(
-          "name: 1 to " + LONGEST_NAME + " characters that say what it is for.");
+    if (name.isBlank() || name.length() > MAX_NAME) {
+      throw RequestException.malformed("name: must be 1 to " + MAX_NAME + " characters.");
     }
     if (count(personId) >= limits.tokens()) {
-      throw Refusal.conflict(
-          "You have %d tokens, and may have %d; revoke one that is not needed."
+      throw RequestException.conflict(
+          "You have %d of at most %d tokens; revoke one that you no longer need."
               .formatted(count(personId), limits.tokens()));
     }
     String id = UUID.randomUUID().toString();
-    String secret = Secret.fresh(PREFIX);
+    String secret = Secret.generate(PREFIX);
     Instant now = clock.instant();
     jdbc.sql(
             "INSERT INTO api_token (id, person_id, name, role, hash, created, expires)"
@@ -115,19 +110,14 @@ public class ApiTokens {
         .param(id)
         .query(ApiTokens::token)
         .optional()
-        .orElseThrow(() -> Refusal.notFound("token", id));
+        .orElseThrow(() -> RequestException.notFound("token", id));
   }
 
-  /** From now on it is refused. */
   void revoke(String id) {
     jdbc.sql("DELETE FROM api_token WHERE id = ?").param(id).update();
   }
 
-  /**
-   * Tokens, the newest first.
-   *
-   * @param ownerId null for everybody's
-   */
+  /** Tokens, newest first, of one owner or, with null, of all. */
   List<ApiToken> list(@Nullable String ownerId, PageRequest page) {
     return jdbc.sql(
             COLUMNS
@@ -145,7 +135,8 @@ public class ApiTokens {
   }
 
   private void noteUse(ApiToken token, Instant now) {
-    boolean known = token.lastUsed().filter(last -> last.plus(USE_STEP).isAfter(now)).isPresent();
+    boolean known =
+        token.lastUsed().filter(last -> last.plus(LAST_USED_RESOLUTION).isAfter(now)).isPresent();
     if (!known && disk.canWrite()) {
       jdbc.sql("UPDATE api_token SET last_used = ? WHERE id = ?")
           .params(utc(now), token.id())

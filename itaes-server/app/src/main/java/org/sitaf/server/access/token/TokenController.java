@@ -8,9 +8,8 @@ import java.time.Duration;
 import java.time.Instant;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.server.access.Caller;
-import org.sitaf.server.access.Denial;
 import org.sitaf.server.access.Role;
-import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.error.RequestException;
 import org.sitaf.server.web.Listing;
 import org.springframework.data.domain.PageRequest;
 import org.springframework.data.domain.Sort;
@@ -30,7 +29,7 @@ import org.springframework.web.bind.annotation.RestController;
 @RequestMapping("/api/v1/tokens")
 @Tag(name = "tokens")
 class TokenController {
-  private static final int MOST_DAYS = 366;
+  private static final int MAX_DAYS = 366;
 
   private final ApiTokens tokens;
 
@@ -41,18 +40,18 @@ class TokenController {
   @Schema(name = "TokenRequest")
   record TokenRequest(
       @Schema(description = "what it is for") String name,
-      @Schema(description = "what it may do at most; not above your own") Role role,
+      @Schema(description = "upper limit of its permissions; at most your own role") Role role,
       @Schema(description = "how long it is valid, 1 to 366 days") int days) {}
 
   @Schema(name = "Token")
   record TokenView(
       String id,
       String name,
-      @Schema(description = "whose it is") String owner,
+      @Schema(description = "name of the user") String owner,
       Role role,
       Instant created,
       Instant expires,
-      @Schema(description = "to the minute; absent when never") @Nullable Instant lastUsed) {
+      @Schema(description = "to the minute; absent if never used") @Nullable Instant lastUsed) {
     static TokenView of(ApiToken token) {
       return new TokenView(
           token.id(),
@@ -68,24 +67,25 @@ class TokenController {
   @Schema(name = "TokenWithSecret")
   record TokenWithSecret(
       TokenView token,
-      @Schema(description = "for 'Authorization: Bearer'; shown this once, stored nowhere")
+      @Schema(description = "for 'Authorization: Bearer'; shown only once, not stored")
           String secret) {}
 
   @GetMapping
-  @Operation(operationId = "listTokens", summary = "Your tokens, the newest first")
+  @Operation(operationId = "listTokens", summary = "Lists your tokens, newest first")
   Listing<TokenView> list(
-      @Schema(description = "everybody's; for administrators") @RequestParam(defaultValue = "false")
+      @Schema(description = "list the tokens of all users; administrators only")
+          @RequestParam(defaultValue = "false")
           boolean all,
       @RequestParam(defaultValue = "0") int page,
       @RequestParam(defaultValue = "50") int size) {
-    PageRequest wanted = Listing.request(page, size, Sort.unsorted());
+    PageRequest pageRequest = Listing.request(page, size, Sort.unsorted());
     Caller caller = Caller.current();
     if (all && caller.role() != Role.ADMINISTRATOR) {
-      throw Denial.forbidden("Only administrators see the tokens of others.");
+      throw RequestException.forbidden("Only administrators can list the tokens of other users.");
     }
     @Nullable String owner = all ? null : String.valueOf(caller.personId());
     return new Listing<>(
-        tokens.list(owner, wanted).stream().map(TokenView::of).toList(),
+        tokens.list(owner, pageRequest).stream().map(TokenView::of).toList(),
         page,
         size,
         tokens.count(owner));
@@ -94,41 +94,42 @@ class TokenController {
   @PostMapping
   @Operation(
       operationId = "createToken",
-      summary = "Makes a token of yours",
-      description = "For people in a session only: a token cannot make others that outlive it.")
+      summary = "Creates a token",
+      description = "Requires a session: a token cannot create tokens that outlive it.")
   @ResponseStatus(HttpStatus.CREATED)
   ResponseEntity<TokenWithSecret> create(@RequestBody TokenRequest request) {
     Caller caller = Caller.current();
     if (caller.kind() != Caller.Kind.PERSON || caller.personId() == null) {
-      throw Denial.forbidden("Tokens are made by people who are signed in, not by tokens.");
+      throw RequestException.forbidden("Sign in to create a token; a token cannot create others.");
     }
     if (request.name() == null || request.role() == null) {
-      throw Refusal.malformed("name, role and days must be given.");
+      throw RequestException.malformed("name, role and days must be given.");
     }
-    if (request.days() < 1 || request.days() > MOST_DAYS) {
-      throw Refusal.malformed("days: 1 to " + MOST_DAYS + ".");
+    if (request.days() < 1 || request.days() > MAX_DAYS) {
+      throw RequestException.malformed("days: must be 1 to " + MAX_DAYS + ".");
     }
     if (!caller.role().includes(request.role())) {
-      throw Denial.forbidden("A token may not do more than you: " + caller.role() + ".");
+      throw RequestException.forbidden(
+          "role: must be at most your own role, " + caller.role() + ".");
     }
-    ApiTokens.WithSecret made =
+    ApiTokens.WithSecret created =
         tokens.create(
             caller.personId(), request.name(), request.role(), Duration.ofDays(request.days()));
-    return ResponseEntity.created(URI.create("/api/v1/tokens/" + made.token().id()))
-        .body(new TokenWithSecret(TokenView.of(made.token()), made.secret()));
+    return ResponseEntity.created(URI.create("/api/v1/tokens/" + created.token().id()))
+        .body(new TokenWithSecret(TokenView.of(created.token()), created.secret()));
   }
 
   @DeleteMapping("/{id}")
   @Operation(
       operationId = "revokeToken",
       summary = "Revokes a token",
-      description = "Your own; administrators anybody's.")
+      description = "Administrators can revoke the tokens of all users.")
   @ResponseStatus(HttpStatus.NO_CONTENT)
   void revoke(@PathVariable String id) {
     Caller caller = Caller.current();
     ApiToken token = tokens.find(id);
     if (caller.role() != Role.ADMINISTRATOR && !token.ownerId().equals(caller.personId())) {
-      throw Refusal.notFound("token", id);
+      throw RequestException.notFound("token", id);
     }
     tokens.revoke(id);
   }

@@ -1,4 +1,4 @@
-/** Tokens with which scripts do what a person may. */
+/** API tokens, with which scripts act for a user. */
 @NullMarked
 package org.sitaf.server.access.token;
 

@@ -13,7 +13,7 @@ import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Set;
 import org.sitaf.server.access.AccessSettings;
 import org.sitaf.server.access.Role;
-import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.error.RequestException;
 import org.sitaf.server.settings.SitafSettings;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -24,9 +24,9 @@ import org.springframework.core.annotation.Order;
 import org.springframework.stereotype.Component;
 
 /**
- * Sees to it that somebody can get in: where no administrator has a password, one is made and
- * written to a file that only the server's user can read. It goes away when the password is
- * changed. A launcher gets in without.
+ * Makes sure that an administrator can sign in. If no administrator has a password, one is
+ * generated and written to a file that only the server's user can read. The file is deleted when
+ * the password is changed. With a launcher token no password is needed.
  */
 @Component
 class FirstAdministrator {
@@ -53,50 +53,50 @@ class FirstAdministrator {
         if (users.firstAdministrator().isEmpty()) {
           users.createWithoutPassword(NAME, Role.ADMINISTRATOR);
         }
-      } else if (!users.anAdministratorHasAPassword()) {
+      } else if (!users.hasAdministratorWithPassword()) {
         write(
             users
                 .firstAdministrator()
                 .map(present -> users.resetPassword(present.id()))
                 .orElseGet(() -> users.create(NAME, Role.ADMINISTRATOR)));
       }
-    } catch (Refusal e) {
-      // Another server on the same database was quicker, and has written it.
+    } catch (RequestException e) {
+      // Another server on the same database created the administrator first.
       return;
     }
   }
 
-  /** The first password is the first one no more. */
   @EventListener
   void on(Users.PasswordChange change) {
     if (change.user().role() == Role.ADMINISTRATOR) {
       try {
         Files.deleteIfExists(file);
       } catch (IOException e) {
-        log.warn("{} holds a password that is used no more; delete it: {}", file, e.getMessage());
+        log.warn("{} contains an outdated password; delete it: {}", file, e.getMessage());
       }
     }
   }
 
   /**
-   * By renaming, so that nobody reads half of it; not to the log, nor to the console: those are
-   * kept.
+   * Writes to a file because logs and console output are kept; renames it so that readers never see
+   * a partial file.
    */
-  private void write(Users.WithPassword made) {
+  private void write(Users.WithPassword created) {
     try {
       Files.createDirectories(file.getParent());
-      Path fresh = file.resolveSibling("first-password.new");
-      Files.deleteIfExists(fresh);
-      Files.createFile(fresh, OWNER_ONLY);
+      Path temporary = file.resolveSibling("first-password.new");
+      Files.deleteIfExists(temporary);
+      Files.createFile(temporary, OWNER_ONLY);
       Files.writeString(
-          fresh, made.password() + "\n", StandardCharsets.UTF_8, StandardOpenOption.WRITE);
-      Files.move(fresh, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+          temporary, created.password() + "\n", StandardCharsets.UTF_8, StandardOpenOption.WRITE);
+      Files.move(
+          temporary, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
     System.out.println(
         "sign in as '"
-            + made.user().name()
+            + created.user().name()
             + "' with the password in "
             + file
             + " and change it in the portal, which deletes the file");

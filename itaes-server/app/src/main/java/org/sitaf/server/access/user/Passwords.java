@@ -5,24 +5,24 @@ import java.security.SecureRandom;
 import java.util.concurrent.Semaphore;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
-import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.error.RequestException;
 import org.springframework.security.crypto.bcrypt.BCryptPasswordEncoder;
 import org.springframework.stereotype.Component;
 
-/** Hashes passwords by bcrypt, and makes random ones. */
+/** Hashes passwords with bcrypt and generates random ones. */
 @Component
 class Passwords {
   private static final int STRENGTH = 12;
-  private static final int SHORTEST = 12;
+  private static final int MIN_LENGTH = 12;
 
-  /** What bcrypt takes into account, in bytes. */
-  private static final int LONGEST = 72;
+  /** Bcrypt ignores further bytes. */
+  private static final int MAX_BYTES = 72;
 
-  /** Without what looks alike: people copy these by hand. */
+  /** Without characters that look alike, because users type these passwords. */
   private static final String ALPHABET = "abcdefghjkmnpqrstuvwxyzABCDEFGHJKLMNPQRSTUVWXYZ23456789";
 
-  /** Who waits for a hash holds a thread, which others need for their requests. */
-  private static final int MOST_WAITING = 12;
+  /** Each waiting caller blocks a request thread. */
+  private static final int MAX_WAITING = 12;
 
   private static final int GROUPS = 4;
   private static final int GROUP = 5;
@@ -30,13 +30,13 @@ class Passwords {
   private final SecureRandom random = new SecureRandom();
   private final BCryptPasswordEncoder encoder = new BCryptPasswordEncoder(STRENGTH, random);
 
-  /** A hash costs a quarter of a second: attempts to sign in must not take the whole machine. */
-  private final Semaphore atOnce = new Semaphore(2, true);
+  /** A hash takes a quarter of a second of CPU time; sign-ins must not use all CPUs. */
+  private final Semaphore permits = new Semaphore(2, true);
 
-  private final String nobodys = encoder.encode(fresh());
+  private final String dummyHash = encoder.encode(generate());
 
-  /** A random password of more than 115 bits. */
-  String fresh() {
+  /** Generates a password with more than 115 random bits. */
+  String generate() {
     StringBuilder password = new StringBuilder();
     for (int i = 0; i < GROUPS * GROUP; i++) {
       if (i > 0 && i % GROUP == 0) {
@@ -48,44 +48,45 @@ class Passwords {
   }
 
   /**
-   * What is stored of a password.
+   * Hashes a password.
    *
-   * @throws Refusal when it is too short or too long
+   * @throws RequestException if the password is too short or too long
    */
   String hash(String password) {
-    if (password.length() < SHORTEST
-        || password.getBytes(StandardCharsets.UTF_8).length > LONGEST) {
-      throw Refusal.malformed(
-          "A password has at least "
-              + SHORTEST
-              + " characters, and at most "
-              + LONGEST
+    if (password.length() < MIN_LENGTH
+        || password.getBytes(StandardCharsets.UTF_8).length > MAX_BYTES) {
+      throw RequestException.malformed(
+          "A password must have at least "
+              + MIN_LENGTH
+              + " characters and at most "
+              + MAX_BYTES
               + " bytes in UTF-8.");
     }
-    return taken(() -> encoder.encode(password));
+    return limited(() -> encoder.encode(password));
   }
 
   /**
-   * Whether a password is the one that was hashed; takes as long where there is none.
+   * Checks a password. Takes the same time without a hash, so that it does not reveal which users
+   * exist.
    *
-   * @param hash null where the person is not known, or has no password
-   * @throws Refusal when too many others wait for the same
+   * @param hash null if the user is unknown or has no password
+   * @throws RequestException if too many callers are waiting
    */
   boolean matches(String password, @Nullable String hash) {
-    boolean same = taken(() -> encoder.matches(password, hash == null ? nobodys : hash));
-    return same && hash != null;
+    boolean matches = limited(() -> encoder.matches(password, hash == null ? dummyHash : hash));
+    return matches && hash != null;
   }
 
-  private <T> T taken(Supplier<T> work) {
-    // Two who look at the same moment may both wait: the bound is near enough.
-    if (atOnce.getQueueLength() >= MOST_WAITING) {
-      throw Refusal.busy("Too many people sign in at this moment; try again in some seconds.");
+  private <T> T limited(
+      Supplier<T> work) { // Not exact under concurrency, which is good enough for this limit.
+    if (permits.getQueueLength() >= MAX_WAITING) {
+      throw RequestException.busy("Too many concurrent sign-ins; try again in some seconds.");
     }
-    atOnce.acquireUninterruptibly();
+    permits.acquireUninterruptibly();
     try {
       return work.get();
     } finally {
-      atOnce.release();
+      permits.release();
     }
   }
 }

@@ -8,10 +8,10 @@ import org.sitaf.server.access.Caller;
 import org.sitaf.server.access.Role;
 
 /**
- * A person who may sign in.
+ * A user.
  *
  * @param name in lower case
- * @param enabled whether they may at present
+ * @param enabled whether the user can sign in
  */
 public record User(
     String id,
@@ -27,12 +27,12 @@ public record User(
     Objects.requireNonNull(created);
   }
 
-  /** Absent for one who never signed in. */
+  /** Empty if the user never signed in. */
   public Optional<Instant> lastSignIn() {
     return Optional.ofNullable(lastSignInOrNull);
   }
 
-  /** The person as one who makes requests in a session. */
+  /** The user as the caller of requests in a session. */
   public Caller caller() {
     return new Caller(name, role, Caller.Kind.PERSON, id);
   }

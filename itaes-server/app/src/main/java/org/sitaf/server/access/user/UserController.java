@@ -7,7 +7,7 @@ import java.net.URI;
 import java.time.Instant;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.server.access.Role;
-import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.error.RequestException;
 import org.sitaf.server.web.Listing;
 import org.springframework.data.domain.PageRequest;
 import org.springframework.data.domain.Sort;
@@ -36,11 +36,11 @@ class UserController {
 
   @Schema(name = "UserRequest")
   record UserRequest(
-      @Schema(description = "1 to 60 letters, digits, '.', '_', '@', '-'; kept in lower case")
+      @Schema(description = "1 to 60 letters, digits, '.', '_', '@' or '-'; stored in lower case")
           String name,
       Role role) {}
 
-  @Schema(name = "UserChange", description = "what is absent stays as it is")
+  @Schema(name = "UserChange", description = "absent fields are not changed")
   record UserChange(@Nullable Role role, @Nullable Boolean enabled) {}
 
   @Schema(name = "User")
@@ -48,7 +48,7 @@ class UserController {
       String id,
       String name,
       Role role,
-      @Schema(description = "whether they may sign in") boolean enabled,
+      @Schema(description = "whether the user can sign in") boolean enabled,
       Instant created,
       @Nullable Instant lastSignIn) {
     static UserView of(User user) {
@@ -64,37 +64,37 @@ class UserController {
 
   @Schema(name = "UserWithPassword")
   record UserWithPassword(
-      UserView user, @Schema(description = "shown this once; stored nowhere") String password) {
-    static UserWithPassword of(Users.WithPassword made) {
-      return new UserWithPassword(UserView.of(made.user()), made.password());
+      UserView user, @Schema(description = "shown only once, not stored") String password) {
+    static UserWithPassword of(Users.WithPassword created) {
+      return new UserWithPassword(UserView.of(created.user()), created.password());
     }
   }
 
   @GetMapping
-  @Operation(operationId = "listUsers", summary = "People who may sign in, by name")
+  @Operation(operationId = "listUsers", summary = "Lists users by name")
   Listing<UserView> list(
       @RequestParam(defaultValue = "0") int page, @RequestParam(defaultValue = "50") int size) {
-    PageRequest wanted = Listing.request(page, size, Sort.unsorted());
+    PageRequest pageRequest = Listing.request(page, size, Sort.unsorted());
     return new Listing<>(
-        users.list(wanted).stream().map(UserView::of).toList(), page, size, users.count());
+        users.list(pageRequest).stream().map(UserView::of).toList(), page, size, users.count());
   }
 
   @PostMapping
   @Operation(
       operationId = "createUser",
-      summary = "Lets a person in",
-      description = "The answer holds a password that is made up here, and shown this once.")
+      summary = "Creates a user",
+      description = "The response contains a generated password, which is shown only once.")
   @ResponseStatus(HttpStatus.CREATED)
   ResponseEntity<UserWithPassword> create(@RequestBody UserRequest request) {
     if (request.name() == null || request.role() == null) {
-      throw Refusal.malformed("name and role must be given.");
+      throw RequestException.malformed("name and role must be given.");
     }
-    UserWithPassword made = UserWithPassword.of(users.create(request.name(), request.role()));
-    return ResponseEntity.created(URI.create("/api/v1/users/" + made.user().id())).body(made);
+    UserWithPassword created = UserWithPassword.of(users.create(request.name(), request.role()));
+    return ResponseEntity.created(URI.create("/api/v1/users/" + created.user().id())).body(created);
   }
 
   @GetMapping("/{id}")
-  @Operation(operationId = "getUser", summary = "A person who may sign in")
+  @Operation(operationId = "getUser", summary = "Returns a user")
   UserView get(@PathVariable String id) {
     return UserView.of(users.find(id));
   }
@@ -102,8 +102,8 @@ class UserController {
   @PatchMapping("/{id}")
   @Operation(
       operationId = "changeUser",
-      summary = "Changes what a person may",
-      description = "Their sessions end. Refused (409) for the only administrator.")
+      summary = "Changes the role of a user, or disables the user",
+      description = "The user's sessions end. Fails with 409 for the only administrator.")
   UserView change(@PathVariable String id, @RequestBody UserChange change) {
     return UserView.of(users.change(id, change.role(), change.enabled()));
   }
@@ -111,8 +111,8 @@ class UserController {
   @PostMapping("/{id}/password")
   @Operation(
       operationId = "resetPassword",
-      summary = "Gives a person a new password, made up here and shown this once",
-      description = "Their sessions end.")
+      summary = "Generates a new password, which is shown only once",
+      description = "The user's sessions end.")
   UserWithPassword resetPassword(@PathVariable String id) {
     return UserWithPassword.of(users.resetPassword(id));
   }
@@ -120,8 +120,8 @@ class UserController {
   @DeleteMapping("/{id}")
   @Operation(
       operationId = "deleteUser",
-      summary = "Removes a person with their tokens",
-      description = "Their sessions end. Refused (409) for the only administrator.")
+      summary = "Deletes a user and the user's tokens",
+      description = "The user's sessions end. Fails with 409 for the only administrator.")
   @ResponseStatus(HttpStatus.NO_CONTENT)
   void delete(@PathVariable String id) {
     users.delete(id);

@@ -13,7 +13,7 @@ import java.util.UUID;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.server.access.Role;
-import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.error.RequestException;
 import org.springframework.context.ApplicationEventPublisher;
 import org.springframework.dao.DuplicateKeyException;
 import org.springframework.data.domain.PageRequest;
@@ -22,7 +22,7 @@ import org.springframework.session.FindByIndexNameSessionRepository;
 import org.springframework.stereotype.Service;
 import org.springframework.transaction.support.TransactionTemplate;
 
-/** The people who may sign in. There is always an administrator among them, once there was one. */
+/** The users. The last enabled administrator can be neither disabled nor deleted. */
 @Service
 public class Users {
   private static final Pattern NAME = Pattern.compile("[a-z0-9][a-z0-9._@-]{0,59}");
@@ -51,17 +51,13 @@ public class Users {
     this.clock = clock;
   }
 
-  /** Somebody has another password than before. */
+  /** A user's password was changed. */
   record PasswordChange(User user) {}
 
-  /** A person, and the password that was made for them: to be shown once, and stored nowhere. */
+  /** A user and a generated password, which is shown only once. */
   public record WithPassword(User user, String password) {}
 
-  /**
-   * The person of this name and password, who thereby signs in.
-   *
-   * @return empty when there is none, or they may not
-   */
+  /** Checks name and password; empty if they are wrong or the user is disabled. */
   public Optional<User> signIn(String name, String password) {
     String known = normal(name);
     String hash =
@@ -77,31 +73,30 @@ public class Users {
     return byName(known).map(this::signedIn);
   }
 
-  /** Notes that a person has signed in, in whichever way. */
+  /** Stores the time of the user's last sign-in. */
   public User signedIn(User user) {
     jdbc.sql("UPDATE person SET last_sign_in = ? WHERE id = ?").params(now(), user.id()).update();
     return find(user.id());
   }
 
-  /** The person of this name. */
   public Optional<User> byName(String name) {
     return jdbc.sql(COLUMNS + "WHERE name = ?").param(normal(name)).query(Users::user).optional();
   }
 
   /**
-   * The person of an id.
+   * Returns a user.
    *
-   * @throws Refusal when there is none
+   * @throws RequestException if there is no user with this id
    */
   public User find(String id) {
     return jdbc.sql(COLUMNS + "WHERE id = ?")
         .param(id)
         .query(Users::user)
         .optional()
-        .orElseThrow(() -> Refusal.notFound("user", id));
+        .orElseThrow(() -> RequestException.notFound("user", id));
   }
 
-  /** The administrator who was there first and may sign in. */
+  /** The oldest administrator who is enabled. */
   public Optional<User> firstAdministrator() {
     return jdbc.sql(
             COLUMNS
@@ -110,17 +105,17 @@ public class Users {
         .optional();
   }
 
-  /** A person changes their own password; the other sessions of theirs end. */
+  /** Changes a user's own password and ends the user's other sessions. */
   public void changePassword(String id, String present, String next) {
     User user = find(id);
     if (signIn(user.name(), present).isEmpty()) {
-      throw Refusal.malformed("current: is not your password.");
+      throw RequestException.malformed("current: wrong password.");
     }
     setPassword(user, next);
     events.publishEvent(new PasswordChange(user));
   }
 
-  boolean anAdministratorHasAPassword() {
+  boolean hasAdministratorWithPassword() {
     return jdbc.sql(
                 "SELECT COUNT(*) FROM person WHERE role = 'ADMINISTRATOR' AND enabled = TRUE AND"
                     + " password_hash IS NOT NULL")
@@ -140,13 +135,13 @@ public class Users {
         .list();
   }
 
-  /** Lets somebody in, with a password that is made here. */
+  /** Creates a user with a generated password. */
   WithPassword create(String name, Role role) {
-    String password = passwords.fresh();
+    String password = passwords.generate();
     return new WithPassword(insert(name, role, passwords.hash(password)), password);
   }
 
-  /** One who signs in by links of the launcher only, until they are given a password. */
+  /** Creates a user who can only sign in with the launcher's links. */
   User createWithoutPassword(String name, Role role) {
     return insert(name, role, null);
   }
@@ -154,8 +149,9 @@ public class Users {
   private User insert(String name, Role role, @Nullable String hash) {
     String known = normal(name);
     if (!NAME.matcher(known).matches()) {
-      throw Refusal.malformed(
-          "name: 1 to 60 letters, digits, '.', '_', '@', '-'; begins with a letter or digit.");
+      throw RequestException.malformed(
+          "name: must be 1 to 60 letters, digits, '.', '_', '@' or '-', and begin with a letter or"
+              + " digit.");
     }
     String id = UUID.randomUUID().toString();
     try {
@@ -165,24 +161,24 @@ public class Users {
           .params(id, known, role.name(), hash, now())
           .update();
     } catch (DuplicateKeyException e) {
-      throw Refusal.conflict("There is a user of the name " + known + " already.");
+      throw RequestException.conflict("There is a user named " + known + " already.");
     }
     return find(id);
   }
 
-  /** Gives a person a new password, which is made here; their sessions end. */
+  /** Generates a new password and ends the user's sessions. */
   WithPassword resetPassword(String id) {
     User user = find(id);
-    String password = passwords.fresh();
+    String password = passwords.generate();
     setPassword(user, password);
     events.publishEvent(new PasswordChange(user));
     return new WithPassword(user, password);
   }
 
-  /** Changes what a person may; their sessions end, so that it holds at once. */
+  /** Changes a user's role and state; ends the user's sessions, so that it takes effect at once. */
   User change(String id, @Nullable Role role, @Nullable Boolean enabled) {
     User changed =
-        guarded(
+        keepingAnAdministrator(
             id,
             user ->
                 jdbc.sql("UPDATE person SET role = ?, enabled = ? WHERE id = ?")
@@ -195,27 +191,28 @@ public class Users {
     return find(id);
   }
 
-  /** Removes a person with their tokens; their sessions end. */
+  /** Deletes a user and the user's tokens, and ends the user's sessions. */
   void delete(String id) {
     User removed =
-        guarded(id, user -> jdbc.sql("DELETE FROM person WHERE id = ?").param(id).update());
+        keepingAnAdministrator(
+            id, user -> jdbc.sql("DELETE FROM person WHERE id = ?").param(id).update());
     endSessions(removed.name());
   }
 
-  /** Refuses a change that would leave nobody who can let people in. */
-  private User guarded(String id, java.util.function.Consumer<User> change) {
+  /** Rolls the change back if no enabled administrator would remain. */
+  private User keepingAnAdministrator(String id, java.util.function.Consumer<User> change) {
     return java.util.Objects.requireNonNull(
         transaction.execute(
             status -> {
-              // Locks all of them, in one order: two administrators must not remove each other.
+              // Lock all administrators in one order, so that two cannot delete each other.
               jdbc.sql("SELECT id FROM person WHERE role = 'ADMINISTRATOR' ORDER BY id FOR UPDATE")
                   .query(String.class)
                   .list();
               User user = find(id);
               change.accept(user);
               if (firstAdministrator().isEmpty()) {
-                throw Refusal.conflict(
-                    user.name() + " is the only administrator; make another one first.");
+                throw RequestException.conflict(
+                    user.name() + " is the only administrator; create another one first.");
               }
               return user;
             }));
@@ -232,7 +229,7 @@ public class Users {
     sessions.findByPrincipalName(name).keySet().forEach(sessions::deleteById);
   }
 
-  /** A name as it is stored, however it was typed. */
+  /** A name as it is stored. */
   public static String normal(String name) {
     return name.strip().toLowerCase(Locale.ROOT);
   }

@@ -1,4 +1,4 @@
-/** People who sign in, and their passwords. */
+/** Users and their passwords. */
 @NullMarked
 package org.sitaf.server.access.user;
 

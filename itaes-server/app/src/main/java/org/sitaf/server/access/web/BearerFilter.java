@@ -16,7 +16,8 @@ import org.springframework.security.core.context.SecurityContextHolder;
 import org.springframework.web.filter.OncePerRequestFilter;
 
 /**
- * Knows callers by their token. One that is not known is refused, whatever else the request brings.
+ * Authenticates callers by their token. An invalid token is rejected even if the request has a
+ * session.
  */
 final class BearerFilter extends OncePerRequestFilter {
   private static final String SCHEME = "bearer ";
@@ -27,7 +28,7 @@ final class BearerFilter extends OncePerRequestFilter {
     this.tokens = tokens;
   }
 
-  /** Whether a request shows a token; such a request is no browser's. */
+  /** Whether a request has a token; browsers do not send tokens by themselves. */
   static boolean hasToken(HttpServletRequest request) {
     String header = request.getHeader(HttpHeaders.AUTHORIZATION);
     return header != null && header.toLowerCase(Locale.ROOT).startsWith(SCHEME);
@@ -45,7 +46,7 @@ final class BearerFilter extends OncePerRequestFilter {
     Optional<Caller> caller = tokens.caller(secret);
     if (caller.isEmpty()) {
       response.setHeader(HttpHeaders.WWW_AUTHENTICATE, "Bearer error=\"invalid_token\"");
-      Answers.refuse(
+      ProblemResponse.write(
           response,
           HttpStatus.UNAUTHORIZED,
           "Not signed in",

@@ -24,8 +24,8 @@ import org.springframework.security.web.authentication.AnonymousAuthenticationFi
 import org.springframework.security.web.csrf.CsrfException;
 
 /**
- * Which requests are let through: what is not named here is refused. The portal's own files hold
- * nothing of anybody and are open, or nobody could sign in.
+ * Access rules: requests that match no rule are denied. The portal's static files contain no user
+ * data and are public, because the sign-in page is one of them.
  */
 @Configuration(proxyBeanMethods = false)
 @EnableConfigurationProperties(AccessSettings.class)
@@ -39,13 +39,13 @@ class SecurityConfiguration {
   SecurityFilterChain securityFilters(HttpSecurity http, ApiTokens tokens, Audit audit)
       throws Exception {
     return http.authorizeHttpRequests(SecurityConfiguration::rules)
-        // What a browser sends by itself is not enough to change anything; tokens it never sends.
+        // Browsers send cookies by themselves, but not tokens: only sessions need CSRF protection.
         .csrf(csrf -> csrf.spa().ignoringRequestMatchers(BearerFilter::hasToken))
         .addFilterBefore(new BearerFilter(tokens), AnonymousAuthenticationFilter.class)
         .exceptionHandling(
-            refusals ->
-                refusals
-                    .authenticationEntryPoint(SecurityConfiguration::unknown)
+            handlers ->
+                handlers
+                    .authenticationEntryPoint(SecurityConfiguration::unauthenticated)
                     .accessDeniedHandler(
                         (request, response, e) -> deny(audit, request, response, e)))
         .sessionManagement(sessions -> sessions.sessionCreationPolicy(SessionCreationPolicy.NEVER))
@@ -53,7 +53,7 @@ class SecurityConfiguration {
         .formLogin(AbstractHttpConfigurer::disable)
         .httpBasic(AbstractHttpConfigurer::disable)
         .logout(AbstractHttpConfigurer::disable)
-        // Those of the guard hold for answers that come before this, too.
+        // HostFilter sets the headers, also for responses that do not reach this chain.
         .headers(AbstractHttpConfigurer::disable)
         .build();
   }
@@ -62,12 +62,12 @@ class SecurityConfiguration {
       AuthorizeHttpRequestsConfigurer<HttpSecurity>.AuthorizationManagerRequestMatcherRegistry
           rules) {
     rules
-        // Parts of requests that were let through before.
+        // Continuations of requests that were authorized before.
         .dispatcherTypeMatchers(DispatcherType.ASYNC, DispatcherType.ERROR, DispatcherType.FORWARD)
         .permitAll()
         .requestMatchers("/actuator/health")
         .permitAll()
-        // Its labels hold the paths of the server's folders, and how much work there is.
+        // Its labels reveal the paths of the server's folders and the load.
         .requestMatchers("/actuator/prometheus")
         .hasRole(VIEWER)
         .requestMatchers(HttpMethod.POST, SESSION)
@@ -96,15 +96,15 @@ class SecurityConfiguration {
         .denyAll();
   }
 
-  private static void unknown(
+  private static void unauthenticated(
       HttpServletRequest request, HttpServletResponse response, AuthenticationException e)
       throws IOException {
-    refuseUnknown(response);
+    requireSignIn(response);
   }
 
-  private static void refuseUnknown(HttpServletResponse response) throws IOException {
-    // No challenge: a browser would ask for a password in a window of its own.
-    Answers.refuse(
+  private static void requireSignIn(HttpServletResponse response) throws IOException {
+    // Without a WWW-Authenticate header, which would open the browser's password dialog.
+    ProblemResponse.write(
         response,
         HttpStatus.UNAUTHORIZED,
         "Not signed in",
@@ -117,17 +117,18 @@ class SecurityConfiguration {
       HttpServletResponse response,
       AccessDeniedException e)
       throws IOException {
-    boolean signsIn = request.getMethod().equals("POST") && request.getRequestURI().equals(SESSION);
-    if (e instanceof CsrfException && !Caller.isKnown() && !signsIn) {
-      refuseUnknown(response);
+    boolean isSignIn =
+        request.getMethod().equals("POST") && request.getRequestURI().equals(SESSION);
+    if (e instanceof CsrfException && !Caller.isKnown() && !isSignIn) {
+      requireSignIn(response);
       return;
     }
     if (e instanceof CsrfException) {
-      Answers.refuse(
+      ProblemResponse.write(
           response,
           HttpStatus.FORBIDDEN,
           "Not allowed",
-          "A browser sends the value of the cookie XSRF-TOKEN as the header X-XSRF-TOKEN.");
+          "Send the value of the cookie XSRF-TOKEN in the header X-XSRF-TOKEN.");
       return;
     }
     audit.recordRefusal(
@@ -136,6 +137,7 @@ class SecurityConfiguration {
         request.getMethod() + " " + request.getRequestURI(),
         "refused: 403",
         request.getRemoteAddr());
-    Answers.refuse(response, HttpStatus.FORBIDDEN, "Not allowed", "Your role does not allow this.");
+    ProblemResponse.write(
+        response, HttpStatus.FORBIDDEN, "Not allowed", "Your role does not allow this.");
   }
 }

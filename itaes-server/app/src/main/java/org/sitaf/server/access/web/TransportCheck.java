@@ -9,8 +9,9 @@ import org.springframework.core.env.Environment;
 import org.springframework.stereotype.Component;
 
 /**
- * Passwords, tokens and keys must not be read on the way: beyond the loopback the server speaks TLS
- * or does not start. What a launcher brings is for its own machine.
+ * Checks at startup that the server uses TLS unless it listens on the loopback interface, so that
+ * passwords, tokens and keys cannot be read on the network. A launcher's secrets are only valid on
+ * the loopback interface.
  */
 @Component
 class TransportCheck {
@@ -35,7 +36,7 @@ class TransportCheck {
       Environment environment,
       AccessSettings settings,
       String addressProperty,
-      @Nullable String launchersSecret,
+      @Nullable String launcherSecret,
       String... tlsProperties) {
     String address = environment.getProperty(addressProperty, "0.0.0.0");
     if (isLoopback(address)) {
@@ -43,23 +44,23 @@ class TransportCheck {
     }
     boolean tls = Stream.of(tlsProperties).anyMatch(environment::containsProperty);
     if (!tls && !settings.plaintext()) {
-      throw new TransportRefusedException(
+      throw new InsecureTransportException(
           addressProperty
               + " is "
               + address
-              + ": without TLS the server listens on the loopback only",
+              + ": without TLS the server only listens on the loopback interface",
           "Set "
               + tlsProperties[0]
               + " to a bundle of spring.ssl.bundle.pem (see docs/security.md), or"
-              + " sitaf.access.plaintext=true where something before the server ends TLS.");
+              + " sitaf.access.plaintext=true if a reverse proxy terminates TLS.");
     }
-    if (launchersSecret != null) {
-      throw new TransportRefusedException(
+    if (launcherSecret != null) {
+      throw new InsecureTransportException(
           addressProperty
               + " is "
               + address
-              + ": the secrets of a launcher are for the loopback only",
-          "Leave out sitaf.access.launcher-token and sitaf.access.launcher-enrolment.");
+              + ": a launcher's secrets are only valid on the loopback interface",
+          "Remove sitaf.access.launcher-token and sitaf.access.launcher-enrolment.");
     }
   }
 
@@ -67,7 +68,7 @@ class TransportCheck {
     try {
       return InetAddress.getByName(address).isLoopbackAddress();
     } catch (UnknownHostException e) {
-      // Whoever listens there will say so.
+      // The web server reports the unknown address when it binds to it.
       return false;
     }
   }

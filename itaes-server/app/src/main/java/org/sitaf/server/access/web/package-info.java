@@ -1,4 +1,4 @@
-/** The filter through which every request passes, and what it refuses. */
+/** Security configuration: access rules, token authentication and checks at startup. */
 @NullMarked
 package org.sitaf.server.access.web;
 

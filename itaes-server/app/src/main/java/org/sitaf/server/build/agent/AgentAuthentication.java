@@ -28,8 +28,8 @@ import org.springframework.grpc.server.GlobalServerInterceptor;
 import org.springframework.stereotype.Component;
 
 /**
- * Lets through the calls of agents that show their key, and of those only what concerns attempts of
- * their own. Enrolment alone needs no key.
+ * Authenticates agents by their keys and allows them to access their own attempts only. Enrolment
+ * requires no key.
  */
 @Component
 @GlobalServerInterceptor
@@ -43,23 +43,26 @@ class AgentAuthentication implements ServerInterceptor {
 
   private final Enrolments enrolments;
   private final Attempts attempts;
-  private final Strangers strangers;
+  private final EnrolmentLimiter enrolmentLimiter;
   private final TrustedProxies proxies;
 
   AgentAuthentication(
-      Enrolments enrolments, Attempts attempts, Strangers strangers, TrustedProxies proxies) {
+      Enrolments enrolments,
+      Attempts attempts,
+      EnrolmentLimiter enrolmentLimiter,
+      TrustedProxies proxies) {
     this.enrolments = enrolments;
     this.attempts = attempts;
-    this.strangers = strangers;
+    this.enrolmentLimiter = enrolmentLimiter;
     this.proxies = proxies;
   }
 
-  /** The agent that makes the present call; empty in an enrolment. */
+  /** The agent of the current call; empty for an enrolment. */
   static Optional<String> agent() {
     return Optional.ofNullable(AGENT.get());
   }
 
-  /** From where the present call comes. */
+  /** The client address of the current call. */
   static String address() {
     String address = ADDRESS.get();
     return address == null ? "-" : address;
@@ -71,7 +74,7 @@ class AgentAuthentication implements ServerInterceptor {
     String address = addressOf(call, headers);
     Context context = Context.current().withValue(ADDRESS, address);
     if (call.getMethodDescriptor().getFullMethodName().equals(ENROL)) {
-      return strangers.admit(
+      return enrolmentLimiter.admit(
           Addresses.group(address),
           call,
           admitted -> Contexts.interceptCall(context, admitted, headers, next));
@@ -83,23 +86,23 @@ class AgentAuthentication implements ServerInterceptor {
     try {
       agent = enrolments.agentOf(key).orElse(null);
     } catch (RuntimeException e) {
-      call.close(StatusOf.exception(e).getStatus(), new Metadata());
+      call.close(GrpcStatus.exception(e).getStatus(), new Metadata());
       return new ServerCall.Listener<>() {};
     }
     if (agent == null) {
-      call.close(unknown(), new Metadata());
+      call.close(unknownKey(), new Metadata());
       return new ServerCall.Listener<>() {};
     }
-    return new Checked<>(
+    return new CheckedListener<>(
         Contexts.interceptCall(context.withValue(AGENT, agent), call, headers, next),
         call,
         agent,
         key);
   }
 
-  private static Status unknown() {
+  private static Status unknownKey() {
     return Status.UNAUTHENTICATED.withDescription(
-        "the agent's key is unknown or revoked; enrol the agent");
+        "the agent's key is unknown or was revoked; enrol the agent");
   }
 
   private String addressOf(ServerCall<?, ?> call, Metadata headers) {
@@ -122,14 +125,15 @@ class AgentAuthentication implements ServerInterceptor {
     return all;
   }
 
-  /** Looks at each message: a key may be revoked while a stream lives. */
-  private final class Checked<Q> extends SimpleForwardingServerCallListener<Q> {
+  /** Checks each message of a stream, because the key may be revoked in the meantime. */
+  private final class CheckedListener<Q> extends SimpleForwardingServerCallListener<Q> {
     private final ServerCall<Q, ?> call;
     private final String agent;
     private final String key;
-    private boolean refused;
+    private boolean rejected;
 
-    Checked(ServerCall.Listener<Q> delegate, ServerCall<Q, ?> call, String agent, String key) {
+    CheckedListener(
+        ServerCall.Listener<Q> delegate, ServerCall<Q, ?> call, String agent, String key) {
       super(delegate);
       this.call = call;
       this.agent = agent;
@@ -142,12 +146,12 @@ class AgentAuthentication implements ServerInterceptor {
       try {
         problem = problemOf(message);
       } catch (RuntimeException e) {
-        problem = StatusOf.exception(e).getStatus();
+        problem = GrpcStatus.exception(e).getStatus();
       }
       if (problem == null) {
         super.onMessage(message);
       } else {
-        refused = true;
+        rejected = true;
         call.close(problem, new Metadata());
         super.onCancel();
       }
@@ -155,30 +159,30 @@ class AgentAuthentication implements ServerInterceptor {
 
     @Override
     public void onHalfClose() {
-      if (!refused) {
+      if (!rejected) {
         super.onHalfClose();
       }
     }
 
     @Override
     public void onCancel() {
-      if (!refused) {
+      if (!rejected) {
         super.onCancel();
       }
     }
 
     private @Nullable Status problemOf(Q message) {
-      boolean streams = !call.getMethodDescriptor().getType().clientSendsOneMessage();
-      if (streams && enrolments.agentOf(key).isEmpty()) {
-        return unknown();
+      boolean isStream = !call.getMethodDescriptor().getType().clientSendsOneMessage();
+      if (isStream && enrolments.agentOf(key).isEmpty()) {
+        return unknownKey();
       }
-      return message instanceof Message concrete && isOfAnother(concrete)
-          ? Status.PERMISSION_DENIED.withDescription("the attempt is another agent's")
+      return message instanceof Message concrete && belongsToOtherAgent(concrete)
+          ? Status.PERMISSION_DENIED.withDescription("the attempt belongs to another agent")
           : null;
     }
 
-    /** What no attempt is known of is the service's to refuse. */
-    private boolean isOfAnother(Message message) {
+    /** False for unknown attempts, which the service rejects. */
+    private boolean belongsToOtherAgent(Message message) {
       FieldDescriptor field = message.getDescriptorForType().findFieldByName("attempt");
       return field != null
           && message.getField(field) instanceof AttemptRef attempt

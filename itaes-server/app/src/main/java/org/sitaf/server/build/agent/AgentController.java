@@ -11,7 +11,7 @@ import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.server.access.enrolment.Enrolments;
 import org.sitaf.server.build.agent.KnownAgent.Standing;
-import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.error.RequestException;
 import org.springframework.http.HttpStatus;
 import org.springframework.web.bind.annotation.DeleteMapping;
 import org.springframework.web.bind.annotation.GetMapping;
@@ -36,7 +36,7 @@ class AgentController {
     this.dispatcher = dispatcher;
   }
 
-  /** Whether there is a stream. */
+  /** Whether the agent is connected. */
   enum State {
     ONLINE,
     OFFLINE
@@ -53,14 +53,15 @@ class AgentController {
       State state,
       @Schema(
               description =
-                  "DRAINING finishes what it has and is given nothing more; DISABLED also loses what it had")
+                  "a DRAINING agent finishes its builds and gets no new ones; the builds of a"
+                      + " DISABLED agent are also given to others")
           Standing standing,
-      @Schema(description = "builds that may run at the same time") int slots,
-      @Schema(description = "slots that are taken") int busy,
+      @Schema(description = "maximum number of concurrent builds") int slots,
+      @Schema(description = "slots in use") int busy,
       List<ToolchainView> toolchains,
-      @Schema(description = "whether it can simulate worlds") boolean simulation,
+      @Schema(description = "whether it can run simulations") boolean simulation,
       Set<String> labels,
-      @Schema(description = "why it takes no builds at present, such as a full disk")
+      @Schema(description = "why it accepts no builds, such as a full disk")
           @Nullable String refuses,
       Instant lastSeen) {}
 
@@ -68,22 +69,18 @@ class AgentController {
   record StandingRequest(Standing standing) {}
 
   @GetMapping
-  @Operation(
-      operationId = "listAgents",
-      summary = "Agents that are connected or once were, by name")
+  @Operation(operationId = "listAgents", summary = "Lists agents by name")
   List<AgentView> list() {
     return agents.all().stream().map(this::view).toList();
   }
 
   @PutMapping("/{name}/standing")
-  @Operation(
-      operationId = "setAgentStanding",
-      summary = "Has an agent take builds (ACTIVE), drain or be disabled")
-  AgentView stand(@PathVariable String name, @RequestBody StandingRequest request) {
+  @Operation(operationId = "setAgentStanding", summary = "Activates, drains or disables an agent")
+  AgentView setStanding(@PathVariable String name, @RequestBody StandingRequest request) {
     if (request.standing() == null) {
-      throw Refusal.malformed("standing is missing; it is ACTIVE, DRAINING or DISABLED.");
+      throw RequestException.malformed("standing must be ACTIVE, DRAINING or DISABLED.");
     }
-    agents.stand(name, request.standing());
+    agents.setStanding(name, request.standing());
     dispatcher.wake();
     return view(agents.find(name));
   }
@@ -91,11 +88,11 @@ class AgentController {
   @DeleteMapping("/{name}")
   @Operation(
       operationId = "forgetAgent",
-      summary = "Forgets an agent",
-      description = "Refused (409) while it is connected.")
+      summary = "Deletes an agent",
+      description = "Fails with 409 while it is connected.")
   @ResponseStatus(HttpStatus.NO_CONTENT)
-  void forget(@PathVariable String name) {
-    agents.forget(name);
+  void delete(@PathVariable String name) {
+    agents.delete(name);
     enrolments.revoke(name);
   }
 
@@ -115,6 +112,6 @@ class AgentController {
         agent.offers().simulation(),
         new TreeSet<>(agent.offers().labels()),
         refuses.isEmpty() ? null : refuses,
-        session.map(AgentSession::lastHeard).orElse(agent.lastSeen()));
+        session.map(AgentSession::lastHeartbeat).orElse(agent.lastSeen()));
   }
 }

@@ -29,18 +29,18 @@ import org.sitaf.server.build.Attempts;
 import org.sitaf.server.build.Attempts.Delivery;
 import org.sitaf.server.build.log.BuildLogs;
 import org.sitaf.server.build.recording.Recordings;
+import org.sitaf.server.error.RequestException;
 import org.sitaf.server.file.StoredFiles;
-import org.sitaf.server.refusal.Refusal;
 import org.sitaf.server.result.Results;
 import org.sitaf.server.settings.SitafSettings;
 import org.sitaf.server.storage.DiskSpace;
 import org.springframework.stereotype.Service;
 
-/** The agents' gRPC service; agent.proto says what each call means. */
+/** The gRPC service for agents; see agent.proto. */
 @Service
 class AgentService extends AgentServiceGrpc.AgentServiceImplBase {
-  private static final int CHUNK = 64 << 10;
-  private static final int LARGEST_ENROLMENT = 16 << 10;
+  private static final int MAX_CHUNK = 64 << 10;
+  private static final int MAX_ENROLMENT = 16 << 10;
 
   private final Enrolments enrolments;
   private final Agents agents;
@@ -51,7 +51,7 @@ class AgentService extends AgentServiceGrpc.AgentServiceImplBase {
   private final StoredFiles contents;
   private final SitafSettings settings;
   private final DiskSpace disk;
-  private final PartsMemory memory;
+  private final UploadMemory memory;
   private final Clock clock;
 
   AgentService(
@@ -64,7 +64,7 @@ class AgentService extends AgentServiceGrpc.AgentServiceImplBase {
       StoredFiles contents,
       SitafSettings settings,
       DiskSpace disk,
-      PartsMemory memory,
+      UploadMemory memory,
       Clock clock) {
     this.enrolments = enrolments;
     this.agents = agents;
@@ -80,12 +80,12 @@ class AgentService extends AgentServiceGrpc.AgentServiceImplBase {
   }
 
   @Override
-  public void enrol(EnrolRequest request, StreamObserver<EnrolResponse> answers) {
+  public void enrol(EnrolRequest request, StreamObserver<EnrolResponse> responses) {
     answer(
-        answers,
+        responses,
         () -> {
-          if (request.getSerializedSize() > LARGEST_ENROLMENT) {
-            throw Refusal.malformed("token: is longer than any that this server makes.");
+          if (request.getSerializedSize() > MAX_ENROLMENT) {
+            throw RequestException.malformed("token: is too long.");
           }
           String key =
               enrolments.enrol(
@@ -95,28 +95,29 @@ class AgentService extends AgentServiceGrpc.AgentServiceImplBase {
   }
 
   @Override
-  public StreamObserver<AgentMessage> connect(StreamObserver<ServerMessage> answers) {
-    return new AgentStream(agents, dispatcher, settings, clock, answers);
+  public StreamObserver<AgentMessage> connect(StreamObserver<ServerMessage> responses) {
+    return new AgentStream(agents, dispatcher, settings, clock, responses);
   }
 
   @Override
   public void downloadFile(
-      DownloadFileRequest request, StreamObserver<DownloadFileResponse> answers) {
+      DownloadFileRequest request, StreamObserver<DownloadFileResponse> responses) {
     byte[] content;
     try {
       AttemptKey key = Messages.toKey(request.getAttempt());
       content = contents.content(attempts.file(key, request.getSha256()).sha256());
     } catch (RuntimeException e) {
-      answers.onError(StatusOf.exception(e));
+      responses.onError(GrpcStatus.exception(e));
       return;
     }
-    sendChunks(content, (ServerCallStreamObserver<DownloadFileResponse>) answers);
+    sendChunks(content, (ServerCallStreamObserver<DownloadFileResponse>) responses);
   }
 
   @Override
-  public void reportState(ReportStateRequest request, StreamObserver<ReportStateResponse> answers) {
+  public void reportState(
+      ReportStateRequest request, StreamObserver<ReportStateResponse> responses) {
     answer(
-        answers,
+        responses,
         () -> {
           attempts.advance(
               Messages.toKey(request.getAttempt()), Messages.toState(request.getState()));
@@ -125,12 +126,12 @@ class AgentService extends AgentServiceGrpc.AgentServiceImplBase {
   }
 
   @Override
-  public void appendLog(AppendLogRequest request, StreamObserver<AppendLogResponse> answers) {
+  public void appendLog(AppendLogRequest request, StreamObserver<AppendLogResponse> responses) {
     answer(
-        answers,
+        responses,
         () -> {
-          if (request.getChunk().size() > CHUNK) {
-            throw Refusal.malformed("chunk: must be at most 64 KiB.");
+          if (request.getChunk().size() > MAX_CHUNK) {
+            throw RequestException.malformed("chunk: must be at most 64 KiB.");
           }
           disk.requireFor(request.getChunk().size());
           long end =
@@ -143,12 +144,13 @@ class AgentService extends AgentServiceGrpc.AgentServiceImplBase {
   }
 
   @Override
-  public void reportCases(ReportCasesRequest request, StreamObserver<ReportCasesResponse> answers) {
+  public void reportCases(
+      ReportCasesRequest request, StreamObserver<ReportCasesResponse> responses) {
     answer(
-        answers,
+        responses,
         () -> {
           long next =
-              attempts.noteCases(
+              attempts.addCases(
                   Messages.toKey(request.getAttempt()),
                   request.getSequence(),
                   request.getOutcomesList().stream().map(Messages::toCase).toList());
@@ -158,18 +160,19 @@ class AgentService extends AgentServiceGrpc.AgentServiceImplBase {
 
   @Override
   public void uploadRecording(
-      UploadRecordingRequest request, StreamObserver<UploadRecordingResponse> answers) {
-    answer(answers, () -> store(request, request.getGltf().toByteArray()));
+      UploadRecordingRequest request, StreamObserver<UploadRecordingResponse> responses) {
+    answer(responses, () -> store(request, request.getGltf().toByteArray()));
   }
 
   @Override
   public StreamObserver<UploadRecordingRequest> uploadRecordingInParts(
-      StreamObserver<UploadRecordingResponse> answers) {
-    return new InParts<>(
-        new InParts.Shape<>(UploadRecordingRequest::getAttempt, UploadRecordingRequest::getGltf),
+      StreamObserver<UploadRecordingResponse> responses) {
+    return new ChunkedUpload<>(
+        new ChunkedUpload.Fields<>(
+            UploadRecordingRequest::getAttempt, UploadRecordingRequest::getGltf),
         this::store,
         memory,
-        answers);
+        responses);
   }
 
   private UploadRecordingResponse store(UploadRecordingRequest request, byte[] gltf) {
@@ -181,22 +184,22 @@ class AgentService extends AgentServiceGrpc.AgentServiceImplBase {
 
   @Override
   public void submitResult(
-      SubmitResultRequest request, StreamObserver<SubmitResultResponse> answers) {
-    answer(answers, () -> take(request, request.getResultDescriptor().toByteArray()));
+      SubmitResultRequest request, StreamObserver<SubmitResultResponse> responses) {
+    answer(responses, () -> submit(request, request.getResultDescriptor().toByteArray()));
   }
 
   @Override
   public StreamObserver<SubmitResultRequest> submitResultInParts(
-      StreamObserver<SubmitResultResponse> answers) {
-    return new InParts<>(
-        new InParts.Shape<>(
+      StreamObserver<SubmitResultResponse> responses) {
+    return new ChunkedUpload<>(
+        new ChunkedUpload.Fields<>(
             SubmitResultRequest::getAttempt, SubmitResultRequest::getResultDescriptor),
-        this::take,
+        this::submit,
         memory,
-        answers);
+        responses);
   }
 
-  private SubmitResultResponse take(SubmitResultRequest request, byte[] descriptor) {
+  private SubmitResultResponse submit(SubmitResultRequest request, byte[] descriptor) {
     AttemptKey key = Messages.toKey(request.getAttempt());
     disk.requireFor(descriptor.length);
     boolean accepted =
@@ -204,7 +207,8 @@ class AgentService extends AgentServiceGrpc.AgentServiceImplBase {
           case RESULT_DESCRIPTOR -> deliver(key, descriptor, request.getSha256());
           case FAILURE -> fail(key, request.getFailure());
           case OUTCOME_NOT_SET ->
-              throw Refusal.malformed("outcome: must be a result_descriptor or a failure.");
+              throw RequestException.malformed(
+                  "outcome: must be a result_descriptor or a failure.");
         };
     return SubmitResultResponse.newBuilder()
         .setAccepted(accepted)
@@ -217,12 +221,13 @@ class AgentService extends AgentServiceGrpc.AgentServiceImplBase {
   private boolean deliver(AttemptKey key, byte[] document, String sha256) {
     String actual = StoredFiles.sha256(document);
     if (!actual.equals(sha256)) {
-      throw Refusal.malformed("sha256: is " + sha256 + ", the document's is " + actual + ".");
+      throw RequestException.malformed(
+          "sha256: is " + sha256 + ", but the document's is " + actual + ".");
     }
     Delivery delivery = attempts.deliver(key, Results.read(document), document, sha256);
-    if (delivery == Delivery.GIVEN_UP) {
+    if (delivery == Delivery.ABANDONED) {
       throw io.grpc.Status.FAILED_PRECONDITION
-          .withDescription("the attempt was given up")
+          .withDescription("the attempt was abandoned")
           .asRuntimeException();
     }
     return delivery == Delivery.ACCEPTED;
@@ -237,21 +242,21 @@ class AgentService extends AgentServiceGrpc.AgentServiceImplBase {
     return true;
   }
 
-  private static <T> void answer(StreamObserver<T> answers, Supplier<T> call) {
+  private static <T> void answer(StreamObserver<T> responses, Supplier<T> call) {
     T answer;
     try {
       answer = call.get();
     } catch (RuntimeException e) {
-      answers.onError(StatusOf.exception(e));
+      responses.onError(GrpcStatus.exception(e));
       return;
     }
-    answers.onNext(answer);
-    answers.onCompleted();
+    responses.onNext(answer);
+    responses.onCompleted();
   }
 
-  /** Sends as fast as the agent takes it, so that many downloads do not pile up in memory. */
+  /** Sends chunks when the stream is ready, so that they are not buffered in memory. */
   private static void sendChunks(
-      byte[] content, ServerCallStreamObserver<DownloadFileResponse> answers) {
+      byte[] content, ServerCallStreamObserver<DownloadFileResponse> responses) {
     Runnable onReady =
         new Runnable() {
           private int sent;
@@ -259,9 +264,9 @@ class AgentService extends AgentServiceGrpc.AgentServiceImplBase {
 
           @Override
           public void run() {
-            while (!done && answers.isReady() && sent < content.length) {
-              int size = Math.min(CHUNK, content.length - sent);
-              answers.onNext(
+            while (!done && responses.isReady() && sent < content.length) {
+              int size = Math.min(MAX_CHUNK, content.length - sent);
+              responses.onNext(
                   DownloadFileResponse.newBuilder()
                       .setChunk(ByteString.copyFrom(content, sent, size))
                       .build());
@@ -269,10 +274,10 @@ class AgentService extends AgentServiceGrpc.AgentServiceImplBase {
             }
             if (!done && sent == content.length) {
               done = true;
-              answers.onCompleted();
+              responses.onCompleted();
             }
           }
         };
-    answers.setOnReadyHandler(onReady);
+    responses.setOnReadyHandler(onReady);
   }
 }

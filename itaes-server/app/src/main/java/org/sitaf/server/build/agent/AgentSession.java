@@ -11,7 +11,7 @@ import org.sitaf.agent.v1.ServerMessage;
 import org.sitaf.server.build.AttemptKey;
 import org.sitaf.server.build.request.Capabilities;
 
-/** The stream of a connected agent, and the slots that its builds occupy. */
+/** The stream of a connected agent, and the slots that its attempts occupy. */
 final class AgentSession {
   private final String name;
   private final int slots;
@@ -19,15 +19,15 @@ final class AgentSession {
   private final StreamObserver<ServerMessage> stream;
   private final Set<Long> occupied = new HashSet<>();
   private final Set<Long> stopped = new HashSet<>();
-  private Instant lastHeard;
+  private Instant lastHeartbeat;
   private boolean open = true;
-  private boolean welcomed;
+  private boolean registered;
   private String refuses = "";
 
   /**
-   * A session that begins.
+   * Creates a session.
    *
-   * @param running attempts that the agent works on already
+   * @param running attempts that the agent is executing already
    */
   AgentSession(
       String name,
@@ -40,7 +40,7 @@ final class AgentSession {
     this.slots = slots;
     this.offers = offers;
     this.stream = stream;
-    this.lastHeard = now;
+    this.lastHeartbeat = now;
     running.forEach(key -> occupied.add(key.token()));
   }
 
@@ -57,33 +57,33 @@ final class AgentSession {
   }
 
   synchronized boolean hasFreeSlot() {
-    return open && welcomed && refuses.isEmpty() && occupied.size() < slots;
+    return open && registered && refuses.isEmpty() && occupied.size() < slots;
   }
 
   synchronized int freeSlots() {
     return hasFreeSlot() ? slots - occupied.size() : 0;
   }
 
-  /** Why it takes no builds, as it says; empty where it does. */
+  /** Why the agent accepts no builds; empty if it does. */
   synchronized String refuses() {
     return refuses;
   }
 
-  synchronized void refuse(String why) {
-    refuses = why;
+  synchronized void setRefuses(String reason) {
+    refuses = reason;
   }
 
   /**
-   * Slots that are taken by attempts which the agent does not speak of, in case they are over:
-   * their end may have been told to another server.
+   * Attempts that occupy slots but are not reported by the agent. They may have ended on another
+   * server.
    */
-  synchronized Set<Long> unspokenOf(Collection<AttemptKey> running) {
-    Set<Long> unspoken = new HashSet<>(occupied);
-    running.forEach(key -> unspoken.remove(key.token()));
-    return unspoken;
+  synchronized Set<Long> unreported(Collection<AttemptKey> running) {
+    Set<Long> unreported = new HashSet<>(occupied);
+    running.forEach(key -> unreported.remove(key.token()));
+    return unreported;
   }
 
-  synchronized void free(Collection<Long> tokens) {
+  synchronized void release(Collection<Long> tokens) {
     occupied.removeAll(tokens);
     stopped.removeAll(tokens);
   }
@@ -92,27 +92,31 @@ final class AgentSession {
     return occupied.size();
   }
 
-  synchronized Instant lastHeard() {
-    return lastHeard;
+  synchronized Instant lastHeartbeat() {
+    return lastHeartbeat;
   }
 
-  /** Notes a sign of life; slots of stopped attempts that the agent has left are free again. */
-  synchronized void heard(Collection<AttemptKey> running, Instant now) {
-    lastHeard = now;
-    Set<Long> left = new HashSet<>(stopped);
-    running.forEach(key -> left.remove(key.token()));
-    occupied.removeAll(left);
-    stopped.removeAll(left);
+  /**
+   * Processes a heartbeat: releases the slots of stopped attempts that the agent no longer reports.
+   */
+  synchronized void heartbeat(Collection<AttemptKey> running, Instant now) {
+    lastHeartbeat = now;
+    Set<Long> ended = new HashSet<>(stopped);
+    running.forEach(key -> ended.remove(key.token()));
+    occupied.removeAll(ended);
+    stopped.removeAll(ended);
   }
 
-  /** The attempt is over on the server's side; its slot stays taken until the agent has left it. */
+  /**
+   * Marks an attempt that the server ended; its slot is occupied until the agent has stopped it.
+   */
   synchronized void stopped(AttemptKey attempt) {
     if (occupied.contains(attempt.token())) {
       stopped.add(attempt.token());
     }
   }
 
-  /** The agent has brought the attempt to its end. */
+  /** ReleaseCompatibility the slot of an attempt whose outcome was delivered. */
   synchronized void delivered(AttemptKey attempt) {
     occupied.remove(attempt.token());
     stopped.remove(attempt.token());
@@ -122,26 +126,26 @@ final class AgentSession {
     occupied.add(attempt.token());
   }
 
-  /** Sends the first message, after which the agent may be given builds. */
-  synchronized void welcome(ServerMessage message) {
-    welcomed = open;
+  /** Sends the first message, after which builds can be assigned to the agent. */
+  synchronized void sendRegistered(ServerMessage message) {
+    registered = open;
     send(message);
   }
 
   /**
-   * Sends, if the agent was welcomed and the stream is open.
+   * Sends a message if the agent is registered and the stream is open.
    *
-   * @return whether it was
+   * @return whether the message was sent
    */
   synchronized boolean send(ServerMessage message) {
-    if (!open || !welcomed) {
+    if (!open || !registered) {
       return false;
     }
     try {
       stream.onNext(message);
       return true;
     } catch (RuntimeException e) {
-      // The transport is gone; its own callback ends the session.
+      // The connection was lost; gRPC's callback ends the session.
       open = false;
       return false;
     }
@@ -151,20 +155,20 @@ final class AgentSession {
     return open;
   }
 
-  /** Ends the stream from this side; null for a regular end. */
-  synchronized void close(@Nullable StatusRuntimeException why) {
+  /** Closes the stream, with an error unless {@code error} is null. */
+  synchronized void close(@Nullable StatusRuntimeException error) {
     if (!open) {
       return;
     }
     open = false;
     try {
-      if (why == null) {
+      if (error == null) {
         stream.onCompleted();
       } else {
-        stream.onError(why);
+        stream.onError(error);
       }
     } catch (RuntimeException e) {
-      // It is closed already, which is what was wanted.
+      // The stream is closed already.
       return;
     }
   }

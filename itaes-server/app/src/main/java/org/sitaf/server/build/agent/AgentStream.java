@@ -16,7 +16,7 @@ import org.sitaf.server.settings.SitafSettings;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** The agent's side of its stream: Register first, Heartbeats then. */
+/** Handles the messages of an agent's stream: Register first, then Heartbeats. */
 final class AgentStream implements StreamObserver<AgentMessage> {
   private static final Logger log = LoggerFactory.getLogger(AgentStream.class);
 
@@ -24,7 +24,7 @@ final class AgentStream implements StreamObserver<AgentMessage> {
   private final Dispatcher dispatcher;
   private final SitafSettings settings;
   private final Clock clock;
-  private final StreamObserver<ServerMessage> answers;
+  private final StreamObserver<ServerMessage> responses;
   private @Nullable AgentSession session;
 
   AgentStream(
@@ -32,12 +32,12 @@ final class AgentStream implements StreamObserver<AgentMessage> {
       Dispatcher dispatcher,
       SitafSettings settings,
       Clock clock,
-      StreamObserver<ServerMessage> answers) {
+      StreamObserver<ServerMessage> responses) {
     this.agents = agents;
     this.dispatcher = dispatcher;
     this.settings = settings;
     this.clock = clock;
-    this.answers = answers;
+    this.responses = responses;
   }
 
   @Override
@@ -58,52 +58,52 @@ final class AgentStream implements StreamObserver<AgentMessage> {
       throw invalid("register: the agent is registered already");
     }
     Messages.verify(register);
-    Releases.requireNear(register.getVersion(), version());
+    ReleaseCompatibility.requireCompatible(register.getVersion(), version());
     if (AgentAuthentication.agent().filter(register.getName()::equals).isEmpty()) {
       throw Status.PERMISSION_DENIED
-          .withDescription("the key is not that of an agent named " + register.getName())
+          .withDescription("the key does not belong to agent " + register.getName())
           .asRuntimeException();
     }
     List<AttemptKey> running = Messages.toKeys(register.getRunningList());
-    AgentSession made =
+    AgentSession created =
         new AgentSession(
             register.getName(),
             register.getSlots(),
             Messages.toCapabilities(register),
-            answers,
+            responses,
             running,
             clock.instant());
-    made.refuse(register.getRefuses());
-    if (!agents.add(made, register)) {
+    created.setRefuses(register.getRefuses());
+    if (!agents.add(created, register)) {
       throw Status.ALREADY_EXISTS
-          .withDescription("an agent named " + register.getName() + " is connected")
+          .withDescription("an agent named " + register.getName() + " is connected already")
           .asRuntimeException();
     }
-    session = made;
-    // Before it can be given anything: what it is given from then on, it does not know of yet.
-    agents.came(made, running);
-    made.welcome(
+    session = created;
+    // Before builds can be assigned to it, because it does not report those yet.
+    agents.abandonUnknown(created, running);
+    created.sendRegistered(
         ServerMessage.newBuilder()
             .setRegistered(
                 Registered.newBuilder()
                     .setServerVersion(version())
                     .setLease(Duration.newBuilder().setSeconds(settings.lease().toSeconds())))
             .build());
-    agents.heard(made, running);
-    log.info("Agent {} is connected, with {} slots", made.name(), made.slots());
+    agents.heartbeat(created, running);
+    log.info("Agent {} connected with {} slots", created.name(), created.slots());
     dispatcher.wake();
   }
 
   private void heartbeat(Heartbeat heartbeat) {
     List<AttemptKey> running = Messages.toKeys(heartbeat.getRunningList());
-    AgentSession present = session;
-    if (present == null) {
+    AgentSession current = session;
+    if (current == null) {
       throw invalid("heartbeat: register first");
     }
-    boolean wasFull = !present.hasFreeSlot();
-    present.refuse(Messages.toReason(heartbeat.getRefuses()));
-    agents.heard(present, running);
-    if (wasFull && present.hasFreeSlot()) {
+    boolean wasFull = !current.hasFreeSlot();
+    current.setRefuses(Messages.toReason(heartbeat.getRefuses()));
+    agents.heartbeat(current, running);
+    if (wasFull && current.hasFreeSlot()) {
       dispatcher.wake();
     }
   }
@@ -119,20 +119,20 @@ final class AgentStream implements StreamObserver<AgentMessage> {
   }
 
   private void end() {
-    AgentSession present = session;
-    if (present != null) {
-      log.info("Agent {} is gone", present.name());
-      agents.remove(present);
+    AgentSession current = session;
+    if (current != null) {
+      log.info("Agent {} disconnected", current.name());
+      agents.remove(current);
       session = null;
     }
   }
 
   private void fail(RuntimeException e) {
-    AgentSession present = session;
-    if (present == null) {
-      answers.onError(StatusOf.exception(e));
+    AgentSession current = session;
+    if (current == null) {
+      responses.onError(GrpcStatus.exception(e));
     } else {
-      present.close(StatusOf.exception(e));
+      current.close(GrpcStatus.exception(e));
       end();
     }
   }

@@ -19,7 +19,7 @@ import org.sitaf.server.build.AttemptKey;
 import org.sitaf.server.build.BuildEvent;
 import org.sitaf.server.build.Leases;
 import org.sitaf.server.build.agent.KnownAgent.Standing;
-import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.error.RequestException;
 import org.sitaf.server.settings.Database;
 import org.sitaf.server.settings.SitafSettings;
 import org.sitaf.server.storage.DiskSpace;
@@ -27,15 +27,18 @@ import org.springframework.stereotype.Component;
 import org.springframework.transaction.event.TransactionalEventListener;
 import org.springframework.transaction.support.TransactionTemplate;
 
-/** The agents: who is connected, and who ever was. */
+/** The agents: sessions of connected agents, and all agents that ever registered. */
 @Component
 class Agents {
-  /** How long what other servers with the same database change may go unseen. */
-  private static final Duration SHOWN_FOR = Duration.ofSeconds(1);
+  /**
+   * How long the list for users is cached; changes of other servers are visible after this time.
+   */
+  private static final Duration LIST_CACHED = Duration.ofSeconds(1);
 
-  private final AtomicReference<Shown> shown = new AtomicReference<>(Shown.nothing());
+  private final AtomicReference<CachedList> cachedList =
+      new AtomicReference<>(CachedList.expired());
   private final Map<String, AgentSession> sessions = new ConcurrentHashMap<>();
-  private final KnownAgentRepository known;
+  private final KnownAgentRepository repository;
   private final Leases leases;
   private final TransactionTemplate transaction;
   private final Database database;
@@ -44,14 +47,14 @@ class Agents {
   private final Clock clock;
 
   Agents(
-      KnownAgentRepository known,
+      KnownAgentRepository repository,
       Leases leases,
       TransactionTemplate transaction,
       Database database,
       SitafSettings settings,
       DiskSpace disk,
       Clock clock) {
-    this.known = known;
+    this.repository = repository;
     this.leases = leases;
     this.transaction = transaction;
     this.database = database;
@@ -61,21 +64,21 @@ class Agents {
   }
 
   /**
-   * Takes in a session.
+   * Adds a session.
    *
-   * @return false when another live stream has the same name
+   * @return false if an agent of the same name is connected
    */
   boolean add(AgentSession session, Register register) {
-    AgentSession winner =
+    AgentSession current =
         sessions.compute(
             session.name(),
             (name, present) ->
                 present != null && present.isOpen() && !isSilent(present) ? present : session);
-    if (winner != session) {
+    if (current != session) {
       return false;
     }
     try {
-      remember(session.name(), register);
+      save(session.name(), register);
     } catch (RuntimeException e) {
       sessions.remove(session.name(), session);
       throw e;
@@ -83,78 +86,77 @@ class Agents {
     return true;
   }
 
-  private void remember(String name, Register register) {
+  private void save(String name, Register register) {
     change(
         () -> {
-          KnownAgent agent = known.findById(name).orElseGet(() -> new KnownAgent(name));
+          KnownAgent agent = repository.findById(name).orElseGet(() -> new KnownAgent(name));
           agent.register(
               register.getVersion(),
               register.getSlots(),
               Messages.toCapabilities(register),
               register.getRefuses(),
               now());
-          known.save(agent);
+          repository.save(agent);
         });
   }
 
-  /** The session's stream has ended. */
+  /** Removes a session whose stream has ended. */
   void remove(AgentSession session) {
     session.close(null);
     if (sessions.remove(session.name(), session) && disk.canWrite()) {
       change(
-          () -> known.findById(session.name()).ifPresent(a -> a.disconnect(session.lastHeard())));
+          () ->
+              repository
+                  .findById(session.name())
+                  .ifPresent(a -> a.disconnect(session.lastHeartbeat())));
     }
   }
 
-  /**
-   * An agent has come: what it had and does not know of is lost, and need not wait for its lease.
-   */
-  void came(AgentSession session, Collection<AttemptKey> running) {
-    leases.giveUpAllBut(session.name(), running);
+  /** Abandons the attempts that a new session does not report, without waiting for their leases. */
+  void abandonUnknown(AgentSession session, Collection<AttemptKey> running) {
+    leases.abandonAllExcept(session.name(), running);
   }
 
-  /**
-   * A sign of life of an agent: renews its leases, and stops what it should not work on any more.
-   */
-  void heard(AgentSession session, Collection<AttemptKey> running) {
-    // Most agents are idle most of the time, and hundreds of them need no transaction to say so.
-    // While the disk is full nobody can renew a lease, and none ends.
+  /** Processes a heartbeat: renews the agent's leases and stops outdated attempts. */
+  void heartbeat(AgentSession session, Collection<AttemptKey> running) {
+    // Heartbeats of idle agents need no transaction. While the disk is full leases are neither
+    // renewed nor do they expire.
     Set<AttemptKey> outdated =
         running.isEmpty() || !disk.canWrite() ? Set.of() : leases.renew(session.name(), running);
-    session.heard(running, now());
-    Set<Long> unspoken = session.unspokenOf(running);
-    if (!unspoken.isEmpty()) {
-      session.free(leases.over(unspoken));
+    session.heartbeat(running, now());
+    Set<Long> unreported = session.unreported(running);
+    if (!unreported.isEmpty()) {
+      session.release(leases.ended(unreported));
     }
     outdated.forEach(
         key -> {
           session.stopped(key);
-          // Why is not known here; of one that was cancelled no late result is taken either way.
-          cancel(session, key, "the attempt is over", true);
+          // The reason is not known here. A late result of a cancelled build is not accepted.
+          cancel(session, key, "the attempt has ended", true);
         });
   }
 
-  /** Closes the streams of agents that have been silent for a lease. */
+  /** Closes the streams of agents that sent nothing for the duration of a lease. */
   void closeSilent() {
     for (AgentSession session : sessions.values()) {
       if (isSilent(session)) {
         session.close(
             Status.UNAVAILABLE
-                .withDescription("nothing was heard for a lease; register again")
+                .withDescription("no heartbeat for the duration of a lease; register again")
                 .asRuntimeException());
         remove(session);
       }
     }
   }
 
-  /** Ends all streams, because the server stops; agents dial again until it is back. */
+  /** Closes all streams because the server is stopping; agents reconnect later. */
   void closeAll() {
     connected()
         .forEach(
             session ->
                 session.close(
                     Status.UNAVAILABLE
-                        .withDescription("the server stops; dial again")
+                        .withDescription("the server is stopping; reconnect later")
                         .asRuntimeException()));
   }
 
@@ -167,87 +169,85 @@ class Agents {
   }
 
   List<KnownAgent> all() {
-    return known.findAllByOrderByName();
+    return repository.findAllByOrderByName();
   }
 
-  /**
-   * All that there are, for the eyes of people: many look at once, and hundreds of agents may be.
-   */
-  List<KnownAgent> shown() {
+  /** All agents, cached for a short time because many users poll hundreds of agents. */
+  List<KnownAgent> cached() {
     Instant now = now();
-    Shown last = shown.get();
+    CachedList last = cachedList.get();
     if (now.isBefore(last.until())) {
       return last.agents();
     }
-    Shown fresh = new Shown(all(), now.plus(SHOWN_FOR));
-    // Not if an agent changed meanwhile: this may have been read before that.
-    var unused = shown.compareAndSet(last, fresh);
+    CachedList fresh = new CachedList(all(), now.plus(LIST_CACHED));
+    // Not if an agent was changed in the meantime: the list may have been read before.
+    var unused = cachedList.compareAndSet(last, fresh);
     return fresh.agents();
   }
 
-  private record Shown(List<KnownAgent> agents, Instant until) {
-    /** Another one each time, so that what is shown is never taken for what was. */
-    static Shown nothing() {
-      return new Shown(List.of(), Instant.MIN);
+  private record CachedList(List<KnownAgent> agents, Instant until) {
+    /** A new instance for each call, because {@code compareAndSet} compares references. */
+    static CachedList expired() {
+      return new CachedList(List.of(), Instant.MIN);
     }
   }
 
   private void change(Runnable change) {
     transaction.executeWithoutResult(status -> change.run());
-    shown.set(Shown.nothing());
+    cachedList.set(CachedList.expired());
   }
 
   KnownAgent find(String name) {
-    return known.findById(name).orElseThrow(() -> Refusal.notFound("agent", name));
+    return repository.findById(name).orElseThrow(() -> RequestException.notFound("agent", name));
   }
 
-  /** Agents that people do not want to be given builds. */
-  Set<String> toSpare() {
-    return known.findNamesToSpare();
+  /** Names of the agents that are draining or disabled. */
+  Set<String> inactive() {
+    return repository.findInactiveNames();
   }
 
-  /** What people decide about an agent; one that is disabled loses what it works on to others. */
-  void stand(String name, Standing standing) {
+  /** Activates, drains or disables an agent; the attempts of a disabled agent are abandoned. */
+  void setStanding(String name, Standing standing) {
     change(
         () -> {
           KnownAgent agent = find(name);
-          agent.stand(standing);
-          known.save(agent);
+          agent.setStanding(standing);
+          repository.save(agent);
         });
     if (standing == Standing.DISABLED) {
-      leases.giveUpAll(name, "agent " + name + " was disabled");
+      leases.abandonAll(name, "agent " + name + " was disabled");
     }
   }
 
-  /** Forgets an agent that is not connected. */
-  void forget(String name) {
+  /** Deletes an agent that is not connected. */
+  void delete(String name) {
     change(
         () -> {
           KnownAgent agent = find(name);
           if (isOnline(agent)) {
-            throw Refusal.conflict(
+            throw RequestException.conflict(
                 "Agent '" + name + "' is connected; stop it first, or disable it.");
           }
-          known.delete(agent);
+          repository.delete(agent);
         });
   }
 
-  /** Connected to this server, or heard of by another one not long ago. */
+  /** Whether the agent is connected to this server or to another one with the same database. */
   boolean isOnline(KnownAgent agent) {
     return session(agent.name()).map(AgentSession::isOpen).orElse(false)
         || (database.isShared() && agent.isConnected(now().minus(settings.lease())));
   }
 
-  /** Tells other servers with the same database who is connected here. */
-  void noteConnected() {
+  /** Stores which agents are connected, for other servers with the same database. */
+  void saveConnected() {
     if (database.isShared() && !sessions.isEmpty()) {
       Instant now = now();
-      List<String> heard =
+      List<String> names =
           sessions.values().stream()
               .filter(session -> session.isOpen() && !isSilent(session))
               .map(AgentSession::name)
               .toList();
-      transaction.executeWithoutResult(status -> known.noteSeen(heard, now));
+      transaction.executeWithoutResult(status -> repository.saveSeen(names, now));
     }
   }
 
@@ -257,7 +257,7 @@ class Agents {
         .ifPresent(
             session -> {
               session.stopped(stopped.attempt());
-              cancel(session, stopped.attempt(), stopped.reason(), stopped.givenUp());
+              cancel(session, stopped.attempt(), stopped.reason(), stopped.abandoned());
             });
   }
 
@@ -266,19 +266,20 @@ class Agents {
     session(delivered.agent()).ifPresent(session -> session.delivered(delivered.attempt()));
   }
 
-  private static void cancel(AgentSession session, AttemptKey key, String reason, boolean givenUp) {
+  private static void cancel(
+      AgentSession session, AttemptKey key, String reason, boolean abandoned) {
     session.send(
         ServerMessage.newBuilder()
             .setCancellation(
                 Cancellation.newBuilder()
                     .setAttempt(Messages.toRef(key))
                     .setReason(reason)
-                    .setGivenUp(givenUp))
+                    .setGivenUp(abandoned))
             .build());
   }
 
   private boolean isSilent(AgentSession session) {
-    return session.lastHeard().plus(settings.lease()).isBefore(now());
+    return session.lastHeartbeat().plus(settings.lease()).isBefore(now());
   }
 
   private Instant now() {

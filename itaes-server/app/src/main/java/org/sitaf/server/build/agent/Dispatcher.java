@@ -15,12 +15,12 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import org.sitaf.agent.v1.ServerMessage;
 import org.sitaf.server.build.BuildEvent;
 import org.sitaf.server.build.BuildQueue;
-import org.sitaf.server.build.BuildQueue.Waiting;
+import org.sitaf.server.build.BuildQueue.QueuedBuild;
 import org.sitaf.server.build.Leases;
 import org.sitaf.server.build.request.Requirements;
 import org.sitaf.server.settings.Database;
 import org.sitaf.server.storage.DiskSpace;
-import org.sitaf.server.storage.RoomAgain;
+import org.sitaf.server.storage.DiskSpaceRecovered;
 import org.sitaf.server.timer.DaemonTimer;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -30,16 +30,15 @@ import org.springframework.stereotype.Component;
 import org.springframework.transaction.event.TransactionalEventListener;
 
 /**
- * Gives waiting builds to agents that meet their requirements: the highest priority first, among
- * equals the activity that agents work least on, and of it the oldest. Works when something has
- * changed, when a build that was put off is due, and, where other servers share the database, a few
- * times a second.
+ * Assigns queued builds to agents that meet their requirements. Builds are ordered by priority,
+ * then by the number of running builds of their activity, then by age. Runs when something changes,
+ * when the delay of a build ends, and periodically if other servers share the database.
  */
 @Component
 class Dispatcher implements SmartLifecycle {
   private static final Logger log = LoggerFactory.getLogger(Dispatcher.class);
   private static final int MAX_WINDOW = 200;
-  private static final Duration SHARED_LOOK = Duration.ofMillis(300);
+  private static final Duration SHARED_INTERVAL = Duration.ofMillis(300);
 
   private final Leases leases;
   private final BuildQueue queue;
@@ -67,7 +66,7 @@ class Dispatcher implements SmartLifecycle {
     this.clock = clock;
   }
 
-  /** Has the queue looked at, soon and once for many calls. */
+  /** Runs the dispatcher soon; several calls may be merged into one run. */
   void wake() {
     if (running && due.compareAndSet(false, true)) {
       thread.execute(this::dispatch);
@@ -80,7 +79,7 @@ class Dispatcher implements SmartLifecycle {
   }
 
   @EventListener
-  void on(RoomAgain event) {
+  void on(DiskSpaceRecovered event) {
     wake();
   }
 
@@ -90,7 +89,7 @@ class Dispatcher implements SmartLifecycle {
       if (disk.whyNoNewWork().isPresent()) {
         return;
       }
-      List<AgentSession> free = free();
+      List<AgentSession> free = freeAgents();
       List<Requirements> met =
           free.isEmpty()
               ? List.of()
@@ -99,43 +98,44 @@ class Dispatcher implements SmartLifecycle {
                   .toList();
       if (!met.isEmpty()) {
         int slots = free.stream().mapToInt(AgentSession::freeSlots).sum();
-        List<Waiting> waiting =
+        List<QueuedBuild> waiting =
             new ArrayList<>(queue.first(met, Math.min(Math.max(slots, 1), MAX_WINDOW)));
-        give(waiting, free, queue.active());
+        assign(waiting, free, queue.active());
       }
-      queue.nextPutOff().ifPresent(this::wakeAt);
+      queue.nextDelayEnd().ifPresent(this::wakeAt);
     } catch (RuntimeException e) {
-      // A build that could not be given now is looked at again with the next change.
+      // The builds are dispatched with the next change.
       if (running) {
-        log.error("Dispatching failed", e);
+        log.error("Dispatching builds failed", e);
       }
     }
   }
 
-  private List<AgentSession> free() {
+  private List<AgentSession> freeAgents() {
     List<AgentSession> able =
         agents.connected().stream().filter(AgentSession::hasFreeSlot).toList();
     if (able.isEmpty()) {
       return able;
     }
-    Set<String> spared = agents.toSpare();
-    return able.stream().filter(a -> !spared.contains(a.name())).toList();
+    Set<String> inactive = agents.inactive();
+    return able.stream().filter(a -> !inactive.contains(a.name())).toList();
   }
 
-  private void give(List<Waiting> waiting, List<AgentSession> free, Map<String, Integer> active) {
-    Comparator<Waiting> order =
-        Comparator.comparingInt((Waiting w) -> -w.priority())
+  private void assign(
+      List<QueuedBuild> waiting, List<AgentSession> free, Map<String, Integer> active) {
+    Comparator<QueuedBuild> order =
+        Comparator.comparingInt((QueuedBuild w) -> -w.priority())
             .thenComparingInt(w -> active.getOrDefault(w.activityId(), 0))
-            .thenComparing(Waiting::created)
-            .thenComparing(Waiting::id);
+            .thenComparing(QueuedBuild::created)
+            .thenComparing(QueuedBuild::id);
     while (running && !waiting.isEmpty()) {
-      Waiting next = waiting.stream().min(order).orElseThrow();
+      QueuedBuild next = waiting.stream().min(order).orElseThrow();
       waiting.remove(next);
       Optional<AgentSession> agent =
           free.stream()
               .filter(a -> a.hasFreeSlot() && next.requirements().areMetBy(a.offers()))
               .min(Comparator.comparingInt(AgentSession::busy));
-      if (agent.isPresent() && give(next.id(), agent.get())) {
+      if (agent.isPresent() && assign(next.id(), agent.get())) {
         active.merge(next.activityId(), 1, Integer::sum);
       } else if (agent.isEmpty()) {
         waiting.removeIf(w -> w.requirements().equals(next.requirements()));
@@ -143,9 +143,9 @@ class Dispatcher implements SmartLifecycle {
     }
   }
 
-  private boolean give(String buildId, AgentSession agent) {
+  private boolean assign(String buildId, AgentSession agent) {
     Optional<Leases.Assignment> assignment = leases.lease(buildId, agent.name());
-    assignment.ifPresent(given -> send(agent, given));
+    assignment.ifPresent(leased -> send(agent, leased));
     return assignment.isPresent();
   }
 
@@ -156,13 +156,13 @@ class Dispatcher implements SmartLifecycle {
             ServerMessage.newBuilder().setAssignment(Messages.toAssignment(assignment)).build());
     if (sent) {
       log.info(
-          "Build {} ({}/{}) goes to agent {}",
+          "Build {} ({}/{}) assigned to agent {}",
           assignment.key().buildId(),
           assignment.activity(),
           assignment.model(),
           agent.name());
     } else {
-      leases.giveUp(assignment.key(), "agent " + agent.name() + " went away");
+      leases.abandon(assignment.key(), "agent " + agent.name() + " disconnected");
     }
   }
 
@@ -183,9 +183,9 @@ class Dispatcher implements SmartLifecycle {
     running = true;
     wake();
     if (database.isShared()) {
-      long everyMs = SHARED_LOOK.toMillis();
+      long intervalMs = SHARED_INTERVAL.toMillis();
       var unused =
-          thread.scheduleWithFixedDelay(this::wake, everyMs, everyMs, TimeUnit.MILLISECONDS);
+          thread.scheduleWithFixedDelay(this::wake, intervalMs, intervalMs, TimeUnit.MILLISECONDS);
     }
   }
 

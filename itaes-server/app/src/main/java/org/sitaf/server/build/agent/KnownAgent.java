@@ -18,7 +18,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import org.sitaf.server.build.request.Capabilities;
 
-/** An agent that registered once, connected or not. */
+/** An agent in the database, connected or not. */
 @Entity
 @Table(name = "agent")
 class KnownAgent {
@@ -27,7 +27,7 @@ class KnownAgent {
   private int slots;
   private Instant lastSeen;
 
-  /** Whether it has a stream to some server, as far as that server lives. */
+  /** Whether it was connected to a server at {@code lastSeen}. */
   private boolean connected;
 
   @ElementCollection(fetch = FetchType.EAGER)
@@ -41,19 +41,19 @@ class KnownAgent {
   @Enumerated(EnumType.STRING)
   private Standing standing = Standing.ACTIVE;
 
-  /** Why it takes no builds, as it says itself; empty where it does. */
+  /** Why it accepts no builds; empty if it does. */
   private String refuses;
 
-  /** What people have decided about an agent. */
+  /** Whether builds are assigned to an agent; set by administrators. */
   enum Standing {
     ACTIVE,
-    /** Finishes what it has and is given nothing more. */
+    /** Finishes its builds and gets no new ones. */
     DRAINING,
-    /** Is given nothing, and what it had was given to others. */
+    /** Gets no builds; its builds were given to other agents. */
     DISABLED
   }
 
-  /** As in {@link Capabilities.Toolchain}. */
+  /** The database representation of {@link Capabilities.Toolchain}. */
   @Embeddable
   record Toolchain(String language, String version) {}
 
@@ -71,16 +71,16 @@ class KnownAgent {
     this.name = name;
   }
 
-  /** Takes over what the agent says of itself. */
+  /** Stores what the agent registered with. */
   void register(
-      String newVersion, int newSlots, Capabilities offers, String refusesNow, Instant now) {
+      String newVersion, int newSlots, Capabilities offers, String newRefuses, Instant now) {
     version = newVersion;
     slots = newSlots;
     toolchains.clear();
     offers.toolchains().forEach(t -> toolchains.add(new Toolchain(t.language(), t.version())));
     labels = String.join(",", new TreeSet<>(offers.labels()));
     simulation = offers.simulation();
-    refuses = refusesNow;
+    refuses = newRefuses;
     lastSeen = now;
     connected = true;
   }
@@ -90,13 +90,13 @@ class KnownAgent {
     connected = false;
   }
 
-  /** Whether a server said so lately. */
+  /** Whether a server saw the agent connected since the given time. */
   boolean isConnected(Instant since) {
     return connected && !lastSeen.isBefore(since);
   }
 
-  void stand(Standing decided) {
-    standing = decided;
+  void setStanding(Standing standing) {
+    this.standing = standing;
   }
 
   Standing standing() {

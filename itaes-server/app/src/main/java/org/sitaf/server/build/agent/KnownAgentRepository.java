@@ -13,18 +13,18 @@ import org.springframework.data.repository.Repository;
 interface KnownAgentRepository extends Repository<KnownAgent, String> {
   Optional<KnownAgent> findById(String name);
 
-  /** With their toolchains in one query, not in one an agent. */
+  /** Fetches the toolchains in the same query. */
   @EntityGraph(attributePaths = "toolchains")
   List<KnownAgent> findAllByOrderByName();
 
   @Query(
       "select a.name from KnownAgent a"
           + " where a.standing <> org.sitaf.server.build.agent.KnownAgent.Standing.ACTIVE")
-  Set<String> findNamesToSpare();
+  Set<String> findInactiveNames();
 
   @Modifying
   @Query("update KnownAgent a set a.lastSeen = :when, a.connected = true where a.name in :names")
-  void noteSeen(Collection<String> names, Instant when);
+  void saveSeen(Collection<String> names, Instant when);
 
   void delete(KnownAgent agent);
 

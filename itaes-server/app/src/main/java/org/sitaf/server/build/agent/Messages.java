@@ -20,14 +20,11 @@ import org.sitaf.server.build.BuildFailure.SourceProblem;
 import org.sitaf.server.build.BuildState;
 import org.sitaf.server.build.Leases;
 import org.sitaf.server.build.recording.Recordings;
-import org.sitaf.server.build.request.AgentWishes;
+import org.sitaf.server.build.request.AgentConstraints;
 import org.sitaf.server.build.request.Capabilities;
-import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.error.RequestException;
 
-/**
- * Between the wire's messages and the domain; what contradicts the protocol is refused with the
- * name of the field.
- */
+/** Converts messages of the protocol; errors name the invalid field. */
 final class Messages {
   private static final Pattern AGENT_NAME = Pattern.compile("[A-Za-z0-9._-]{1,100}");
   private static final Pattern LANGUAGE = Pattern.compile("[a-z]{1,20}");
@@ -40,7 +37,8 @@ final class Messages {
 
   static AttemptKey toKey(AttemptRef ref) {
     if (ref.getBuildId().isEmpty() || ref.getAttempt() < 1 || ref.getFencingToken() == 0) {
-      throw Refusal.malformed("attempt: build_id, attempt and fencing_token must be given.");
+      throw RequestException.malformed(
+          "attempt: build_id, attempt and fencing_token must be given.");
     }
     return new AttemptKey(ref.getBuildId(), ref.getAttempt(), ref.getFencingToken());
   }
@@ -77,14 +75,14 @@ final class Messages {
   }
 
   private static RecordingOrder toOrder(Leases.Assignment assignment) {
-    RecordingOrder.Cases wanted =
+    RecordingOrder.Cases cases =
         switch (assignment.recordedCases()) {
           case NONE -> RecordingOrder.Cases.CASES_UNSPECIFIED;
           case FAILED -> RecordingOrder.Cases.FAILED;
           case ALL -> RecordingOrder.Cases.ALL;
         };
     return RecordingOrder.newBuilder()
-        .setCases(wanted)
+        .setCases(cases)
         .setMaxRecordings(Recordings.MAX_RECORDINGS)
         .setMaxBytes(assignment.recordingBytes())
         .build();
@@ -97,7 +95,7 @@ final class Messages {
       case ATTEMPT_STATE_RUNNING -> BuildState.RUNNING;
       case ATTEMPT_STATE_UPLOADING -> BuildState.UPLOADING;
       case ATTEMPT_STATE_UNSPECIFIED, UNRECOGNIZED ->
-          throw Refusal.malformed("state: must be one of AttemptState.");
+          throw RequestException.malformed("state: must be a value of AttemptState.");
     };
   }
 
@@ -107,7 +105,8 @@ final class Messages {
           case COMPILATION -> BuildFailure.Category.COMPILATION;
           case INFRASTRUCTURE -> BuildFailure.Category.INFRASTRUCTURE;
           case CANCELLED, CATEGORY_UNSPECIFIED, UNRECOGNIZED ->
-              throw Refusal.malformed("failure.category: must be COMPILATION or INFRASTRUCTURE.");
+              throw RequestException.malformed(
+                  "failure.category: must be COMPILATION or INFRASTRUCTURE.");
         };
     return new BuildFailure(
         category,
@@ -140,7 +139,7 @@ final class Messages {
     try {
       return Verdict.valueOf(verdict);
     } catch (IllegalArgumentException e) {
-      throw Refusal.malformed("verdict: must be PASS, FAIL, ERROR or DONT.");
+      throw RequestException.malformed("verdict: must be PASS, FAIL, ERROR or DONT.");
     }
   }
 
@@ -166,34 +165,34 @@ final class Messages {
   }
 
   static void verify(Register register) {
-    AgentWishes.requireLabels(Set.copyOf(register.getLabelsList()));
+    AgentConstraints.requireLabels(Set.copyOf(register.getLabelsList()));
     if (register.getRefuses().length() > MAX_REASON) {
-      throw Refusal.malformed("refuses: must be at most " + MAX_REASON + " characters.");
+      throw RequestException.malformed("refuses: must be at most " + MAX_REASON + " characters.");
     }
     if (!AGENT_NAME.matcher(register.getName()).matches()) {
-      throw Refusal.malformed(
+      throw RequestException.malformed(
           "name: must be 1 to 100 letters, digits, '.', '_' or '-', not '"
               + register.getName()
               + "'.");
     }
     if (register.getSlots() < 1 || register.getSlots() > MAX_SLOTS) {
-      throw Refusal.malformed("slots: must be 1 to " + MAX_SLOTS + ".");
+      throw RequestException.malformed("slots: must be 1 to " + MAX_SLOTS + ".");
     }
     if (register.getVersion().length() > 100) {
-      throw Refusal.malformed("version: must be at most 100 characters.");
+      throw RequestException.malformed("version: must be at most 100 characters.");
     }
-    boolean bad =
+    boolean invalid =
         register.getToolchainsCount() > MAX_TOOLCHAINS
             || register.getToolchainsList().stream()
                 .anyMatch(
                     t ->
                         !LANGUAGE.matcher(t.getLanguage()).matches()
                             || t.getVersion().length() > 200);
-    if (bad) {
-      throw Refusal.malformed(
-          "toolchains: at most "
+    if (invalid) {
+      throw RequestException.malformed(
+          "toolchains: must be at most "
               + MAX_TOOLCHAINS
-              + ", each with a language in small letters and a version of at most 200 characters.");
+              + ", each with a language in lower case and a version of at most 200 characters.");
     }
   }
 }

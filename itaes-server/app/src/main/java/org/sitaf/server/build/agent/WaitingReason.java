@@ -10,7 +10,7 @@ import org.sitaf.server.build.request.Requirements;
 import org.sitaf.server.storage.DiskSpace;
 import org.springframework.stereotype.Component;
 
-/** Says to people why a build waits. */
+/** Explains to users why a build is queued. */
 @Component
 public class WaitingReason {
   private final Agents agents;
@@ -23,10 +23,10 @@ public class WaitingReason {
     this.clock = clock;
   }
 
-  /** Such as "no agent offers cpp; 2 agents are offline". */
+  /** Returns a reason such as "no agent offers cpp; 2 agents are offline". */
   public String of(Build build) {
-    if (build.parts() > 0) {
-      return "its " + build.parts() + " shards wait for agents";
+    if (build.shards() > 0) {
+      return "its " + build.shards() + " shards wait for agents";
     }
     Optional<String> full = disk.whyNoNewWork();
     if (full.isPresent()) {
@@ -34,9 +34,9 @@ public class WaitingReason {
     }
     Instant notBefore = build.notBefore().orElse(Instant.MIN);
     if (notBefore.isAfter(clock.instant())) {
-      return "it failed for a reason outside of it and is tried again at " + notBefore;
+      return "it is retried at " + notBefore + " after an infrastructure failure";
     }
-    List<KnownAgent> known = agents.shown();
+    List<KnownAgent> known = agents.cached();
     List<KnownAgent> online = known.stream().filter(agents::isOnline).toList();
     String others = offline(known.size() - online.size());
     if (online.isEmpty()) {
@@ -45,29 +45,29 @@ public class WaitingReason {
     Requirements requirements = build.requirements();
     List<KnownAgent> able = online.stream().filter(a -> requirements.areMetBy(a.offers())).toList();
     if (able.isEmpty()) {
-      String lack =
+      String missing =
           requirements
               .metByNone(online.stream().map(KnownAgent::offers).toList())
               .orElse(requirements.words() + " together");
-      return "no agent offers " + lack + others;
+      return "no agent offers " + missing + others;
     }
-    List<KnownAgent> willing = able.stream().filter(a -> a.standing() == Standing.ACTIVE).toList();
-    if (willing.isEmpty()) {
-      return agentsAre(able.size(), "set aside (draining or disabled)") + others;
+    List<KnownAgent> active = able.stream().filter(a -> a.standing() == Standing.ACTIVE).toList();
+    if (active.isEmpty()) {
+      return agentsAre(able.size(), "draining or disabled") + others;
     }
-    List<String> refusals = willing.stream().map(this::refusal).toList();
-    if (refusals.stream().noneMatch(String::isEmpty)) {
-      return agentsAre(willing.size(), "not taking builds: " + refusals.get(0)) + others;
+    List<String> reasons = active.stream().map(this::refuses).toList();
+    if (reasons.stream().noneMatch(String::isEmpty)) {
+      return agentsAre(active.size(), "not accepting builds: " + reasons.get(0)) + others;
     }
     boolean free =
-        willing.stream()
+        active.stream()
             .anyMatch(a -> agents.session(a.name()).map(AgentSession::hasFreeSlot).orElse(false));
     return free
-        ? "about to be given to an agent"
-        : agentsAre(willing.size(), "busy with other builds") + others;
+        ? "it is about to be assigned to an agent"
+        : agentsAre(active.size(), "busy with other builds") + others;
   }
 
-  private String refusal(KnownAgent agent) {
+  private String refuses(KnownAgent agent) {
     return agents.session(agent.name()).map(AgentSession::refuses).orElse(agent.refuses());
   }
 

@@ -1,4 +1,4 @@
-/** Build agents: their streams, what is dispatched to them, and what they report. */
+/** Build agents: their streams, the dispatcher, and the gRPC service for their reports. */
 @NullMarked
 package org.sitaf.server.build.agent;
 

@@ -6,7 +6,7 @@ import java.util.Arrays;
 import org.sitaf.server.build.AttemptKey;
 import org.sitaf.server.build.Attempts;
 import org.sitaf.server.build.BuildEvent;
-import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.error.RequestException;
 import org.sitaf.server.settings.SitafSettings;
 import org.springframework.context.event.EventListener;
 import org.springframework.jdbc.core.simple.JdbcClient;
@@ -15,19 +15,18 @@ import org.springframework.transaction.annotation.Propagation;
 import org.springframework.transaction.annotation.Transactional;
 
 /**
- * The logs of builds, attempt after attempt, in chunks in the database: several servers share
- * nothing but that. {@code build.log_length} counts what agents have sent, which is more than is
- * stored where a log is larger than the limit.
+ * The logs of builds, which contain the logs of their attempts one after the other. They are stored
+ * in chunks in the database. {@code build.log_length} is the number of bytes that agents sent;
+ * bytes beyond the limit are not stored.
  */
 @Component
 public class BuildLogs {
-  private static final byte[] CUT =
-      "\n[the log is cut here: it is larger than this server keeps]\n"
-          .getBytes(StandardCharsets.UTF_8);
+  private static final byte[] TRUNCATED =
+      "\n[log truncated: it exceeds the limit of this server]\n".getBytes(StandardCharsets.UTF_8);
 
-  private static final int READ_AT_ONCE = 1 << 20;
+  private static final int EXCERPT_BYTES = 1 << 20;
 
-  /** Of a stored chunk, in bytes; a reader finds the first chunk by it. */
+  /** Maximum size of a stored chunk, in bytes; readers use it to find the first chunk. */
   static final int MAX_CHUNK = 256 << 10;
 
   private final long limit;
@@ -40,33 +39,33 @@ public class BuildLogs {
     this.jdbc = jdbc;
   }
 
-  /** The chunk begins beyond the end of what is there. */
+  /** A chunk begins after the end of the log. */
   public static final class GapException extends RuntimeException {
     private static final long serialVersionUID = 1L;
 
     GapException(long offset, long end) {
-      super("offset " + offset + " lies beyond the end of the attempt's log, which is at " + end);
+      super("offset " + offset + " is beyond the end of the attempt's log, " + end);
     }
   }
 
   /**
-   * Part of a log.
+   * A part of a log.
    *
-   * @param end where the log ends at present, in bytes
+   * @param end current length of the log, in bytes
    */
-  @SuppressWarnings("ArrayRecordComponent") // Handed on once, never compared.
+  @SuppressWarnings("ArrayRecordComponent") // Never compared.
   public record Excerpt(byte[] bytes, long end) {}
 
   /**
-   * Appends to the log of a live attempt; what is there already is left out.
+   * Appends to the log of a running attempt; bytes that are stored already are skipped.
    *
-   * @param offset where the chunk begins in the attempt's log, in bytes
-   * @return where the attempt's log ends now
-   * @throws GapException when the offset lies beyond the end
+   * @param offset of the chunk in the attempt's log, in bytes
+   * @return the new length of the attempt's log
+   * @throws GapException if the offset is beyond the end
    */
   @Transactional
   public long append(AttemptKey key, long offset, byte[] chunk) {
-    long start = attempts.logStart(key);
+    long start = attempts.logStartOfRunning(key);
     long end = length(key.buildId(), " FOR UPDATE");
     long at = start + offset;
     if (offset < 0 || at > end) {
@@ -82,19 +81,19 @@ public class BuildLogs {
     return newEnd - start;
   }
 
-  /** How much of the log came of an attempt, the latest of its build, in bytes. */
+  /** The length of the log of a build's latest attempt, in bytes. */
   @Transactional(readOnly = true)
   public long size(AttemptKey key) {
-    return Math.max(0, length(key.buildId(), "") - attempts.logBegin(key));
+    return Math.max(0, length(key.buildId(), "") - attempts.logStart(key));
   }
 
   /**
-   * Reads at most so many bytes.
+   * Reads a part of a log.
    *
-   * @throws Refusal when there is no such build, or its log ends before the offset
+   * @throws RequestException if there is no such build, or if the offset is beyond the end
    */
   @Transactional(readOnly = true)
-  public Excerpt read(String buildId, long offset, int atMost) {
+  public Excerpt read(String buildId, long offset, int limit) {
     length(buildId, "");
     long end =
         jdbc.sql(
@@ -105,18 +104,19 @@ public class BuildLogs {
             .optional()
             .orElse(0L);
     if (offset < 0 || offset > end) {
-      throw Refusal.malformed("offset must be between 0 and the end of the log, " + end + ".");
+      throw RequestException.malformed(
+          "offset must be between 0 and the end of the log, " + end + ".");
     }
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     jdbc.sql(
             "SELECT start_at, bytes FROM build_log WHERE build_id = ? AND start_at > ?"
                 + " AND start_at < ? ORDER BY start_at")
-        .params(buildId, offset - MAX_CHUNK, offset + atMost)
+        .params(buildId, offset - MAX_CHUNK, offset + limit)
         .query(
             row -> {
               byte[] chunk = row.getBytes(2);
               long skipped = Math.max(0, offset - row.getLong(1));
-              long length = Math.min(chunk.length - skipped, (long) atMost - bytes.size());
+              long length = Math.min(chunk.length - skipped, (long) limit - bytes.size());
               if (length > 0) {
                 bytes.write(chunk, (int) skipped, (int) length);
               }
@@ -125,37 +125,37 @@ public class BuildLogs {
   }
 
   /**
-   * What a log holds of one case, at most so many bytes of it.
+   * Returns the log of a case.
    *
-   * @throws Refusal when there is no such build
+   * @throws RequestException if there is no such build
    */
   @Transactional(readOnly = true)
-  public byte[] ofCase(String buildId, int no, int atMost) {
-    CaseLog reader = new CaseLog(no, atMost);
+  public byte[] ofCase(String buildId, int no, int limit) {
+    CaseLog reader = new CaseLog(no, limit);
     long offset = 0;
-    Excerpt excerpt = read(buildId, offset, READ_AT_ONCE);
+    Excerpt excerpt = read(buildId, offset, EXCERPT_BYTES);
     while (excerpt.bytes().length > 0 && reader.read(excerpt.bytes())) {
       offset += excerpt.bytes().length;
-      excerpt = read(buildId, offset, READ_AT_ONCE);
+      excerpt = read(buildId, offset, EXCERPT_BYTES);
     }
-    return reader.found();
+    return reader.result();
   }
 
-  /** The log of a build that was spread over parts is theirs, one after the other. */
+  /** Concatenates the logs of the shards. */
   @EventListener
   @Transactional(propagation = Propagation.MANDATORY)
-  public void on(BuildEvent.PartsEnded ended) {
+  public void on(BuildEvent.ShardsEnded ended) {
     long at = 0;
     int no = 0;
-    for (String part : ended.partIds()) {
+    for (String shard : ended.shardIds()) {
       no++;
-      String title = "== shard %d of %d\n".formatted(no, ended.partIds().size());
+      String title = "== shard %d of %d\n".formatted(no, ended.shardIds().size());
       at = put(ended.buildId(), at, title.getBytes(StandardCharsets.UTF_8));
-      Excerpt excerpt = read(part, 0, READ_AT_ONCE);
+      Excerpt excerpt = read(shard, 0, EXCERPT_BYTES);
       for (long read = 0; excerpt.bytes().length > 0 && at <= limit; ) {
         at = put(ended.buildId(), at, excerpt.bytes());
         read += excerpt.bytes().length;
-        excerpt = read(part, read, READ_AT_ONCE);
+        excerpt = read(shard, read, EXCERPT_BYTES);
       }
     }
     jdbc.sql("UPDATE build SET log_length = ? WHERE id = ?").params(at, ended.buildId()).update();
@@ -171,7 +171,7 @@ public class BuildLogs {
         .param(buildId)
         .query(Long.class)
         .optional()
-        .orElseThrow(() -> Refusal.notFound("build", buildId));
+        .orElseThrow(() -> RequestException.notFound("build", buildId));
   }
 
   private void write(String buildId, long at, byte[] bytes, int from, int length) {
@@ -184,7 +184,7 @@ public class BuildLogs {
       insert(buildId, at + done, Arrays.copyOfRange(bytes, from + done, from + done + size));
     }
     if (kept < length) {
-      insert(buildId, limit, CUT);
+      insert(buildId, limit, TRUNCATED);
     }
   }
 

@@ -7,47 +7,47 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * What a log holds of one case: what follows the agent's remarks {@code [sitaf] case NO} until the
- * next case prints, and the remarks on it. A component that prints such lines itself deceives only
- * those who test it.
+ * Extracts the lines of one case from a build's log: those between the agent's marker {@code
+ * [sitaf] case NO} and the next marker, and the agent's remarks on the case. A component can forge
+ * markers, which only affects its own log.
  */
 final class CaseLog {
-  private static final Pattern OTHER =
+  private static final Pattern OTHER_MARKER =
       Pattern.compile("\\[sitaf] (outside of cases|case \\d+)|== shard .*");
-  private static final String REMARK = "[sitaf] ";
-  private static final int HEAD = 64;
+  private static final String PREFIX = "[sitaf] ";
+  private static final int MAX_MARKER = 64;
 
-  private final String heading;
-  private final int atMost;
-  private final ByteArrayOutputStream found = new ByteArrayOutputStream();
+  private final String marker;
+  private final int limit;
+  private final ByteArrayOutputStream extracted = new ByteArrayOutputStream();
   private final ByteArrayOutputStream line = new ByteArrayOutputStream();
-  private boolean within;
-  private boolean lineGoesOn;
-  private boolean lineCounts;
+  private boolean inCase;
+  private boolean lineContinues;
+  private boolean lineBelongs;
 
   /**
-   * Nothing is read yet.
+   * Creates a reader.
    *
-   * @param atMost bytes that are kept
+   * @param limit maximum number of bytes to extract
    */
-  CaseLog(int no, int atMost) {
-    this.heading = REMARK + "case " + no;
-    this.atMost = atMost;
+  CaseLog(int no, int limit) {
+    this.marker = PREFIX + "case " + no;
+    this.limit = limit;
   }
 
-  /** Reads on; false when no more is wanted. */
-  boolean read(byte[] more) {
-    for (byte b : more) {
+  /** Reads the next piece of the log; returns false when the limit is reached. */
+  boolean read(byte[] piece) {
+    for (byte b : piece) {
       read(b);
     }
-    return found.size() < atMost;
+    return extracted.size() < limit;
   }
 
-  /** What was found; after the last piece of the log. */
-  byte[] found() {
+  /** The extracted lines; must be called after the last piece of the log. */
+  byte[] result() {
     endPiece(true);
-    byte[] all = found.toByteArray();
-    return all.length <= atMost ? all : Arrays.copyOf(all, atMost);
+    byte[] all = extracted.toByteArray();
+    return all.length <= limit ? all : Arrays.copyOf(all, limit);
   }
 
   private void read(byte b) {
@@ -55,36 +55,37 @@ final class CaseLog {
     if (b == '\n') {
       endPiece(true);
     } else if (line.size() == 1 << 12) {
-      // Nobody knows how long a line is; what it begins with says what it is.
+      // Long lines are processed in pieces; the first piece decides whether the line belongs.
       endPiece(false);
     }
   }
 
   private void endPiece(boolean lineEnds) {
-    if (!lineGoesOn) {
-      lineCounts = counts();
+    if (!lineContinues) {
+      lineBelongs = belongs();
     }
-    if (lineCounts) {
-      found.writeBytes(line.toByteArray());
+    if (lineBelongs) {
+      extracted.writeBytes(line.toByteArray());
     }
     line.reset();
-    lineGoesOn = !lineEnds;
+    lineContinues = !lineEnds;
   }
 
-  /** Whether the line that begins here belongs to the case. */
-  private boolean counts() {
+  /** Whether the line belongs to the case. */
+  private boolean belongs() {
     byte[] bytes = line.toByteArray();
-    String head =
-        new String(bytes, 0, Math.min(bytes.length, HEAD), StandardCharsets.UTF_8).stripTrailing();
-    if (head.equals(heading)) {
-      within = true;
+    String start =
+        new String(bytes, 0, Math.min(bytes.length, MAX_MARKER), StandardCharsets.UTF_8)
+            .stripTrailing();
+    if (start.equals(marker)) {
+      inCase = true;
       return false;
     }
-    Matcher other = OTHER.matcher(head);
+    Matcher other = OTHER_MARKER.matcher(start);
     if (other.matches()) {
-      within = false;
+      inCase = false;
       return false;
     }
-    return head.startsWith(REMARK) ? head.startsWith(heading + ": ") : within;
+    return start.startsWith(PREFIX) ? start.startsWith(marker + ": ") : inCase;
   }
 }

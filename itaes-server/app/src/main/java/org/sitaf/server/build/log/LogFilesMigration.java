@@ -19,9 +19,7 @@ import org.springframework.jdbc.core.simple.JdbcClient;
 import org.springframework.jdbc.datasource.SingleConnectionDataSource;
 import org.springframework.stereotype.Component;
 
-/**
- * V93: imports the logs that earlier versions kept as files, and leaves the files where they are.
- */
+/** V93: imports the log files of earlier releases. The files are not deleted. */
 @Component
 class LogFilesMigration implements JavaMigration {
   private static final Logger log = LoggerFactory.getLogger(LogFilesMigration.class);
@@ -77,14 +75,14 @@ class LogFilesMigration implements JavaMigration {
     }
     if (imported > 0) {
       log.info(
-          "{} logs of builds are in the database now. The files in {} are not used any more and"
+          "Imported {} build logs into the database. The files in {} are no longer used and"
               + " can be deleted.",
           imported,
           folder);
     }
   }
 
-  /** Bytes beyond the length were never acknowledged. */
+  /** Bytes beyond the length were not acknowledged and are ignored. */
   private static void read(JdbcClient jdbc, Length length, Path file) {
     try (InputStream in = Files.newInputStream(file)) {
       long at = 0;

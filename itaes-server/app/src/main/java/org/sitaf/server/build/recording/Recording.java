@@ -3,7 +3,7 @@ package org.sitaf.server.build.recording;
 import java.time.Instant;
 
 /**
- * What moved in a case.
+ * The recording of a case.
  *
  * @param sha256 of its binary glTF, in hexadecimal
  * @param size in bytes

@@ -32,7 +32,7 @@ class RecordingController {
     this.recordings = recordings;
   }
 
-  @Schema(name = "Recording", description = "what moved in a case of a build")
+  @Schema(name = "Recording", description = "the recording of a case of a build")
   record RecordingView(
       @Schema(description = "from 1") int caseNo,
       @Schema(description = "of the binary glTF, in hexadecimal") String sha256,
@@ -47,9 +47,10 @@ class RecordingController {
   @GetMapping
   @Operation(
       operationId = "listRecordings",
-      summary = "Which cases of a build were recorded",
+      summary = "Lists the recordings of a build",
       description =
-          "Recordings come while the build runs, each when its case has ended; NEWEST lists the last one first.")
+          "A recording is available when its case has finished, while the build is still running."
+              + " NEWEST lists the newest first.")
   Listing<RecordingView> list(
       @PathVariable String id,
       @RequestParam(defaultValue = "CASE") Recordings.Order order,
@@ -62,17 +63,18 @@ class RecordingController {
   @GetMapping(path = "/{caseNo}", produces = GLB)
   @Operation(
       operationId = "getRecording",
-      summary = "What moved in a case, as binary glTF 2.0",
+      summary = "Downloads the recording of a case as binary glTF 2.0",
       description =
-          "Complete in itself: solids, an animation over seconds of simulation time, and in the scene's extras what the"
-              + " devices read at these times. The ETag is that of the content; ranges are answered.")
+          "The file contains the solids, an animation over the simulation time in seconds, and the"
+              + " readings of the devices at these times in the scene's extras. Range requests are"
+              + " supported.")
   @ApiResponse(
       responseCode = "200",
       content = @Content(mediaType = GLB, schema = @Schema(type = "string", format = "binary")))
   ResponseEntity<Resource> get(
       @PathVariable String id, @PathVariable int caseNo, HttpServletResponse response) {
     Recording recording = recordings.find(id, caseNo);
-    // Kept by the browser, and shown only after it has asked whether it still may.
+    // Browsers may store the file, but have to revalidate it.
     response.setHeader(HttpHeaders.CACHE_CONTROL, "private, no-cache");
     return ResponseEntity.ok()
         .contentType(MediaType.parseMediaType(GLB))

@@ -13,8 +13,8 @@ import org.sitaf.server.build.AttemptKey;
 import org.sitaf.server.build.Builds;
 import org.sitaf.server.build.OutdatedAttemptException;
 import org.sitaf.server.build.request.RecordedCases;
+import org.sitaf.server.error.RequestException;
 import org.sitaf.server.file.StoredFiles;
-import org.sitaf.server.refusal.Refusal;
 import org.sitaf.server.settings.SitafSettings;
 import org.springframework.data.domain.Page;
 import org.springframework.data.domain.PageImpl;
@@ -24,13 +24,12 @@ import org.springframework.stereotype.Component;
 import org.springframework.transaction.support.TransactionTemplate;
 
 /**
- * What moved in the cases of builds. Those of an attempt that was given up stay with it: a build
- * shows the recordings of its latest attempt, and one that was spread over parts those of its
- * parts. Builds in which the same things moved share the contents.
+ * Recordings of the simulation. A build has the recordings of its latest attempt, or those of its
+ * shards. Equal recordings share their content.
  */
 @Component
 public class Recordings {
-  /** Of one attempt. */
+  /** Maximum number of recordings per attempt. */
   public static final int MAX_RECORDINGS = 500;
 
   private static final int MAX_BYTES = 32 << 20;
@@ -38,7 +37,7 @@ public class Recordings {
   private static final int MAGIC = 0x46546C67;
   private static final int VERSION = 2;
 
-  private static final String SHOWN =
+  private static final String OF_LATEST_ATTEMPT =
       " FROM recording r JOIN attempt a ON a.token = r.token JOIN build b ON b.id = a.build_id"
           + " AND b.attempt = a.no WHERE (b.id = :build OR b.parent_id = :build)";
 
@@ -64,47 +63,47 @@ public class Recordings {
     this.clock = clock;
   }
 
-  /** In which order recordings are listed. */
+  /** The order of a list. */
   public enum Order {
-    /** By number of the case. */
+    /** By the number of the case. */
     CASE,
-    /** The one that came last first. */
+    /** Newest first. */
     NEWEST
   }
 
   /**
-   * Stores what moved in a case of a live attempt; storing it again changes nothing.
+   * Stores the recording of a case of a running attempt. Repeating the call changes nothing.
    *
-   * @param sha256 what the agent says
-   * @throws Refusal when the build wants no such recording, or no more
-   * @throws org.sitaf.server.build.OutdatedAttemptException when the attempt is over
+   * @param sha256 hash from the agent, which is verified
+   * @throws RequestException if the build is not recorded, or a limit is exceeded
+   * @throws org.sitaf.server.build.OutdatedAttemptException if the attempt has ended
    */
   public void store(AttemptKey key, int caseNo, byte[] gltf, String sha256) {
-    RecordedCases wanted = wanted(key);
-    if (wanted == RecordedCases.NONE) {
-      throw Refusal.malformed("recordings: build " + key.buildId() + " asks for none.");
+    if (recordedCases(key) == RecordedCases.NONE) {
+      throw RequestException.malformed("recordings: build " + key.buildId() + " is not recorded.");
     }
     if (caseNo < 1) {
-      throw Refusal.malformed("case_no: must be 1 or more.");
+      throw RequestException.malformed("case_no: must be 1 or more.");
     }
     requireGlb(gltf);
     String actual = StoredFiles.sha256(gltf);
     if (!actual.equals(sha256)) {
-      throw Refusal.malformed("sha256: is " + sha256 + ", the recording's is " + actual + ".");
+      throw RequestException.malformed(
+          "sha256: is " + sha256 + ", but the recording's is " + actual + ".");
     }
-    requireRoom(key, caseNo, gltf.length);
+    requireWithinLimits(key, caseNo, gltf.length);
     contents.store(gltf);
-    transaction.executeWithoutResult(status -> refer(key, caseNo, actual, gltf.length));
+    transaction.executeWithoutResult(status -> insert(key, caseNo, actual, gltf.length));
   }
 
-  private RecordedCases wanted(AttemptKey key) {
+  private RecordedCases recordedCases(AttemptKey key) {
     return jdbc.sql(
             "SELECT b.recorded_cases FROM attempt a JOIN build b ON b.id = a.build_id"
                 + " WHERE a.token = ? AND a.build_id = ? AND a.no = ? AND a.finished IS NULL")
         .params(key.token(), key.buildId(), key.no())
         .query((row, index) -> RecordedCases.valueOf(row.getString(1)))
         .optional()
-        .orElseThrow(() -> new OutdatedAttemptException(key, "is over, or another one"));
+        .orElseThrow(() -> new OutdatedAttemptException(key, "has ended or does not exist"));
   }
 
   private static void requireGlb(byte[] gltf) {
@@ -114,11 +113,11 @@ public class Recordings {
         || header.getInt() != MAGIC
         || header.getInt() != VERSION
         || header.getInt() != gltf.length) {
-      throw Refusal.malformed("gltf: must be binary glTF 2.0 of at most 32 MiB.");
+      throw RequestException.malformed("gltf: must be binary glTF 2.0 of at most 32 MiB.");
     }
   }
 
-  private void requireRoom(AttemptKey key, int caseNo, long size) {
+  private void requireWithinLimits(AttemptKey key, int caseNo, long size) {
     jdbc.sql(
             "SELECT COUNT(*), COALESCE(SUM(size), 0) FROM recording"
                 + " WHERE token = ? AND case_no <> ?")
@@ -126,14 +125,14 @@ public class Recordings {
         .query(
             row -> {
               if (row.getLong(1) >= MAX_RECORDINGS || row.getLong(2) + size > maxBytes) {
-                throw Refusal.tooLarge(
-                    "An attempt has at most %d recordings and %d MiB of them."
+                throw RequestException.tooLarge(
+                    "An attempt can have at most %d recordings of %d MiB in total."
                         .formatted(MAX_RECORDINGS, maxBytes >> 20));
               }
             });
   }
 
-  private void refer(AttemptKey key, int caseNo, String sha256, long size) {
+  private void insert(AttemptKey key, int caseNo, String sha256, long size) {
     OffsetDateTime now = clock.instant().atOffset(ZoneOffset.UTC);
     int known =
         jdbc.sql("UPDATE recording SET sha256 = ?, size = ? WHERE token = ? AND case_no = ?")
@@ -149,19 +148,22 @@ public class Recordings {
   }
 
   /**
-   * A page of the recordings of a build.
+   * Returns a page of the recordings of a build.
    *
-   * @throws Refusal when there is no such build
+   * @throws RequestException if there is no such build
    */
   public Page<Recording> of(String buildId, Order order, Pageable page) {
     builds.inspect(buildId, build -> build.id());
     long total =
-        jdbc.sql("SELECT COUNT(*)" + SHOWN).param("build", buildId).query(Long.class).single();
+        jdbc.sql("SELECT COUNT(*)" + OF_LATEST_ATTEMPT)
+            .param("build", buildId)
+            .query(Long.class)
+            .single();
     String by = order == Order.CASE ? "r.case_no" : "r.received DESC, r.case_no DESC";
     List<Recording> found =
         jdbc.sql(
                 "SELECT r.case_no, r.sha256, r.size, r.received"
-                    + SHOWN
+                    + OF_LATEST_ATTEMPT
                     + " ORDER BY "
                     + by
                     + " LIMIT :size OFFSET :offset")
@@ -174,23 +176,25 @@ public class Recordings {
   }
 
   /**
-   * The recording of a case.
+   * Returns the recording of a case.
    *
-   * @throws Refusal when there is none
+   * @throws RequestException if there is none
    */
   public Recording find(String buildId, int caseNo) {
     Optional<Recording> found =
         jdbc.sql(
-                "SELECT r.case_no, r.sha256, r.size, r.received" + SHOWN + " AND r.case_no = :case")
+                "SELECT r.case_no, r.sha256, r.size, r.received"
+                    + OF_LATEST_ATTEMPT
+                    + " AND r.case_no = :case")
             .param("build", buildId)
             .param("case", caseNo)
             .query((row, index) -> read(row))
             .optional();
     return found.orElseThrow(
-        () -> Refusal.notFound("recording in build " + buildId + " of case", caseNo + ""));
+        () -> RequestException.notFound("recording in build " + buildId + " of case", caseNo + ""));
   }
 
-  /** Binary glTF. */
+  /** Returns the binary glTF file. */
   public byte[] content(Recording recording) {
     return contents.content(recording.sha256());
   }

@@ -1,4 +1,4 @@
-/** What moved in the cases of builds: binary glTF, for people to see again. */
+/** Recordings of the simulation as binary glTF, for replay in the portal. */
 @NullMarked
 package org.sitaf.server.build.recording;
 

@@ -4,10 +4,10 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * What an agent offers.
+ * What an agent provides.
  *
- * @param simulation whether worlds can be simulated there
- * @param labels what its owner calls it by, such as {@code real-hardware}
+ * @param simulation whether it can run simulations
+ * @param labels set by its operator, such as {@code real-hardware}
  */
 public record Capabilities(List<Toolchain> toolchains, boolean simulation, Set<String> labels) {
   public Capabilities {
@@ -16,17 +16,17 @@ public record Capabilities(List<Toolchain> toolchains, boolean simulation, Set<S
   }
 
   /**
-   * A language that an agent can compile and run.
+   * The toolchain of a language.
    *
    * @param version such as {@code javac 17.0.15}
    */
   public record Toolchain(String language, String version) {
     /**
-     * Whether a word of the version is the wanted one, or a release of it ({@code 17} and 17.0.15).
+     * Whether the version contains the required one or a release of it: 17.0.15 matches {@code 17}.
      */
-    boolean isOf(String wanted) {
+    boolean matches(String required) {
       return List.of(version.split("[\\s()]+")).stream()
-          .anyMatch(word -> word.equals(wanted) || word.startsWith(wanted + "."));
+          .anyMatch(word -> word.equals(required) || word.startsWith(required + "."));
     }
   }
 }

@@ -1,23 +1,19 @@
 package org.sitaf.server.build.request;
 
-/** Of which cases of a build it is recorded what moved in the simulation. */
+/** Which cases of a build are recorded in the simulation. */
 public enum RecordedCases {
-  /** Of none. */
   NONE,
-  /** Of those that end as FAIL or ERROR. */
+  /** Cases with the verdict FAIL or ERROR. */
   FAILED,
-  /** Of all. */
   ALL;
 
   /**
-   * A person may look at each of so many, and waits a moment longer for them. Recording takes a
-   * case many times what the case takes by itself, whether it is kept or not, so that more are
-   * recorded only for those who ask for it.
+   * Recording makes a case many times slower, so that larger suites are only recorded on request.
    */
-  private static final int FEW = 100;
+  private static final int MAX_BY_DEFAULT = 100;
 
-  /** What is recorded where nobody says so. */
+  /** The default for a suite with this number of cases. */
   public static RecordedCases byDefault(int cases) {
-    return cases <= FEW ? ALL : NONE;
+    return cases <= MAX_BY_DEFAULT ? ALL : NONE;
   }
 }

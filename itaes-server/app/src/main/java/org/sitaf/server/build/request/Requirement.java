@@ -1,14 +1,14 @@
 package org.sitaf.server.build.request;
 
-/** One thing that an agent must have for a build. */
+/** A requirement that a build's agent must meet. */
 public sealed interface Requirement {
-  /** Whether an agent has it. */
+  /** Whether an agent meets it. */
   boolean isMetBy(Capabilities agent);
 
-  /** For people, as in "no agent offers …". */
+  /** The requirement in a sentence such as "no agent offers ...". */
   String words();
 
-  /** To compile and run a language. */
+  /** A language that the agent can compile and run. */
   record Language(String name) implements Requirement {
     @Override
     public boolean isMetBy(Capabilities agent) {
@@ -21,12 +21,12 @@ public sealed interface Requirement {
     }
   }
 
-  /** A release of the tools of a language. */
+  /** A version of a language's toolchain. */
   record Version(String language, String version) implements Requirement {
     @Override
     public boolean isMetBy(Capabilities agent) {
       return agent.toolchains().stream()
-          .anyMatch(t -> t.language().equals(language) && t.isOf(version));
+          .anyMatch(t -> t.language().equals(language) && t.matches(version));
     }
 
     @Override
@@ -35,7 +35,7 @@ public sealed interface Requirement {
     }
   }
 
-  /** To simulate a world. */
+  /** The agent can run simulations. */
   record Simulation() implements Requirement {
     @Override
     public boolean isMetBy(Capabilities agent) {
@@ -48,7 +48,7 @@ public sealed interface Requirement {
     }
   }
 
-  /** A label, by which its owner says what else an agent is good for. */
+  /** A label of the agent. */
   record Label(String name) implements Requirement {
     @Override
     public boolean isMetBy(Capabilities agent) {

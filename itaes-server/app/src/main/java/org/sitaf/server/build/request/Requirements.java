@@ -13,7 +13,7 @@ import org.sitaf.server.build.request.Requirement.Language;
 import org.sitaf.server.build.request.Requirement.Simulation;
 import org.sitaf.server.build.request.Requirement.Version;
 
-/** Everything that an agent must have for a build, each once and in a stable order. */
+/** The distinct requirements of a build, in a stable order. */
 public record Requirements(List<Requirement> all) {
   private static final String LANGUAGE = "language ";
   private static final String VERSION = "version ";
@@ -25,23 +25,24 @@ public record Requirements(List<Requirement> all) {
     all = all.stream().distinct().sorted(Comparator.comparing(Requirements::spelling)).toList();
   }
 
-  /** What the files of a test application need, and what its requester wants besides. */
-  public static Requirements of(TestApplication application, AgentWishes wishes) {
+  /** The requirements of a test application and of the build request. */
+  public static Requirements of(TestApplication application, AgentConstraints constraints) {
     ActivityProfile profile = application.activity().profile();
-    List<Requirement> found = new ArrayList<>();
-    found.add(new Language(profile.harness().spelling()));
-    found.add(new Language(profile.component().language().spelling()));
+    List<Requirement> requirements = new ArrayList<>();
+    requirements.add(new Language(profile.harness().spelling()));
+    requirements.add(new Language(profile.component().language().spelling()));
     if (profile.world() != null) {
-      found.add(new Simulation());
+      requirements.add(new Simulation());
     }
-    if (!wishes.toolchain().isEmpty()) {
-      found.add(new Version(profile.component().language().spelling(), wishes.toolchain()));
+    if (!constraints.toolchain().isEmpty()) {
+      requirements.add(
+          new Version(profile.component().language().spelling(), constraints.toolchain()));
     }
-    wishes.labels().forEach(label -> found.add(new Label(label)));
-    return new Requirements(found);
+    constraints.labels().forEach(label -> requirements.add(new Label(label)));
+    return new Requirements(requirements);
   }
 
-  /** Reads {@link #text()} back. */
+  /** Parses the result of {@link #text()}. */
   public static Requirements parse(String text) {
     return new Requirements(
         Stream.of(text.split(SEPARATOR))
@@ -50,12 +51,12 @@ public record Requirements(List<Requirement> all) {
             .toList());
   }
 
-  /** Whether an agent has all of it. */
+  /** Whether an agent meets all requirements. */
   public boolean areMetBy(Capabilities agent) {
     return all.stream().allMatch(r -> r.isMetBy(agent));
   }
 
-  /** The first that none of the agents has, as words. */
+  /** The first requirement that none of the agents meets, as words. */
   public Optional<String> metByNone(List<Capabilities> agents) {
     return all.stream()
         .filter(r -> agents.stream().noneMatch(r::isMetBy))
@@ -63,12 +64,12 @@ public record Requirements(List<Requirement> all) {
         .findFirst();
   }
 
-  /** All of them for people. */
+  /** The requirements in a sentence. */
   public String words() {
     return String.join(" with ", all.stream().map(Requirement::words).toList());
   }
 
-  /** As the database keeps them; equal requirements have equal texts. */
+  /** The text in the database; equal requirements have equal texts. */
   public String text() {
     return String.join(SEPARATOR, all.stream().map(Requirements::spelling).toList());
   }
@@ -100,6 +101,6 @@ public record Requirements(List<Requirement> all) {
     if (text.equals(SIMULATION)) {
       return new Simulation();
     }
-    throw new IllegalArgumentException("'" + text + "' is no requirement");
+    throw new IllegalArgumentException("'" + text + "' is not a requirement");
   }
 }

@@ -2,5 +2,5 @@ package org.sitaf.server.build.request;
 
 import java.time.Instant;
 
-/** Which fire time of which schedule asked for a build; at most one build comes of it. */
+/** The fire time of a schedule that requests a build; there is at most one build per fire time. */
 public record Reservation(String scheduleId, Instant fireTime) {}

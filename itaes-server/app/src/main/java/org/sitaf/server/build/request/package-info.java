@@ -1,4 +1,4 @@
-/** What a build asks of the agent that executes it, and of the queue it waits in. */
+/** Options of build requests, and the requirements for agents. */
 @NullMarked
 package org.sitaf.server.build.request;
 

@@ -16,7 +16,7 @@ import org.sitaf.server.build.BuildState;
 import org.sitaf.server.build.Builds;
 import org.sitaf.server.build.agent.WaitingReason;
 import org.sitaf.server.build.log.BuildLogs;
-import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.error.RequestException;
 import org.sitaf.server.web.Listing;
 import org.sitaf.server.web.Sorting;
 import org.springframework.http.HttpStatus;
@@ -38,8 +38,8 @@ import org.springframework.web.context.request.async.DeferredResult;
 class BuildController {
   private static final Sorting SORTING = Sorting.by("created", "activityName", "model", "priority");
   private static final String SORT =
-      "one of created, activityName, model, priority; with a minus before it the largest first;"
-          + " without it -created";
+      "one of created, activityName, model, priority; a leading minus means descending order;"
+          + " default -created";
 
   private static final int MAX_WAIT_S = 60;
   private static final int LOG_EXCERPT = 1 << 20;
@@ -67,24 +67,26 @@ class BuildController {
   @PostMapping
   @Operation(
       operationId = "requestBuild",
-      summary = "Requests a build of a suite at once",
-      description = "The test application is generated now and frozen with the build.")
+      summary = "Requests a build of a suite",
+      description =
+          "The test application is generated from the current state of the activity and stored with"
+              + " the build.")
   @ResponseStatus(HttpStatus.CREATED)
   ResponseEntity<BuildView> request(@RequestBody BuildRequest request) {
     if (request.suiteId() == null) {
-      throw Refusal.malformed("suiteId is missing; it says which suite to execute.");
+      throw RequestException.malformed("suiteId must be given.");
     }
     String id = builds.request(request.suiteId(), request.options());
     return ResponseEntity.created(URI.create("/api/v1/builds/" + id)).body(view(id));
   }
 
   @GetMapping
-  @Operation(operationId = "listBuilds", summary = "Builds, the newest first")
+  @Operation(operationId = "listBuilds", summary = "Lists builds, newest first")
   Listing<BuildView> list(
       @RequestParam(required = false) @Nullable String activityId,
       @RequestParam(required = false) BuildView.@Nullable State state,
       @RequestParam(required = false) @Nullable String scheduleId,
-      @Parameter(description = "whose shards; without it whole builds only")
+      @Parameter(description = "lists the shards of this build; default whole builds only")
           @RequestParam(required = false)
           @Nullable String parentId,
       @RequestParam(defaultValue = "0") int page,
@@ -107,40 +109,41 @@ class BuildController {
       operationId = "getBuild",
       summary = "A build",
       description =
-          "With waitForChangeSince, answers when the build's version is another one, or after timeoutS (at most 60).")
+          "With waitForChangeSince, the response is sent when the build's version has changed, or"
+              + " after timeoutS seconds (at most 60).")
   DeferredResult<BuildView> get(
       @PathVariable String id,
       @RequestParam(required = false) @Nullable Long waitForChangeSince,
       @RequestParam(defaultValue = "20") int timeoutS) {
     int waitS = Math.max(0, Math.min(timeoutS, MAX_WAIT_S));
-    DeferredResult<BuildView> answer = new DeferredResult<>(Duration.ofSeconds(waitS).toMillis());
+    DeferredResult<BuildView> response = new DeferredResult<>(Duration.ofSeconds(waitS).toMillis());
     if (waitForChangeSince == null || waitS == 0) {
-      answer.setResult(view(id));
-      return answer;
+      response.setResult(view(id));
+      return response;
     }
-    Runnable answerIfChanged =
+    Runnable respondIfChanged =
         () -> {
           try {
-            BuildView present = view(id);
-            if (present.version() != waitForChangeSince) {
-              answer.setResult(present);
+            BuildView current = view(id);
+            if (current.version() != waitForChangeSince) {
+              response.setResult(current);
             }
-          } catch (Refusal e) {
-            answer.setErrorResult(e);
+          } catch (RequestException e) {
+            response.setErrorResult(e);
           }
         };
-    answer.onTimeout(() -> answer.setResult(view(id)));
-    answer.onCompletion(() -> waiters.remove(id, answerIfChanged));
-    // First to the waiters, then the look: a change in between is seen by either.
-    waiters.add(id, answerIfChanged);
-    answerIfChanged.run();
-    return answer;
+    response.onTimeout(() -> response.setResult(view(id)));
+    response.onCompletion(() -> waiters.remove(id, respondIfChanged));
+    // Check after registering, so that no change is missed.
+    waiters.add(id, respondIfChanged);
+    respondIfChanged.run();
+    return response;
   }
 
   @GetMapping("/{id}/history")
   @Operation(
       operationId = "getBuildHistory",
-      summary = "Changes of a build's state, the first first")
+      summary = "Lists the state changes of a build, oldest first")
   List<BuildView.TransitionView> history(@PathVariable String id) {
     return builds.inspect(
         id, build -> build.transitions().stream().map(BuildView.TransitionView::of).toList());
@@ -149,9 +152,10 @@ class BuildController {
   @GetMapping("/{id}/attempts")
   @Operation(
       operationId = "listBuildAttempts",
-      summary = "Attempts at a build, the first first",
+      summary = "Lists the attempts of a build, oldest first",
       description =
-          "SUPERSEDED: a result came after the attempt was given up; it is kept and counts nowhere.")
+          "SUPERSEDED: the result was delivered after the attempt was abandoned, and does not"
+              + " count.")
   List<BuildView.AttemptView> attempts(@PathVariable String id) {
     return attempts.of(id).stream().map(BuildView.AttemptView::of).toList();
   }
@@ -160,7 +164,7 @@ class BuildController {
   @Operation(
       operationId = "cancelBuild",
       summary = "Cancels a build",
-      description = "Refused (409) when it is over.")
+      description = "Fails with 409 if it has ended.")
   BuildView cancel(@PathVariable String id) {
     builds.cancel(id, "cancelled by a user");
     return view(id);
@@ -169,9 +173,9 @@ class BuildController {
   @GetMapping(path = "/{id}/log", produces = MediaType.TEXT_PLAIN_VALUE)
   @Operation(
       operationId = "getBuildLog",
-      summary = "Part of a build's log, at most 1 MiB",
+      summary = "Returns a part of a build's log, at most 1 MiB",
       description =
-          "offset is in bytes; Sitaf-Log-End says where the log ends at present, so that a reader goes on until there.")
+          "offset is in bytes; the header Sitaf-Log-End contains the current end of the log.")
   @ApiResponse(
       responseCode = "200",
       content = @Content(mediaType = "text/plain", schema = @Schema(type = "string")))
@@ -187,10 +191,10 @@ class BuildController {
   @GetMapping(path = "/{id}/cases/{no}/log", produces = MediaType.TEXT_PLAIN_VALUE)
   @Operation(
       operationId = "getCaseLog",
-      summary = "What a build's log holds of one case, at most 256 KiB",
+      summary = "Returns the log of a case, at most 256 KiB",
       description =
-          "What the component printed while the case ran, and the agent's remarks on it; empty"
-              + " where there is nothing.")
+          "The output of the component while the case ran, and the agent's remarks on the case; may"
+              + " be empty.")
   @ApiResponse(
       responseCode = "200",
       content = @Content(mediaType = "text/plain", schema = @Schema(type = "string")))

@@ -3,29 +3,30 @@ package org.sitaf.server.build.rest;
 import io.swagger.v3.oas.annotations.media.Schema;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
-import org.sitaf.server.build.request.AgentWishes;
+import org.sitaf.server.build.request.AgentConstraints;
 import org.sitaf.server.build.request.BuildOptions;
 import org.sitaf.server.build.request.RecordedCases;
 
-/** Which suite is to be built, and how. */
+/** A request to build a suite. */
 @Schema(name = "BuildRequest")
 record BuildRequest(
     String suiteId,
-    @Schema(description = "-100 to 100; higher ones are given to agents first; 0 where absent")
+    @Schema(description = "-100 to 100; builds with higher priority run first; default 0")
         @Nullable Integer priority,
-    @Schema(description = "over how many agents the cases are spread, 1 to 100; 1 where absent")
+    @Schema(description = "number of shards that run in parallel, 1 to 100; default 1")
         @Nullable Integer shards,
     @Schema(
             description =
-                "after failures of the infrastructure, 0 to 99; a test that fails is never repeated")
+                "number of retries after infrastructure failures, 0 to 99; failed tests are not"
+                    + " retried")
         @Nullable Integer retries,
-    @Schema(description = "release of the component's tools, such as 17; any where absent")
+    @Schema(description = "version of the toolchain, such as 17; default any")
         @Nullable String toolchain,
-    @Schema(description = "that the agent must have") @Nullable Set<String> labels,
+    @Schema(description = "required labels of the agent") @Nullable Set<String> labels,
     @Schema(
             description =
-                "of which cases it is recorded what moves in the simulation: ALL, the FAILED (and ERROR) ones, or NONE;"
-                    + " where absent of ALL of up to 100 cases, of NONE of more")
+                "which cases are recorded in the simulation: ALL, FAILED (FAIL and ERROR), or NONE;"
+                    + " default ALL for up to 100 cases, otherwise NONE")
         @Nullable RecordedCases recordings) {
 
   BuildOptions options() {
@@ -33,7 +34,8 @@ record BuildRequest(
         priority == null ? 0 : priority,
         shards == null ? 1 : shards,
         retries,
-        new AgentWishes(toolchain == null ? "" : toolchain, labels == null ? Set.of() : labels),
+        new AgentConstraints(
+            toolchain == null ? "" : toolchain, labels == null ? Set.of() : labels),
         recordings);
   }
 }

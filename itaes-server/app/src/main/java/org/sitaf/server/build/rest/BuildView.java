@@ -5,17 +5,17 @@ import java.time.Instant;
 import java.util.List;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.server.build.AttemptSummary;
 import org.sitaf.server.build.Build;
 import org.sitaf.server.build.BuildFailure;
 import org.sitaf.server.build.BuildState;
 import org.sitaf.server.build.CaseCounts;
-import org.sitaf.server.build.PastAttempt;
 import org.sitaf.server.build.Transition;
 import org.sitaf.server.build.request.RecordedCases;
 import org.sitaf.server.build.request.Requirement;
 import org.sitaf.server.build.request.Reservation;
 
-/** A build as people and programs see it. */
+/** A build in the REST interface. */
 @Schema(name = "Build")
 record BuildView(
     String id,
@@ -24,40 +24,38 @@ record BuildView(
     String suiteId,
     String model,
     State state,
-    @Schema(description = "from 1; 0 before the first") int attempt,
-    @Schema(description = "that has the latest attempt") @Nullable String agent,
+    @Schema(description = "number of the latest attempt, from 1; 0 if there is none") int attempt,
+    @Schema(description = "agent of the latest attempt") @Nullable String agent,
     Instant created,
-    @Schema(description = "when it was first given to an agent") @Nullable Instant started,
+    @Schema(description = "when it was first assigned to an agent") @Nullable Instant started,
     @Nullable Instant finished,
-    @Schema(description = "grows with each change") long version,
+    @Schema(description = "increases with each change") long version,
     int casesTotal,
     int casesDone,
-    @Schema(description = "why it waits; only while QUEUED") @Nullable String waitingFor,
+    @Schema(description = "why it is queued; only while QUEUED") @Nullable String waitingFor,
     @Schema(description = "only when FAILED") @Nullable FailureView failure,
     @Schema(description = "only when DONE") @Nullable CountsView summary,
     @Schema(
             description =
-                "why the verdicts are not to be trusted; a build that has any has not passed")
+                "why the verdicts cannot be trusted; a build with suspicions has not passed")
         List<String> suspicions,
-    @Schema(description = "that reserved it") @Nullable String scheduleId,
-    @Schema(description = "-100 to 100; higher ones are given to agents first") int priority,
-    @Schema(description = "what an agent must have for it, in words") List<String> requirements,
-    @Schema(description = "when it may be given to an agent again after a failure of one")
+    @Schema(description = "schedule that requested it") @Nullable String scheduleId,
+    @Schema(description = "-100 to 100; builds with higher priority run first") int priority,
+    @Schema(description = "requirements for the agent, in words") List<String> requirements,
+    @Schema(description = "time of the next attempt after an infrastructure failure")
         @Nullable Instant notBefore,
-    @Schema(description = "over how many builds its cases are spread; absent for one")
-        @Nullable Integer shards,
-    @Schema(description = "which of the shards of its parent it is, from 1")
+    @Schema(description = "number of shards; absent if it has none") @Nullable Integer shards,
+    @Schema(description = "number of this shard, from 1; absent for a whole build")
         @Nullable Integer shard,
-    @Schema(description = "build whose cases are spread over it and others")
+    @Schema(description = "build that the shard belongs to; absent for a whole build")
         @Nullable String parentId,
-    @Schema(description = "of which cases it is recorded what moves in the simulation")
-        RecordedCases recordedCases,
-    @Schema(description = "that the agent must have, as requested") List<String> labels,
-    @Schema(description = "release of the component's tools, as requested; absent for any")
+    @Schema(description = "which cases are recorded in the simulation") RecordedCases recordedCases,
+    @Schema(description = "requested labels of the agent") List<String> labels,
+    @Schema(description = "requested version of the toolchain; absent for any")
         @Nullable String toolchain,
-    @Schema(description = "allowed after failures of the infrastructure") int retries) {
+    @Schema(description = "maximum number of retries after infrastructure failures") int retries) {
 
-  /** As {@link BuildState}, without what only attempts can be. */
+  /** The states of {@link BuildState}, except those of attempts only. */
   enum State {
     QUEUED,
     LEASED,
@@ -89,8 +87,8 @@ record BuildView(
   @Schema(name = "SourceProblem")
   record ProblemView(
       String file,
-      @Schema(description = "from 1; 0 where unknown") int line,
-      @Schema(description = "from 1; 0 where unknown") int column,
+      @Schema(description = "from 1; 0 if unknown") int line,
+      @Schema(description = "from 1; 0 if unknown") int column,
       String message,
       @Schema(description = "whether the file was generated") boolean generated) {}
 
@@ -135,16 +133,16 @@ record BuildView(
       BuildState state,
       Instant leased,
       @Nullable Instant finished) {
-    static AttemptView of(PastAttempt attempt) {
+    static AttemptView of(AttemptSummary attempt) {
       return new AttemptView(
           attempt.no(), attempt.agent(), attempt.state(), attempt.leased(), attempt.finished());
     }
   }
 
   /**
-   * A view.
+   * Creates the view of a build.
    *
-   * @param waitingFor why the build waits; null where it does not
+   * @param waitingFor why the build is queued; null if it is not
    */
   static BuildView of(Build build, @Nullable String waitingFor) {
     return new BuildView(
@@ -170,8 +168,8 @@ record BuildView(
         build.priority(),
         build.requirements().all().stream().map(Requirement::words).toList(),
         build.notBefore().filter(t -> build.state() == BuildState.QUEUED).orElse(null),
-        build.parts() == 0 ? null : build.parts(),
-        build.part() == 0 ? null : build.part(),
+        build.shards() == 0 ? null : build.shards(),
+        build.shard() == 0 ? null : build.shard(),
         build.parentId().orElse(null),
         build.recordedCases(),
         requirements(build, Requirement.Label.class).map(Requirement.Label::name).toList(),

@@ -14,55 +14,55 @@ import org.slf4j.LoggerFactory;
 import org.springframework.stereotype.Component;
 import org.springframework.transaction.event.TransactionalEventListener;
 
-/** Requests that wait for a change of a build. */
+/** Long-polling requests that wait for a change of a build. */
 @Component
 class BuildWaiters {
   private static final Logger log = LoggerFactory.getLogger(BuildWaiters.class);
-  private static final long SHARED_LOOK_MS = 500;
+  private static final long SHARED_INTERVAL_MS = 500;
 
   private final Map<String, Set<Runnable>> waiters = new ConcurrentHashMap<>();
 
-  /** A thread of its own: who changed the build still holds its connection to the database. */
+  /** A separate thread, because the event's thread still holds its database connection. */
   private final ScheduledExecutorService thread = DaemonTimer.named("build-waiters");
 
   BuildWaiters(Database database) {
     if (database.isShared()) {
-      // Nobody tells this server of what happens at another one.
+      // Changes of other servers cause no events here.
       var unused =
           thread.scheduleWithFixedDelay(
-              this::lookAll, SHARED_LOOK_MS, SHARED_LOOK_MS, TimeUnit.MILLISECONDS);
+              this::runAll, SHARED_INTERVAL_MS, SHARED_INTERVAL_MS, TimeUnit.MILLISECONDS);
     }
   }
 
-  private void lookAll() {
+  private void runAll() {
     for (Set<Runnable> actions : waiters.values()) {
       for (Runnable action : actions) {
         try {
           action.run();
         } catch (RuntimeException e) {
-          log.warn("A request that waits for a change could not look", e);
+          log.warn("Check of a waiting request failed", e);
         }
       }
     }
   }
 
-  /** Has the action run, from then on, after each change of the build. */
+  /** Runs the action after each change of the build until it is removed. */
   void add(String buildId, Runnable action) {
     waiters.compute(
         buildId,
-        (id, present) -> {
-          Set<Runnable> all = present == null ? ConcurrentHashMap.newKeySet() : present;
-          all.add(action);
-          return all;
+        (id, existing) -> {
+          Set<Runnable> actions = existing == null ? ConcurrentHashMap.newKeySet() : existing;
+          actions.add(action);
+          return actions;
         });
   }
 
   void remove(String buildId, Runnable action) {
     waiters.computeIfPresent(
         buildId,
-        (id, present) -> {
-          present.remove(action);
-          return present.isEmpty() ? null : present;
+        (id, actions) -> {
+          actions.remove(action);
+          return actions.isEmpty() ? null : actions;
         });
   }
 

@@ -1,4 +1,4 @@
-/** Builds and agents over HTTP. */
+/** REST interface of builds. */
 @NullMarked
 package org.sitaf.server.build.rest;
 

@@ -6,10 +6,10 @@ import org.sitaf.server.file.StoredFiles;
 import org.springframework.jdbc.core.simple.JdbcClient;
 import org.springframework.stereotype.Repository;
 
-/** The activity's files as they were frozen with a build. */
+/** The activity's files as they were stored with a build. */
 @Repository
 class BuiltSources {
-  /** Where the activity lies in a test application. */
+  /** Folder of the activity in a test application. */
   private static final String ACTIVITY = "activity/";
 
   private final JdbcClient jdbc;
@@ -20,7 +20,7 @@ class BuiltSources {
     this.files = files;
   }
 
-  /** The text of a file of the activity; bytes that are no UTF-8 become replacement characters. */
+  /** Returns the text of a file; invalid UTF-8 is replaced. */
   Optional<String> text(String buildId, String path) {
     return jdbc.sql("SELECT sha256 FROM build_file WHERE build_id = ? AND path = ?")
         .params(buildId, ACTIVITY + path)

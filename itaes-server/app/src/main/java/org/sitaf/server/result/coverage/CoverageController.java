@@ -5,7 +5,7 @@ import io.swagger.v3.oas.annotations.Parameter;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.util.Optional;
 import org.sitaf.core.verdict.Coverage;
-import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.error.RequestException;
 import org.sitaf.server.result.Results;
 import org.springframework.web.bind.annotation.GetMapping;
 import org.springframework.web.bind.annotation.PathVariable;
@@ -26,9 +26,7 @@ class CoverageController {
   }
 
   @GetMapping
-  @Operation(
-      operationId = "getCoverage",
-      summary = "What a build reached of the component's sources, by file")
+  @Operation(operationId = "getCoverage", summary = "Returns the coverage of the component by file")
   CoverageView get(@PathVariable String id) {
     return results.coverage(id).map(CoverageView::of).orElse(CoverageView.NOT_MEASURED);
   }
@@ -36,16 +34,16 @@ class CoverageController {
   @GetMapping("/source")
   @Operation(
       operationId = "getCoverageSource",
-      summary = "A source of the component, and which of its lines were reached")
+      summary = "Returns a source file of the component with the coverage of its lines")
   CoverageView.SourceView source(
       @PathVariable String id,
-      @Parameter(description = "as the list of files has it") @RequestParam String path) {
+      @Parameter(description = "path of the file in the coverage") @RequestParam String path) {
     Optional<Coverage.File> file =
         results.coverage(id).stream()
             .flatMap(c -> c.files().stream())
             .filter(f -> f.path().equals(path))
             .findFirst();
     return file.map(f -> CoverageView.SourceView.of(f, sources.text(id, path).orElse(null)))
-        .orElseThrow(() -> Refusal.notFound("coverage of a source in build " + id, path));
+        .orElseThrow(() -> RequestException.notFound("coverage of a source in build " + id, path));
   }
 }

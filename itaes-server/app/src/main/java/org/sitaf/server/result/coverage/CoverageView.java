@@ -6,25 +6,25 @@ import java.util.OptionalDouble;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.verdict.Coverage;
 
-/** What was reached of the component, without its lines. */
+/** The coverage of a component by file, without lines. */
 @Schema(name = "Coverage")
 record CoverageView(
-    @Schema(description = "whether it was measured; where not, there are no files")
+    @Schema(description = "whether coverage was measured; if not, there are no files")
         boolean measured,
-    @Schema(description = "per cent of the lines with statements; absent where there are none")
+    @Schema(description = "percentage of covered lines; absent if there are no lines")
         @Nullable Double statement,
-    @Schema(description = "per cent of the branches; absent where there are none")
+    @Schema(description = "percentage of taken branches; absent if there are no branches")
         @Nullable Double branch,
-    @Schema(description = "in the order of their paths") List<FileView> files) {
+    @Schema(description = "sorted by path") List<FileView> files) {
   static final CoverageView NOT_MEASURED = new CoverageView(false, null, null, List.of());
 
   @Schema(name = "CoverageFile")
   record FileView(
-      @Schema(description = "within the activity") String path,
-      @Schema(description = "lines that hold statements") int lines,
-      @Schema(description = "of them, those that were reached") int reached,
-      @Schema(description = "ways on from lines with more than one") int branches,
-      @Schema(description = "of them, those that were gone") int taken) {
+      @Schema(description = "in the activity") String path,
+      @Schema(description = "number of lines with statements") int lines,
+      @Schema(description = "number of covered lines") int reached,
+      @Schema(description = "number of branches") int branches,
+      @Schema(description = "number of taken branches") int taken) {
     static FileView of(Coverage.File file) {
       return new FileView(
           file.path(),
@@ -38,9 +38,9 @@ record CoverageView(
   @Schema(name = "CoverageSource")
   record SourceView(
       String path,
-      @Schema(description = "text of the file as it was built; absent where it is not kept")
+      @Schema(description = "text of the file as it was built; absent if it is not stored")
           @Nullable String source,
-      @Schema(description = "those that hold statements, ascending") List<LineView> lines) {
+      @Schema(description = "lines with statements, in ascending order") List<LineView> lines) {
     static SourceView of(Coverage.File file, @Nullable String source) {
       return new SourceView(file.path(), source, file.lines().stream().map(LineView::of).toList());
     }
@@ -50,8 +50,8 @@ record CoverageView(
   record LineView(
       @Schema(description = "from 1") int number,
       boolean reached,
-      @Schema(description = "ways on from it; 0 where there is only one") int branches,
-      @Schema(description = "of them, those that were gone") int taken) {
+      @Schema(description = "number of branches; 0 if the line has none") int branches,
+      @Schema(description = "number of taken branches") int taken) {
     static LineView of(Coverage.Line line) {
       return new LineView(line.number(), line.reached(), line.branches(), line.taken());
     }

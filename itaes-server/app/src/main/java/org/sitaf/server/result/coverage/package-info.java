@@ -1,4 +1,4 @@
-/** What a build reached of the component's sources, file by file. */
+/** Coverage of the component's sources. */
 @NullMarked
 package org.sitaf.server.result.coverage;
 

@@ -24,10 +24,10 @@ class LiveCaseController {
   @GetMapping
   @Operation(
       operationId = "listLiveCases",
-      summary = "Cases that have ended, in the order in which they did, while a build runs",
+      summary = "Lists the finished cases of a running build in the order in which they finished",
       description =
-          "Gone as soon as the build has its result; a build that was cancelled or failed keeps"
-              + " them. Long literals and messages are cut.")
+          "The list is deleted when the build has its result; builds that were cancelled or failed"
+              + " keep it. Long literals and messages are truncated.")
   Listing<CaseView> list(
       @PathVariable String id,
       @RequestParam(defaultValue = "0") int page,

@@ -3,7 +3,7 @@ package org.sitaf.server.result.live;
 import java.util.ArrayList;
 import java.util.List;
 import org.sitaf.core.verdict.CaseResult;
-import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.error.RequestException;
 import org.springframework.data.domain.Page;
 import org.springframework.data.domain.PageImpl;
 import org.springframework.data.domain.Pageable;
@@ -15,15 +15,14 @@ import tools.jackson.core.type.TypeReference;
 import tools.jackson.databind.json.JsonMapper;
 
 /**
- * What agents told of cases that have ended, in the order in which they told it. What counts is the
- * result that comes at the end; then this is forgotten. A build that was cancelled or could not go
- * on keeps it.
+ * Finished cases of running builds, in the order in which agents report them. They are deleted when
+ * the result is accepted; builds that were cancelled or failed keep them.
  */
 @Repository
 public class LiveCases {
   private static final TypeReference<List<CaseResult>> CASES = new TypeReference<>() {};
 
-  /** Of a build itself, and of the builds over which its cases are spread. */
+  /** Cases of a build and of its shards. */
   private static final String OF_BUILD =
       " WHERE (build_id = :build OR build_id IN (SELECT id FROM build WHERE parent_id = :build))";
 
@@ -35,28 +34,28 @@ public class LiveCases {
     this.json = json;
   }
 
-  /** Keeps cases that have ended, within the transaction that counts them. */
+  /** Appends finished cases, within the transaction that counts them. */
   @Transactional(propagation = Propagation.MANDATORY)
-  public void append(String buildId, List<CaseResult> ended) {
-    if (!ended.isEmpty()) {
+  public void append(String buildId, List<CaseResult> finished) {
+    if (!finished.isEmpty()) {
       jdbc.sql("INSERT INTO live_cases (build_id, cases, outcomes) VALUES (?, ?, ?)")
-          .params(buildId, ended.size(), json.writeValueAsBytes(ended))
+          .params(buildId, finished.size(), json.writeValueAsBytes(finished))
           .update();
     }
   }
 
-  /** Forgets all: a new attempt begins, or the result is there. */
+  /** Deletes all cases of a build. */
   @Transactional(propagation = Propagation.MANDATORY)
-  public void forget(String buildId) {
+  public void delete(String buildId) {
     jdbc.sql("DELETE FROM live_cases" + OF_BUILD).param("build", buildId).update();
   }
 
   private record Batch(long id, int cases) {}
 
   /**
-   * Cases in the order in which they ended.
+   * Returns a page of the cases in the order in which they finished.
    *
-   * @throws Refusal when there is no such build
+   * @throws RequestException if there is no such build
    */
   @Transactional(readOnly = true)
   public Page<CaseResult> page(String buildId, Pageable page) {
@@ -69,18 +68,18 @@ public class LiveCases {
     long from = page.getOffset();
     long to = from + page.getPageSize();
     long at = 0;
-    List<CaseResult> shown = new ArrayList<>();
+    List<CaseResult> items = new ArrayList<>();
     for (Batch batch : batches) {
       long end = at + batch.cases();
       if (end > from && at < to) {
         List<CaseResult> cases = cases(batch.id());
         int first = (int) Math.max(0, from - at);
         int last = (int) Math.min(cases.size(), to - at);
-        shown.addAll(cases.subList(Math.min(first, last), last));
+        items.addAll(cases.subList(Math.min(first, last), last));
       }
       at = end;
     }
-    return new PageImpl<>(shown, page, at);
+    return new PageImpl<>(items, page, at);
   }
 
   private List<CaseResult> cases(long batch) {
@@ -93,14 +92,14 @@ public class LiveCases {
   }
 
   private void requireBuild(String buildId) {
-    boolean known =
+    boolean exists =
         jdbc.sql("SELECT 1 FROM build WHERE id = ?")
             .param(buildId)
             .query(Integer.class)
             .optional()
             .isPresent();
-    if (!known) {
-      throw Refusal.notFound("build", buildId);
+    if (!exists) {
+      throw RequestException.notFound("build", buildId);
     }
   }
 }

@@ -1,4 +1,4 @@
-/** Cases as they finish, for people who watch a build. */
+/** Finished cases of running builds, for the live view. */
 @NullMarked
 package org.sitaf.server.result.live;
 

@@ -5,12 +5,12 @@ import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.quartz.CronExpression;
-import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.error.RequestException;
 
 /**
- * Cron expressions as people know them, with five fields (minute, hour, day of month, month, day of
- * week), in the form that Quartz reads; or in that form already, with seconds before and perhaps a
- * year behind.
+ * Converts cron expressions with five fields (minute, hour, day of month, month, day of week) to
+ * Quartz's format, which has a field for seconds and an optional year. Expressions in Quartz's
+ * format are accepted, too.
  */
 final class CronText {
   private static final int FIELDS = 5;
@@ -21,9 +21,9 @@ final class CronText {
   private CronText() {}
 
   /**
-   * For Quartz.
+   * Converts an expression to Quartz's format.
    *
-   * @throws Refusal when it is no cron expression; the message says what is wrong
+   * @throws RequestException if the expression is invalid
    */
   static String toQuartz(String text) {
     String[] fields = text.strip().split("\\s+");
@@ -32,18 +32,17 @@ final class CronText {
       CronExpression.validateExpression(quartz);
       return quartz;
     } catch (ParseException | RuntimeException e) {
-      throw Refusal.malformed(
+      throw RequestException.malformed(
           "cron: '"
               + text
-              + "' is no cron expression ("
+              + "' is not a cron expression ("
               + e.getMessage()
-              + "); give minute, hour, day of month, month and day of week, such as '0 3 * * 1-5'.");
+              + "); expected minute, hour, day of month, month and day of week, such as '0 3 * *"
+              + " 1-5'.");
     }
   }
 
-  /**
-   * Quartz wants to be told which of the two kinds of day does not matter, and counts days from 1.
-   */
+  /** Quartz requires '?' for one of the two day fields, and counts days of the week from 1. */
   private static String withSeconds(String[] fields) {
     String dayOfMonth = fields[2];
     String dayOfWeek = named(fields[4]);
@@ -53,7 +52,7 @@ final class CronText {
     } else if (dayOfMonth.equals("*") || dayOfMonth.equals("?")) {
       dayOfMonth = "?";
     } else {
-      throw Refusal.malformed(
+      throw RequestException.malformed(
           "cron: give either the day of the month or the day of the week, and '*' for the other.");
     }
     return String.join(" ", "0", fields[0], fields[1], dayOfMonth, fields[3], dayOfWeek);

@@ -1,11 +1,14 @@
 package org.sitaf.server.schedule.timing;
 
-/** What becomes of fire times that passed while no server was up, or the schedule was paused. */
+/**
+ * The policy for fire times that were missed while no server was running or the schedule was
+ * paused.
+ */
 public enum Misfire {
-  /** Nothing: the next time to come counts. */
+  /** No build. */
   SKIP,
-  /** One build for all of them, now. */
+  /** One build for all missed times. */
   ONCE,
-  /** One build for each of them. */
+  /** One build for each missed time. */
   ALL
 }

@@ -11,17 +11,17 @@ import org.quartz.ScheduleBuilder;
 import org.quartz.SimpleScheduleBuilder;
 import org.quartz.Trigger;
 import org.quartz.TriggerBuilder;
-import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.error.RequestException;
 
-/** When a schedule fires. */
+/** The fire times of a schedule. */
 public sealed interface Timing {
-  /** In which zone its days begin. */
+  /** The time zone of the schedule's days. */
   ZoneId zone();
 
-  /** A trigger of Quartz that has no identity yet. */
+  /** Creates a trigger of Quartz without an identity. */
   TriggerBuilder<? extends Trigger> trigger(Misfire misfire);
 
-  /** Once. */
+  /** A single time. */
   record Reserved(OffsetDateTime at) implements Timing {
     @Override
     public ZoneId zone() {
@@ -39,7 +39,7 @@ public sealed interface Timing {
     }
   }
 
-  /** By a cron expression. */
+  /** At the times of a cron expression. */
   record Cron(String expression, ZoneId zone) implements Timing {
     public Cron {
       CronText.toQuartz(expression);
@@ -61,7 +61,7 @@ public sealed interface Timing {
   }
 
   /**
-   * Every so many minutes.
+   * At regular intervals.
    *
    * @param from the first time
    */
@@ -70,7 +70,7 @@ public sealed interface Timing {
 
     public Interval {
       if (minutes < 1 || minutes > MAX_MINUTES) {
-        throw Refusal.malformed("everyMinutes: must be 1 to " + MAX_MINUTES + ".");
+        throw RequestException.malformed("everyMinutes: must be 1 to " + MAX_MINUTES + ".");
       }
     }
 

@@ -1,4 +1,4 @@
-/** When schedules fire: times, days to leave out, and what becomes of times that were missed. */
+/** The fire times of schedules: times, excluded days and misfire policies. */
 @NullMarked
 package org.sitaf.server.schedule.timing;
 

@@ -18,12 +18,12 @@ class TransportCheckTest {
           .withProperty("spring.grpc.server.address", "::1");
 
   @Test
-  void onTheLoopbackNothingIsAskedFor() {
+  void loopbackNeedsNoTls() {
     assertThatCode(() -> check(LAUNCHER, false)).doesNotThrowAnyException();
   }
 
   @Test
-  void beyondTheLoopbackEitherInterfaceNeedsTls() {
+  void otherAddressesNeedTls() {
     environment.setProperty("server.address", "0.0.0.0");
     assertThatThrownBy(() -> check(null, false)).hasMessageContaining("server.address is 0.0.0.0");
     environment.setProperty("server.ssl.bundle", "web");
@@ -36,17 +36,17 @@ class TransportCheckTest {
   }
 
   @Test
-  void anOperatorMayTakeItUponThemselvesButNoLauncherMay() {
+  void plaintextCanBeAllowedExceptWithALauncherToken() {
     environment.setProperty("server.address", "0.0.0.0");
     assertThatCode(() -> check(null, true)).doesNotThrowAnyException();
     assertThatThrownBy(() -> check(LAUNCHER, true)).hasMessageContaining("launcher");
   }
 
   @Test
-  void anAddressThatIsNotGivenIsEveryAddress() {
+  void missingAddressMeansAllInterfaces() {
     MockEnvironment nothing = new MockEnvironment();
     assertThatThrownBy(() -> new TransportCheck(nothing, settings(null, false)))
-        .isInstanceOf(TransportRefusedException.class);
+        .isInstanceOf(InsecureTransportException.class);
   }
 
   private void check(@Nullable String launcher, boolean plaintext) {

@@ -1,4 +1,4 @@
-/** What the server refuses before any controller is reached. */
+/** Tests of the checks at startup. */
 @NullMarked
 package org.sitaf.server.access.web;
 

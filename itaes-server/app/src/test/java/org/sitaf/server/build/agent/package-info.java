@@ -1,4 +1,4 @@
-/** What can be tested of the dialogue with agents without a server. */
+/** Tests of the agent protocol without a server. */
 @NullMarked
 package org.sitaf.server.build.agent;
 

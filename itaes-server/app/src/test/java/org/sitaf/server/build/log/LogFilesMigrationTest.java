@@ -17,7 +17,7 @@ class LogFilesMigrationTest {
   @TempDir private Path folder;
 
   @Test
-  void logsOfEarlierVersionsAreImportedUpToTheirLength() throws Exception {
+  void logFilesAreImportedUpToTheirLength() throws Exception {
     String large = "x".repeat(BuildLogs.MAX_CHUNK) + "end";
     Files.writeString(folder.resolve("large.log"), large);
     Files.writeString(folder.resolve("torn.log"), "acknowledged, and not");

@@ -8,7 +8,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 class RecordedCasesTest {
   @ParameterizedTest
   @CsvSource({"1, ALL", "100, ALL", "101, NONE", "100000, NONE"})
-  void onlySuitesThatAPersonLooksThroughAreRecordedByDefault(int cases, RecordedCases expected) {
+  void onlySmallSuitesAreRecordedByDefault(int cases, RecordedCases expected) {
     assertThat(RecordedCases.byDefault(cases)).isEqualTo(expected);
   }
 }

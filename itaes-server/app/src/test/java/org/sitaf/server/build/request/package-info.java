@@ -1,4 +1,4 @@
-/** How builds are asked for. */
+/** Tests of build requests. */
 @NullMarked
 package org.sitaf.server.build.request;
 

@@ -16,24 +16,24 @@ import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.quartz.TriggerUtils;
 import org.quartz.spi.OperableTrigger;
-import org.sitaf.server.refusal.Refusal;
+import org.sitaf.server.error.RequestException;
 
 class TimingTest {
   private static final ZoneId SEOUL = ZoneId.of("Asia/Seoul");
 
   @Test
-  void cronIsReadAsPeopleWriteIt() {
+  void fiveFieldCronIsConvertedToQuartz() {
     assertThat(CronText.toQuartz("0 3 * * 1-5")).isEqualTo("0 0 3 ? * MON-FRI");
     assertThat(CronText.toQuartz("*/15 * 1,15 * *")).isEqualTo("0 */15 * 1,15 * ?");
     assertThat(CronText.toQuartz("0 0 * * 7")).isEqualTo("0 0 0 ? * SUN");
     assertThat(CronText.toQuartz("0 0 12 ? * 6#3")).isEqualTo("0 0 12 ? * 6#3");
-    assertThatThrownBy(() -> CronText.toQuartz("61 * * * *")).isInstanceOf(Refusal.class);
+    assertThatThrownBy(() -> CronText.toQuartz("61 * * * *")).isInstanceOf(RequestException.class);
   }
 
   @Test
-  void daysAreLeftOutInTheZoneOfTheSchedule() {
-    LeftOutDays leftOut =
-        new LeftOutDays(Set.of(LocalDate.of(2027, 1, 1)), Set.of(DayOfWeek.SATURDAY));
+  void daysAreExcludedInTheZoneOfTheSchedule() {
+    ExcludedDays excluded =
+        new ExcludedDays(Set.of(LocalDate.of(2027, 1, 1)), Set.of(DayOfWeek.SATURDAY));
     OperableTrigger trigger =
         (OperableTrigger)
             new Timing.Cron("30 0 * * *", SEOUL)
@@ -41,7 +41,7 @@ class TimingTest {
                 .startAt(Date.from(Instant.parse("2026-12-30T15:00:00Z")))
                 .build();
     List<LocalDate> days =
-        TriggerUtils.computeFireTimes(trigger, leftOut.toQuartz(SEOUL), 3).stream()
+        TriggerUtils.computeFireTimes(trigger, excluded.toQuartz(SEOUL), 3).stream()
             .map(time -> time.toInstant().atZone(SEOUL).toLocalDate())
             .toList();
     assertThat(days)
@@ -50,7 +50,7 @@ class TimingTest {
   }
 
   @Test
-  void timesThatWereMissedAreSkippedOrMadeUpForOnce() {
+  void misfirePolicyAppliesToPeriodicSchedules() {
     Instant from = Instant.now().minus(Duration.ofMinutes(95));
     for (Timing timing :
         List.of(
@@ -67,7 +67,7 @@ class TimingTest {
   }
 
   @Test
-  void aReservationThatWasMissedIsSkippedOrMadeUpFor() {
+  void misfirePolicyAppliesToReservations() {
     OffsetDateTime at = OffsetDateTime.now(ZoneOffset.UTC).minusHours(1);
     Timing timing = new Timing.Reserved(at);
     OperableTrigger skipped = (OperableTrigger) timing.trigger(Misfire.SKIP).build();
@@ -79,9 +79,9 @@ class TimingTest {
   }
 
   @Test
-  void aWeekWithoutDaysIsRefused() {
-    assertThatThrownBy(() -> new LeftOutDays(Set.of(), Set.of(DayOfWeek.values())))
-        .hasMessageContaining("nothing would ever fire");
+  void excludingAllWeekdaysIsRejected() {
+    assertThatThrownBy(() -> new ExcludedDays(Set.of(), Set.of(DayOfWeek.values())))
+        .hasMessageContaining("would never fire");
   }
 
   private static Instant afterMisfire(Timing timing, Misfire misfire, Instant from) {

@@ -1,4 +1,4 @@
-/** When schedules fire. */
+/** Tests of fire times. */
 @NullMarked
 package org.sitaf.server.schedule.timing;
 
