@@ -41,7 +41,7 @@ def test_the_table_is_that_of_the_paper(demo):
 
 
 def test_the_result_document_lies_where_the_demo_says(demo, sitaf):
-    path = re.search(r"The results as XML: (\S+)", demo.stdout).group(1)
+    path = re.search(r"Results as XML: (\S+)", demo.stdout).group(1)
     root = ElementTree.parse(path).getroot()
     assert root.tag == "test_result_descriptor"
     assert root.find("summary").attrib["pass"] == "55"
@@ -64,7 +64,7 @@ def test_a_kept_demo_shows_the_portal_and_goes_without_a_trace_when_it_is_stoppe
             found.group(1) for line in kept.stdout if (found := re.search(r"The portal is at (http://\S+)", line))
         )
         link = next(
-            found.group(1) for line in kept.stdout if (found := re.search(r"Open it signed in, once: (\S+)", line))
+            found.group(1) for line in kept.stdout if (found := re.search(r"Sign in with this link, valid once: (\S+)", line))
         )
         browser = urllib.request.build_opener(urllib.request.HTTPCookieProcessor())
         with browser.open(link) as page:

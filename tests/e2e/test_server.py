@@ -31,7 +31,7 @@ def server(sitaf, tmp_path_factory):
         text=True,
     )
     try:
-        said = re.compile(r"Open it signed in, once: ((http://\S+)/open/\S+)")
+        said = re.compile(r"Sign in with this link, valid once: ((http://\S+)/open/\S+)")
         link, address = next(found.groups() for line in up.stdout if (found := said.search(line)))
         cookies = http.cookiejar.CookieJar()
         browser = urllib.request.build_opener(urllib.request.HTTPCookieProcessor(cookies))

@@ -15,7 +15,7 @@ name=$1
 shift
 program=$(programs | grep -E "/$(printf '%s' "$name" | sed 's/[^A-Za-z0-9_-]//g')/run$" || true)
 if [ -z "$program" ]; then
-  printf "sitaf: there is no program '%s'; './sitaf bench' lists them\n" "$name" >&2
+  printf "sitaf: unknown program '%s'; './sitaf bench' lists them\n" "$name" >&2
   exit 2
 fi
 SITAF_HOME=$home exec "$program" "$@"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What is installed, what is missing, and the one command that installs it. Needs nothing but a shell.
+# Lists installed and missing software, and the command that installs it. Needs only a shell.
 # doctor --install cpp: installs what tests of C++ components need.
 set -uo pipefail
 missing=()
@@ -8,11 +8,11 @@ cpp_packages=(g++ pkg-config libgrpc++-dev libprotobuf-dev protobuf-compiler pro
 
 if [ $# -gt 0 ]; then
   if [ "$*" != "--install cpp" ]; then
-    echo "sitaf: doctor knows '--install cpp' only, not '$*'" >&2
+    echo "sitaf: doctor: unknown arguments '$*'; expected '--install cpp'" >&2
     exit 2
   fi
   command -v apt-get >/dev/null || {
-    echo "sitaf: there is no apt-get on this machine; install what Debian calls: ${cpp_packages[*]}" >&2
+    echo "sitaf: apt-get is not installed; install the equivalents of these Debian packages: ${cpp_packages[*]}" >&2
     exit 1
   }
   as_root=()
@@ -33,8 +33,8 @@ check() {
   fi
 }
 
-# better NAME WHAT_FOR FOUND PACKAGES: something that SITAF runs without.
-better() {
+# optional NAME PURPOSE FOUND PACKAGES: software that SITAF does not require.
+optional() {
   local name=$1 purpose=$2 found=$3 packages=$4
   if [ -n "$found" ]; then
     printf '  %-12s %-28s %s\n' "$name" "$found" "ok"
@@ -52,7 +52,7 @@ version_of() {
   "$@" 2>&1 | grep -oE '[0-9]+(\.[0-9]+)+' | head -n 1
 }
 
-echo "SITAF needs:"
+echo "Required:"
 check "JDK" "17 or newer" "$(at_least 17 "$(command -v javac >/dev/null && version_of javac -version)")" openjdk-17-jdk-headless
 check "Maven" "3.8 or newer" "$(at_least 3.8 "$(command -v mvn >/dev/null && version_of mvn -version)")" maven
 check "Python" "3.11 or newer, with venv" "$(at_least 3.11 "$(command -v python3 >/dev/null && python3 -c 'import venv, ensurepip' 2>/dev/null && version_of python3 --version)")" "python3 python3-venv"
@@ -61,17 +61,17 @@ check "npm" "10 or newer" "$(at_least 10 "$(command -v npm >/dev/null && version
 check "flock" "util-linux" "$(command -v flock >/dev/null && version_of flock --version)" util-linux
 
 echo
-echo "SITAF is better with:"
+echo "Optional:"
 cpp=$(command -v g++ >/dev/null && command -v grpc_cpp_plugin >/dev/null && pkg-config --exists grpc++ protobuf expat 2>/dev/null && version_of g++ -dumpfullversion)
 if [ -n "$cpp" ]; then
   printf '  %-12s %-28s %s\n' "C++" "g++ $cpp, gRPC $(pkg-config --modversion grpc++)" "ok"
 else
-  printf '  %-12s %-28s %s\n' "C++" "not found" "components in C++; ./sitaf doctor --install cpp"
+  printf '  %-12s %-28s %s\n' "C++" "not found" "for C++ components: ./sitaf doctor --install cpp"
 fi
-better "bubblewrap" "the sandbox of components" "$(command -v bwrap >/dev/null && version_of bwrap --version)" bubblewrap
+optional "bubblewrap" "sandbox for components" "$(command -v bwrap >/dev/null && version_of bwrap --version)" bubblewrap
 
-# held NAME HOW NOTE: how the sandbox holds a component; a note says what this host cannot give, and what gives it.
-held() {
+# feature NAME STATE NOTE: a feature of the sandbox; the note tells how to get a missing feature.
+feature() {
   printf '  %-12s %-28s %s\n' "$1" "$2" "${3:-ok}"
 }
 
@@ -90,60 +90,60 @@ own_group() {
 
 if command -v bwrap >/dev/null; then
   echo
-  echo "The sandbox of components, as $(id -un) starts it:"
+  echo "Sandbox for components, if started by $(id -un):"
   namespaces=()
   [ "$(id -u)" -eq 0 ] || namespaces=(--unshare-user)
   if why=$(bwrap "${namespaces[@]}" --unshare-pid --unshare-net --ro-bind / / --proc /proc true 2>&1); then
-    held "namespaces" "bubblewrap" ""
+    feature "namespaces" "bubblewrap" ""
   else
-    held "namespaces" "none" "$why; start the agent as root, or allow user namespaces (sysctl kernel.unprivileged_userns_clone)"
+    feature "namespaces" "none" "$why; start the agent as root, or allow user namespaces (sysctl kernel.unprivileged_userns_clone)"
   fi
   filtered=
   case $(uname -m) in
     x86_64 | aarch64) grep -q '^Seccomp:' /proc/self/status 2>/dev/null && filtered=yes ;;
   esac
   if [ -n "$filtered" ]; then
-    held "system calls" "filtered" ""
+    feature "system calls" "filtered" ""
   else
-    held "system calls" "not filtered" "only on x86_64 and aarch64, by a kernel with seccomp"
+    feature "system calls" "not filtered" "only on x86_64 and aarch64, by a kernel with seccomp"
   fi
   unified=$(own_group "")
   delegate="start the agent by its systemd unit (docs/systemd), by 'systemd-run --user --scope -p Delegate=yes' or, with control groups v1, as root"
   if [ -n "$(own_group memory)" ]; then
-    held "memory" "control groups v1" ""
+    feature "memory" "control groups v1" ""
   elif [ -n "$unified" ] && [ "$(id -u)" -ne 0 ] && grep -qw memory "$unified/cgroup.controllers"; then
-    held "memory" "control groups v2" ""
+    feature "memory" "control groups v2" ""
   elif [ -n "$filtered" ]; then
-    held "memory" "polled by the agent" "control groups would be exact: $delegate"
+    feature "memory" "polled by the agent" "control groups would be exact: $delegate"
   else
-    held "memory" "NOT LIMITED" "--sandbox=required does not work on this host; $delegate"
+    feature "memory" "NOT LIMITED" "--sandbox=required does not work on this host; $delegate"
   fi
   if [ -n "$(own_group cpu)" ] || { [ -n "$unified" ] && [ "$(id -u)" -ne 0 ] && grep -qw cpu "$unified/cgroup.controllers"; }; then
-    held "processors" "shared by control groups" ""
+    feature "processors" "shared by control groups" ""
   elif [ "$(cat /proc/sys/kernel/sched_autogroup_enabled 2>/dev/null)" = 1 ] &&
     grep -qE '^([0-9]+:([^:]*,)?cpu(,[^:]*)?|0:):/$' /proc/self/cgroup; then
-    held "processors" "shared by session" ""
+    feature "processors" "shared by session" ""
   else
-    held "processors" "NOT SHARED" "a component can slow others down; $delegate"
+    feature "processors" "NOT SHARED" "a component can slow others down; $delegate"
   fi
 fi
 
 home=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../../.." && pwd)
 echo
-echo "Set up here:"
+echo "Built:"
 for part in java:"server, agent and commands" bridge:simulation; do
   if [ -e "$home/.sitaf/${part%%:*}.stamp" ]; then
     printf '  %-42s %s\n' "${part#*:}" "since $(date -r "$home/.sitaf/${part%%:*}.stamp" '+%Y-%m-%d %H:%M')"
   else
-    printf '  %-42s %s\n' "${part#*:}" "not yet; the first command that needs it does it"
+    printf '  %-42s %s\n' "${part#*:}" "not yet; built by the first command that needs it"
   fi
 done
 
 echo
 if [ ${#missing[@]} -eq 0 ]; then
-  echo "Nothing is missing. './sitaf demo' runs the paper's evaluation."
+  echo "All required software is installed. './sitaf demo' runs the paper's evaluation."
 else
-  echo "Missing. On Debian, this installs it:"
+  echo "Install the missing software on Debian with:"
   echo
   echo "  sudo apt-get install -y ${missing[*]}"
   exit 1

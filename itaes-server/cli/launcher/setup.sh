@@ -1,6 +1,6 @@
-# Sets up what is missing, once, and again when the sources changed. Sourced by the launcher; expects $home and $state.
+# Builds and installs SITAF if its sources have changed. Sourced by the launcher; expects $home and $state.
 
-# What a stage does while it runs goes to a log; a person sees one line that moves.
+# Runs a stage with its output in a log, and shows one line of progress.
 stage() {
   local title=$1 log=$state/log/$2.log
   shift 2
@@ -18,9 +18,9 @@ stage() {
     printf '%s ...\n' "$title" >&2
   fi
   if ! wait "$pid"; then
-    printf 'sitaf: %s failed; the end of %s:\n' "$title" "$log" >&2
+    printf 'sitaf: %s failed; end of the log %s:\n' "$title" "$log" >&2
     tail -n 40 "$log" >&2
-    printf "sitaf: './sitaf doctor' says whether something is missing on this machine\n" >&2
+    printf "sitaf: './sitaf doctor' lists missing software\n" >&2
     exit 2
   fi
   printf '%s: %d s\n' "$title" $((SECONDS - began)) >&2
@@ -32,12 +32,12 @@ progress_of() {
 
 require() {
   command -v "$1" >/dev/null || {
-    printf "sitaf: %s is missing; './sitaf doctor' says how to get it\n" "$1" >&2
+    printf "sitaf: %s is missing; './sitaf doctor' tells how to install it\n" "$1" >&2
     exit 2
   }
 }
 
-# Only one set-up at a time; the others wait for it and then find it done.
+# One set-up at a time; other processes wait for it.
 locked() {
   mkdir -p "$state"
   exec 9>"$state/lock"
@@ -48,7 +48,7 @@ unlocked() {
   exec 9>&-
 }
 
-# Whether something below the given paths is newer than a stamp; what builds leave there does not count.
+# Whether a source file below the given paths is newer than a stamp; build output is ignored.
 newer_than() {
   local stamp=$1
   shift
@@ -76,14 +76,14 @@ set_up_java() {
   unlocked
 }
 
-# Takes what Maven has built since java.begun as the installation; expects the lock.
+# Installs the output of Maven; expects the lock.
 keep_java() {
-  stage "Installing SITAF below .sitaf" install install_java
+  stage "Installing SITAF in .sitaf" install install_java
   mv "$state/java.begun" "$state/java.stamp"
 }
 
-# Copies what was built, so that a later build never changes what runs, and records the classes that each program loads:
-# a start from such an archive takes a third of the time.
+# Copies the build output, so that later builds do not affect running programs, and creates archives for class data sharing:
+# they reduce the start-up time to a third.
 install_java() {
   set -e
   local new=$state/dist.new
@@ -101,10 +101,10 @@ install_java() {
   rm -rf "$trial"
   java -XX:ArchiveClassesAtExit="$state/dist/cli/cli.jsa" -XX:TieredStopAtLevel=1 -jar "$state/dist/cli/cli.jar" \
     generate "$home/examples/ir-sensor/GetInfraredData.xml"
-  # What each Java test application loads before its first case; it may end as it likes, what it loaded counts.
+  # Classes that each Java test application loads before its first case.
   java -XX:ArchiveClassesAtExit="$state/dist/agent/runtime-java.jsa" -XX:TieredStopAtLevel=1 -XX:+UseSerialGC \
     -cp "$(printf '%s\n' "$state"/dist/agent/runtime-java/*.jar | LC_ALL=C sort | paste -sd:)" org.sitaf.runtime.Rehearsal
-  # What Java's compiler loads before its first request; without one it ends.
+  # Classes that the Java compiler process loads before its first request; it ends without one.
   java -XX:ArchiveClassesAtExit="$state/dist/agent/compiler-java.jsa" -XX:TieredStopAtLevel=1 -XX:+UseSerialGC \
     -cp "$state/dist/agent/compiler-java/compiler-java.jar" org.sitaf.agent.toolchain.java.confined.CompilerMain \
     "$(printf '%s\n' "$state"/dist/agent/runtime-java/*.jar | LC_ALL=C sort | paste -sd:)" "" --release 17 -g -nowarn -implicit:none -proc:none \
@@ -146,7 +146,7 @@ run_server() {
 
 run_agent() {
   mapfile -t flags < <(java_flags agent)
-  # It holds the agent's key and the sources of users.
+  # The folder holds the agent's key and users' sources.
   (umask 077 && mkdir -p "$state/agent")
   exec java "${flags[@]}" -jar "$state/dist/agent/agent.jar" --directory "$state/agent" \
     --bridge-command "'$state/venv/bin/python' -m sitaf_bridge" "$@"

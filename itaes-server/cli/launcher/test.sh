@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Every test. --fast: format, lint and unit tests only.
+# Runs all tests. --fast: format, lint and unit tests only.
 set -euo pipefail
 home=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../../.." && pwd)
 state=$home/.sitaf
@@ -17,7 +17,7 @@ set_up_bridge
 python=$state/venv/bin/python
 
 if ! $fast && ! "$python" -c 'import example_robot_data' 2>/dev/null; then
-  # The robots of examples/worlds; 131 MB that no other command needs.
+  # The robots of examples/worlds: 131 MB, needed by tests only.
   "$python" -m pip install --quiet "$home/sim-bridge[robots]"
 fi
 
@@ -47,7 +47,7 @@ fi
 touch "$state/java.begun"
 mvn -B -ntp -T 2 verify -Dsitaf.bridge.python="$python" | grep -vE '^\[INFO\] *$|Download(ing|ed)|Overwriting|already exists in destination|Copying .*\.jar'
 
-# What was tested is what the launcher shall run: it need not build again.
+# Install the tested build, so that the launcher does not build again.
 locked
 keep_java
 unlocked

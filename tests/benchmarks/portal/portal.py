@@ -140,7 +140,7 @@ def main():
             text=True,
         )
         try:
-            link = next(m.group(1) for line in system.stdout if (m := re.search(r"signed in, once: (http\S+)", line)))
+            link = next(m.group(1) for line in system.stdout if (m := re.search(r"valid once: (http\S+)", line)))
             with sync_playwright() as driver:
                 chromium = driver.chromium.launch(executable_path=shutil.which("chromium"), args=["--no-sandbox"])
                 rows = measure(chromium.new_page(viewport={"width": 1280, "height": 900}), link)

@@ -27,7 +27,7 @@ def link(browser, sitaf, tmp_path_factory):
         yield next(
             found.group(1)
             for line in system.stdout
-            if (found := re.search(r"Open it signed in, once: (http\S+)", line))
+            if (found := re.search(r"Sign in with this link, valid once: (http\S+)", line))
         )
     finally:
         system.send_signal(signal.SIGTERM)

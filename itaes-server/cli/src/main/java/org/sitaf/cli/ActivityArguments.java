@@ -9,30 +9,30 @@ import org.sitaf.core.model.TestModel;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** The activity and the test models of commands that work on an activity. */
+/** The parameters ACTIVITY_DIR and --model, shared by several commands. */
 final class ActivityArguments {
-  @Parameters(paramLabel = "ACTIVITY_DIR", description = "Folder that holds activity.yaml.")
+  @Parameters(paramLabel = "ACTIVITY_DIR", description = "Folder of activity.yaml.")
   private Path folder = Path.of("");
 
   @Option(
       names = "--model",
       paramLabel = "NAME",
-      description = "The test model; without it, all of the activity.")
+      description = "The test model; default: all models of the activity.")
   private @Nullable String model;
 
   Path folder() {
     return folder;
   }
 
-  /** Whether one model was asked for. */
+  /** Whether the option is given. */
   boolean namesModel() {
     return model != null;
   }
 
   /**
-   * The model of the option; without it, all models of the activity.
+   * The model of the option, or all models of the activity.
    *
-   * @throws InvalidInputException when the activity has no such model, or none at all
+   * @throws InvalidInputException if the activity has no such model, or no model
    */
   List<TestModel> modelsOf(Activity activity) {
     List<TestModel> all = activity.models();
@@ -49,7 +49,7 @@ final class ActivityArguments {
                 () ->
                     InvalidInputException.of(
                         "--model " + model,
-                        "there is no such model; "
+                        "does not exist; "
                             + folder
                             + " has "
                             + String.join(", ", all.stream().map(TestModel::name).toList()))));

@@ -15,14 +15,14 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** Interfaces as they are understood. */
+/** Prints parsed interfaces. */
 @Command(
     name = "describe",
     description =
-        "Shows interfaces as they are understood: what a component provides and requires, methods,"
-            + " parameters, resolved types, and everything that is wrong with them. Reads OPRoS"
+        "Prints parsed interfaces: what a component provides and requires, methods, parameters,"
+            + " resolved types, and all errors. Reads OPRoS"
             + " profiles (.xml), OMG IDL, ROS 2 (.msg, .srv, .action) and protobuf. Exit code 2: a"
-            + " file cannot be used.",
+            + " file is invalid.",
     mixinStandardHelpOptions = true)
 final class DescribeCommand implements Callable<Integer> {
   @Spec private @Nullable CommandSpec spec;
@@ -30,7 +30,7 @@ final class DescribeCommand implements Callable<Integer> {
   @Parameters(
       paramLabel = "FILE",
       arity = "1..*",
-      description = "Interface files, folders of them, or zip archives.")
+      description = "Interface files, folders or zip archives.")
   private List<Path> files = List.of();
 
   @Override

@@ -27,11 +27,10 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** Test cases from a test model, offline. */
+/** Generates test cases from a test model. */
 @Command(
     name = "generate",
-    description =
-        "Generates the test cases of a test model. Exit code 2: the model cannot be used.",
+    description = "Generates the test cases of a test model. Exit code 2: the model is invalid.",
     mixinStandardHelpOptions = true)
 final class GenerateCommand implements Callable<Integer> {
   @Spec private @Nullable CommandSpec spec;
@@ -42,20 +41,20 @@ final class GenerateCommand implements Callable<Integer> {
   @Option(
       names = {"-o", "--output"},
       paramLabel = "FILE",
-      description = "Where the cases go; without it, to standard output.")
+      description = "Output file; default: standard output.")
   private @Nullable Path output;
 
   @Option(
       names = "--strength",
       paramLabel = "N|all",
       converter = StrengthConverter.class,
-      description = "Order of combinations, 1 to 6 or all; without it, the model's.")
+      description = "Order of combinations, 1 to 6 or all; default: that of the model.")
   private @Nullable Strength strength;
 
   @Option(
       names = "--invalid",
       paramLabel = "isolate|combine",
-      description = "How invalid values take part; without it, the model's.")
+      description = "How invalid values are combined; default: as in the model.")
   private @Nullable InvalidValues invalidValues;
 
   @Mixin private final SeedOption seed = new SeedOption();
@@ -64,14 +63,14 @@ final class GenerateCommand implements Callable<Integer> {
       names = "--effort",
       paramLabel = "fast|default|best",
       defaultValue = "default",
-      description = "How long to look for fewer cases (default: ${DEFAULT-VALUE}).")
+      description = "How long to minimize the number of cases (default: ${DEFAULT-VALUE}).")
   private Effort effort = Effort.DEFAULT;
 
   @Option(
       names = "--seed-cases",
       paramLabel = "FILE",
       description =
-          "An earlier suite: its cases stay under their numbers, and only what is missing is"
+          "An earlier suite, whose cases keep their numbers; only missing combinations are"
               + " added.")
   private @Nullable Path earlier;
 
@@ -94,7 +93,7 @@ final class GenerateCommand implements Callable<Integer> {
               new GenerationOptions(strength, invalidValues, seed.value(), effort, earlierSuite()),
               (rows, share) ->
                   progress.detail(
-                      "%s: %d cases, looking for fewer, %.0f %%"
+                      "%s: %d cases, minimizing, %.0f %%"
                           .formatted(parsed.name(), rows, share * 100)));
     }
     CommandLine command = java.util.Objects.requireNonNull(spec).commandLine();

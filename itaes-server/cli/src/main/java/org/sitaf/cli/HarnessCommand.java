@@ -25,14 +25,14 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** The sources of a test application, to read or to begin a concrete test driver with. */
+/** Prints the sources of test applications, or generates an adapter. */
 @Command(
     name = "harness",
     description =
-        "Shows the sources of an activity's test applications: driver, stub, simulation control,"
-            + " concrete driver, and the interfaces and types that a component names; all as they"
-            + " are generated now, even where the activity keeps a driver of its own. Exit code 2:"
-            + " the activity cannot be used.",
+        "Prints the sources of an activity's test applications: driver, stub, simulation control,"
+            + " concrete driver, interfaces and types. Drivers that the activity keeps are ignored:"
+            + " all sources are generated. Exit code 2:"
+            + " the activity is invalid.",
     mixinStandardHelpOptions = true)
 final class HarnessCommand implements Callable<Integer> {
   @Spec private @Nullable CommandSpec spec;
@@ -42,15 +42,15 @@ final class HarnessCommand implements Callable<Integer> {
   @Option(
       names = {"-o", "--output"},
       paramLabel = "DIR",
-      description = "Folder that the sources are written into; without it, they are printed.")
+      description = "Output folder; default: print to standard output.")
   private @Nullable Path output;
 
   @Option(
       names = "--adapter",
       description =
-          "The beginning of an adapter instead, in the component's language: a class with every"
-              + " method of the provided interfaces, in the folder that adapter: names. It is"
-              + " written into the activity, or below DIR; no file is written over.")
+          "Generates an adapter skeleton in the component's language instead: a class with every"
+              + " method of the provided interfaces. It is written into the folder of the key adapter:"
+              + " in the activity, or into DIR; existing files are not overwritten.")
   private boolean adapter;
 
   @Override
@@ -90,7 +90,7 @@ final class HarnessCommand implements Callable<Integer> {
       if (Files.exists(below.resolve(path), LinkOption.NOFOLLOW_LINKS)) {
         throw InvalidInputException.of(
             below.resolve(path).toString(),
-            "is there already and is not written over; name another folder with -o");
+            "exists and is not overwritten; choose another folder with -o");
       }
     }
     write(sources, below, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);

@@ -7,15 +7,15 @@ import java.util.List;
 import org.sitaf.core.diagnostic.InvalidInputException;
 
 /**
- * Where the launcher has set things up.
+ * The installation that the launcher has set up.
  *
- * @param home the folder that holds {@code sitaf}
+ * @param home the folder of the script {@code sitaf}
  */
 public record Installation(Path home) {
   private static final String HOME = "sitaf.home";
 
   /**
-   * The installation that the launcher named.
+   * The installation of this command.
    *
    * @throws InvalidInputException if the command was not started by the launcher
    */
@@ -28,27 +28,27 @@ public record Installation(Path home) {
     return new Installation(Path.of(home).toAbsolutePath());
   }
 
-  /** What starts a simulation bridge; its arguments are appended. */
+  /** The command that starts a simulation bridge; its arguments are appended. */
   public List<String> bridgeCommand() {
     return List.of(state().resolve("venv/bin/python").toString(), "-m", "sitaf_bridge");
   }
 
-  /** What test applications link against, a folder a language. */
+  /** The runtimes of test applications, one folder per language. */
   public Path runtimes() {
     return state().resolve("dist/agent");
   }
 
-  /** What builds keep for the next ones. */
+  /** The cache of builds. */
   public Path cache() {
     return state().resolve("cache");
   }
 
-  /** What starts a server; its arguments are appended. */
+  /** The command that starts a server; its arguments are appended. */
   public List<String> serverCommand() {
     return java("server", "sitaf-server.jar");
   }
 
-  /** What starts an agent; its arguments are appended. */
+  /** The command that starts an agent; its arguments are appended. */
   public List<String> agentCommand() {
     List<String> command = new ArrayList<>(java("agent", "agent.jar"));
     command.add("--bridge-command");
@@ -56,12 +56,12 @@ public record Installation(Path home) {
     return command;
   }
 
-  /** The project's own example of an activity. */
+  /** An example activity of the project. */
   public Path example(String name) {
     return home.resolve("examples").resolve(name);
   }
 
-  /** Files that commands leave behind. */
+  /** The folder for files of commands. */
   public Path state() {
     return home.resolve(".sitaf");
   }

@@ -25,9 +25,9 @@ import org.sitaf.core.model.TestModel;
 import org.sitaf.core.suite.TestSuite;
 import org.sitaf.core.verdict.CaseResult;
 
-/** Builds on this machine, with a simulation of their own and nothing left behind. */
+/** Runs builds on this machine, with their own simulations; leaves no files. */
 final class LocalBuilds implements AutoCloseable {
-  /** As much as a test application records. */
+  /** Limit for recordings, the same as in a test application. */
   private static final long RECORDED_BYTES = 64L << 20;
 
   private final Path directory;
@@ -38,10 +38,9 @@ final class LocalBuilds implements AutoCloseable {
   private final OnExit onExit = new OnExit(this::cancel);
 
   /**
-   * Begins.
+   * Creates the folder and starts the first simulation.
    *
-   * @param withWorld how many builds are to come that need a simulation, the first of which is
-   *     started now
+   * @param withWorld number of builds that need a simulation
    */
   LocalBuilds(
       Installation installation,
@@ -62,16 +61,14 @@ final class LocalBuilds implements AutoCloseable {
     this.recordings = recordings;
   }
 
-  /** In which sandbox components run, or why in none. */
+  /** A description of the sandbox, or the reason why there is none. */
   String sandbox() {
     return settings.sandbox().description();
   }
 
-  /**
-   * Generates the test application, compiles and executes it; says on standard error how far it is.
-   */
+  /** Generates, compiles and executes a test application; prints the progress to standard error. */
   BuildOutcome run(Activity activity, TestModel model, TestSuite suite) {
-    // Gets ready while the simulation starts.
+    // Starts a compiler while the simulation starts.
     settings.toolchains().startAhead(activity.profile().harness(), settings.sandbox());
     try (ProgressLine progress = new ProgressLine(System.err)) {
       progress.step(model.name() + ": generating the test application");
@@ -102,7 +99,7 @@ final class LocalBuilds implements AutoCloseable {
   private void cancel() {
     BuildRun run = current.get();
     if (run != null) {
-      run.cancel("the command was stopped");
+      run.cancel("the command was interrupted");
     }
   }
 
@@ -119,7 +116,7 @@ final class LocalBuilds implements AutoCloseable {
     try {
       Folders.delete(directory);
     } catch (IOException e) {
-      throw new UncheckedIOException("left behind: " + directory, e);
+      throw new UncheckedIOException("cannot delete " + directory, e);
     }
   }
 
@@ -142,8 +139,7 @@ final class LocalBuilds implements AutoCloseable {
 
     @Override
     public void log(byte[] utf8) {
-      // A person at a shell wants verdicts; what the component prints is in the messages of its
-      // errors.
+      // The output of a component is not printed; error messages contain its last line.
     }
 
     @Override
@@ -153,7 +149,7 @@ final class LocalBuilds implements AutoCloseable {
 
     @Override
     public void recorded(int no, Path recording) {
-      // It lies where the person has ordered it.
+      // The recording is already in its destination folder.
     }
   }
 }

@@ -4,19 +4,19 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Lets a command that is stopped from outside (Ctrl-C, SIGTERM) end as it would by itself: asks it
- * to, and keeps the process until it has put things away.
+ * Stops a command on Ctrl-C or SIGTERM: asks it to end, and delays the exit of the process until it
+ * has cleaned up.
  */
 public final class OnExit implements AutoCloseable {
   private static final int LIMIT_S = 15;
 
-  private final CountDownLatch putAway = new CountDownLatch(1);
+  private final CountDownLatch cleanedUp = new CountDownLatch(1);
   private final Thread hook;
 
   /**
-   * From now until this is closed.
+   * Installs the hook until this is closed.
    *
-   * @param stop makes the command end soon; called on another thread
+   * @param stop asks the command to end; called in another thread
    */
   public OnExit(Runnable stop) {
     hook =
@@ -24,8 +24,8 @@ public final class OnExit implements AutoCloseable {
             () -> {
               stop.run();
               try {
-                if (!putAway.await(LIMIT_S, TimeUnit.SECONDS)) {
-                  System.err.println("sitaf: could not put everything away in " + LIMIT_S + " s");
+                if (!cleanedUp.await(LIMIT_S, TimeUnit.SECONDS)) {
+                  System.err.println("sitaf: cleaning up took longer than " + LIMIT_S + " s");
                 }
               } catch (InterruptedException e) {
                 Thread.currentThread().interrupt();
@@ -37,11 +37,11 @@ public final class OnExit implements AutoCloseable {
 
   @Override
   public void close() {
-    putAway.countDown();
+    cleanedUp.countDown();
     try {
       Runtime.getRuntime().removeShutdownHook(hook);
     } catch (IllegalStateException e) {
-      // The process is ending, and the hook with it.
+      // The process is already exiting.
     }
   }
 }

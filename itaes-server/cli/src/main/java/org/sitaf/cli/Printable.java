@@ -2,10 +2,7 @@ package org.sitaf.cli;
 
 import java.util.stream.Collectors;
 
-/**
- * Text of users, made harmless for a terminal: escape sequences and other control characters become
- * visible.
- */
+/** Escapes control characters in users' text, such as escape sequences of a terminal. */
 public final class Printable {
   private Printable() {}
 
@@ -21,7 +18,7 @@ public final class Printable {
         .collect(Collectors.joining(System.lineSeparator() + indent));
   }
 
-  /** One line of text; a line break in it becomes visible like other control characters. */
+  /** One line of text; line breaks are escaped, too. */
   public static String line(String text) {
     StringBuilder printable = new StringBuilder(text.length());
     text.codePoints()

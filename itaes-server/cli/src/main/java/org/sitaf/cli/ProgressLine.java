@@ -4,24 +4,24 @@ import java.io.Console;
 import java.io.PrintStream;
 
 /**
- * One line that says what is being done: it moves on a terminal, and is a line a step elsewhere.
+ * A line that shows the current step: updated in place on a terminal, otherwise one line per step.
  */
 public final class ProgressLine implements AutoCloseable {
   private final PrintStream out;
-  private final boolean moving;
+  private final boolean isTerminal;
   private String shown = "";
   private boolean dirty;
 
-  /** Writes to a stream that people read, standard error as a rule. */
+  /** Writes to a stream for people, usually standard error. */
   public ProgressLine(PrintStream out) {
     this.out = out;
     Console console = System.console();
-    this.moving = console != null && !"dumb".equals(System.getenv("TERM"));
+    this.isTerminal = console != null && !"dumb".equals(System.getenv("TERM"));
   }
 
-  /** A step that began. */
+  /** Shows the start of a step. */
   public synchronized void step(String text) {
-    if (moving) {
+    if (isTerminal) {
       show(text);
     } else if (!text.equals(shown)) {
       out.println(text);
@@ -29,9 +29,9 @@ public final class ProgressLine implements AutoCloseable {
     shown = text;
   }
 
-  /** How far the step is; seen on a terminal only. */
+  /** Shows the progress of the step, on a terminal only. */
   public synchronized void detail(String text) {
-    if (moving) {
+    if (isTerminal) {
       show(shown.isEmpty() ? text : shown + ": " + text);
       dirty = true;
     }
@@ -44,7 +44,7 @@ public final class ProgressLine implements AutoCloseable {
 
   @Override
   public synchronized void close() {
-    if (moving && (dirty || !shown.isEmpty())) {
+    if (isTerminal && (dirty || !shown.isEmpty())) {
       out.print("\r\033[K");
       out.flush();
     }

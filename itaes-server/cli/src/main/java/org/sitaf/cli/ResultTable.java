@@ -14,7 +14,7 @@ import org.sitaf.core.verdict.TestResult;
 import org.sitaf.core.verdict.Verdict;
 
 /**
- * A result as the paper shows it (Fig. 17a): summary, then a row a case with ER (expected), MR
+ * Prints a result like the paper (Fig. 17a): summary, then a row per case with ER (expected), MR
  * (measured) and PF (verdict).
  */
 public final class ResultTable {
@@ -22,20 +22,20 @@ public final class ResultTable {
 
   private ResultTable() {}
 
-  /** Prints cases, a row each; the reason stands behind those that did not pass. */
+  /** Prints one row per case, followed by the message of a case that did not pass. */
   public static void printCases(TestResult result, List<CaseResult> cases, PrintWriter out) {
     List<List<String>> rows = new ArrayList<>();
     List<String> header = new ArrayList<>(List.of("No"));
     result.parameters().stream().map(CaseParameter::name).forEach(header::add);
     header.addAll(List.of("ER", "MR", "PF", "Time(us)"));
     rows.add(header);
-    for (CaseResult kase : cases) {
-      List<String> row = new ArrayList<>(List.of(Integer.toString(kase.no())));
-      row.addAll(kase.values());
-      row.add(values(kase.expected()));
-      row.add(values(kase.actual()));
-      row.add(kase.verdict().name());
-      row.add(kase.time() == null ? "-" : number(kase.time().total()));
+    for (CaseResult testCase : cases) {
+      List<String> row = new ArrayList<>(List.of(Integer.toString(testCase.no())));
+      row.addAll(testCase.values());
+      row.add(values(testCase.expected()));
+      row.add(values(testCase.actual()));
+      row.add(testCase.verdict().name());
+      row.add(testCase.time() == null ? "-" : number(testCase.time().total()));
       rows.add(row.stream().map(ResultTable::cell).toList());
     }
     int columns = header.size();
@@ -56,7 +56,7 @@ public final class ResultTable {
     }
   }
 
-  /** Prints the numbers of a result, and why they are not to be trusted. */
+  /** Prints the summary, and the reasons why a result is suspect. */
   public static void printSummary(TestResult result, PrintWriter out) {
     if (result.isSuspect()) {
       out.println(result.name() + ": SUSPECT, the verdicts cannot be trusted:");

@@ -32,18 +32,18 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** One activity from its files to verdicts, without a server. */
+/** Tests an activity on this machine or on a server's agents. */
 @Command(
     name = "run",
     description = {
-      "Tests one activity: generates cases and test application, compiles and executes them here.",
+      "Tests one activity: generates test cases and test application, compiles and executes them.",
       "Exit code 0: every case passed; 1: a case is FAIL or ERROR, or the result is suspect; 2:"
           + " no case failed, but a case is DONT (not executed) or nothing ran."
     },
     mixinStandardHelpOptions = true)
 final class RunCommand implements Callable<Integer> {
   private static final int TEST_FAILED = 1;
-  private static final int MOST_ROWS = 100;
+  private static final int MAX_ROWS = 100;
 
   @Spec private @Nullable CommandSpec spec;
 
@@ -59,7 +59,7 @@ final class RunCommand implements Callable<Integer> {
       names = "--result",
       paramLabel = "FILE",
       description =
-          "Also writes the test result descriptor; without --model a folder, with a file a model.")
+          "Also writes the test result descriptor; without --model a folder with one file per model.")
   private @Nullable Path resultFile;
 
   @Mixin private final SeedOption seed = new SeedOption();
@@ -75,31 +75,30 @@ final class RunCommand implements Callable<Integer> {
 
   @Option(
       names = "--no-coverage",
-      description = "Does not record which lines of the component are reached.")
+      description = "Does not measure the line coverage of the component.")
   private boolean noCoverage;
 
   @Option(
       names = "--recording",
       paramLabel = "FOLDER",
-      description =
-          "Records what moves in each case: FOLDER/MODEL/NO.glb, for any viewer of glTF files.")
+      description = "Records the motion in each case: FOLDER/MODEL/NO.glb, for any glTF viewer.")
   private @Nullable Path recording;
 
   @Option(
       names = "--server",
       paramLabel = "URL",
       description = {
-        "Builds on the agents of a server instead of here, and prints the log of the build.",
-        "SITAF_TOKEN holds a token of that server. The activity stays there, with its results."
+        "Runs on the agents of a server instead of this machine, and prints the build log.",
+        "SITAF_TOKEN holds an API token of the server. The activity and its results stay there."
       })
   private @Nullable URI server;
 
   @Option(
       names = "--plaintext",
-      description = "With --server: sends the token without TLS beyond this machine.")
+      description = "With --server: allows to send the token without TLS to another machine.")
   private boolean plaintext;
 
-  @Option(names = "--table", description = "Prints every case, not only those that did not pass.")
+  @Option(names = "--table", description = "Prints all cases, not only those that did not pass.")
   private boolean table;
 
   @Override
@@ -179,10 +178,10 @@ final class RunCommand implements Callable<Integer> {
     List<CaseResult> shown = table ? result.cases() : ResultTable.notPassed(result);
     if (!shown.isEmpty()) {
       ResultTable.printCases(
-          result, table ? shown : shown.subList(0, Math.min(shown.size(), MOST_ROWS)), out);
-      if (!table && shown.size() > MOST_ROWS) {
+          result, table ? shown : shown.subList(0, Math.min(shown.size(), MAX_ROWS)), out);
+      if (!table && shown.size() > MAX_ROWS) {
         out.println(
-            "... and " + (shown.size() - MOST_ROWS) + " more that did not pass; --table shows all");
+            "... and " + (shown.size() - MAX_ROWS) + " more that did not pass; --table shows all");
       }
       out.println();
     }
@@ -201,7 +200,7 @@ final class RunCommand implements Callable<Integer> {
     err.flush();
   }
 
-  /** Of one result. */
+  /** The exit code for one result. */
   static int exitCode(TestResult result) {
     if (result.summary().fail() + result.summary().error() > 0) {
       return TEST_FAILED;
@@ -212,15 +211,15 @@ final class RunCommand implements Callable<Integer> {
     return result.allPassed() ? 0 : TEST_FAILED;
   }
 
-  /** A failed case counts more than a case that was not executed: CI must not take it for noise. */
+  /** The worse of two exit codes: 1 (failed) is worse than 2 (not executed). */
   static int worse(int one, int other) {
     return one == TEST_FAILED || other == TEST_FAILED ? TEST_FAILED : Math.max(one, other);
   }
 
   /**
-   * Finds out before the run whether the results can be written.
+   * Checks before the run that the results can be written.
    *
-   * @throws InvalidInputException when one of the options names a wrong place
+   * @throws InvalidInputException if a file or folder of an option cannot be written
    */
   private void requireWritable() {
     if (junit != null) {

@@ -8,7 +8,7 @@ final class SeedOption {
       names = "--seed",
       paramLabel = "S",
       defaultValue = "1",
-      description = "Seed of everything random (default: ${DEFAULT-VALUE}).")
+      description = "Seed of all random numbers (default: ${DEFAULT-VALUE}).")
   private long seed = 1;
 
   long value() {

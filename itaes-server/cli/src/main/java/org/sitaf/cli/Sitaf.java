@@ -27,10 +27,10 @@ import picocli.CommandLine.ExitCode;
       UpCommand.class
     })
 public final class Sitaf {
-  /** Stopped from outside, as shells have it for SIGINT. */
+  /** Exit code after SIGINT, as in a shell. */
   private static final int STOPPED = 130;
 
-  /** The input cannot be used, or nothing ran. */
+  /** The input is invalid, or nothing ran. */
   static final int UNUSABLE = 2;
 
   private Sitaf() {}
@@ -61,7 +61,7 @@ public final class Sitaf {
             });
   }
 
-  /** Says what is wrong without a stack trace where it is the user's to mend. */
+  /** Prints errors of the user without a stack trace. */
   private static void report(Exception failure, PrintWriter err) throws Exception {
     if (failure instanceof InvalidInputException invalid) {
       print(invalid.diagnostics(), err);

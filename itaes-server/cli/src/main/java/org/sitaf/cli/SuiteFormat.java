@@ -11,7 +11,7 @@ import org.sitaf.core.suite.document.TestSuiteXml;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.json.JsonFactory;
 
-/** Forms in which test cases leave the command line. */
+/** Output formats of test cases. */
 enum SuiteFormat {
   /** The paper's document (Fig. 9). */
   XML {
@@ -20,14 +20,14 @@ enum SuiteFormat {
       TestSuiteXml.write(suite, out);
     }
   },
-  /** A header and a line a case, as RFC 4180 has it. */
+  /** A header and one line per case, as in RFC 4180. */
   CSV {
     @Override
     void write(TestSuite suite, OutputStream out) throws IOException {
       SuiteCsv.write(suite, out);
     }
   },
-  /** One object with the parameters and the cases; values are literals, as in the document. */
+  /** One object with parameters and cases; values are literals, as in the XML document. */
   JSON {
     @Override
     void write(TestSuite suite, OutputStream out) {
@@ -68,6 +68,6 @@ enum SuiteFormat {
     }
   };
 
-  /** Writes all cases; the same suite gives the same bytes. */
+  /** Writes all cases; equal suites give equal bytes. */
   abstract void write(TestSuite suite, OutputStream out) throws IOException;
 }

@@ -11,16 +11,16 @@ import java.util.stream.Stream;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.diagnostic.InvalidInputException;
 
-/** Files on this machine, as a person names them. */
+/** Reads files that are named on the command line. */
 public final class UserFiles {
   private static final int MAX_DEPTH = 20;
 
   private UserFiles() {}
 
   /**
-   * Reads a folder with all that lies in it; hidden files and folders are left out.
+   * Reads a folder tree without hidden files and folders.
    *
-   * @throws InvalidInputException if there is no such folder, or a link lies in it
+   * @throws InvalidInputException if the folder does not exist or contains a link
    */
   public static FileTree folder(Path folder) {
     if (!Files.isDirectory(folder)) {
@@ -35,7 +35,7 @@ public final class UserFiles {
         }
         if (Files.isSymbolicLink(path)) {
           throw InvalidInputException.of(
-              path.toString(), "is a link; put the file itself into the activity");
+              path.toString(), "is a link; copy the file into the activity");
         }
         if (Files.isRegularFile(path, LinkOption.NOFOLLOW_LINKS)) {
           files.put(name, Files.readAllBytes(path));
@@ -62,7 +62,7 @@ public final class UserFiles {
     } catch (IOException e) {
       throw InvalidInputException.of(
           file.toString(),
-          Files.exists(file) ? "cannot be read: " + e.getMessage() : "there is no such file");
+          Files.exists(file) ? "cannot be read: " + e.getMessage() : "does not exist");
     }
   }
 

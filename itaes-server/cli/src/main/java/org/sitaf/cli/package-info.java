@@ -1,4 +1,4 @@
-/** The commands that need no server, and those that start one. */
+/** The command line interface. */
 @NullMarked
 package org.sitaf.cli;
 

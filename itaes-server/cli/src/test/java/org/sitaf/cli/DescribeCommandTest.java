@@ -41,7 +41,7 @@ class DescribeCommandTest {
 
   @ParameterizedTest
   @CsvSource({"opros,2", "idl,0", "ros,0", "proto,0"})
-  void aFolderOfEachKindIsDescribedAsBefore(String kind, int exitCode) throws IOException {
+  void describesAFolderOfEachKind(String kind, int exitCode) throws IOException {
     Run run = describe(FIXTURES.resolve(kind));
     String text = (run.out() + run.err()).replace(FIXTURES + "/", "").replace("\r", "");
     assertThat(text).isEqualTo(Files.readString(FIXTURES.resolve(kind + ".txt")));
@@ -49,7 +49,7 @@ class DescribeCommandTest {
   }
 
   @Test
-  void aLoneProfileFindsTheFilesBesideIt() {
+  void aSingleProfileFindsTheFilesNextToIt() {
     Run run = describe(FIXTURES.resolve("opros/GripperComp.xml"));
     assertThat(run.out())
         .contains("interface GripperService  (provided by GripperComp)")
@@ -60,7 +60,7 @@ class DescribeCommandTest {
   }
 
   @Test
-  void aLoneServiceOfRosKnowsItsPackageAndTheMessagesBesideIt() {
+  void aSingleRosServiceFindsMessagesOfItsPackage() {
     Run run = describe(FIXTURES.resolve("ros/arm_msgs/srv/SetLimits.srv"));
     assertThat(run.out())
         .contains("interface arm_msgs")
@@ -69,7 +69,7 @@ class DescribeCommandTest {
   }
 
   @Test
-  void anArchiveIsDescribedLikeTheFolderInIt(@TempDir Path folder) throws IOException {
+  void describesAnArchiveLikeAFolder(@TempDir Path folder) throws IOException {
     Path archive = folder.resolve("gripper.zip");
     try (OutputStream file = Files.newOutputStream(archive);
         ZipOutputStream zip = new ZipOutputStream(file)) {
@@ -86,11 +86,10 @@ class DescribeCommandTest {
   }
 
   @Test
-  void whatIsMissingOrNoInterfaceIsAnsweredWithExitCodeTwo(@TempDir Path folder)
-      throws IOException {
+  void exitsWithTwoForMissingOrInvalidFiles(@TempDir Path folder) throws IOException {
     Run missing = describe(folder.resolve("none.idl"));
     assertThat(missing.exitCode()).isEqualTo(2);
-    assertThat(missing.err()).contains("none.idl: error: there is no such file");
+    assertThat(missing.err()).contains("none.idl: error: does not exist");
     Run empty = describe(folder);
     assertThat(empty.exitCode()).isEqualTo(2);
     assertThat(empty.err()).contains("holds no interface file");
@@ -99,7 +98,7 @@ class DescribeCommandTest {
   }
 
   @Test
-  void controlCharactersOfAFileDoNotReachTheTerminal(@TempDir Path folder) throws IOException {
+  void escapesControlCharacters(@TempDir Path folder) throws IOException {
     Path file =
         Files.writeString(folder.resolve("a.idl"), "interface A { void f(in \u001b[31mred x); };");
     Run run = describe(file);
@@ -107,7 +106,7 @@ class DescribeCommandTest {
   }
 
   @Test
-  void everyRealProfileImportsOrSaysWhatIsDangling() throws IOException {
+  void importsRealProfilesOrReportsMissingReferences() throws IOException {
     Path profiles = Path.of("../../../shared/opros-profiles");
     Assumptions.assumeTrue(Files.isDirectory(profiles), "needs ../shared beside the checkout");
     Run run = describe(profiles);

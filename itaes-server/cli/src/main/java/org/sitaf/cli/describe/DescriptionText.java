@@ -23,9 +23,9 @@ import org.sitaf.core.description.source.ComponentDescription.Execution;
 import org.sitaf.core.description.source.ComponentDescription.Port;
 import org.sitaf.core.description.source.Described;
 
-/** A description as lines of text. The lines hold text of users as it is. */
+/** Formats a description as lines of text. Names are not escaped. */
 public final class DescriptionText {
-  private static final int WIDEST_COLUMN = 32;
+  private static final int MAX_COLUMN_WIDTH = 32;
   private static final int MAX_LITERALS = 12;
 
   private final Described described;
@@ -40,7 +40,7 @@ public final class DescriptionText {
   /**
    * The lines of a description: components, interfaces, types.
    *
-   * @param shownFile how the person knows a file
+   * @param shownFile maps a file to the name that the user knows
    */
   public static List<String> of(Described described, UnaryOperator<String> shownFile) {
     DescriptionText text = new DescriptionText(described, shownFile);
@@ -132,7 +132,7 @@ public final class DescriptionText {
     lines.add("");
   }
 
-  /** Who offers and who calls it. */
+  /** The components that provide and require the interface. */
   private String usage(InterfaceDescription description) {
     List<String> words = new ArrayList<>();
     for (boolean provided : new boolean[] {true, false}) {
@@ -229,7 +229,7 @@ public final class DescriptionText {
         .stream();
   }
 
-  /** Types and all that they are made of, each name once. */
+  /** Types with all their parts, each name once. */
   private static Collection<DataType> parts(Stream<DataType> types) {
     Map<String, DataType> parts = new LinkedHashMap<>();
     Deque<DataType> open = new ArrayDeque<>(types.toList());
@@ -246,12 +246,12 @@ public final class DescriptionText {
     lines.add(kind + " " + name.strip() + "  " + shownFile.apply(file));
   }
 
-  /** Two columns, the first as wide as it must be, within reason. */
+  /** Two columns; the first is as wide as necessary up to a limit. */
   private void table(List<String[]> rows) {
     int width =
         rows.stream()
             .mapToInt(row -> row[0].length())
-            .filter(length -> length <= WIDEST_COLUMN)
+            .filter(length -> length <= MAX_COLUMN_WIDTH)
             .max()
             .orElse(0);
     for (String[] row : rows) {

@@ -20,32 +20,32 @@ import org.sitaf.core.description.source.SourceFiles;
 import org.sitaf.core.diagnostic.Diagnostic;
 import org.sitaf.core.diagnostic.InvalidInputException;
 
-/** Interface files on this machine, as a person names them: files, folders, zip archives. */
+/** Reads interface files from the command line: files, folders, zip archives. */
 public final class InterfaceSources {
   private static final int MAX_FOLDERS = 20;
   private static final int MAX_FILES = 10_000;
 
-  /** Folders of a ROS 2 package; types lie in the first. */
+  /** Folders of a ROS 2 package; message types are in the first one. */
   private static final Set<String> ROS_FOLDERS = Set.of("msg", "srv", "action");
 
   private InterfaceSources() {}
 
   /**
-   * What was understood.
+   * A parsed description.
    *
-   * @param shown how the person knows each file
+   * @param shown name of each file as the user knows it
    */
   public record Source(Described described, Map<String, String> shown) {
     public Source {
       shown = Map.copyOf(shown);
     }
 
-    /** How the person knows a file. */
+    /** The name of a file as the user knows it. */
     public String show(String file) {
       return shown.getOrDefault(file, file);
     }
 
-    /** The diagnostics, with files as the person knows them. */
+    /** The diagnostics, with file names as the user knows them. */
     public List<Diagnostic> diagnostics() {
       return described.diagnostics().stream()
           .map(
@@ -55,10 +55,10 @@ public final class InterfaceSources {
   }
 
   /**
-   * Reads all that is named. Single files are read together, so that one may use what another
-   * declares; a folder or an archive is read by itself.
+   * Reads all given paths. Single files are read together, so that one may refer to another; each
+   * folder or archive is read separately.
    *
-   * @throws InvalidInputException if something cannot be read at all
+   * @throws InvalidInputException if a path cannot be read
    */
   public static List<Source> read(List<Path> named) {
     List<Path> single = new ArrayList<>();
@@ -106,7 +106,8 @@ public final class InterfaceSources {
         }
         if (files.size() >= MAX_FILES) {
           throw InvalidInputException.of(
-              folder.toString(), "holds more than " + MAX_FILES + " interface files; name a part");
+              folder.toString(),
+              "contains more than " + MAX_FILES + " interface files; name a subfolder");
         }
         files.put(name, content(path));
         shown.put(name, path.toString());
@@ -121,20 +122,20 @@ public final class InterfaceSources {
     return new Source(InterfaceFiles.readAll(name, files), shown);
   }
 
-  /** Files by their absolute paths, with those beside them, where references and types may lead. */
+  /** Files by absolute path, with the files next to them, which they may refer to. */
   private static Source files(List<Path> named) {
     Map<String, byte[]> files = new HashMap<>();
     Map<String, String> shown = new HashMap<>();
     List<String> asked = new ArrayList<>();
     for (Path path : named) {
       if (!Files.exists(path)) {
-        throw InvalidInputException.of(path.toString(), "there is no such file");
+        throw InvalidInputException.of(path.toString(), "does not exist");
       }
       String key = key(path);
       files.put(key, content(path));
       shown.put(key, path.toString());
       asked.add(key);
-      for (Path other : beside(path)) {
+      for (Path other : siblings(path)) {
         if (!files.containsKey(key(other)) && isSmall(other)) {
           files.put(key(other), content(other));
           shown.put(key(other), other.toString());
@@ -144,7 +145,7 @@ public final class InterfaceSources {
     return new Source(InterfaceFiles.read(SourceFiles.of("", files, asked)), shown);
   }
 
-  private static List<Path> beside(Path path) {
+  private static List<Path> siblings(Path path) {
     Path folder = path.toAbsolutePath().normalize().getParent();
     if (folder == null) {
       return List.of();

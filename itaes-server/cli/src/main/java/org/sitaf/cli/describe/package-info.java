@@ -1,4 +1,4 @@
-/** Interfaces for a person to read: files as a person names them, descriptions as lines of text. */
+/** Prints interfaces: reads files from the command line and formats descriptions as text. */
 @NullMarked
 package org.sitaf.cli.describe;
 

@@ -23,11 +23,11 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 import tools.jackson.databind.JsonNode;
 
-/** The paper's evaluation (section 4) on the whole system: server, agent, simulation. */
+/** Runs the paper's evaluation (section 4) with server, agent and simulation. */
 @Command(
     name = "demo",
     description =
-        "Runs the paper's evaluation: the infrared sensor's interface, from its description to a"
+        "Runs the paper's evaluation: tests the interface of an infrared sensor, with a"
             + " verdict for each case. Exit code 1: a case did not pass.",
     mixinStandardHelpOptions = true)
 public final class DemoCommand implements Callable<Integer> {
@@ -35,9 +35,7 @@ public final class DemoCommand implements Callable<Integer> {
 
   @Spec private @Nullable CommandSpec spec;
 
-  @Option(
-      names = "--keep",
-      description = "Leaves server, agent and portal running until this command is stopped.")
+  @Option(names = "--keep", description = "Keeps server, agent and portal running until Ctrl-C.")
   private boolean keep;
 
   @Override
@@ -50,7 +48,7 @@ public final class DemoCommand implements Callable<Integer> {
           LocalSystem system = LocalSystem.start(installation, directory, 0, 0, progress)) {
         int exitCode = evaluate(installation, system, progress, out);
         if (keep) {
-          PortalInvitation.printAndKeep(system, out);
+          SignInLinks.printAndKeep(system, out);
           system.await();
         }
         return exitCode;
@@ -91,7 +89,7 @@ public final class DemoCommand implements Callable<Integer> {
     Path file = folder.resolve(MODEL + ".xml");
     Files.write(file, isolatedDocument);
     Files.write(folder.resolve(MODEL + "-combined.xml"), combinedDocument);
-    out.println("The results as XML: " + file + " and, combined, beside it.");
+    out.println("Results as XML: " + file + " and, with combined invalid values, next to it.");
     out.flush();
     return allPassed(isolated) && allPassed(combined) ? 0 : 1;
   }

@@ -20,15 +20,12 @@ import java.util.regex.Pattern;
 import org.sitaf.cli.Installation;
 import org.sitaf.cli.ProgressLine;
 
-/**
- * A server and an agent, which starts a simulation of its own, on this machine and for this command
- * only.
- */
+/** A server and an agent with a simulation on this machine, for the duration of a command. */
 final class LocalSystem implements AutoCloseable {
 
-  /** A machine may be busy with other things: who comes on, however slowly, is waited for. */
-  private static final Patience PATIENCE =
-      new Patience(Duration.ofMinutes(2), Duration.ofMinutes(20));
+  /** Waits long for a process that makes progress, because the machine may be busy. */
+  private static final StartupTimeout STARTUP_TIMEOUT =
+      new StartupTimeout(Duration.ofMinutes(2), Duration.ofMinutes(20));
 
   private static final Pattern LISTENING = Pattern.compile("^listening http=(\\d+) grpc=(\\d+)");
   private static final Pattern REGISTERED = Pattern.compile("^registered ");
@@ -48,12 +45,12 @@ final class LocalSystem implements AutoCloseable {
   }
 
   /**
-   * Starts both, and returns when the agent is registered.
+   * Starts both and returns when the agent is registered.
    *
-   * @param directory what server and agent keep; logs among it
-   * @param httpPort 0 for a free one
-   * @param grpcPort 0 for a free one
-   * @throws IOException if one of them does not start; the message holds the end of its log
+   * @param directory data of server and agent, including logs
+   * @param httpPort 0 for any free port
+   * @param grpcPort 0 for any free port
+   * @throws IOException if one of them does not start; the message contains the end of its log
    */
   static LocalSystem start(
       Installation installation, Path directory, int httpPort, int grpcPort, ProgressLine progress)
@@ -67,7 +64,7 @@ final class LocalSystem implements AutoCloseable {
     serverCommand.add("--server.port=" + httpPort);
     serverCommand.add("--spring.grpc.server.port=" + grpcPort);
     serverCommand.add("--sitaf.stop-with-stdin=true");
-    // On the loopback, for one person: who opened the portal once need not be asked for a month.
+    // Sessions last a month, because the server listens on loopback for one person.
     serverCommand.add("--spring.session.timeout=30d");
     serverCommand.add("--server.servlet.session.cookie.max-age=30d");
     String token = secret();
@@ -81,7 +78,7 @@ final class LocalSystem implements AutoCloseable {
             directory.resolve("server.log"),
             LISTENING);
     try {
-      Matcher ports = server.awaitReady(PATIENCE, progress);
+      Matcher ports = server.awaitReady(STARTUP_TIMEOUT, progress);
       progress.step("Starting an agent");
       List<String> agentCommand = new ArrayList<>(installation.agentCommand());
       agentCommand.addAll(
@@ -99,7 +96,7 @@ final class LocalSystem implements AutoCloseable {
               directory.resolve("agent.log"),
               REGISTERED);
       try {
-        agent.awaitReady(PATIENCE, progress, server);
+        agent.awaitReady(STARTUP_TIMEOUT, progress, server);
         return new LocalSystem(
             server, agent, URI.create("http://localhost:" + ports.group(1)), token);
       } catch (IOException | InterruptedException e) {
@@ -112,7 +109,7 @@ final class LocalSystem implements AutoCloseable {
     }
   }
 
-  /** Logs, results and keys are in it: other users of the machine do not read them. */
+  /** Creates a folder that other users cannot read, because it holds logs, results and keys. */
   private static void createPrivate(Path directory) throws IOException {
     Files.createDirectories(directory);
     if (Files.getFileStore(directory).supportsFileAttributeView("posix")) {
@@ -120,7 +117,7 @@ final class LocalSystem implements AutoCloseable {
     }
   }
 
-  /** Better said in a sentence, and at once, than by the log of a server that does not start. */
+  /** Reports a port in use at once, instead of by the log of a server that does not start. */
   static void requireFree(int port, String option) throws IOException {
     if (port == 0) {
       return;
@@ -132,24 +129,24 @@ final class LocalSystem implements AutoCloseable {
       throw new IOException(
           "port "
               + port
-              + " is in use, perhaps by another './sitaf up': stop that one, or choose another port by "
+              + " is in use, perhaps by another './sitaf up': stop it, or choose another port with "
               + option
-              + " (0: a free one)",
+              + " (0: any free port)",
           e);
     }
   }
 
-  /** Where the portal and the REST interface are. */
+  /** The address of the portal and the REST interface. */
   URI address() {
     return address;
   }
 
-  /** The server's interface, for this command. */
+  /** A client of the server. */
   ServerClient client() {
     return new ServerClient(address, token);
   }
 
-  /** An address that opens the portal signed in, once. */
+  /** A link that opens the portal and signs in, valid once. */
   URI signInLink() throws IOException, InterruptedException {
     return address.resolve(client().post("session/link", Map.of()).path("path").asString());
   }
@@ -160,7 +157,7 @@ final class LocalSystem implements AutoCloseable {
     return HexFormat.of().formatHex(bytes);
   }
 
-  /** Waits until the server ends, by itself or because this command is stopped. */
+  /** Waits until the server ends or this command is interrupted. */
   int await() throws InterruptedException {
     return server.await();
   }

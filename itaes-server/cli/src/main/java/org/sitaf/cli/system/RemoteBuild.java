@@ -17,11 +17,11 @@ import org.sitaf.core.verdict.TestResult;
 import org.sitaf.core.verdict.document.TestResultXml;
 import tools.jackson.databind.JsonNode;
 
-/** A build on a server, followed to its end. */
+/** Runs a build on a server and follows it until it ends. */
 final class RemoteBuild {
   private static final int LONG_POLL_S = 20;
 
-  /** With a log to follow, which no poll waits for. */
+  /** Poll interval while the log is printed. */
   private static final int SHORT_POLL_S = 1;
 
   private final ServerClient server;
@@ -35,22 +35,22 @@ final class RemoteBuild {
     this.progress = progress;
   }
 
-  /** Also copies the build's log while it grows. */
+  /** Also prints the build's log while it grows. */
   RemoteBuild followedBy(PrintStream out) {
     log = out;
     return this;
   }
 
-  /** Of the build that was requested. */
+  /** The id of the build. */
   String id() {
     return id;
   }
 
   /**
-   * Builds a suite now and waits for its result document.
+   * Builds a suite and waits for its result document.
    *
-   * @throws InvalidInputException if the build brought no result; holds the reason
-   * @throws InterruptedException if this thread is interrupted; the build is cancelled then
+   * @throws InvalidInputException if the build has no result; contains the reason
+   * @throws InterruptedException if this thread is interrupted; the build is cancelled
    */
   byte[] build(String suiteId) throws IOException, InterruptedException {
     JsonNode build = server.post("builds", Map.of("suiteId", suiteId));
@@ -67,7 +67,7 @@ final class RemoteBuild {
     JsonNode build = requested;
     String path = "builds/" + id;
     String shown = "";
-    while (!isOver(build)) {
+    while (!hasEnded(build)) {
       String state = build.path("state").asString();
       if (!state.equals(shown)) {
         progress.step("Build: " + state.toLowerCase(Locale.ROOT));
@@ -97,7 +97,7 @@ final class RemoteBuild {
       return;
     }
     byte[] fresh = server.log(path, logEnd);
-    int whole = isOver(build) ? fresh.length : lastLineEnd(fresh);
+    int whole = hasEnded(build) ? fresh.length : lastLineEnd(fresh);
     if (whole > 0) {
       progress.close();
       new String(fresh, 0, whole, StandardCharsets.UTF_8)
@@ -108,7 +108,7 @@ final class RemoteBuild {
     }
   }
 
-  /** After the last whole line: a character may be cut in two behind it. */
+  /** The end of the last complete line; a later character may be incomplete. */
   private static int lastLineEnd(byte[] text) {
     int end = text.length;
     while (end > 0 && text[end - 1] != '\n') {
@@ -122,7 +122,7 @@ final class RemoteBuild {
     return TestResultXml.read(new ByteArrayInputStream(document), "result");
   }
 
-  private static boolean isOver(JsonNode build) {
+  private static boolean hasEnded(JsonNode build) {
     return switch (build.path("state").asString()) {
       case "DONE", "FAILED", "CANCELLED" -> true;
       default -> false;

@@ -14,7 +14,7 @@ import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.verdict.TestResult;
 import tools.jackson.databind.JsonNode;
 
-/** An activity that is tested on a server's agents. It stays there, with its results. */
+/** Tests an activity on a server's agents. The activity stays on the server with its results. */
 public final class RemoteRun {
   private static final String TOKEN = "SITAF_TOKEN";
   private static final Pattern LOOPBACK = Pattern.compile("localhost|127(\\.\\d+){3}|\\[::1]");
@@ -34,10 +34,11 @@ public final class RemoteRun {
   /**
    * Uploads an activity.
    *
-   * @param token of the server; null where there is none
-   * @param plaintext whether the token may be sent without TLS beyond the loopback
-   * @param err for people: how far it is, and the log of each build
-   * @throws InvalidInputException if the server refuses it; holds the server's diagnostics
+   * @param token API token of the server; null for none
+   * @param plaintext whether the token may be sent without TLS to other machines
+   * @param err for progress and build logs
+   * @throws InvalidInputException if the server rejects the activity; contains the server's
+   *     diagnostics
    */
   public static RemoteRun upload(
       URI address, @Nullable String token, boolean plaintext, FileTree files, PrintStream err)
@@ -45,7 +46,8 @@ public final class RemoteRun {
     verify(address, plaintext);
     if (token == null || token.isBlank()) {
       throw InvalidInputException.of(
-          TOKEN, "is not set; make a token in the portal of " + address + " and set it to that");
+          TOKEN,
+          "is not set; create a token in the portal of " + address + " and set the variable to it");
     }
     ServerClient server = new ServerClient(address, token.strip());
     ByteArrayOutputStream zip = new ByteArrayOutputStream();
@@ -64,14 +66,14 @@ public final class RemoteRun {
     if (http && !plaintext && !LOOPBACK.matcher(host).matches()) {
       throw InvalidInputException.of(
           "--server " + address,
-          "would be sent the token without TLS; use https, or --plaintext where nobody listens");
+          "would send the token without TLS; use https, or --plaintext in a trusted network");
     }
   }
 
   /**
-   * Tests one model; cancels its build when this thread is interrupted.
+   * Tests one model; cancels its build if this thread is interrupted.
    *
-   * @throws InvalidInputException if the build brought no result; holds the reason
+   * @throws InvalidInputException if the build has no result; contains the reason
    */
   public TestResult test(String model, long seed) throws IOException, InterruptedException {
     try (ProgressLine progress = new ProgressLine(err)) {

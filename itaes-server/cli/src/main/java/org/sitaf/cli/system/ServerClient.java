@@ -18,9 +18,9 @@ import org.sitaf.core.diagnostic.Severity;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
-/** What a command asks of a server, by its REST interface ({@code /api/v1}). */
+/** Client of a server's REST interface ({@code /api/v1}). */
 final class ServerClient {
-  private static final Duration LIMIT = Duration.ofSeconds(60);
+  private static final Duration TIMEOUT = Duration.ofSeconds(60);
   private static final String JSON = "application/json";
 
   private final HttpClient http =
@@ -30,7 +30,7 @@ final class ServerClient {
   private final String token;
 
   /**
-   * A client of one server.
+   * Creates a client of one server.
    *
    * @param token for {@code Authorization: Bearer}
    */
@@ -40,9 +40,9 @@ final class ServerClient {
   }
 
   /**
-   * Posts a body and returns the answer.
+   * Posts a body and returns the response.
    *
-   * @throws InvalidInputException if the server refuses it; holds the server's diagnostics
+   * @throws InvalidInputException if the server rejects it; contains the server's diagnostics
    */
   JsonNode post(String path, String contentType, byte[] body)
       throws IOException, InterruptedException {
@@ -63,13 +63,13 @@ final class ServerClient {
     return parse(send(request(path).header("Accept", JSON).GET()));
   }
 
-  /** Gets a document as it is. */
+  /** Gets a document without parsing it. */
   byte[] document(String path) throws IOException, InterruptedException {
     return send(request(path).GET()).body();
   }
 
   /**
-   * Part of a log from an offset on.
+   * Gets a log from an offset on.
    *
    * @param offset in bytes
    */
@@ -79,7 +79,7 @@ final class ServerClient {
 
   private HttpRequest.Builder request(String path) {
     return HttpRequest.newBuilder(api.resolve(path))
-        .timeout(LIMIT)
+        .timeout(TIMEOUT)
         .header("Authorization", "Bearer " + token);
   }
 

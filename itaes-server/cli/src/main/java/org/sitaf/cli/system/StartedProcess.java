@@ -20,15 +20,14 @@ import java.util.regex.Pattern;
 import org.sitaf.cli.ProgressLine;
 
 /**
- * A process of ours: says in a line of its output that it is ready, and ends when its standard
- * input closes.
+ * A child process that prints a line when it is ready and ends when its standard input is closed.
  */
 final class StartedProcess implements AutoCloseable {
   private static final Duration STOP_LIMIT = Duration.ofSeconds(10);
   private static final int LAST_LINES = 15;
-  private static final long LOOK_MS = 200;
-  private static final Duration EXPECTED = Duration.ofSeconds(20);
-  private static final Duration SIGN_OF_WORK = Duration.ofMillis(200);
+  private static final long POLL_MS = 200;
+  private static final Duration USUAL_START = Duration.ofSeconds(20);
+  private static final Duration MIN_CPU_TIME = Duration.ofMillis(200);
 
   private final String name;
   private final Path log;
@@ -36,11 +35,11 @@ final class StartedProcess implements AutoCloseable {
   private final CompletableFuture<Matcher> ready = new CompletableFuture<>();
 
   /**
-   * Starts a process whose output goes to a log.
+   * Starts a process whose output is written to a log.
    *
-   * @param environment added to this process's own; secrets go this way, for arguments are seen by
-   *     everybody on the machine
-   * @param ready found in the line that says that it is ready
+   * @param environment additional variables; used for secrets, because arguments are visible to all
+   *     users
+   * @param ready pattern of the line that the process prints when it is ready
    */
   StartedProcess(
       String name, List<String> command, Map<String, String> environment, Path log, Pattern ready)
@@ -58,14 +57,14 @@ final class StartedProcess implements AutoCloseable {
   }
 
   /**
-   * Waits until it is ready, for as long as it comes on.
+   * Waits until the process is ready, as long as it makes progress.
    *
-   * @param progress is told of a wait that is longer than people expect
-   * @param others what this process waits for itself: while they come on, so does it
-   * @return what was found in the line that says so
-   * @throws IOException if it ends before, or patience does; the message holds the end of its log
+   * @param progress shown if the wait is longer than usual
+   * @param others processes that this one waits for: their progress counts, too
+   * @return the match of the ready line
+   * @throws IOException if the process ends or the timeout expires; contains the end of its log
    */
-  Matcher awaitReady(Patience patience, ProgressLine progress, StartedProcess... others)
+  Matcher awaitReady(StartupTimeout timeout, ProgressLine progress, StartedProcess... others)
       throws IOException, InterruptedException {
     long began = System.nanoTime();
     long cameOn = began;
@@ -73,7 +72,7 @@ final class StartedProcess implements AutoCloseable {
     boolean told = false;
     while (true) {
       try {
-        return ready.get(LOOK_MS, TimeUnit.MILLISECONDS);
+        return ready.get(POLL_MS, TimeUnit.MILLISECONDS);
       } catch (ExecutionException e) {
         process.waitFor(1, TimeUnit.SECONDS);
         throw new IOException("the " + name + " ended before it was ready" + lastLine(), e);
@@ -85,23 +84,20 @@ final class StartedProcess implements AutoCloseable {
           cameOn = now;
           seen = done;
         }
-        if (waited.compareTo(patience.atMost()) > 0) {
+        if (waited.compareTo(timeout.atMost()) > 0) {
           throw new IOException(
-              "the " + name + " was not ready within " + waited.toSeconds() + " s" + lastLine(),
-              e);
+              "the " + name + " was not ready within " + waited.toSeconds() + " s" + lastLine(), e);
         }
         Duration still = Duration.ofNanos(now - cameOn);
-        if (still.compareTo(patience.withoutProgress()) > 0) {
+        if (still.compareTo(timeout.withoutProgress()) > 0) {
           throw new IOException(
-              "the %s is not ready after %d s, and did nothing for the last %d s%s"
+              "the %s is not ready after %d s and made no progress in the last %d s%s"
                   .formatted(name, waited.toSeconds(), still.toSeconds(), lastLine()),
               e);
         }
-        if (waited.compareTo(EXPECTED) > 0) {
+        if (waited.compareTo(USUAL_START) > 0) {
           if (!told) {
-            progress.step(
-                "Waiting for the %s, which starts slowly: this machine is busy (log: %s)"
-                    .formatted(name, log));
+            progress.step("Waiting for the %s, which starts slowly (log: %s)".formatted(name, log));
             told = true;
           }
           progress.detail(waited.toSeconds() + " s");
@@ -111,15 +107,15 @@ final class StartedProcess implements AutoCloseable {
   }
 
   /**
-   * What processes have done so far.
+   * Progress of processes.
    *
-   * @param cpu the time that they have had of a processor
-   * @param logged bytes that they have written
+   * @param cpu total processor time
+   * @param logged size of their logs in bytes
    */
   private record Work(Duration cpu, long logged) {
-    /** More than a virtual machine does that only waits. */
+    /** Whether they used more processor time than an idle JVM, or wrote to a log. */
     boolean isMoreThan(Work before) {
-      return logged > before.logged || cpu.minus(before.cpu).compareTo(SIGN_OF_WORK) > 0;
+      return logged > before.logged || cpu.minus(before.cpu).compareTo(MIN_CPU_TIME) > 0;
     }
 
     Work plus(Work other) {
@@ -136,7 +132,7 @@ final class StartedProcess implements AutoCloseable {
     return all;
   }
 
-  /** Waits for the end of the process. */
+  /** Waits until the process ends. */
   int await() throws InterruptedException {
     return process.waitFor();
   }

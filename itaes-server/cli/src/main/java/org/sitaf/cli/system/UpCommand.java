@@ -14,11 +14,10 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** Server, one agent and the simulation on this machine, until the command is stopped. */
+/** Starts server, agent and simulation until the command is interrupted. */
 @Command(
     name = "up",
-    description =
-        "Starts server, one agent and the simulation; what they hold stays in .sitaf/data.",
+    description = "Starts server, agent and simulation; their data is stored in .sitaf/data.",
     mixinStandardHelpOptions = true)
 public final class UpCommand implements Callable<Integer> {
   @Spec private @Nullable CommandSpec spec;
@@ -27,16 +26,19 @@ public final class UpCommand implements Callable<Integer> {
       names = "--port",
       defaultValue = "8080",
       description =
-          "Of the portal and the REST interface (default: ${DEFAULT-VALUE}; 0: a free one).")
+          "Port of portal and REST interface (default: ${DEFAULT-VALUE}; 0: any free port).")
   private int port;
 
   @Option(
       names = "--grpc-port",
       defaultValue = "9090",
-      description = "Of the agents' interface (default: ${DEFAULT-VALUE}; 0: a free one).")
+      description = "Port for agents (default: ${DEFAULT-VALUE}; 0: any free port).")
   private int grpcPort;
 
-  @Option(names = "--data", paramLabel = "FOLDER", description = "Instead of .sitaf/data.")
+  @Option(
+      names = "--data",
+      paramLabel = "FOLDER",
+      description = "Data folder (default: .sitaf/data).")
   private @Nullable Path data;
 
   @Override
@@ -48,7 +50,7 @@ public final class UpCommand implements Callable<Integer> {
         ProgressLine progress = new ProgressLine(System.err);
         LocalSystem system = LocalSystem.start(installation, directory, port, grpcPort, progress)) {
       progress.close();
-      PortalInvitation.printAndKeep(system, out);
+      SignInLinks.printAndKeep(system, out);
       return system.await();
     }
   }

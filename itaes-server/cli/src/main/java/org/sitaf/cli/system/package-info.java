@@ -1,6 +1,6 @@
 /**
- * {@code sitaf demo} and {@code sitaf up}: server, agent and simulation as processes of this
- * machine, used as anybody would.
+ * {@code sitaf demo} and {@code sitaf up}: start server, agent and simulation as processes of this
+ * machine.
  */
 @NullMarked
 package org.sitaf.cli.system;

@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 
 class LocalSystemTest {
   @Test
-  void aPortThatIsInUseIsNamedInASentence() throws IOException {
+  void reportsAPortInUse() throws IOException {
     try (ServerSocket other = new ServerSocket(0, 1, InetAddress.getByName("127.0.0.1"))) {
       assertThatThrownBy(() -> LocalSystem.requireFree(other.getLocalPort(), "--port"))
           .isInstanceOf(IOException.class)

@@ -24,9 +24,9 @@ class StartedProcessTest {
   private static final Duration SHORT = Duration.ofSeconds(1);
   private static final Duration LONG = Duration.ofSeconds(50);
 
-  private final ByteArrayOutputStream said = new ByteArrayOutputStream();
+  private final ByteArrayOutputStream output = new ByteArrayOutputStream();
   private final ProgressLine progress =
-      new ProgressLine(new PrintStream(said, true, StandardCharsets.UTF_8));
+      new ProgressLine(new PrintStream(output, true, StandardCharsets.UTF_8));
 
   @TempDir private Path directory;
 
@@ -40,46 +40,50 @@ class StartedProcessTest {
   }
 
   @Test
-  void whatIsReadySaysWhere() throws Exception {
+  void returnsTheReadyLine() throws Exception {
     try (StartedProcess process = started("one", "echo begun; echo ready here; read end")) {
-      assertThat(process.awaitReady(new Patience(LONG, LONG), progress).group(1)).isEqualTo("here");
+      assertThat(process.awaitReady(new StartupTimeout(LONG, LONG), progress).group(1))
+          .isEqualTo("here");
     }
   }
 
   @Test
-  void whatComesOnIsWaitedForHoweverLong() throws Exception {
+  void waitsForAProcessThatWritesToItsLog() throws Exception {
     String talks = "for i in 1 2 3 4 5 6 7 8; do sleep 0.4; echo step $i; done; echo ready at last";
     try (StartedProcess process = started("one", talks)) {
-      assertThat(process.awaitReady(new Patience(SHORT, LONG), progress).group(1))
+      assertThat(process.awaitReady(new StartupTimeout(SHORT, LONG), progress).group(1))
           .isEqualTo("at last");
     }
   }
 
   @Test
-  void whatComputesComesOn() throws Exception {
+  void waitsForAProcessThatUsesTheProcessor() throws Exception {
     String computes =
         "end=$(($(date +%s) + 4)); while [ $(date +%s) -lt $end ]; do i=0;"
             + " while [ $i -lt 20000 ]; do i=$((i + 1)); done; done; echo ready at last";
     try (StartedProcess process = started("one", computes)) {
-      assertThat(process.awaitReady(new Patience(Duration.ofSeconds(3), LONG), progress).group(1))
+      assertThat(
+              process
+                  .awaitReady(new StartupTimeout(Duration.ofSeconds(3), LONG), progress)
+                  .group(1))
           .isEqualTo("at last");
     }
   }
 
   @Test
-  void whatWaitsForAnotherComesOnWithIt() throws Exception {
+  void waitsForAProcessWhoseDependencyMakesProgress() throws Exception {
     String talks = "for i in 1 2 3 4 5 6 7 8; do sleep 0.4; echo step $i; done; read end";
     try (StartedProcess other = started("other", talks);
         StartedProcess process = started("one", "sleep 3; echo ready at last; read end")) {
-      assertThat(process.awaitReady(new Patience(SHORT, LONG), progress, other).group(1))
+      assertThat(process.awaitReady(new StartupTimeout(SHORT, LONG), progress, other).group(1))
           .isEqualTo("at last");
     }
   }
 
   @Test
-  void whatDoesNothingIsGivenUpWithItsLastWords() throws Exception {
+  void reportsTheLastLineOfAProcessWithoutProgress() throws Exception {
     try (StartedProcess process = started("one", "echo stuck in the mud; exec sleep 60")) {
-      assertThatThrownBy(() -> process.awaitReady(new Patience(SHORT, LONG), progress))
+      assertThatThrownBy(() -> process.awaitReady(new StartupTimeout(SHORT, LONG), progress))
           .isInstanceOf(IOException.class)
           .hasMessageContaining("the one is not ready after")
           .hasMessageContaining("stuck in the mud");
@@ -87,18 +91,18 @@ class StartedProcessTest {
   }
 
   @Test
-  void whatNeverComesToAnEndIsGivenUp() throws Exception {
+  void stopsWaitingAfterTheTotalTimeout() throws Exception {
     try (StartedProcess process = started("one", "while sleep 0.1; do echo on and on; done")) {
-      assertThatThrownBy(() -> process.awaitReady(new Patience(LONG, SHORT), progress))
+      assertThatThrownBy(() -> process.awaitReady(new StartupTimeout(LONG, SHORT), progress))
           .isInstanceOf(IOException.class)
           .hasMessageContaining("was not ready within");
     }
   }
 
   @Test
-  void whatEndsIsNotWaitedFor() throws Exception {
+  void reportsAProcessThatEnds() throws Exception {
     try (StartedProcess process = started("one", "echo no such port; exit 1")) {
-      assertThatThrownBy(() -> process.awaitReady(new Patience(LONG, LONG), progress))
+      assertThatThrownBy(() -> process.awaitReady(new StartupTimeout(LONG, LONG), progress))
           .isInstanceOf(IOException.class)
           .hasMessageContaining("ended before it was ready")
           .hasMessageContaining("no such port");

@@ -3,15 +3,18 @@ package org.sitaf.cli.system;
 import java.io.IOException;
 import java.io.PrintWriter;
 
-/** Says how the portal is opened without a password: by a link that signs in once. */
-final class PortalInvitation {
-  private PortalInvitation() {}
+/** Prints links that sign in to the portal without a password. */
+final class SignInLinks {
+  private SignInLinks() {}
 
-  /** Prints a link, and another one each time that somebody presses Enter. */
+  /** Prints a link, and another one whenever Enter is pressed. */
   static void printAndKeep(LocalSystem system, PrintWriter out)
       throws IOException, InterruptedException {
     out.println("The portal is at " + system.address() + " until you press Ctrl-C.");
-    out.println("Open it signed in, once: " + system.signInLink() + " (Enter makes another link)");
+    out.println(
+        "Sign in with this link, valid once: "
+            + system.signInLink()
+            + " (press Enter for another one)");
     out.flush();
     Thread reader = new Thread(() -> printOnEnter(system, out), "sitaf-links");
     reader.setDaemon(true);
@@ -27,7 +30,7 @@ final class PortalInvitation {
         }
       }
     } catch (IOException | InterruptedException e) {
-      // The server or the terminal is gone, and this command with it.
+      // The server has ended or the terminal was closed; so does this command.
       return;
     }
   }
