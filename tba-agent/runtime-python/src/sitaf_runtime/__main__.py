@@ -15,8 +15,18 @@ from sitaf_runtime.suite import channel
 from sitaf_runtime.thrown import describe, is_the_users
 
 _NAMED = 10
+_RUNTIME = os.path.dirname(os.path.abspath(__file__))
 # Where the agent says that modules are; in PYTHONPATH they could take the place of the runtime's own.
 _PATH = "SITAF_PYTHONPATH"
+
+
+def _is_missing_here(raised: ModuleNotFoundError) -> bool:
+    """Whether a module of the runtime, or one that the runtime imports, is missing."""
+    importing = [frame.filename for frame in traceback.extract_tb(raised.__traceback__)]
+    importing = [name for name in importing if not name.startswith("<frozen")]
+    by_runtime = bool(importing) and os.path.dirname(importing[-1]).startswith(_RUNTIME)
+    root = (raised.name or "").partition(".")[0]
+    return root == "sitaf_runtime" or (by_runtime and os.path.basename(importing[-1]) != "__main__.py")
 
 
 def _not_there(raised: BaseException) -> str | None:
@@ -24,6 +34,11 @@ def _not_there(raised: BaseException) -> str | None:
     if any(is_the_users(frame.filename) for frame in traceback.extract_tb(raised.__traceback__)):
         return None
     if isinstance(raised, ModuleNotFoundError):
+        if _is_missing_here(raised):
+            return (
+                f"the runtime of Python tests is incomplete: it has no module {raised.name};"
+                " install the agent with its runtime folders, or run ./sitaf test once in a source tree"
+            )
         return f"there is no module {raised.name}: component.class in activity.yaml names the module, then the class"
     missing = re.match(r"cannot import name '(\w+)' from '([\w.]+)'", str(raised))
     if not isinstance(raised, ImportError) or missing is None:
