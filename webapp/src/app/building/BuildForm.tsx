@@ -8,9 +8,9 @@ import { useBuildLater } from './useBuildLater';
 import { useStartBuild } from './useStartBuild';
 
 const INVALID_VALUES = [
-  { value: '', label: 'as in the model' },
-  { value: 'isolate', label: 'at most one per case (isolate)' },
-  { value: 'combine', label: 'combined like valid values (combine)' },
+  { value: '', label: 'As in the model' },
+  { value: 'isolate', label: 'At most one per case (isolate)' },
+  { value: 'combine', label: 'Combined like valid values (combine)' },
 ] as const;
 
 /** Chooses a test model, the options of its cases and of the build, then builds now or later. */

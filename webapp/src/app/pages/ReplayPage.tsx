@@ -83,20 +83,20 @@ function Neighbours({ buildId, no }: { buildId: string; no: number }) {
   const numbers = recorded.data?.items.map(({ caseNo }) => caseNo) ?? [];
   const previous = numbers.filter((other) => other < no).at(-1);
   const next = numbers.find((other) => other > no);
-  const link = (other: number | undefined, label: string) =>
+  const link = (other: number | undefined, label: (number: number) => string) =>
     other === undefined ? null : (
       <RouteLink
         to="/builds/$buildId/cases/$caseNo"
         params={{ buildId, caseNo: String(other) }}
         size="sm"
       >
-        {label} {other}
+        {label(other)}
       </RouteLink>
     );
   return (
     <Group gap="md" component="nav" aria-label="Recorded cases">
-      {link(previous, '← Case')}
-      {link(next, '→ Case')}
+      {link(previous, (number) => `← Case ${number}`)}
+      {link(next, (number) => `Case ${number} →`)}
     </Group>
   );
 }

@@ -71,7 +71,7 @@ export function OrderStep({ draft, preview, counting, onChange }: OrderStepProps
       />
       <Conditions
         title="Post-conditions"
-        help="They are checked after each case."
+        help="Post-conditions are checked after each case."
         words={outputWords}
         texts={draft.postConditions}
         onChange={(postConditions) => {
@@ -91,8 +91,8 @@ export function OrderStep({ draft, preview, counting, onChange }: OrderStepProps
           <NativeSelect
             label="Invalid values"
             data={[
-              { value: 'isolate', label: 'at most one per case (isolate)' },
-              { value: 'combine', label: 'combined like valid values (combine)' },
+              { value: 'isolate', label: 'At most one per case (isolate)' },
+              { value: 'combine', label: 'Combined like valid values (combine)' },
             ]}
             value={draft.invalidValues}
             onChange={(event) => {
@@ -180,8 +180,8 @@ function Output({
   onChange: (output: OutputDraft) => void;
 }) {
   return (
-    <Group align="end" wrap="nowrap">
-      <div style={{ flex: 1 }}>
+    <Group align="end">
+      <div style={{ flex: '1 1 16rem' }}>
         <Formula
           label={`Expected ${output.name}`}
           description="A CEL expression over the parameters; leave it empty to enter the values case by case"

@@ -25,16 +25,14 @@ export interface Floor {
 
 export function createFloor(): Floor {
   const root = new Group();
-  // The offset keeps the grid and flat bodies on the floor in front of the plane.
-  const planeMaterial = new MeshBasicMaterial({
-    polygonOffset: true,
-    polygonOffsetFactor: 2,
-    polygonOffsetUnits: 2,
-  });
+  // The plane and the grid are drawn first, in this order, so that neither hides the other.
+  const planeMaterial = new MeshBasicMaterial({ depthWrite: false });
   const plane = new Mesh(new PlaneGeometry(CELLS, CELLS), planeMaterial);
   plane.rotation.x = -Math.PI / 2;
-  const lineMaterial = new LineBasicMaterial();
+  plane.renderOrder = -2;
+  const lineMaterial = new LineBasicMaterial({ depthWrite: false });
   const grid = new LineSegments(gridGeometry(), lineMaterial);
+  grid.renderOrder = -1;
   root.add(plane, grid);
   return {
     root,

@@ -118,26 +118,24 @@ function Space({ height }: { height: number }) {
 }
 
 /** Widths in rem. They are fixed, so that columns do not move while rows are loaded. */
-const WIDTHS = { no: 4, verdict: 8.5, message: 18, value: 6, time: 6.5 } as const;
+const WIDTHS = { no: 3.5, verdict: 8.5, message: 14, value: 5, time: 6 } as const;
 /** Maximum width of a column. */
 const MAX_WIDTH = 18;
 
 function widthsOf({ groups, outputs, failures }: Columns): number[] {
   const inputs = groups.flatMap(({ label, columns }) => {
-    const least = widthOfText(label) / columns.length;
+    const least = widthOfText(longestWord(label)) / columns.length;
     return columns.map(({ parameter }) => columnWidth(parameter.name, least));
   });
-  const results = outputs.map((name) =>
-    columnWidth(name, failures ? widthOfText(DIFFERENCE) / outputs.length : 0),
-  );
   return [
     WIDTHS.no,
     WIDTHS.verdict,
     ...(failures ? [WIDTHS.message] : []),
     ...inputs,
-    ...results,
-    ...results,
-    ...(failures ? results : []),
+    ...outputGroups(failures).flatMap((label) => {
+      const least = widthOfText(longestWord(label)) / outputs.length;
+      return outputs.map((name) => columnWidth(name, least));
+    }),
     WIDTHS.time,
   ];
 }
@@ -148,13 +146,20 @@ function columnWidth(name: string, least: number): number {
 
 /** The width of a heading. */
 function widthOfText(text: string): number {
-  return 1.8 + 0.66 * text.length;
+  return 1.5 + 0.56 * text.length;
 }
 
-const DIFFERENCE = 'Actual − expected';
+/** Headings of groups wrap at spaces. */
+function longestWord(text: string): string {
+  return text.split(' ').reduce((longest, word) => (word.length > longest.length ? word : longest));
+}
+
+function outputGroups(failures: boolean): string[] {
+  return ['Expected', 'Actual', ...(failures ? ['Actual − expected'] : [])];
+}
 
 function Head({ groups, outputs, failures }: Columns) {
-  const outputGroups = ['Expected', 'Actual', ...(failures ? [DIFFERENCE] : [])];
+  const results = outputGroups(failures);
   return (
     <thead>
       <tr>
@@ -175,7 +180,7 @@ function Head({ groups, outputs, failures }: Columns) {
           </th>
         ))}
         {outputs.length > 0 &&
-          outputGroups.map((label) => (
+          results.map((label) => (
             <th key={label} colSpan={outputs.length} scope="colgroup">
               {label}
             </th>
@@ -190,7 +195,7 @@ function Head({ groups, outputs, failures }: Columns) {
             </th>
           )),
         )}
-        {outputGroups.flatMap((label) =>
+        {results.flatMap((label) =>
           outputs.map((name) => (
             <th key={`${label} ${name}`} title={name}>
               <UserText>{name}</UserText>
