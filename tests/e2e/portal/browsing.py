@@ -60,9 +60,7 @@ def create_activity(page, example, name, tmp_path):
     )
     expect(page.get_by_label("Component class")).to_have_value("org.sitaf.examples.ir.InfraredSensor")
     next_step(page)
-    page.get_by_label("Files: Provided interfaces").set_input_files(
-        folder / "InfraredSensorService.xml"
-    )
+    page.get_by_label("Files: Provided interfaces").set_input_files(folder / "InfraredSensorService.xml")
     page.get_by_role("list", name=re.compile("^Provided interfaces")).wait_for()
     next_step(page)
     page.get_by_label("Files: Simulation world").set_input_files(

@@ -2,7 +2,7 @@
 
 import re
 
-from portal.browsing import ROOT, drop, expect, next_step, home_of, shot, zipped
+from portal.browsing import ROOT, drop, expect, home_of, next_step, shot, zipped
 
 EXAMPLES = ROOT / "examples"
 

@@ -46,7 +46,8 @@ SCHEDULE = """async ([activityId, name]) => {
 
 def test_hostile_text_is_shown_as_text(page):
     profile = (
-        f"name: hostile\ndescription: '{MARKUP}'\ncomponent: {{language: java, sources: component/, class: demo.Adder}}\n"
+        f"name: hostile\ndescription: '{MARKUP}'\n"
+        "component: {language: java, sources: component/, class: demo.Adder}\n"
         "provided: [AdderService.xml]\nmodels: [Add.xml]\n"
     )
     files = {

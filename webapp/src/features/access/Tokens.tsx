@@ -41,7 +41,7 @@ export function Tokens() {
           type="number"
           min={1}
           required
-          w={130}
+          w={150}
           value={days}
           onChange={(event) => {
             setDays(event.currentTarget.value);

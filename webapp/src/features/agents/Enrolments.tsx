@@ -57,7 +57,7 @@ export function Enrolments() {
           min={1}
           max={10_000}
           required
-          w={150}
+          w={180}
           value={uses}
           onChange={(value) => {
             setUses(String(value));
@@ -68,7 +68,7 @@ export function Enrolments() {
           min={1}
           max={720}
           required
-          w={150}
+          w={180}
           value={hours}
           onChange={(value) => {
             setHours(String(value));

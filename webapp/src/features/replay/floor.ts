@@ -69,8 +69,11 @@ export function cellSize(radius: number): number {
 function gridGeometry(): BufferGeometry {
   const half = CELLS / 2;
   const points: number[] = [];
+  // A segment for each cell: drivers may clip long lines that begin behind the camera.
   for (let i = -half; i <= half; i++) {
-    points.push(i, 0, -half, i, 0, half, -half, 0, i, half, 0, i);
+    for (let j = -half; j < half; j++) {
+      points.push(i, 0, j, i, 0, j + 1, j, 0, i, j + 1, 0, i);
+    }
   }
   return new BufferGeometry().setAttribute('position', new Float32BufferAttribute(points, 3));
 }
