@@ -8,8 +8,7 @@ from pathlib import Path
 
 import pytest
 
-import sitaf_runtime
-
+SOURCES = Path(__file__).parents[1] / "src" / "sitaf_runtime"
 DRIVER = """
 from sitaf_runtime.{part} import anything
 from sensors import Sensor
@@ -30,7 +29,7 @@ from sensors import Sensor
 )
 def test_a_missing_module_is_blamed_on_its_owner(tmp_path, part, missing, told):
     runtime = tmp_path / "sitaf_runtime"
-    shutil.copytree(Path(sitaf_runtime.__file__).parent, runtime)
+    shutil.copytree(SOURCES, runtime, ignore=shutil.ignore_patterns("__pycache__"))
     (runtime / "uses.py").write_text("import not_generated\n")
     (runtime / "built.py").write_text("anything = None\n")
     harness = tmp_path / "sitaf_harness"
