@@ -30,9 +30,9 @@ import picocli.CommandLine.Option;
     mixinStandardHelpOptions = true,
     versionProvider = AgentMain.Version.class,
     description = {
-      "Compiles and executes test applications that a SITAF server assigns.",
-      "At the first start SITAF_ENROLMENT_TOKEN holds a token that an administrator made; the key"
-          + " that the agent gets for it stays in its directory."
+      "Compiles and executes test applications for a SITAF server.",
+      "At the first start, set SITAF_ENROLMENT_TOKEN to a token that an administrator created;"
+          + " the agent exchanges it for a key, which is stored in its directory."
     },
     sortOptions = false)
 public final class AgentMain implements Callable<Integer> {
@@ -44,44 +44,42 @@ public final class AgentMain implements Callable<Integer> {
       paramLabel = "HOST:PORT",
       defaultValue = "localhost:9090",
       description =
-          "The server's gRPC address, or those of several with one database, joined by commas;"
+          "gRPC address of the server, or comma-separated addresses of several with one database;"
               + " default ${DEFAULT-VALUE}.")
   private String server = "";
 
   @Option(
       names = "--ca",
       paramLabel = "FILE",
-      description =
-          "Certificates that vouch for the server, in PEM; default those that this machine trusts.")
+      description = "Trusted certificates in PEM; default: those of this machine.")
   private @Nullable Path authorities;
 
   @Option(
       names = "--plaintext",
-      description = "Speaks without TLS to a server that is not on this machine.")
+      description = "Connects without TLS to a server on another machine.")
   private boolean plaintext;
 
   @Option(
       names = "--name",
-      description = "Unique among the agents of the server; default the name of this machine.")
+      description = "Unique name of the agent; default: the name of this machine.")
   private @Nullable String name;
 
   @Option(
       names = "--directory",
       required = true,
-      description = "Private to this agent: results not yet uploaded, files, builds.")
+      description = "Private folder of this agent for results, caches and builds.")
   private Path directory = Path.of("");
 
   @Option(
       names = "--slots",
       defaultValue = "1",
-      description = "Builds that may run at the same time; default ${DEFAULT-VALUE}.")
+      description = "Maximum number of concurrent builds; default ${DEFAULT-VALUE}.")
   private int slots;
 
   @Option(
       names = "--label",
       paramLabel = "LABEL",
-      description =
-          "What this agent is called by, such as real-hardware; builds can ask for it. Repeatable.")
+      description = "Label that builds can require, such as real-hardware. Repeatable.")
   private List<String> labels = List.of();
 
   @Option(
@@ -89,7 +87,7 @@ public final class AgentMain implements Callable<Integer> {
       paramLabel = "MIB",
       defaultValue = "200",
       description =
-          "Takes no new build while less is free on the disk of --directory; default"
+          "Accepts no build while less is free on the disk of --directory; default"
               + " ${DEFAULT-VALUE}.")
   private long minFreeMib;
 
@@ -98,8 +96,8 @@ public final class AgentMain implements Callable<Integer> {
       paramLabel = "MINUTES",
       defaultValue = "720",
       description =
-          "The cases of a build take no longer than this together, whatever limits its activity"
-              + " sets; default ${DEFAULT-VALUE}.")
+          "Time limit for all cases of a build, regardless of the limits of its activity;"
+              + " default ${DEFAULT-VALUE}.")
   private long longestBuildMin;
 
   @Option(
@@ -115,7 +113,7 @@ public final class AgentMain implements Callable<Integer> {
       names = "--bridge",
       paramLabel = "ADDRESS",
       description =
-          "Uses a running simulation bridge, which all builds share, instead of one for each build:"
+          "Uses a running simulation bridge for all builds, instead of one per build:"
               + " 127.0.0.1:PORT or unix:PATH.")
   private @Nullable String bridge;
 
@@ -123,8 +121,8 @@ public final class AgentMain implements Callable<Integer> {
       names = "--runtimes",
       paramLabel = "FOLDER",
       description =
-          "What test applications link against: holds runtime-java and those of other languages;"
-              + " default the folder of agent.jar.")
+          "Folder of the runtimes of test applications, such as runtime-java;"
+              + " default: the folder of agent.jar.")
   private @Nullable Path runtimes;
 
   @Option(
@@ -133,7 +131,7 @@ public final class AgentMain implements Callable<Integer> {
       defaultValue = "auto",
       description =
           "Components and their compilers run in a sandbox (bubblewrap): required, auto (where it"
-              + " is installed) or off; default ${DEFAULT-VALUE}. An agent that has one carries the"
+              + " is installed) or off; default ${DEFAULT-VALUE}. An agent with a sandbox has the"
               + " label 'sandbox'.")
   private SandboxMode sandbox = SandboxMode.AUTO;
 
@@ -142,18 +140,18 @@ public final class AgentMain implements Callable<Integer> {
       paramLabel = "JARS",
       split = ":",
       description =
-          "Jars of the annotation processors and plugins that may run when Java components are"
-              + " compiled, joined by colons; default none, whatever the component's jars ask for.")
+          "Allowed annotation processors and compiler plugins for Java components: jars,"
+              + " separated by colons; default: none.")
   private List<Path> annotationProcessors = List.of();
 
   @Option(
       names = "--no-coverage",
-      description = "Builds do not record which lines of the component they reach.")
+      description = "Builds do not measure the line coverage of components.")
   private boolean noCoverage;
 
   @Option(
       names = "--stop-with-stdin",
-      description = "Ends when standard input closes, so that the agent goes with its launcher.")
+      description = "Ends when standard input is closed, for example because the launcher ended.")
   private boolean stopWithStdin;
 
   /** Starts an agent; see {@code --help}. */
@@ -161,7 +159,7 @@ public final class AgentMain implements Callable<Integer> {
     if (System.getProperty("java.util.logging.SimpleFormatter.format") == null) {
       System.setProperty("java.util.logging.SimpleFormatter.format", "%1$tFT%1$tT %4$s %5$s%6$s%n");
     }
-    // A launcher gives defaults first; what a person adds wins, without a word about it.
+    // The launcher's defaults come first; options of the user override them without a warning.
     System.setProperty("picocli.trace", "OFF");
     CommandLine command =
         new CommandLine(new AgentMain())
@@ -248,10 +246,7 @@ public final class AgentMain implements Callable<Integer> {
         Duration.ofMinutes(longestBuildMin));
   }
 
-  /**
-   * Splits a command into words as a shell does with plain words and quotes; nothing else is
-   * special.
-   */
+  /** Splits a command like a shell, with support for quotes only. */
   static List<String> words(String command) {
     java.util.ArrayList<String> words = new java.util.ArrayList<>();
     StringBuilder word = new StringBuilder();
@@ -305,15 +300,15 @@ public final class AgentMain implements Callable<Integer> {
   private static void watchStdin(CountDownLatch stop) {
     try {
       while (System.in.read() >= 0) {
-        // Only the end counts.
+        // The content is ignored.
       }
     } catch (IOException e) {
-      // As good as its end.
+      // Treated like the end of the stream.
     }
     stop.countDown();
   }
 
-  /** A process that was told to end does, whatever became of what it waits for. */
+  /** Waits with a limit, so that the process ends in any case. */
   private static void awaitQuietly(CountDownLatch latch) {
     try {
       var unused = latch.await(LONGEST_END_S, TimeUnit.SECONDS);

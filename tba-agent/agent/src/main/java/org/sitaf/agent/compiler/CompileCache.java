@@ -14,10 +14,10 @@ import org.sitaf.agent.spool.LeastRecentlyUsed;
 import org.sitaf.agent.spool.SharedCache;
 
 /**
- * What was compiled, a folder for each key.
+ * A cache of compiled applications, one folder per key.
  *
- * @param shared with other agents and commands
- * @param limitBytes what all entries together may hold
+ * @param shared shared by several agents and commands
+ * @param limitBytes limit for the size of all entries
  */
 record CompileCache(SharedCache shared, long limitBytes) {
   private static final Pattern KEY = Pattern.compile("[0-9a-f]{64}");
@@ -27,16 +27,13 @@ record CompileCache(SharedCache shared, long limitBytes) {
   private static final String CONTENT = "content";
   private static final String DIGEST = "sha256";
 
-  /** Says whether what was compiled earlier is what would be compiled now. */
+  /** Checks whether an earlier result is still valid. */
   @FunctionalInterface
   interface Check {
     boolean isCurrent(Path compiled) throws IOException;
   }
 
-  /**
-   * Copies what was compiled into an empty folder; false where the key is not known, or where the
-   * entry is outdated or not what was once kept.
-   */
+  /** Copies an entry into an empty folder; returns false if it is missing, outdated or damaged. */
   boolean restore(String key, Path output, Check check) throws IOException {
     requireKey(key);
     Path entry = shared.entry(key);
@@ -56,16 +53,16 @@ record CompileCache(SharedCache shared, long limitBytes) {
       }
       return current;
     } catch (IOException | UncheckedIOException e) {
-      // Somebody removed it meanwhile: it is compiled as if it had never been there.
+      // Another process removed the entry, so the application is compiled.
       empty(output);
       return false;
     }
   }
 
   /**
-   * Takes a copy of what was compiled, and lets go of what was used longest ago.
+   * Adds a copy of a result, and removes the least recently used entries.
    *
-   * @throws IOException also where the folder holds anything but files and folders
+   * @throws IOException also if the folder contains anything but files and folders
    */
   void keep(String key, Path output) throws IOException {
     requireKey(key);
@@ -75,7 +72,7 @@ record CompileCache(SharedCache shared, long limitBytes) {
       Files.writeString(draft.folder().resolve(DIGEST), TreeDigest.of(content));
       draft.addAs(key);
     } catch (OddFileException | UncheckedIOException e) {
-      // Who made the compiler leave that has it compiled again each time.
+      // An application with such output is compiled each time.
       return;
     }
     shrink();
@@ -96,7 +93,7 @@ record CompileCache(SharedCache shared, long limitBytes) {
 
   private static void requireKey(String key) {
     if (!KEY.matcher(key).matches()) {
-      throw new IllegalArgumentException("'" + key + "' is no key");
+      throw new IllegalArgumentException("'" + key + "' is not a valid key");
     }
   }
 
@@ -109,8 +106,8 @@ record CompileCache(SharedCache shared, long limitBytes) {
   }
 
   /**
-   * Copies what compilers of other people's code wrote: regular files, and links to such in the
-   * same folder.
+   * Copies the untrusted output of a compiler: regular files, and links to files in the same
+   * folder.
    */
   private static void copy(Path from, Path to) throws IOException {
     Path root = from.toRealPath();
@@ -120,7 +117,7 @@ record CompileCache(SharedCache shared, long limitBytes) {
         Path inside = from.relativize(file);
         Path target = to.resolve(inside.toString());
         if (++count > MOST_FILES || inside.getNameCount() == DEEPEST) {
-          throw new OddFileException(inside + " is one file too many, or too deep");
+          throw new OddFileException(inside + " exceeds the limits for files and depth");
         } else if (Files.isDirectory(file, LinkOption.NOFOLLOW_LINKS)) {
           Files.createDirectories(target);
         } else if (Files.isRegularFile(file) && file.toRealPath().startsWith(root)) {
@@ -132,7 +129,7 @@ record CompileCache(SharedCache shared, long limitBytes) {
     }
   }
 
-  /** What no compiler writes. */
+  /** A file that no compiler writes. */
   private static final class OddFileException extends IOException {
     private static final long serialVersionUID = 1L;
 
@@ -141,7 +138,9 @@ record CompileCache(SharedCache shared, long limitBytes) {
     }
   }
 
-  /** Leaves the folder itself, which a process that was started early may see. */
+  /**
+   * Empties the folder without replacing it, because a process that was started early may see it.
+   */
   private static void empty(Path folder) throws IOException {
     List<Path> inside;
     try (Stream<Path> files = Files.list(folder)) {

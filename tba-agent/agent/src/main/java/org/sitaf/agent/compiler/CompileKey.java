@@ -16,9 +16,9 @@ import org.sitaf.core.activity.ActivityProfile.Component;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.harness.TestApplication;
 
-/** Names what a compilation brings by all that goes into it. */
+/** The cache key of a compilation: a digest of all its inputs. */
 final class CompileKey {
-  /** Of the cache's entries: those of another one are never found. */
+  /** Format of the cache entries; entries of another format are never found. */
   private static final byte FORMAT = 2;
 
   private final MessageDigest digest;
@@ -44,8 +44,7 @@ final class CompileKey {
 
   /**
    * The files of the activity that a compilation may read: those of the component. A library may
-   * refer to others in a way of its own, as the manifest of a jar does: with one, all of them
-   * count.
+   * refer to other files, like the manifest of a jar, so with a library all files count.
    */
   private static FileTree inputs(TestApplication application, Toolchain toolchain) {
     ActivityProfile profile = application.activity().profile();
@@ -66,7 +65,10 @@ final class CompileKey {
     return inputs;
   }
 
-  /** What the profile says to a compiler; the rest of it is in the harness, or for other rooms. */
+  /**
+   * The keys of the profile that affect a compiler; others are contained in the harness or affect
+   * later stages.
+   */
   private static List<String> words(ActivityProfile profile) {
     Component component = profile.component();
     List<String> words = new ArrayList<>();
@@ -94,7 +96,7 @@ final class CompileKey {
     }
   }
 
-  /** Lengths keep what follows from passing for a part of it. */
+  /** Lengths make the encoding unambiguous. */
   private void add(String name, byte[] content) {
     byte[] head =
         (name.length() + " " + name + " " + content.length + "\n").getBytes(StandardCharsets.UTF_8);

@@ -7,8 +7,8 @@ import org.sitaf.core.harness.InterfaceTestApplicationGenerator;
 import org.sitaf.core.harness.TestApplication;
 
 /**
- * The concrete test driver that a user keeps: nobody writes it over, so that it may stay behind
- * when the interface goes on.
+ * A concrete test driver that is part of the activity. It is never overwritten, so it may be
+ * outdated after a change of the interface.
  */
 final class KeptDriver {
   private static final String SINCE =
@@ -17,7 +17,7 @@ final class KeptDriver {
 
   private KeptDriver() {}
 
-  /** Says with each error in a kept driver what may be behind it. */
+  /** Adds the likely cause to errors in a kept driver. */
   static CompilationException explained(CompilationException found, TestApplication application) {
     String kept =
         "activity/"

@@ -13,12 +13,11 @@ import org.sitaf.agent.toolchain.Toolchain;
 import org.sitaf.core.harness.TestApplication;
 
 /**
- * Compiles test applications with the toolchain of their language; what was compiled before is
- * taken from a cache.
+ * Compiles test applications with the toolchain of their language, or takes them from a cache.
  *
- * @param cache a folder that several builds and processes may share
- * @param coverage whether processes are to record which lines of the component they reach
- * @param sandbox in which the toolchain's tools run
+ * @param cache may be shared by several builds and processes
+ * @param coverage whether processes measure line coverage
+ * @param sandbox for the tools of the toolchain
  */
 public record TestApplicationCompiler(
     Toolchain toolchain, Path cache, boolean coverage, Sandbox sandbox) {
@@ -26,10 +25,10 @@ public record TestApplicationCompiler(
   private static final Duration LIMIT = Duration.ofMinutes(2);
 
   /**
-   * What there is to compile.
+   * Prepares a compilation.
    *
-   * @param sources where the application's files lie
-   * @param directory for what is compiled; created
+   * @param sources folder of the application's files
+   * @param directory output folder; created if missing
    */
   public Compilation begin(TestApplication application, Path sources, Path directory)
       throws IOException {
@@ -46,9 +45,9 @@ public record TestApplicationCompiler(
   /**
    * Compiles an application.
    *
-   * @throws CompilationException if the user's files are at fault
-   * @throws InterruptedException if the build was cancelled meanwhile
-   * @throws IOException if this machine is at fault
+   * @throws CompilationException if the user's files have errors
+   * @throws InterruptedException if the build was cancelled
+   * @throws IOException if this machine fails
    */
   public CompiledApplication compile(Compilation compilation)
       throws CompilationException, InterruptedException, IOException {

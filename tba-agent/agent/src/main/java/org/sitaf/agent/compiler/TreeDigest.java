@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.sitaf.agent.spool.Sha256;
 
-/** SHA-256 over the files of a folder, with their paths and whether they can be executed. */
+/** SHA-256 of the files of a folder, with their paths and executable flags. */
 final class TreeDigest {
   private TreeDigest() {}
 

@@ -1,4 +1,4 @@
-/** Test Application Compiler (TAC): sources of a test application to something that starts. */
+/** Test Application Compiler (TAC): compiles the sources of a test application. */
 @NullMarked
 package org.sitaf.agent.compiler;
 

@@ -20,10 +20,7 @@ import org.sitaf.agent.v1.AttemptRef;
 import org.sitaf.agent.v1.Cancellation;
 import org.sitaf.agent.v1.SubmitResultRequest;
 
-/**
- * The attempts that this agent works on, each in a thread of its own, at most as many as there are
- * slots.
- */
+/** Runs the assigned attempts, each in its own thread, up to the number of slots. */
 final class Attempts {
   private static final System.Logger LOGGER = System.getLogger("org.sitaf.agent");
 
@@ -40,10 +37,10 @@ final class Attempts {
   private boolean stopping;
 
   /**
-   * No attempts yet.
+   * Creates the pool without attempts.
    *
-   * @param onFull is told that the agent cannot take builds at present, which its server is to know
-   *     sooner than it tries a build again, which would only come back here
+   * @param onFull called if the agent cannot accept builds at present, so that the server is
+   *     informed before it retries a build
    */
   Attempts(
       int slots,
@@ -64,10 +61,7 @@ final class Attempts {
     this.onFull = onFull;
   }
 
-  /**
-   * Begins an attempt; one that it works on already, or whose result is on its way, is not begun
-   * twice.
-   */
+  /** Starts an attempt, unless it is running or its result is waiting for upload. */
   void begin(Assignment assignment) {
     Attempt attempt = Attempt.of(assignment.getAttempt());
     if (upload.isPending(attempt)) {
@@ -85,8 +79,8 @@ final class Attempts {
   }
 
   /**
-   * False when there is no slot; nothing that waits for the disk happens in here, as heartbeats
-   * wait for it.
+   * Returns false if there is no free slot. Must not access the disk, because heartbeats wait for
+   * the lock.
    */
   private synchronized boolean takeSlot(Attempt attempt, Assignment assignment) {
     if (stopping || running.containsKey(attempt.key())) {
@@ -105,10 +99,7 @@ final class Attempts {
     return true;
   }
 
-  /**
-   * Cancels an attempt; of one that it does not know it says that it is cancelled, so that nobody
-   * waits for it.
-   */
+  /** Cancels an attempt; an unknown attempt is reported as cancelled. */
   void cancel(Cancellation cancellation) {
     Attempt attempt = Attempt.of(cancellation.getAttempt());
     Optional<AttemptRun> run;
@@ -125,7 +116,7 @@ final class Attempts {
     }
   }
 
-  /** What the server is told that the agent works on. */
+  /** The attempts to report to the server. */
   List<AttemptRef> refs() {
     List<AttemptRef> refs = new ArrayList<>(upload.pending());
     synchronized (this) {
@@ -137,7 +128,7 @@ final class Attempts {
   private void work(AttemptRun run) {
     Attempt attempt = run.attempt();
     Path directory = builds.of(attempt.key());
-    LOGGER.log(System.Logger.Level.INFO, attempt + ": begins");
+    LOGGER.log(System.Logger.Level.INFO, attempt + ": started");
     try {
       builds.create(attempt.key());
       Optional<BuildOutcome> outcome = run.run();
@@ -151,13 +142,16 @@ final class Attempts {
                   SubmitMessages.of(attempt, ended),
                   directory.resolve(BuildRun.LOG),
                   ended instanceof BuildOutcome.Completed ? run.recordings() : null),
-          () -> LOGGER.log(System.Logger.Level.INFO, attempt + ": was given up"));
+          () -> LOGGER.log(System.Logger.Level.INFO, attempt + ": was abandoned"));
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     } catch (IOException | RuntimeException | Error e) {
-      LOGGER.log(System.Logger.Level.ERROR, attempt + ": the agent failed", e);
+      LOGGER.log(System.Logger.Level.ERROR, attempt + ": internal error of the agent", e);
       keepResult(
-          attempt, SubmitMessages.infrastructure(attempt, "the agent failed: " + e), null, null);
+          attempt,
+          SubmitMessages.infrastructure(attempt, "internal error of the agent: " + e),
+          null,
+          null);
     } finally {
       synchronized (this) {
         running.remove(attempt.key());
@@ -171,7 +165,7 @@ final class Attempts {
   }
 
   /**
-   * Puts a result into the spool, again and again until the agent stops. The attempt holds its slot
+   * Stores a result in the spool and retries until the agent stops. The attempt keeps its slot
    * meanwhile.
    */
   private void keepResult(
@@ -193,7 +187,7 @@ final class Attempts {
     }
   }
 
-  /** Stops all attempts and waits for their ends. */
+  /** Stops all attempts and waits until they have ended. */
   void stop(Duration atMost) {
     List<AttemptRun> stopped;
     List<Thread> left;

@@ -21,21 +21,21 @@ import org.sitaf.agent.v1.SubmitResultRequest;
 import org.sitaf.agent.v1.SubmitResultResponse;
 
 /**
- * Brings what is in the spool to the server, for as long as it takes. An entry is deleted only when
- * the server has answered that the attempt has its result, or that the attempt is over.
+ * Uploads the entries of the spool and retries until the server answers. An entry is deleted only
+ * when the server has confirmed the result or reports that the attempt has ended.
  */
 final class ResultUpload implements AutoCloseable {
   private static final System.Logger LOGGER = System.getLogger("org.sitaf.agent");
   private static final Duration FLUSH = Duration.ofSeconds(3);
 
-  /** With the pauses between them about a minute. */
+  /** Together with the pauses, about one minute. */
   private static final int UNREADABLE_TRIES = 10;
 
   private final Spool spool;
   private final ServerCalls calls;
   private final Map<String, AttemptRef> pending = new ConcurrentHashMap<>();
 
-  /** Short answers that need no disk, by the key of their attempt. */
+  /** Refused assignments, kept in memory, by the key of their attempt. */
   private final Map<String, SubmitResultRequest> refusals = new ConcurrentHashMap<>();
 
   /** Failed attempts to read an entry, by its name; only the upload thread uses it. */
@@ -45,10 +45,10 @@ final class ResultUpload implements AutoCloseable {
   private final Object entryLock = new Object();
 
   private final BackgroundThread thread = new BackgroundThread("sitaf-upload", this::work);
-  private boolean news = true;
+  private boolean pendingUpload = true;
   private boolean closed;
 
-  /** Begins with what an earlier agent left. */
+  /** Starts with the entries of a previous agent. */
   ResultUpload(Spool spool, ServerCalls calls) throws IOException {
     this.spool = spool;
     this.calls = calls;
@@ -63,7 +63,7 @@ final class ResultUpload implements AutoCloseable {
     thread.start();
   }
 
-  /** Takes over a result; it is safe on the disk when this returns. */
+  /** Adds a result; it is on disk when this returns. */
   void add(
       Attempt attempt, SubmitResultRequest message, @Nullable Path log, @Nullable Path recordings)
       throws IOException {
@@ -75,9 +75,9 @@ final class ResultUpload implements AutoCloseable {
   }
 
   /**
-   * Takes over the answer to an assignment that the agent does not accept. It stays in memory: the
-   * disk may be full, and the caller, a thread of gRPC, must not wait. When the agent ends before
-   * the server has the answer, the lease of the attempt expires.
+   * Adds the refusal of an assignment. It is kept in memory, because the disk may be full and the
+   * caller, a gRPC thread, must not block. If the agent ends before the upload, the lease of the
+   * attempt expires.
    */
   void refuse(Attempt attempt, SubmitResultRequest failure) {
     refusals.put(attempt.key(), failure);
@@ -85,7 +85,7 @@ final class ResultUpload implements AutoCloseable {
     wake();
   }
 
-  /** Attempts whose result the server does not have yet. */
+  /** Attempts whose result is not uploaded yet. */
   Collection<AttemptRef> pending() {
     return List.copyOf(pending.values());
   }
@@ -94,9 +94,9 @@ final class ResultUpload implements AutoCloseable {
     return pending.containsKey(attempt.key());
   }
 
-  /** Tries again at once, because the server is there or there is something new. */
+  /** Retries at once, because the server is available or there is a new entry. */
   synchronized void wake() {
-    news = true;
+    pendingUpload = true;
     notifyAll();
   }
 
@@ -109,17 +109,17 @@ final class ResultUpload implements AutoCloseable {
           backoff.reset();
         }
         synchronized (this) {
-          if (closed && !news) {
+          if (closed && !pendingUpload) {
             return;
           }
-          if (!news) {
-            // 0 waits without end: there is nothing to upload.
+          if (!pendingUpload) {
+            // 0 waits without timeout: there is nothing to upload.
             wait(complete ? 0 : backoff.next().toMillis());
           }
-          if (closed && !news) {
+          if (closed && !pendingUpload) {
             return;
           }
-          news = false;
+          pendingUpload = false;
         }
       }
     } catch (InterruptedException e) {
@@ -127,7 +127,7 @@ final class ResultUpload implements AutoCloseable {
     }
   }
 
-  /** Tries each entry once; false when some are left. */
+  /** Tries each entry once; returns false if some are left. */
   private boolean uploadAll() throws InterruptedException {
     boolean complete = uploadRefusals();
     List<Spool.Entry> entries;
@@ -141,7 +141,7 @@ final class ResultUpload implements AutoCloseable {
       if (Thread.interrupted()) {
         throw new InterruptedException();
       }
-      // An entry that fails must not keep the others from the server.
+      // A failing entry must not block the others.
       try {
         complete &= upload(entry);
         unreadable.remove(entry.name());
@@ -152,7 +152,7 @@ final class ResultUpload implements AutoCloseable {
     return complete;
   }
 
-  /** Also ends the leases of attempts whose entries are gone, such as those put aside. */
+  /** Also stops renewing the leases of attempts without an entry, such as rejected ones. */
   private List<Spool.Entry> entries() throws IOException {
     synchronized (entryLock) {
       List<Spool.Entry> entries = spool.entries();
@@ -175,7 +175,7 @@ final class ResultUpload implements AutoCloseable {
         LOGGER.log(
             System.Logger.Level.INFO,
             Attempt.of(refusal.getValue().getAttempt())
-                + ": the server does not take its refusal: "
+                + ": the server rejected the refusal: "
                 + ServerCalls.describe(e.getStatus()));
       }
       refusals.remove(refusal.getKey());
@@ -185,8 +185,8 @@ final class ResultUpload implements AutoCloseable {
   }
 
   /**
-   * An entry that stays unreadable is put aside. The lease of its attempt then expires, and the
-   * server gives the build to an agent again. True when nothing is left to do for it.
+   * Sets an entry aside after repeated failures. The lease of its attempt then expires, and the
+   * server assigns the build again. Returns whether the entry is done.
    */
   private boolean failed(Spool.Entry entry, Exception e) {
     int failures = unreadable.merge(entry.name(), 1, Integer::sum);
@@ -202,11 +202,11 @@ final class ResultUpload implements AutoCloseable {
       unreadable.remove(entry.name());
       LOGGER.log(
           System.Logger.Level.ERROR,
-          entry.name() + " in the spool cannot be uploaded and is put aside: " + e);
+          entry.name() + " in the spool cannot be uploaded and was set aside: " + e);
       return true;
     } catch (IOException | RuntimeException again) {
       LOGGER.log(
-          System.Logger.Level.ERROR, entry.name() + " in the spool cannot be put aside: " + again);
+          System.Logger.Level.ERROR, entry.name() + " in the spool cannot be set aside: " + again);
       return false;
     }
   }
@@ -225,7 +225,7 @@ final class ResultUpload implements AutoCloseable {
       message = read(entry);
     } catch (InvalidProtocolBufferException e) {
       LOGGER.log(
-          System.Logger.Level.ERROR, entry.directory() + " is damaged and is put aside: " + e);
+          System.Logger.Level.ERROR, entry.directory() + " is damaged and was set aside: " + e);
       putAside(entry);
       return true;
     }
@@ -239,10 +239,10 @@ final class ResultUpload implements AutoCloseable {
       if (!confirms(answer, message)) {
         LOGGER.log(
             System.Logger.Level.WARNING,
-            attempt + ": the server confirms something else than it was sent; sending it again");
+            attempt + ": the server confirmed different content; retrying");
         return false;
       }
-      LOGGER.log(System.Logger.Level.INFO, attempt + ": " + whatBecameOf(message, answer));
+      LOGGER.log(System.Logger.Level.INFO, attempt + ": " + outcomeOf(message, answer));
       forget(entry);
       return true;
     } catch (StatusRuntimeException e) {
@@ -260,22 +260,22 @@ final class ResultUpload implements AutoCloseable {
     }
   }
 
-  private static String whatBecameOf(SubmitResultRequest sent, SubmitResultResponse answer) {
+  private static String outcomeOf(SubmitResultRequest sent, SubmitResultResponse answer) {
     if (sent.hasFailure()) {
-      return "its failure is noted";
+      return "the failure was stored";
     }
     return answer.getAccepted() ? "accepted, SHA-256 " + sent.getSha256() : "was superseded";
   }
 
-  /** Only what the server has whole, by its size and digest, may be deleted here. */
+  /** An entry may be deleted only if the server confirms its size and digest. */
   private static boolean confirms(SubmitResultResponse answer, SubmitResultRequest sent) {
     return answer.getSha256().equals(sent.getSha256())
         && answer.getSize() == sent.getResultDescriptor().size();
   }
 
   /**
-   * The log first: the result ends the attempt. A log that is refused, or comes too late, does not
-   * hold up the result: the server keeps late results for people.
+   * Uploads the log before the result, which ends the attempt. A rejected log does not block the
+   * result, because the server stores late results, too.
    */
   private void uploadLog(Attempt attempt, Spool.Entry entry) throws IOException {
     try {

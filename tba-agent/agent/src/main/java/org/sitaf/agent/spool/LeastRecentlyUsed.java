@@ -29,7 +29,7 @@ public record LeastRecentlyUsed(long maxBytes, int maxEntries) {
     void remove(Path entry) throws IOException;
   }
 
-  /** Notes that an entry is used now. */
+  /** Marks an entry as used now. */
   public static void touch(Path entry) throws IOException {
     Files.setLastModifiedTime(entry, FileTime.from(Instant.now()));
   }

@@ -4,11 +4,11 @@ import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 
-/** SHA-256, which every Java has. */
+/** Creates and formats SHA-256 digests. */
 public final class Sha256 {
   private Sha256() {}
 
-  /** A digest of nothing so far. */
+  /** Creates an empty digest. */
   public static MessageDigest start() {
     try {
       return MessageDigest.getInstance("SHA-256");
@@ -22,7 +22,7 @@ public final class Sha256 {
     return HexFormat.of().formatHex(start().digest(content));
   }
 
-  /** What was digested so far, in lower-case hexadecimal. */
+  /** The final digest in lower-case hexadecimal. */
   public static String hex(MessageDigest digest) {
     return HexFormat.of().formatHex(digest.digest());
   }

@@ -10,8 +10,8 @@ import java.util.regex.Pattern;
 import org.sitaf.agent.toolchain.SourceDiagnostic;
 
 /**
- * Reads what compiler and linker print: {@code FILE:LINE:COLUMN: error: MESSAGE} of both g++ and
- * clang++, and the linker's undefined references.
+ * Parses the output of compiler and linker: {@code FILE:LINE:COLUMN: error: MESSAGE} of both g++
+ * and clang++, and the linker's undefined references.
  */
 final class CompilerOutput {
   private static final int AT_MOST = 100;
@@ -19,7 +19,7 @@ final class CompilerOutput {
   private static final Pattern ERROR =
       Pattern.compile("(.+?):(\\d+):(?:(\\d+):)? (?:fatal )?error: (.*)");
 
-  /** Where a template of a header was used; stands before the error in it. */
+  /** Location where a template was instantiated; precedes the error in the template. */
   private static final Pattern REQUIRED =
       Pattern.compile("(.+?):(\\d+):(?:(\\d+):)?\\s+required from .*");
 
@@ -34,7 +34,7 @@ final class CompilerOutput {
   /**
    * A file as the user knows it.
    *
-   * @param path in the layout of the application; empty where it is not of the application
+   * @param path in the layout of the application; empty if it is not part of the application
    */
   record Place(String path, boolean generated) {
     static final Place ELSEWHERE = new Place("", true);
@@ -44,7 +44,7 @@ final class CompilerOutput {
     this.places = places;
   }
 
-  /** Takes over the error stream of one run. */
+  /** Parses the error stream of one run. */
   void read(String errors) {
     SourceDiagnostic used = null;
     for (String line : errors.lines().toList()) {
@@ -72,7 +72,7 @@ final class CompilerOutput {
     }
   }
 
-  /** The errors; what is the user's comes first, because that is where it can be mended. */
+  /** The errors; those in the user's files come first. */
   List<SourceDiagnostic> errors() {
     List<SourceDiagnostic> sorted = new ArrayList<>(found);
     sorted.sort(java.util.Comparator.comparing(SourceDiagnostic::generated));

@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.sitaf.agent.spool.Sha256;
 
-/** SHA-256 over texts and files, each with its length, so that no two sequences are the same. */
+/** SHA-256 of a sequence of texts and files, each with its length. */
 final class Digest {
   private final MessageDigest digest;
 
@@ -17,7 +17,7 @@ final class Digest {
     digest = Sha256.start();
   }
 
-  /** SHA-256 of the beginning of an array, as it is. */
+  /** SHA-256 of the first bytes of an array. */
   static byte[] sha256(byte[] bytes, int length) {
     MessageDigest digest = Sha256.start();
     digest.update(bytes, 0, length);
@@ -33,7 +33,7 @@ final class Digest {
     digest.update(content);
   }
 
-  /** All files of a folder with their paths, in the order of these. */
+  /** Adds all files of a folder with their paths, sorted by path. */
   void addFolder(Path folder) throws IOException {
     List<Path> files;
     try (Stream<Path> walk = Files.walk(folder)) {

@@ -27,20 +27,19 @@ import org.sitaf.agent.toolchain.cpp.inputs.InputCheck;
 import org.sitaf.agent.toolchain.cpp.inputs.Inputs;
 
 /**
- * What was compiled of translation units, so that of a changed component only what changed is
- * compiled again. An entry is found by the command and the unit's own source, and counts only where
- * all that the compiler read then would be read now, with the same content; so it does not matter
- * whose build has added it. Several processes may use it at once: an entry is one file, which comes
- * by renaming and holds its own digest.
+ * A cache of compiled translation units. An entry is found by the command and the unit's source,
+ * and is valid only if the compiler would read the same files with the same content now, whoever
+ * added it. Several processes may use the cache: an entry is a single file, which appears by an
+ * atomic rename and contains its own digest.
  *
- * @param folder of the agent alone, with a folder for each key
+ * @param folder private to the agent, with one folder per key
  */
 record ObjectCache(Path folder) {
   private static final int FORMAT = 0x51_7a_f0_01;
   private static final int MOST_OF_A_KEY = 24;
   private static final LeastRecentlyUsed BOUNDS = new LeastRecentlyUsed(512L << 20, 5_000);
 
-  /** What is larger is compiled each time. */
+  /** Larger objects are not cached. */
   private static final long MOST_BYTES_OF_AN_ENTRY = 32L << 20;
 
   private static final int DIGEST_BYTES = 32;
@@ -50,12 +49,12 @@ record ObjectCache(Path folder) {
   /**
    * An entry.
    *
-   * @param inputs all that went into it, apart from what the key stands for
+   * @param inputs all inputs that are not covered by the key
    * @param files by kind, such as {@code .o}
    */
   record Entry(Inputs inputs, Map<String, byte[]> files) {}
 
-  /** The entry of a key whose inputs are those of now. */
+  /** The valid entry of a key, if any. */
   Optional<Entry> find(String key, InputCheck check) throws IOException {
     for (Path file : newestFirst(folder.resolve(key))) {
       try {
@@ -68,14 +67,14 @@ record ObjectCache(Path folder) {
       } catch (NoSuchFileException e) {
         // Another process has removed it.
       } catch (IOException e) {
-        // Damaged: it is compiled as if it had never been there.
+        // The entry is damaged.
         Files.deleteIfExists(file);
       }
     }
     return Optional.empty();
   }
 
-  /** Empty where something else was compiled; throws where it is not what was once written. */
+  /** Empty if the inputs have changed; throws if the file is damaged. */
   private static Optional<Entry> read(byte[] bytes, InputCheck check) throws IOException {
     int end = bytes.length - DIGEST_BYTES;
     if (end < 0) {
@@ -99,7 +98,7 @@ record ObjectCache(Path folder) {
     return Optional.of(new Entry(inputs, files));
   }
 
-  /** Adds an entry; files that are too large, or not there, are not kept. */
+  /** Adds an entry, unless its files are too large. */
   void keep(String key, Inputs inputs, Map<String, Path> files) throws IOException {
     long size = 0;
     for (Path file : files.values()) {
@@ -150,7 +149,7 @@ record ObjectCache(Path folder) {
     }
   }
 
-  /** Forgets what was not asked for the longest, where there is more than may be kept. */
+  /** Removes the least recently used entries above the limits. */
   void shrink() throws IOException {
     List<Path> kept = new ArrayList<>();
     try (Stream<Path> files = Files.walk(folder, 2)) {
@@ -162,7 +161,7 @@ record ObjectCache(Path folder) {
         }
       }
     } catch (NoSuchFileException | UncheckedIOException e) {
-      // Nothing is kept yet, or another process removes what is.
+      // The cache is empty, or another process removes entries.
       return;
     }
     BOUNDS.shrink(
@@ -186,7 +185,7 @@ record ObjectCache(Path folder) {
     try {
       Files.deleteIfExists(ofKey);
     } catch (DirectoryNotEmptyException e) {
-      // Something else of the key is kept.
+      // The key has other entries.
     }
   }
 
