@@ -1,4 +1,4 @@
-"""The launcher, run as a person would."""
+"""Fixtures that run the launcher."""
 
 import os
 import shutil
@@ -14,12 +14,12 @@ LIMIT_S = 600
 
 @dataclass(frozen=True)
 class Sitaf:
-    """The launcher of this checkout."""
+    """The launcher of this source tree."""
 
     root: Path
 
     def __call__(self, *arguments, env=None, stdin=None):
-        """Runs a command to its end; output as text."""
+        """Run a command; return exit code and output."""
         return subprocess.run(
             [str(self.root / "sitaf"), *map(str, arguments)],
             cwd=self.root,
@@ -34,7 +34,7 @@ class Sitaf:
 
 @pytest.hookimpl(optionalhook=True)
 def pytest_xdist_make_scheduler(config, log):
-    """Files run side by side, but those of the portal: they use one system, and what came before them in it."""
+    """Test files run in parallel, except those of the portal, which share a system and its state."""
     from xdist.scheduler import LoadFileScheduling
 
     class Scheduling(LoadFileScheduling):
@@ -53,7 +53,7 @@ def sitaf():
 
 @pytest.fixture(scope="session")
 def driver():
-    """Drives browsers. One for all tests: a second one in a process is refused while the first is there."""
+    """Playwright, shared by all tests because a process can run only one instance."""
     playwright = pytest.importorskip(
         "playwright.sync_api", reason="the browser's driver is missing: pip install playwright"
     )
@@ -63,7 +63,7 @@ def driver():
 
 @pytest.fixture
 def activity(tmp_path):
-    """A copy of the infrared example, to be spoilt."""
+    """A copy of the infrared example that a test may modify."""
     folder = tmp_path / "ir-sensor"
     shutil.copytree(ROOT / "examples" / "ir-sensor", folder)
     return folder

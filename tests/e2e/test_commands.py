@@ -1,4 +1,4 @@
-"""The commands that need no component."""
+"""Commands that need no component."""
 
 import csv
 import io
@@ -12,13 +12,13 @@ MODEL = "examples/ir-sensor/GetInfraredData.xml"
 GOLDEN = Path(__file__).parents[1] / "golden"
 
 
-def test_the_suite_of_the_paper_is_the_golden_one(sitaf):
+def test_the_papers_suite_equals_the_golden_file(sitaf):
     generated = sitaf("generate", MODEL)
     assert generated.returncode == 0, generated.stderr
     assert generated.stdout == (GOLDEN / "GetInfraredData-2way.xml").read_text()
 
 
-def test_every_format_holds_every_case(sitaf):
+def test_every_format_contains_all_cases(sitaf):
     rows = list(csv.DictReader(io.StringIO(sitaf("generate", MODEL, "--format", "csv").stdout)))
     assert len(rows) == 55
     assert rows[0].keys() == {"no", "class", "IndexOfSensor", "NumOfSensor", "Distance", "expected"}
@@ -26,12 +26,12 @@ def test_every_format_holds_every_case(sitaf):
     assert len(suite["cases"]) == 49
 
 
-def test_strength_all_is_the_whole_product(sitaf):
+def test_strength_all_gives_all_combinations(sitaf):
     suite = json.loads(sitaf("generate", MODEL, "--format", "json", "--strength", "all", "--invalid", "combine").stdout)
     assert len(suite["cases"]) == 7 * 7 * 7
 
 
-def test_a_bad_model_ends_with_2_and_every_problem(sitaf, tmp_path):
+def test_an_invalid_model_exits_with_2_and_lists_all_errors(sitaf, tmp_path):
     model = tmp_path / "bad.xml"
     model.write_text(
         "<test_model><name>Bad</name><input_spec_list>\n"
@@ -54,13 +54,13 @@ def test_a_document_type_is_refused(sitaf, tmp_path):
     assert "document type declarations and entities are refused" in generated.stderr
 
 
-def test_describe_shows_the_interface_as_understood(sitaf):
+def test_describe_prints_the_interface(sitaf):
     described = sitaf("describe", "examples/ir-sensor/InfraredSensorService.xml")
     assert described.returncode == 0, described.stderr
     assert "GetInfraredData" in described.stdout
 
 
-def test_doctor_finds_this_machine_complete(sitaf):
+def test_doctor_finds_all_required_software(sitaf):
     doctor = sitaf("doctor")
     assert doctor.returncode == 0, doctor.stdout
     assert "All required software is installed" in doctor.stdout
@@ -68,7 +68,7 @@ def test_doctor_finds_this_machine_complete(sitaf):
         assert re.search(r"memory +(control groups v[12]|polled by the agent) ", doctor.stdout)
 
 
-def test_doctor_says_what_installs_what_is_missing(sitaf, tmp_path):
+def test_doctor_tells_how_to_install_missing_software(sitaf, tmp_path):
     for tool in ("bash", "dirname", "readlink", "grep", "head", "sort", "python3", "flock", "date"):
         found = next(Path(p) / tool for p in os.environ["PATH"].split(":") if (Path(p) / tool).exists())
         (tmp_path / tool).symlink_to(found)
@@ -77,7 +77,7 @@ def test_doctor_says_what_installs_what_is_missing(sitaf, tmp_path):
     assert "sudo apt-get install -y openjdk-17-jdk-headless maven" in doctor.stdout
 
 
-def test_an_unknown_command_ends_with_2_and_the_list(sitaf):
+def test_an_unknown_command_exits_with_2_and_lists_the_commands(sitaf):
     unknown = sitaf("tset")
     assert unknown.returncode == 2
     assert "unknown command 'tset'" in unknown.stderr

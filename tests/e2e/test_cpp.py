@@ -1,4 +1,4 @@
-"""`./sitaf run` on components in C++. Where the C++ side is not installed, they are skipped; continuous integration installs it."""
+"""`./sitaf run` with C++ components. Skipped if the C++ toolchain is not installed, except in continuous integration."""
 
 import os
 import re
@@ -16,7 +16,7 @@ def installed(*packages):
 
 
 def requires(*packages):
-    # In CI a skipped test would be a test that nobody runs.
+    # In CI, a skipped test would never run.
     return pytest.mark.skipif(
         not installed(*packages) and "CI" not in os.environ, reason="needs ./sitaf doctor --install cpp, and " + ", ".join(packages)
     )
@@ -46,7 +46,7 @@ def verdicts(folder, model="GetInfraredData"):
 
 
 @cpp
-def test_the_sensor_in_cpp_has_the_cases_and_verdicts_of_the_one_in_java(sitaf, tmp_path):
+def test_the_cpp_sensor_has_the_same_verdicts_as_in_java(sitaf, tmp_path):
     run = sitaf("run", "examples/ir-sensor-cpp", "--result", tmp_path / "cpp")
     assert run.returncode == 0, run.stdout + run.stderr
     assert "GetInfraredData: 55 cases, 55 PASS" in run.stdout
@@ -56,7 +56,7 @@ def test_the_sensor_in_cpp_has_the_cases_and_verdicts_of_the_one_in_java(sitaf, 
 
 
 @cpp
-def test_the_faulty_sensor_in_cpp_fails_exactly_the_cases_that_the_fault_touches(sitaf):
+def test_the_faulty_cpp_sensor_fails_exactly_the_affected_cases(sitaf):
     run = sitaf("run", "examples/ir-sensor-cpp-faulty")
     assert run.returncode == 1, run.stdout + run.stderr
     rows = re.findall(r"^ *\d+ +(-?\d+) +(-?\d+) +(-?[\d.]+) .*FAIL", run.stdout, re.MULTILINE)
@@ -73,14 +73,14 @@ def test_a_package_of_debian_is_tested_through_an_adapter(sitaf):
 
 
 @kdl
-def test_the_adapter_that_mixes_arguments_up_is_caught(sitaf):
+def test_an_adapter_with_swapped_arguments_is_detected(sitaf):
     run = sitaf("run", "examples/orocos-kdl-faulty")
     assert run.returncode == 1, run.stdout + run.stderr
     assert re.search(r"ProfilePosition: 36 cases, 16 PASS, 20 FAIL, 0 ERROR", run.stdout)
 
 
 @cpp
-def test_cpp_that_does_not_compile_is_told_with_file_and_line(sitaf, cpp_activity):
+def test_a_cpp_compiler_error_is_reported_with_file_and_line(sitaf, cpp_activity):
     source = cpp_activity / "component" / "infrared_sensor.cpp"
     replace(source, "return noDistance;", "return nonsense;")
     line = next(i for i, text in enumerate(source.read_text().splitlines(), 1) if "nonsense" in text)
@@ -90,7 +90,7 @@ def test_cpp_that_does_not_compile_is_told_with_file_and_line(sitaf, cpp_activit
 
 
 @cpp
-def test_cpp_that_crashes_costs_only_its_own_cases(sitaf, cpp_activity):
+def test_a_crash_in_cpp_affects_only_its_cases(sitaf, cpp_activity):
     source = cpp_activity / "component" / "infrared_sensor.cpp"
     body = "double InfraredSensor::GetInfraredData(int indexOfSensor, int numOfSensor) const {\n"
     replace(source, body, body + "  if (indexOfSensor == 2) *static_cast<volatile int*>(nullptr) = 1;\n")
@@ -103,7 +103,7 @@ def test_cpp_that_crashes_costs_only_its_own_cases(sitaf, cpp_activity):
 
 @cpp
 @pytest.mark.skipif(shutil.which("clang++") is None and "CI" not in os.environ, reason="needs clang++")
-def test_another_compiler_is_taken_by_the_name_that_the_environment_gives(sitaf, cpp_activity):
+def test_the_environment_selects_the_compiler(sitaf, cpp_activity):
     clang = {"CXX": "clang++"}
     run = sitaf("run", cpp_activity, env=clang)
     assert run.returncode == 0, run.stdout + run.stderr
@@ -118,7 +118,7 @@ def test_another_compiler_is_taken_by_the_name_that_the_environment_gives(sitaf,
 
 
 @cpp
-def test_cpp_that_throws_is_an_error_with_its_words(sitaf, cpp_activity):
+def test_an_exception_in_cpp_is_an_error_with_its_message(sitaf, cpp_activity):
     source = cpp_activity / "component" / "infrared_sensor.cpp"
     body = "double InfraredSensor::GetInfraredData(int indexOfSensor, int numOfSensor) const {\n"
     replace(source, body, body + '  if (indexOfSensor == 2) throw std::runtime_error("gone");\n')
@@ -128,7 +128,7 @@ def test_cpp_that_throws_is_an_error_with_its_words(sitaf, cpp_activity):
 
 
 @cpp
-def test_edits_give_what_a_compilation_without_caches_gives(sitaf):
+def test_caches_do_not_change_the_result_of_edits(sitaf):
     ran = sitaf("bench", "cache", "--edits", "40")
     assert ran.returncode == 0, ran.stdout + ran.stderr
     assert ran.stdout.splitlines()[-1] == "cache: held"

@@ -1,4 +1,4 @@
-"""The paper's evaluation, end to end on the whole system."""
+"""The paper's evaluation with the complete system."""
 
 import json
 import re
@@ -26,7 +26,7 @@ def test_every_case_of_the_paper_passes(demo):
     assert "GetInfraredData: 49 cases, 49 PASS, 0 FAIL, 0 ERROR, 0 DONT" in demo.stdout
 
 
-def test_the_table_is_that_of_the_paper(demo):
+def test_the_table_equals_the_papers(demo):
     header = r"No +IndexOfSensor +NumOfSensor +Distance +ER +MR +PF +Time\(us\)"
     assert re.search(header, demo.stdout)
     row = r"^ *(\d+) +(-?\d+) +(-?\d+) +(-?[\d.]+) +(-?[\d.]+) +(-?[\d.]+) +PASS +[\d.]+$"
@@ -40,7 +40,7 @@ def test_the_table_is_that_of_the_paper(demo):
     assert re.search(r"min [\d.]+, max [\d.]+, average [\d.]+, standard deviation [\d.]+", demo.stdout)
 
 
-def test_the_result_document_lies_where_the_demo_says(demo, sitaf):
+def test_the_demo_prints_the_path_of_the_result_document(demo, sitaf):
     path = re.search(r"Results as XML: (\S+)", demo.stdout).group(1)
     root = ElementTree.parse(path).getroot()
     assert root.tag == "test_result_descriptor"
@@ -51,12 +51,12 @@ def test_the_result_document_lies_where_the_demo_says(demo, sitaf):
     assert "MuJoCo" in provenance["bridge"]
 
 
-def test_nothing_that_the_demo_started_is_left(demo):
+def test_the_demo_leaves_no_processes(demo):
     processes = subprocess.run(["ps", "-eo", "args"], capture_output=True, text=True, check=True)
     assert "sitaf-demo-" not in processes.stdout
 
 
-def test_a_kept_demo_shows_the_portal_and_goes_without_a_trace_when_it_is_stopped(sitaf):
+def test_a_kept_demo_shows_the_portal_and_cleans_up(sitaf):
     before = set(Path(tempfile.gettempdir()).glob("sitaf-demo-*"))
     kept = subprocess.Popen([sitaf.root / "sitaf", "demo", "--keep"], stdout=subprocess.PIPE, text=True)
     try:
@@ -78,7 +78,7 @@ def test_a_kept_demo_shows_the_portal_and_goes_without_a_trace_when_it_is_stoppe
             states = [build["state"] for build in json.load(builds)["items"]]
         assert states == ["DONE", "DONE"]
     finally:
-        # Where tests run in the background of a shell, what they start ignores an interrupt.
+        # Processes in the background of a shell ignore SIGINT.
         kept.send_signal(signal.SIGTERM)
         assert kept.wait(timeout=60) in (0, 143)
     assert set(Path(tempfile.gettempdir()).glob("sitaf-demo-*")) == before

@@ -1,4 +1,4 @@
-"""What `docs/deployment.md` and `docs/security.md` tell operators: TLS to agents and people, and units for systemd."""
+"""The instructions of `docs/deployment.md` and `docs/security.md`: TLS and systemd units."""
 
 import re
 import shutil
@@ -12,7 +12,7 @@ PATIENCE_S = 180
 
 
 def certificate(folder, name):
-    """A certificate for this machine that vouches for itself, and its key."""
+    """A self-signed certificate for this machine, and its key."""
     certificate, key = folder / f"{name}.pem", folder / f"{name}-key.pem"
     subprocess.run(
         ["openssl", "req", "-x509", "-newkey", "ec", "-pkeyopt", "ec_paramgen_curve:prime256v1", "-nodes", "-days", "2",
@@ -45,7 +45,7 @@ def secured(sitaf, certificates, tmp_path_factory):
         yield part
 
 
-def test_an_agent_that_trusts_the_server_does_its_builds(secured, certificates, tmp_path):
+def test_an_agent_builds_for_a_server_that_it_trusts(secured, certificates, tmp_path):
     options = ("--ca", str(certificates["sitaf"][0]), *own_bridge())
     with agent(tmp_path, "trusting", secured.grpc, *options):
         build = secured.api.build(secured.api.suite())
@@ -60,7 +60,7 @@ def test_an_agent_that_trusts_the_server_does_its_builds(secured, certificates, 
     ],
     ids=["another-authority", "without-tls"],
 )
-def test_an_agent_shows_its_token_to_no_other_server(secured, certificates, tmp_path, options, told):
+def test_an_agent_sends_its_token_to_trusted_servers_only(secured, certificates, tmp_path, options, told):
     trusted = ("--ca", str(certificates[options][0])) if options else ()
     name = f"wary-{options}"
     wary = agent(tmp_path, name, secured.grpc, *trusted)
@@ -74,14 +74,14 @@ def test_an_agent_shows_its_token_to_no_other_server(secured, certificates, tmp_
         wary.stop()
 
 
-def test_people_are_served_by_tls_alone(secured):
+def test_the_portal_uses_tls_only(secured):
     with pytest.raises((OSError, Refused)):
         Api(secured.http).get("/api/v1/agents")
 
 
 @pytest.fixture
 def units(sitaf, tmp_path):
-    """The units, one of an agent by the name of an instance."""
+    """The systemd units; the agent's unit is a template."""
     if shutil.which("systemd-analyze") is None:
         pytest.skip("systemd-analyze is not installed")
     for unit in (sitaf.root / "docs" / "systemd").iterdir():
@@ -95,16 +95,16 @@ def verify(units):
     )
 
 
-def test_systemd_takes_the_units_as_they_are(units):
+def test_systemd_accepts_the_units(units):
     assert len(units) == 2
     verified = verify(units)
     assert (verified.returncode, verified.stderr) == (0, "")
-    # It does refuse what is wrong.
+    # It rejects an invalid unit.
     units[0].write_text(units[0].read_text().replace("Restart=always", "Restart=allways"))
     assert "allways" in verify(units).stderr
 
 
-def test_the_units_use_options_that_there_are(sitaf, units):
+def test_the_units_use_existing_options(sitaf, units):
     text = next(unit for unit in units if "agent" in unit.name).read_text()
     options = set(re.findall(r"(?<=\s)--[a-z-]+", text))
     assert {"--server", "--directory", "--bridge-command"} <= options

@@ -1,4 +1,4 @@
-"""The examples beside the paper's: each passes, and its faulty twin fails where its README says."""
+"""The other examples: each passes, and its faulty variant fails as described in its README."""
 
 import re
 
@@ -8,7 +8,7 @@ SUMMARY = re.compile(r"(\w+): (\d+) cases, (\d+) PASS(?:, (\d+) FAIL, (\d+) ERRO
 
 
 def verdicts(run):
-    """Cases, and how many of them passed, of the only model."""
+    """The number of cases and of passed cases of the only model."""
     found = SUMMARY.search(run.stdout)
     assert found, run.stdout + run.stderr
     return int(found[2]), int(found[3])
@@ -22,7 +22,7 @@ def test_an_example_passes(sitaf, example):
     assert cases == passed >= 4
 
 
-def test_the_record_of_the_stub_shows_what_the_step_asked_of_its_wheels(sitaf):
+def test_the_stub_records_the_wheel_commands(sitaf):
     run = sitaf("run", "examples/navigation-step-faulty")
     assert run.returncode == 1, run.stdout + run.stderr
     assert 'post-condition broken: actual == "HALT" || calls["WheelController.Drive"][0].speed' in run.stdout
@@ -30,7 +30,7 @@ def test_the_record_of_the_stub_shows_what_the_step_asked_of_its_wheels(sitaf):
     assert "0 ERROR" in run.stdout
 
 
-def test_a_base_that_does_not_stop_is_seen_after_the_call(sitaf):
+def test_a_base_that_does_not_stop_fails_after_the_call(sitaf):
     run = sitaf("run", "examples/wall-approach-faulty")
     assert run.returncode == 1, run.stdout + run.stderr
     _, passed = verdicts(run)
@@ -39,7 +39,7 @@ def test_a_base_that_does_not_stop_is_seen_after_the_call(sitaf):
     assert "return: expected" not in run.stdout
 
 
-def test_a_controller_without_its_integral_hangs_below_the_target(sitaf):
+def test_a_controller_without_integral_misses_the_target(sitaf):
     run = sitaf("run", "examples/joint-pid-faulty")
     assert run.returncode == 1, run.stdout + run.stderr
     cases, passed = verdicts(run)

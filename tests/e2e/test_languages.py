@@ -12,7 +12,7 @@ from test_cpp import installed
 
 PARTS = Path(__file__).parent / "languages"
 LANGUAGES = ["java", "cpp", "python"]
-# In CI a skipped test would be a test that nobody runs.
+# In CI, a skipped test would never run.
 WITHOUT_CPP = not installed("grpc++", "protobuf", "expat") and "CI" not in os.environ
 
 
@@ -35,7 +35,7 @@ def from_example(sitaf, folder, example, language, class_name, part):
 
 
 def arm(sitaf, folder, language):
-    """An arm that is called beside its caller."""
+    """An arm with nonblocking calls."""
     shutil.copytree(PARTS / "arm" / language, folder / "component")
     shutil.copytree(sitaf.root / "examples" / "joint-pid" / "world", folder / "world")
     for file in [*(PARTS / "arm").glob("*.xml"), *(PARTS / "arm" / "interfaces").iterdir(), PARTS / "arm" / "activity.yaml"]:
@@ -47,7 +47,7 @@ def arm(sitaf, folder, language):
 
 
 def results(sitaf, folder, *models):
-    """What each case of the models came to, and the exit code."""
+    """The outcome of each case, and the exit code."""
     found = {}
     code = 0
     for model in models:
@@ -66,7 +66,7 @@ def observed(result):
 
     verdict = result.attrib["verdict"]
     calls = [(call.attrib["method"], [(a.attrib["name"], a.text) for a in call]) for call in result.findall("call")]
-    # What was thrown is described as each language does; a wrong value and the end of time read the same in all.
+    # Exceptions are described differently in each language; other messages are equal.
     message = result.findtext("message") or ""
     same = verdict == "FAIL" or "simulation time" in message
     return {
@@ -80,7 +80,7 @@ def observed(result):
 
 
 def rounded(text):
-    """Seconds are counted as each language counts them; nothing else differs beyond the ninth decimal."""
+    """Round numbers, which may differ after the ninth decimal."""
     return re.sub(r"-?\d+\.\d+(?:[eE]-?\d+)?", lambda n: f"{float(n.group()):.9f}".replace("-0.000000000", "0.000000000"), text or "")
 
 
@@ -99,7 +99,7 @@ def test_answers_sequences_errors_and_delays_of_stubs_are_the_same_in_every_lang
     names = {"cpp": "robot::NavigationStep", "python": "navigation_step.NavigationStep"}
     other = from_example(sitaf, tmp_path / language, "navigation-step", language, names[language], "navigation")
     assert results(sitaf, other, "Step") == (0, results(sitaf, java, "Step")[1])
-    # A condition over the record of the stub that some cases break.
+    # A condition on the stub's record that some cases violate.
     for folder in (java, other):
         replace(folder / "Step.xml", 'calls["RangeFinder.GetRange"].size() == 2', 'calls["WheelController.Drive"].size() == 1')
     code, found = results(sitaf, other, "Step")
@@ -143,16 +143,16 @@ def arm_in_java(sitaf, tmp_path_factory):
     return results(sitaf, folder, *MODELS)
 
 
-def test_a_nonblocking_call_passes_beside_the_time_in_java(arm_in_java):
+def test_a_nonblocking_call_runs_while_time_advances_in_java(arm_in_java):
     code, found = arm_in_java
     assert (code, set(verdicts(found))) == (0, {"PASS"})
-    # The effort of the call shows in the joint, and where time went on after it, so does its end.
+    # The call's effort moves the joint; if time advances after the call, so does its end.
     swing, watch = (found[model, 1]["actual"] for model in ("Swing", "Watch"))
     assert dict(swing)["angle_held"] != dict(watch)["angle_held"]
     assert dict(swing)["angles"].count(",") == 9
 
 
-def test_a_nonblocking_call_a_data_port_and_nothing_are_the_same_in_every_language(sitaf, tmp_path, arm_in_java, language):
+def test_nonblocking_calls_and_data_ports_are_the_same_in_every_language(sitaf, tmp_path, arm_in_java, language):
     assert results(sitaf, arm(sitaf, tmp_path, language), *MODELS) == arm_in_java
 
 
@@ -184,7 +184,7 @@ def test_a_method_without_a_value_that_does_not_throw_as_expected_fails(sitaf, t
 
 
 @pytest.mark.parametrize("example", ["ir-sensor-cpp", "ir-sensor-python"])
-def test_what_moves_in_each_case_is_recorded(sitaf, tmp_path, example):
+def test_the_motion_of_each_case_is_recorded(sitaf, tmp_path, example):
     if example.endswith("cpp") and WITHOUT_CPP:
         pytest.skip("needs ./sitaf doctor --install cpp")
     run = sitaf("run", f"examples/{example}", "--recording", tmp_path)

@@ -1,4 +1,4 @@
-"""Components that come built: a shared object with headers, a jar, a Python package or a wheel; and packages of Maven and PyPI."""
+"""Compiled components: shared objects with headers, jars, Python packages and wheels; and packages of Maven and PyPI."""
 
 import os
 import re
@@ -13,7 +13,7 @@ PASSED = "GetInfraredData: 55 cases, 55 PASS"
 
 
 def change(profile, **entries):
-    """Puts entries of the component in the place of its sources; one of None goes."""
+    """Replace the component's sources by the given entries; None removes one."""
     lines = [line for line in profile.read_text().splitlines() if line.strip().partition(":")[0] not in ("sources", *entries)]
     at = next(i for i, line in enumerate(lines) if line.startswith("component:")) + 1
     lines[at:at] = [f"  {name}: {value}" for name, value in entries.items() if value is not None]
@@ -31,7 +31,7 @@ def tool(*command):
 
 @pytest.fixture
 def built_cpp(sitaf, tmp_path):
-    """The sensor in C++, of which only headers and objects are left; gives the activity and how to compile."""
+    """The C++ sensor with headers but without sources; returns the activity and a compile function."""
     activity = copy_of(sitaf, "ir-sensor-cpp", tmp_path / "activity")
     sources = tmp_path / "sources"
     shutil.move(activity / "component", sources)
@@ -45,7 +45,7 @@ def built_cpp(sitaf, tmp_path):
 @cpp
 def test_a_shared_object_with_headers(sitaf, built_cpp):
     activity, compiler = built_cpp
-    # Under another name than the one that it says of itself.
+    # With a file name that differs from its SONAME.
     tool(*compiler, "-shared", "-Wl,-soname,libinfrared.so.1", "-o", activity / "lib" / "libinfrared.so.1.0.3")
     change(activity / "activity.yaml", library="lib/libinfrared.so.1.0.3", headers="include/")
     run = sitaf("run", activity)
@@ -83,7 +83,7 @@ def test_a_shared_object_that_needs_another_of_the_activity(sitaf, built_cpp, tm
 
 
 @cpp
-def test_a_shared_object_without_what_its_header_declares_is_told(sitaf, built_cpp, tmp_path):
+def test_a_missing_symbol_of_a_shared_object_is_reported(sitaf, built_cpp, tmp_path):
     activity, _ = built_cpp
     (tmp_path / "empty.cpp").write_text("int nothing = 0;\n")
     tool("g++", "-shared", "-fPIC", "-o", activity / "lib" / "libinfrared.so", tmp_path / "empty.cpp")
@@ -94,7 +94,7 @@ def test_a_shared_object_without_what_its_header_declares_is_told(sitaf, built_c
 
 
 def runtime_jars(sitaf):
-    # The commands before have built it.
+    # Built by an earlier command.
     return os.pathsep.join(map(str, (sitaf.root / ".sitaf" / "dist" / "agent" / "runtime-java").glob("*.jar")))
 
 
@@ -120,7 +120,7 @@ def test_a_jar(sitaf, tmp_path):
 
 @pytest.fixture
 def python_package(sitaf, tmp_path):
-    """The sensor as the package `robot` that holds it in a module of its own."""
+    """The sensor in a module of the package `robot`."""
     activity = copy_of(sitaf, "ir-sensor-python", tmp_path / "activity")
     package = activity / "lib" / "robot"
     package.mkdir(parents=True)
@@ -147,7 +147,7 @@ def test_a_python_package(sitaf, python_package):
         ("robot.lidar.Lidar", "there is no robot/lidar.py below lib/; write the module that defines Lidar, then the class"),
     ],
 )
-def test_a_class_that_a_python_package_lacks_is_told(sitaf, python_package, name, message):
+def test_a_missing_class_of_a_python_package_is_reported(sitaf, python_package, name, message):
     change(python_package / "activity.yaml", library="lib/robot", **{"class": name})
     run = sitaf("run", python_package)
     assert run.returncode == 2
@@ -155,7 +155,7 @@ def test_a_class_that_a_python_package_lacks_is_told(sitaf, python_package, name
 
 
 def wheel(folder, package, requires=()):
-    """A wheel of a package, as a builder would make it."""
+    """Build a wheel of a package."""
     file = folder / "robot-1.0-py3-none-any.whl"
     with zipfile.ZipFile(file, "w") as archive:
         for path in sorted(package.rglob("*.py")):
@@ -168,7 +168,7 @@ def wheel(folder, package, requires=()):
     return file
 
 
-def test_a_wheel_with_what_it_requires(sitaf, python_package):
+def test_a_wheel_with_requirements(sitaf, python_package):
     package = python_package / "lib" / "robot"
     (package / "gains.py").write_text("from simple_pid import PID\n\nGAINS = PID(1, 2, 3).tunings\n")
     init = package / "__init__.py"
@@ -179,14 +179,14 @@ def test_a_wheel_with_what_it_requires(sitaf, python_package):
     run = sitaf("run", python_package)
     assert run.returncode == 0, run.stdout + run.stderr
     assert PASSED in run.stdout
-    # What a package holds shows when it is imported.
+    # The import succeeds only if the package is installed.
     change(python_package / "activity.yaml", **{"class": "robot.Lidar"}, library="robot-1.0-py3-none-any.whl")
     run = sitaf("run", python_package)
     assert run.returncode == 2
     assert "robot has no class Lidar" in run.stdout + run.stderr
 
 
-def test_what_requirements_name_is_there(sitaf, tmp_path):
+def test_packages_of_requirements_are_installed(sitaf, tmp_path):
     activity = copy_of(sitaf, "ir-sensor-python", tmp_path / "activity")
     (activity / "component" / "requirements.txt").write_text("simple-pid==2.0.1\n")
     source = activity / "component" / "infrared_sensor.py"
@@ -262,7 +262,7 @@ def test_a_package_by_its_maven_coordinates(sitaf, maven_activity):
         ("org.apache.commons:commons-math3:99.99", "org.apache.commons:commons-math3:99.99: .*ould not find artifact"),
     ],
 )
-def test_a_package_that_maven_does_not_have_is_told(sitaf, maven_activity, coordinates, message):
+def test_a_package_missing_in_maven_central_is_reported(sitaf, maven_activity, coordinates, message):
     change(maven_activity / "activity.yaml", package=coordinates)
     run = sitaf("run", maven_activity)
     assert run.returncode == 2

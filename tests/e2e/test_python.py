@@ -1,4 +1,4 @@
-"""`./sitaf run` on components in Python."""
+"""`./sitaf run` with Python components."""
 
 import re
 
@@ -19,7 +19,7 @@ def python_activity(tmp_path):
     return folder
 
 
-def test_the_infrared_sensor_in_python_has_the_verdicts_of_the_one_in_java(sitaf):
+def test_the_python_sensor_has_the_same_verdicts_as_in_java(sitaf):
     run = sitaf("run", "examples/ir-sensor-python")
     assert run.returncode == 0, run.stdout + run.stderr
     assert "GetInfraredData: 55 cases, 55 PASS" in run.stdout
@@ -37,7 +37,7 @@ def test_a_published_package_passes_and_the_fault_of_an_early_release_is_found(s
     assert failed(run) == [19, 20, 24, 28, 50]
 
 
-def test_a_mistake_in_python_is_told_with_file_line_and_column(sitaf, python_activity):
+def test_a_syntax_error_in_python_is_reported_with_file_line_and_column(sitaf, python_activity):
     source = python_activity / "component/infrared_sensor.py"
     source.write_text(source.read_text() + "\ndef broken(:\n")
     line = len(source.read_text().splitlines())
@@ -46,7 +46,7 @@ def test_a_mistake_in_python_is_told_with_file_line_and_column(sitaf, python_act
     assert re.search(rf"activity/component/infrared_sensor\.py:{line}:\d+: error: ", run.stderr), run.stderr
 
 
-def test_a_package_that_does_not_exist_is_told(sitaf, python_activity):
+def test_a_missing_package_is_reported(sitaf, python_activity):
     (python_activity / "component/requirements.txt").write_text("simple-pid==99.99.99\n")
     run = sitaf("run", python_activity)
     assert run.returncode == 2
@@ -54,7 +54,7 @@ def test_a_package_that_does_not_exist_is_told(sitaf, python_activity):
     assert "99.99.99" in run.stderr
 
 
-def test_a_component_in_python_that_ends_its_process_loses_no_other_case(sitaf, python_activity):
+def test_a_python_component_that_exits_affects_only_its_case(sitaf, python_activity):
     source = python_activity / "component/infrared_sensor.py"
     text = source.read_text()
     begin = "        if not 1 <= num_of_sensor"

@@ -1,4 +1,4 @@
-"""`./sitaf run`: one activity from files to verdict, without a server."""
+"""`./sitaf run` on this machine."""
 
 import re
 import shutil
@@ -19,7 +19,7 @@ def test_the_infrared_sensor_passes(sitaf, tmp_path):
     assert root.find("summary").attrib["total"] == "55"
 
 
-def test_what_was_reached_of_the_component_is_told(sitaf, tmp_path):
+def test_the_coverage_of_the_component_is_printed(sitaf, tmp_path):
     run = sitaf("run", "examples/ir-sensor", "--model", "GetInfraredData", "--result", tmp_path / "result.xml")
     assert re.search(r"coverage of the component: [\d.]+ % of statements, [\d.]+ % of branches", run.stdout)
     root = ElementTree.parse(tmp_path / "result.xml").getroot()
@@ -29,7 +29,7 @@ def test_what_was_reached_of_the_component_is_told(sitaf, tmp_path):
     assert {line.attrib["reached"] for line in file} == {"true", "false"}
 
 
-def test_without_a_sandbox_nothing_runs_that_requires_one(sitaf, tmp_path):
+def test_required_sandbox_must_exist(sitaf, tmp_path):
     for tool in ("bash", "java", "javac", "dirname", "readlink", "flock", "mkdir", "find", "touch", "python3", "mvn", "npm"):
         if found := shutil.which(tool):
             (tmp_path / tool).symlink_to(found)
@@ -38,7 +38,7 @@ def test_without_a_sandbox_nothing_runs_that_requires_one(sitaf, tmp_path):
     assert "bubblewrap is not installed; install it with: apt-get install bubblewrap" in run.stderr
 
 
-def test_the_faulty_sensor_fails_exactly_the_cases_that_the_fault_touches(sitaf, tmp_path):
+def test_the_faulty_sensor_fails_exactly_the_affected_cases(sitaf, tmp_path):
     report = tmp_path / "report.xml"
     run = sitaf("run", "examples/ir-sensor-faulty", "--junit", report)
     assert run.returncode == 1, run.stdout + run.stderr
@@ -52,7 +52,7 @@ def test_the_faulty_sensor_fails_exactly_the_cases_that_the_fault_touches(sitaf,
     assert len(suite.findall("testcase/failure")) == 5
 
 
-def test_a_component_that_does_not_compile_is_told_with_file_and_line(sitaf, activity):
+def test_a_compiler_error_is_reported_with_file_and_line(sitaf, activity):
     source = next(activity.glob("component/**/InfraredSensor.java"))
     lines = source.read_text().splitlines()
     at = next(i for i, line in enumerate(lines) if line.strip().startswith("return "))
@@ -63,7 +63,7 @@ def test_a_component_that_does_not_compile_is_told_with_file_and_line(sitaf, act
     assert re.search(rf"InfraredSensor\.java:{at + 1}:\d+: error: .*cannot find symbol", run.stderr), run.stderr
 
 
-def test_a_component_that_throws_is_an_error_and_no_failure(sitaf, activity):
+def test_an_exception_is_an_error(sitaf, activity):
     source = next(activity.glob("component/**/InfraredSensor.java"))
     text = source.read_text()
     body = re.search(r"double GetInfraredData\([^)]*\) \{", text)
@@ -74,7 +74,7 @@ def test_a_component_that_throws_is_an_error_and_no_failure(sitaf, activity):
     assert "IllegalStateException" in run.stdout
 
 
-def test_a_component_that_writes_results_of_its_own_has_not_passed(sitaf, activity, tmp_path):
+def test_a_component_that_forges_results_does_not_pass(sitaf, activity, tmp_path):
     source = next(activity.glob("component/**/InfraredSensor.java"))
     text = source.read_text()
     body = re.search(r"double GetInfraredData\([^)]*\) \{", text)
@@ -95,7 +95,7 @@ def test_a_component_that_writes_results_of_its_own_has_not_passed(sitaf, activi
     assert len(result.findall("suspicion")) == 1
 
 
-def test_a_component_that_ends_the_process_loses_no_other_case(sitaf, activity):
+def test_a_component_that_exits_affects_only_its_case(sitaf, activity):
     source = next(activity.glob("component/**/InfraredSensor.java"))
     text = source.read_text()
     body = re.search(r"double GetInfraredData\([^)]*\) \{", text)
@@ -105,28 +105,28 @@ def test_a_component_that_ends_the_process_loses_no_other_case(sitaf, activity):
     assert "55 cases, 54 PASS, 0 FAIL, 1 ERROR, 0 DONT" in run.stdout
 
 
-def test_a_missing_class_is_told_before_anything_is_built(sitaf, activity):
+def test_a_missing_class_is_reported_before_the_compilation(sitaf, activity):
     replace(activity / "activity.yaml", "InfraredSensor\n", "Sonar\n")
     run = sitaf("run", activity)
     assert run.returncode == 2
     assert "component.class" in run.stderr and "Sonar" in run.stderr
 
 
-def test_a_world_parameter_that_does_not_exist_is_told(sitaf, activity):
+def test_an_unknown_world_parameter_is_reported(sitaf, activity):
     replace(activity / "GetInfraredData.xml", "<name>Distance</name>", "<name>Gap</name>")
     run = sitaf("run", activity)
     assert run.returncode == 2
     assert "test_element Gap: world/ir.world.yaml has no such parameter; it has Distance" in run.stderr
 
 
-def test_a_world_that_the_simulator_refuses_is_told(sitaf, activity):
+def test_a_world_rejected_by_the_simulator_is_reported(sitaf, activity):
     replace(activity / "world" / "ir.xml", "<mujoco", "<mujoko")
     run = sitaf("run", activity)
     assert run.returncode == 2
     assert "the simulator rejects the world" in run.stderr
 
 
-def test_an_unknown_method_is_told(sitaf, activity):
+def test_an_unknown_method_is_reported(sitaf, activity):
     replace(activity / "GetInfraredData.xml", 'method="GetInfraredData"', 'method="GetSonarData"')
     run = sitaf("run", activity)
     assert run.returncode == 2

@@ -1,4 +1,4 @@
-"""`./sitaf up`, and what scripts do with a server: run an activity there, and anything that its description allows."""
+"""`./sitaf up`, and scripts that use a server: remote runs, and requests generated from the OpenAPI document."""
 
 import http.cookiejar
 import json
@@ -22,7 +22,7 @@ class Server:
 
 @pytest.fixture(scope="module")
 def server(sitaf, tmp_path_factory):
-    """Server and agent of `up`, and a token that a person made in a browser opened by its link."""
+    """Server and agent of `up`, and an API token created with the sign-in link."""
     data = tmp_path_factory.mktemp("up")
     up = subprocess.Popen(
         [sitaf.root / "sitaf", "up", "--port", "0", "--grpc-port", "0", "--data", str(data)],
@@ -47,7 +47,7 @@ def server(sitaf, tmp_path_factory):
             token = json.load(answer)["secret"]
         yield Server(address, token)
     finally:
-        # Where tests run in the background of a shell, what they start ignores an interrupt.
+        # Processes in the background of a shell ignore SIGINT.
         up.send_signal(signal.SIGTERM)
         assert up.wait(timeout=60) in (0, 143)
 
@@ -66,13 +66,13 @@ def test_an_activity_is_tested_on_the_servers_agents(sitaf, server, tmp_path):
     assert ElementTree.parse(result).getroot().find("summary").attrib["pass"] == "55"
 
 
-def test_cases_that_fail_there_end_as_they_do_here(sitaf, server):
+def test_failed_cases_have_the_same_exit_code_remotely(sitaf, server):
     run = sitaf("run", "examples/ir-sensor-faulty", "--server", server.address, env={"SITAF_TOKEN": server.token})
     assert run.returncode == 1, run.stdout + run.stderr
     assert "GetInfraredData: 55 cases, 50 PASS, 5 FAIL" in run.stdout
 
 
-def test_a_component_that_does_not_compile_there_is_told_with_file_and_line(sitaf, server, activity):
+def test_a_remote_compiler_error_is_reported_with_file_and_line(sitaf, server, activity):
     source = next(activity.glob("component/**/InfraredSensor.java"))
     lines = source.read_text().splitlines()
     at = next(i for i, line in enumerate(lines) if line.strip().startswith("return "))
@@ -92,13 +92,13 @@ def test_a_component_that_does_not_compile_there_is_told_with_file_and_line(sita
         ("sitaf.example", "sitaf_x", "expected an address"),
     ],
 )
-def test_what_keeps_a_script_out_is_told(sitaf, server, address, token, told):
+def test_authentication_errors_are_reported(sitaf, server, address, token, told):
     run = sitaf("run", "examples/ir-sensor", "--server", address or server.address, env={"SITAF_TOKEN": token})
     assert run.returncode == 2
     assert told in run.stderr
 
 
-def test_nothing_that_the_description_allows_breaks_the_server(server, tmp_path):
+def test_requests_of_the_openapi_document_do_not_break_the_server(server, tmp_path):
     pytest.importorskip("schemathesis", reason="./sitaf test installs it")
     fuzz = subprocess.run(
         [
@@ -108,10 +108,10 @@ def test_nothing_that_the_description_allows_breaks_the_server(server, tmp_path)
             "--max-examples", os.environ.get("SITAF_FUZZ_EXAMPLES", "8"),
             "--phases", "examples,coverage,fuzzing",
             "--seed", "1",
-            # What would take away the right to ask on.
+            # Requests that would revoke the token are excluded.
             *(word for name in ("signOut", "revokeToken", "deleteUser", "changeUser", "resetPassword", "changePassword")
               for word in ("--exclude-operation-id", name)),
-            # It cannot make zips; what is wrong with them is tested with the archive's reader.
+            # It cannot generate zip archives, which are tested with the archive reader.
             *(word for name in ("createActivity", "checkActivity", "replaceActivity")
               for word in ("--exclude-operation-id", name)),
             "--request-timeout", "30",

@@ -1,4 +1,4 @@
-"""The installation that is harmed, and disks that can run full."""
+"""The installation under test, and small disks that can be filled."""
 
 import subprocess
 
@@ -9,7 +9,7 @@ DISK_MIB = 64
 
 @pytest.fixture(scope="session")
 def installed(sitaf):
-    """Programs and simulation below `.sitaf`, as any command of the launcher leaves them."""
+    """Programs and simulation in `.sitaf`, as set up by the launcher."""
     listed = sitaf("bench")
     assert listed.returncode == 0, listed.stderr
     return sitaf
@@ -17,7 +17,7 @@ def installed(sitaf):
 
 @pytest.fixture
 def disk(tmp_path):
-    """A small disk in memory, which only root can mount."""
+    """A small tmpfs, which only root can mount."""
     folder = tmp_path / "disk"
     folder.mkdir()
     mounted = subprocess.run(

@@ -1,4 +1,4 @@
-"""Servers, agents and a simulation as real processes, and the server's REST interface, for programs that harm them."""
+"""Starts servers, agents and a simulation as processes, and calls the REST interface, for fault tests."""
 
 import http.client
 import io
@@ -26,7 +26,7 @@ COMPONENT = "component/org/sitaf/examples/ir/InfraredSensor.java"
 MODEL = "GetInfraredData"
 OVER = {"DONE", "FAILED", "CANCELLED"}
 
-# Secrets of this run alone: the programs speak with servers of their own on the loopback.
+# Secrets of this run: the servers listen on loopback only.
 TOKEN, ENROLMENT = secrets.token_urlsafe(32), secrets.token_urlsafe(32)
 
 
@@ -37,7 +37,7 @@ def free_port():
 
 
 def activity(pause_ms):
-    """The paper's example as a zip, its component pausing in each call, so that a build takes a while and little work."""
+    """The paper's example as a zip, with a pause in each call, so that a build takes long but uses little CPU."""
     files = {p.relative_to(EXAMPLE).as_posix(): p.read_bytes() for p in EXAMPLE.rglob("*") if p.is_file()}
     source = files[COMPONENT].decode()
     begin = re.search(r"public double GetInfraredData\([^)]*\) \{\n", source)
@@ -51,7 +51,7 @@ def activity(pause_ms):
 
 
 class Refused(Exception):
-    """The server answered, and not with success."""
+    """The server answered with an error."""
 
 
 class Api:
@@ -70,7 +70,7 @@ class Api:
         try:
             return self.answer(request)
         except http.client.HTTPException as error:
-            # The server died within its answer, which is no other thing than a connection that broke off.
+            # The server died during its answer, which equals a lost connection.
             raise ConnectionError(f"{method} {path}: {error}") from error
 
     def answer(self, request):
@@ -89,7 +89,7 @@ class Api:
         return self.call("POST", path, body)
 
     def suite(self, pause_ms=0):
-        """Uploads the example and makes a suite of it; answers its id."""
+        """Upload the example and create a suite; return its id."""
         made = self.call("POST", "/api/v1/activities", activity(pause_ms), "application/zip")
         return self.post(f"/api/v1/activities/{made['id']}/models/{MODEL}/suites", {})["id"]
 
@@ -110,7 +110,7 @@ class Api:
 
 
 class Part:
-    """A process of ours, which may be killed and started again; ended with the block that it is the context of."""
+    """A process that can be killed and restarted; a context manager that ends it."""
 
     def __init__(self, name, command, log, environment, ready):
         self.name, self.command, self.log, self.environment, self.ready = name, command, log, environment, ready
@@ -160,7 +160,7 @@ class Part:
 
 
 def java(part, jar, heap="256m", folder=None):
-    """What starts a program of the installation, or of another folder of that form."""
+    """The command of a program of the installation or of another folder of the same layout."""
     folder = folder or DIST / part
     command = ["java", f"-Xmx{heap}", "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC"]
     if (folder / f"{part}.jsa").exists():
@@ -169,7 +169,7 @@ def java(part, jar, heap="256m", folder=None):
 
 
 def server(folder, *options, name="server", database=None, heap="512m"):
-    """A server with ports that stay the same over its deaths."""
+    """A server that keeps its ports across restarts."""
     http, grpc = free_port(), free_port()
     command = java("server", "sitaf-server.jar", heap) + [
         f"--sitaf.data-directory={folder / name}",
@@ -188,7 +188,7 @@ def server(folder, *options, name="server", database=None, heap="512m"):
 
 
 def agent(folder, name, target, *options, slots=1, heap="128m", installation=None):
-    """An agent, with a folder of its own; `target` is a server's port, or HOST:PORT of several joined by commas."""
+    """An agent with its own folder; `target` is a server's port, or comma-separated HOST:PORT."""
     command = java("agent", "agent.jar", heap, installation) + [
         "--server", target if ":" in str(target) else f"127.0.0.1:{target}",
         "--name", name,
@@ -223,7 +223,7 @@ class Bridge:
 
 
 class Postgres:
-    """A PostgreSQL server of this run alone."""
+    """A PostgreSQL server for this run."""
 
     def __enter__(self):
         command = ["java", "-Xmx128m", "-cp", os.environ["SITAF_POSTGRES_CLASSPATH"], "Postgres"]
@@ -247,7 +247,7 @@ class Postgres:
 
 
 def processes_of(directory, word):
-    """Processes below an agent's folder whose command line holds a word, by id."""
+    """Ids of processes of an agent's folder whose command line contains a word."""
     found = []
     for entry in Path("/proc").iterdir():
         if entry.name.isdigit():
@@ -269,7 +269,7 @@ def kill_process(pid):
 
 
 def await_true(condition, limit_s, step_s=0.25):
-    """Whether it came true in time."""
+    """Wait for a condition; return whether it became true in time."""
     end = time.monotonic() + limit_s
     while time.monotonic() < end:
         if condition():
@@ -279,7 +279,7 @@ def await_true(condition, limit_s, step_s=0.25):
 
 
 class Table:
-    """Rows with their targets, and the last line that says whether all were held."""
+    """Rows with their targets, and a last line that tells whether all were met."""
 
     def __init__(self, name):
         self.name, self.short = name, []
@@ -297,13 +297,13 @@ class Table:
 
 
 def show(*parts, lines=80):
-    """The ends of their logs, for whoever looks for the reason of what fell short."""
+    """Print the ends of the logs, to find the reason of a failure."""
     for part in parts:
         print(f"-- {part.name}", *part.log.read_text(errors="replace").splitlines()[-lines:], sep="\n", file=sys.stderr)
 
 
 def fill(disk, leave=0):
-    """Takes all that is left of a disk but so many bytes; answers what gives it back."""
+    """Fill a disk up to the given number of free bytes; return a function that frees the space."""
     filler = disk / "filler"
     free = os.statvfs(disk).f_bavail * os.statvfs(disk).f_frsize
     with filler.open("wb", buffering=0) as out:

@@ -1,4 +1,4 @@
-"""A disk that runs full stops new builds and costs no result; a small one in memory, which only root can mount."""
+"""A full disk of an agent stops new builds and loses no result. Uses a tmpfs, which only root can mount."""
 
 import re
 import time
@@ -10,7 +10,7 @@ NEEDED_MIB = 24
 PATIENCE_S = 180
 FULL_S = 10
 
-# Leases are not what is looked at here, and a busy machine is slow to register.
+# Long leases: they are not tested here, and registration is slow on a busy machine.
 SETTINGS = ("--sitaf.lease=60s", "--sitaf.retry-delay=1s")
 
 
@@ -50,18 +50,18 @@ def test_a_disk_that_runs_full_during_a_build_blames_no_case(central, disk, tmp_
     worker = agent(disk, "worker", central.grpc, "--min-free-mib", str(NEEDED_MIB), *own_bridge())
     worker.log = tmp_path / "worker.log"
     with worker:
-        # Long enough for a busy machine to fill the disk in the middle of it.
+        # Long enough to fill the disk during the build, even on a busy machine.
         build = api.build(api.suite(400))
         assert await_true(lambda: api.get(f"/api/v1/builds/{build}")["casesDone"] >= 5, PATIENCE_S, 0.05)
         give_back = fill(disk)
-        # What the component writes lies in memory here: the cases go on, and the result waits for room. Where something of the
-        # agent's own cannot be written the attempt fails instead.
+        # The component writes to a tmpfs here, so the cases continue and the result waits for free space. If the agent's own
+        # files cannot be written, the attempt fails instead.
         time.sleep(FULL_S)
         give_back()
         assert await_true(lambda: api.state(build) == "DONE", PATIENCE_S), api.get(f"/api/v1/builds/{build}")
         told = api.get(f"/api/v1/builds/{build}")
         assert told["summary"]["pass"] == told["summary"]["total"] == 55
-        # The server hears with a failure that the agent takes nothing: it gives it no second attempt to send back.
+        # The failure reports that the agent accepts no builds, so the server does not assign a second attempt.
         assert told["attempt"] <= 2
         causes = [change["cause"] for change in api.get(f"/api/v1/builds/{build}/history")]
         assert told["attempt"] == 1 or any("disk" in cause or "No space" in cause for cause in causes), causes

@@ -1,4 +1,4 @@
-"""A server whose own disk runs full goes on being read, loses nothing, and works again by itself when there is room."""
+"""A server with a full disk stays readable, loses nothing, and continues when there is free space."""
 
 import json
 import time
@@ -11,7 +11,7 @@ from system import Refused, agent, await_true, fill, own_bridge, server
 MIB = 1 << 20
 PATIENCE_S = 180
 
-# With less than this no new work is taken, with less than a quarter of it nothing is written.
+# Below this, no new work is accepted; below a quarter of it, nothing is written.
 MIN_FREE_MIB = 24
 LEASE_S = 4
 SETTINGS = (f"--sitaf.min-free={MIN_FREE_MIB}MB", f"--sitaf.lease={LEASE_S}s", "--sitaf.retry-delay=1s")
@@ -27,13 +27,13 @@ def central(installed, disk, tmp_path):
 
 @pytest.fixture
 def worker(central, tmp_path):
-    """An agent whose own disk is another one."""
+    """An agent on another disk."""
     with agent(tmp_path, "worker", central.grpc, *own_bridge()) as part:
         yield part
 
 
 def health(part):
-    """The state of the server and of what it looks after."""
+    """The health status of the server and its components."""
     try:
         with urllib.request.urlopen(f"http://127.0.0.1:{part.http}/actuator/health", timeout=30) as answer:
             told = json.load(answer)
@@ -43,7 +43,7 @@ def health(part):
 
 
 def person(part):
-    """Somebody who has signed in with a browser; answers what they get to see."""
+    """Sign in like a browser; return what the user sees."""
     browser = urllib.request.build_opener(urllib.request.HTTPCookieProcessor())
     root = f"http://127.0.0.1:{part.http}"
     link = part.api.post("/api/v1/session/link", {})["path"]
@@ -63,7 +63,7 @@ def refusal(call):
 
 
 def insist(call):
-    """Repeats a request for as long as the server says that it may be repeated soon."""
+    """Repeat a request as long as the server answers that it can be retried."""
     end = time.monotonic() + PATIENCE_S
     while True:
         try:
@@ -91,7 +91,7 @@ def test_results_wait_for_room_on_the_disk_of_the_server(central, worker, disk):
     told = refusal(api.suite)
     assert "507" in told and "the disk of the server's data has only 0 MiB left" in told
 
-    # The agent brings its result in vain, for longer than a lease, and nobody who looks is the worse for it.
+    # The agent's uploads fail for longer than a lease, and readers are not affected.
     assert await_true(lambda: spooled(worker), PATIENCE_S)
     end = time.monotonic() + 2 * LEASE_S
     while time.monotonic() < end:
@@ -110,7 +110,7 @@ def test_results_wait_for_room_on_the_disk_of_the_server(central, worker, disk):
     after = api.build(suite)
     assert await_true(lambda: api.state(after) == "DONE", PATIENCE_S)
 
-    # What was acknowledged is there, whatever happens now; a start is not tried without room for it.
+    # Acknowledged results exist after a restart; a start without free space is not tested.
     central.kill()
     give_back = fill(disk)
     with pytest.raises(RuntimeError, match="The server does not start: the disk of the server's data has only 0 MiB"):
@@ -141,7 +141,7 @@ def test_little_room_is_kept_for_the_work_that_was_taken(central, worker, disk):
 
 
 def test_a_database_that_could_not_write_is_opened_anew(installed, disk, tmp_path):
-    # Nobody asks for room here, so that the database runs into the end of the disk.
+    # Nothing checks the free space here, so the database hits the end of the disk.
     part = server(disk, "--sitaf.min-free=0")
     part.log = tmp_path / "server.log"
     with part:

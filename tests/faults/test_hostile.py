@@ -1,4 +1,4 @@
-"""Hostile components in the short form of their program: none gets out, and nobody else's build notices."""
+"""Runs the short form of the hostile program: no component escapes or affects other users' builds."""
 
 import os
 import pwd
@@ -36,7 +36,7 @@ def test_so_they_do_where_the_agent_is_an_ordinary_user(installed):
 
 
 def can_enter(folder, user):
-    """Whether a user can run the simulation's Python, which may lie in a folder of somebody else."""
+    """Whether a user can run the simulation's Python, which may be in another user's folder."""
     python = folder / ".sitaf" / "venv" / "bin" / "python"
     found = subprocess.run(["test", "-x", python], user=user.pw_uid, group=user.pw_gid, extra_groups=[], check=False)
     return found.returncode == 0

@@ -1,4 +1,4 @@
-"""The PostgreSQL server of the programs: unpacked below `.sitaf`, as a whole or not at all."""
+"""The PostgreSQL server of the programs is unpacked into `.sitaf` atomically."""
 
 import os
 import subprocess

@@ -1,4 +1,4 @@
-"""The programs of this folder in their short forms: each says itself whether all was held."""
+"""Runs the programs of this folder in their short forms; each checks its own targets."""
 
 import subprocess
 
@@ -9,17 +9,17 @@ LIMIT_S = 400
 
 @pytest.fixture(scope="module")
 def outage(installed, tmp_path_factory):
-    """Begins the outage, most of which is waiting, so that the others run meanwhile."""
+    """Start the outage, which mostly waits, so that the others run at the same time."""
     said = tmp_path_factory.mktemp("outage") / "said"
     with said.open("wb") as out:
         process = subprocess.Popen(
-            # A few agents: the twenty of the whole program compile at once, and leave nothing to what runs beside them.
+            # Few agents: the twenty of the full program compile at the same time and would slow down the others.
             [installed.root / "sitaf", "bench", "outage", "--away-s", "60", "--agents", "8"],
             cwd=installed.root, stdin=subprocess.DEVNULL, stdout=out, stderr=out,
         )
     yield process, said
     if process.poll() is None:
-        # As an interrupt of a person: the program ends what it has started.
+        # Like Ctrl-C: the program ends the processes that it started.
         process.terminate()
         process.wait(60)
 

@@ -1,4 +1,4 @@
-"""Agents of the release before and after the server's work; those further apart are told what to replace."""
+"""Agents of the previous and next release work with a server; others get a message what to replace."""
 
 import re
 import shutil
@@ -12,7 +12,7 @@ PATIENCE_S = 180
 
 
 def installation(folder, release):
-    """The agent as it is, under the number of another release."""
+    """The current agent with another version number."""
     shutil.copytree(DIST / "agent", folder, ignore=shutil.ignore_patterns("*.jsa"))
     jar, other = folder / "agent.jar", folder / "other.jar"
     with zipfile.ZipFile(jar) as source, zipfile.ZipFile(other, "w") as target:
@@ -34,14 +34,14 @@ def central(installed, tmp_path_factory):
 
 
 def release_of(server_log, steps):
-    """That of the server, so many minor releases further."""
+    """The server's version plus this many minor releases."""
     major, minor = (int(number) for number in re.search(r"\(server (\d+)\.(\d+)\.", server_log).groups())
     return f"{major}.{minor + steps}.0".encode()
 
 
 @pytest.fixture(scope="module")
 def said(central, tmp_path_factory):
-    """What an agent of the same release says."""
+    """The output of an agent of the same release."""
     with agent(tmp_path_factory.mktemp("same"), "same", central.grpc) as same:
         return same.log.read_text()
 

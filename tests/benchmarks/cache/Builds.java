@@ -19,7 +19,7 @@ import org.sitaf.core.activity.ActivityProfile.Language;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.harness.TestApplication;
 
-/** Compiles as an agent does, with caches of its own. */
+/** Compiles like an agent, with its own caches. */
 final class Builds {
   private final Path folder;
   private final Toolchains toolchains;
@@ -51,7 +51,7 @@ final class Builds {
    */
   record Built(Map<String, byte[]> files, boolean asked, Set<String> units) {}
 
-  /** Lets the toolchain be asked and notes that it was. */
+  /** A toolchain that records its calls. */
   private static final class Watched implements Toolchain {
     private final Toolchain toolchain;
     private boolean asked;
@@ -122,7 +122,7 @@ final class Builds {
     try {
       compiler.compile(compilation);
       brought.putAll(contents(compilation.output()));
-      // What of this machine was read, not what was compiled.
+      // Inputs of this machine are not part of the result.
       brought.remove("inputs");
     } catch (CompilationException e) {
       brought.put("refused", String.valueOf(e.getMessage()).getBytes());
@@ -132,7 +132,7 @@ final class Builds {
     return new Built(brought, toolchain.asked, units);
   }
 
-  /** Out of what each compiler itself has noted in the folder in which it worked. */
+  /** The inputs according to the dependency files of the compilers. */
   private static Set<String> units(Path scratch, Path sources) throws IOException {
     Set<String> units = new TreeSet<>();
     try (Stream<Path> all = Files.walk(scratch)) {
@@ -155,7 +155,7 @@ final class Builds {
     return contents;
   }
 
-  /** Forgets all that was compiled, apart from the runtime. */
+  /** Deletes all compiled objects except the runtime. */
   void forget() throws IOException {
     delete(cache().resolve("cpp/objects"));
     delete(toolchains.compiled());

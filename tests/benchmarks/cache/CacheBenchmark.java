@@ -13,9 +13,9 @@ import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.agent.sandbox.SandboxMode;
 
 /**
- * Edits activities at random and compiles each twice: with the caches that all of them share, and
- * without any. What comes out must be the same, byte by byte, and a model that knows who includes
- * what says which units a compiler may have been started for.
+ * Edits activities at random and compiles each twice: with shared caches and
+ * without. The results must be identical, and a model of the includes defines which
+ * units may be compiled again.
  */
 public final class CacheBenchmark {
   private static final int SHOWN = 20;
@@ -62,7 +62,7 @@ public final class CacheBenchmark {
       Edits changes = new Edits(random, projects, objects);
       System.out.printf(
           "%s; %d activities, %d edits, seed %d%n", sandbox.description(), projects.size(), edits, seed);
-      // A short run does not pay for activities that it would never edit.
+      // A short run does not create activities that it would not edit.
       List<Project> used = projects.subList(0, projects.size());
       Set<Project> begun = new HashSet<>();
       for (int i = 0; i < edits; i++) {

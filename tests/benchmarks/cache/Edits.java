@@ -8,11 +8,11 @@ import java.util.Random;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** Random edits, as people make them and as they undo them. */
+/** Random edits and their reversal. */
 final class Edits {
   private static final Pattern NUMBER = Pattern.compile("(?<![\\w.])\\d+(?![\\w.])");
 
-  /** Names that one file or another asks for, found or not, with what else is to be in such a file. */
+  /** Names in include directives, existing or not, with further content of such files. */
   private static final Map<String, String> ASKED =
       Map.of(
           "config.hpp", "#pragma once\nenum { CONFIG = 30 };\n",
@@ -36,7 +36,7 @@ final class Edits {
     this.objects = objects;
   }
 
-  /** Edits a project; returns what was done, in a few words. */
+  /** Edits a project; returns a short description. */
   String edit(Project project) throws Exception {
     earlier.computeIfAbsent(project, p -> new ArrayList<>()).add(project.copy());
     int dice = random.nextInt(100);
@@ -85,7 +85,7 @@ final class Edits {
     return "a number in " + path;
   }
 
-  /** In front of the one that is found, behind it, or where nobody looks. */
+  /** Before or after the existing file in the search path, or outside of it. */
   private String addOrRemoveHeader(Project project) {
     List<String> folders = new ArrayList<>(List.of("shared/", "shared/more/", "docs/", "world/", "include/"));
     folders.add(project.sources());

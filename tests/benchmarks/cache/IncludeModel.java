@@ -11,7 +11,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Who includes what, found out without any compiler: a preprocessor for the few directives that the
+ * A model of the includes without a compiler: a preprocessor for the few directives that the
  * generated sources use. A unit whose trace is the same gives the same object file.
  */
 final class IncludeModel {
@@ -31,7 +31,7 @@ final class IncludeModel {
     this.folders = project.includeFolders();
   }
 
-  /** What each unit of a C++ activity is made of, by its path in the layout. */
+  /** The inputs of each C++ translation unit, by its path in the layout. */
   static Map<String, String> traces(Project project) {
     Map<String, String> traces = new TreeMap<>();
     for (String path : project.layout().keySet()) {

@@ -7,7 +7,7 @@ import java.util.jar.JarEntry;
 import java.util.jar.JarOutputStream;
 import javax.tools.ToolProvider;
 
-/** Two versions of a library in C++ and of one in Java. */
+/** Two versions of a C++ library and of a Java library. */
 final class Libraries {
   private Libraries() {}
 

@@ -16,7 +16,7 @@ import org.sitaf.core.suite.GenerationOptions;
 import org.sitaf.core.suite.TestCaseGenerator;
 
 /**
- * An activity that is edited. Its driver is written by hand and small, so that hundreds of builds
+ * An activity to edit. It has a small driver instead of a generated one, so that hundreds of builds
  * take minutes: what it costs to compile a generated one is not what is measured here.
  */
 final class Project {
@@ -43,7 +43,7 @@ final class Project {
     return this;
   }
 
-  /** With a world of the examples in a folder, which has a slash at its end or is empty. */
+  /** Adds a world of the examples in a folder, which ends with a slash or is empty. */
   void world(String folder, Path home) throws IOException {
     world = folder + "ir.world.yaml";
     for (String file : List.of("ir.world.yaml", "ir.xml")) {
@@ -51,7 +51,7 @@ final class Project {
     }
   }
 
-  /** What another one is like, as a copy. */
+  /** Copies another project. */
   void becomeLike(Project other) {
     files.clear();
     files.putAll(other.files);
@@ -72,7 +72,7 @@ final class Project {
     return component.get("sources");
   }
 
-  /** What a Java activity is made of as far as its compiler is concerned. */
+  /** The inputs of the Java compiler. */
   String trace() {
     StringBuilder trace = new StringBuilder(component + " " + libraries + "\n");
     files.forEach(
@@ -92,7 +92,7 @@ final class Project {
     return new String(files.get(path), StandardCharsets.UTF_8);
   }
 
-  /** Folders in which the compiler looks for what is included, in the order of the command. */
+  /** The include path, in the order of the command. */
   List<String> includeFolders() {
     List<String> folders = new ArrayList<>(List.of("harness/program", "harness"));
     for (String entry : List.of("adapter", "sources", "headers")) {

@@ -3,7 +3,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The activities that are edited: each kind is there twice, as if two users had begun with the same. */
+/** The activities to edit: each kind exists twice, as if two users had started with the same one. */
 final class Shapes {
   private static final int USERS = 2;
 
@@ -37,7 +37,7 @@ final class Shapes {
     project.put(sources + "values/deep.hpp", "#pragma once\n#define DEEP 2\n");
     project.put("notes.txt", "nothing that a compiler reads 0\n");
     project.put("data/table.csv", "1\n");
-    // A header where the include path ends, so that others may come in front of it.
+    // A header in the last folder of the include path, so that other headers can hide it.
     project.component.put("headers", "include/");
     project.put("include/config.hpp", "#pragma once\nenum { CONFIG = 3 };\n");
     project.put("include/right.hpp", "#pragma once\n#define RIGHT 4\n");
@@ -49,7 +49,7 @@ final class Shapes {
         // Nothing more.
       }
       case 1 -> {
-        // A source that is included, once of the component's and once from elsewhere.
+        // Included sources, of the component and from another folder.
         project.put(sources + "part.cc", "static int part() { return 5; }\nint use_part() { return part(); }\n");
         project.put("shared/other.cc", "static int other() { return 6; }\n");
         component.append("namespace again {\n#include \"part.cc\"\n}\n#include \"../shared/other.cc\"\n");
@@ -86,7 +86,7 @@ final class Shapes {
         sum += " + blob[6]";
       }
       case 7 -> {
-        // The world lies at the top, next to all that it has nothing to do with.
+        // The world is at the top level, next to unrelated files.
         project.world("", home);
         project.files.put("lib/libextra.a", Files.readAllBytes(objects.resolve("extra0.a")));
         project.libraries.add("lib/libextra.a");

@@ -17,7 +17,7 @@ import org.sitaf.core.combine.TestDataCombinator;
 public final class Ours {
   private Ours() {}
 
-  /** Reads models and answers them in turn; a process that has answered one is warm. */
+  /** Reads models and answers them in order; the process is warm after the first one. */
   public static void main(String[] args) {
     try (Scanner lines = new Scanner(System.in)) {
       while (lines.hasNextLine()) {

@@ -1,4 +1,4 @@
-"""Measures covering arrays beside PICT and allpairspy, in the same run, and prints a table."""
+"""Compares covering arrays with those of PICT and allpairspy in the same run and prints a table."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ HOME = Path(os.environ["SITAF_HOME"])
 STATE = Path(os.environ["SITAF_BENCH_STATE"])
 PEER_LIMIT_S = 180
 
-# Model, strength, effort, the most rows that hold; None: no more than PICT has.
+# Model, strength, effort, target number of rows; None: the number of rows of PICT.
 TARGETS: list[tuple[str, int, str, int | None]] = [
     ("3^4", 2, "default", 9),
     ("3^13", 2, "default", 15),
@@ -47,7 +47,7 @@ TARGETS: list[tuple[str, int, str, int | None]] = [
 
 @dataclass(frozen=True)
 class Answer:
-    """Rows, seconds in all, what the covering check found, and each improvement: rows, seconds."""
+    """Rows, total seconds, findings of the coverage check, and the improvements: rows, seconds."""
 
     rows: int
     whole_s: float
@@ -55,12 +55,12 @@ class Answer:
     improvements: list[tuple[int, float]]
 
     def reached_s(self, rows: int) -> float | None:
-        """When there was an array of so many rows or fewer; None: never."""
+        """Seconds until an array had at most this many rows; None: never."""
         return next((s for n, s in self.improvements if n <= rows), None)
 
 
 class Ours:
-    """The combinator, in a process that stays warm."""
+    """The combinator in a running process."""
 
     def __init__(self) -> None:
         classpath = f"{HOME}/.sitaf/dist/cli/lib/*"
@@ -94,7 +94,7 @@ class Ours:
         )
 
     def close(self) -> None:
-        """Ends the process."""
+        """End the process."""
         assert self.process.stdin is not None
         self.process.stdin.close()
         self.process.wait()
@@ -121,7 +121,7 @@ def pict(m: Model, strength: int) -> tuple[int, float] | None:
 
 
 def allpairs(m: Model, strength: int) -> tuple[int, float] | None:
-    """Rows and seconds of allpairspy, which is only asked for pairs without conditions."""
+    """Rows and seconds of allpairspy, which supports only pairs without conditions."""
     from allpairspy import AllPairs
 
     if strength != 2 or m.conditions:
@@ -132,12 +132,12 @@ def allpairs(m: Model, strength: int) -> tuple[int, float] | None:
 
 
 def shown(peer: tuple[int, float] | None) -> str:
-    """A peer's cell of the table."""
+    """Format the result of another tool."""
     return "-" if peer is None else f"{peer[0]} {peer[1]:.2f}s"
 
 
 def seconds_allowed(strength: int, effort: str) -> float:
-    """How long the target size may take."""
+    """Time limit for the target size."""
     if effort == "best":
         return 120
     return 1.5 if strength == 2 else 20
@@ -150,7 +150,7 @@ def shortfalls(
     most: int | None,
     peer: tuple[int, float] | None,
 ) -> list[str]:
-    """What a row misses, in words."""
+    """Describe the missed targets of a row."""
     short = []
     if answer.findings:
         short.append(f"the check has {answer.findings} findings")
@@ -171,7 +171,7 @@ def shortfalls(
 
 
 def main(arguments: list[str]) -> int:
-    """Prints the table; the exit code is 0 also when a row is short."""
+    """Print the table; the exit code is 0 even if a target is missed."""
     chosen = [
         row
         for row in TARGETS
@@ -215,7 +215,7 @@ def main(arguments: list[str]) -> int:
 
 
 def after(answer: Answer, rows: int | None) -> str:
-    """A size and when it was reached."""
+    """Format a size and the time at which it was reached."""
     if rows is None:
         return "-"
     reached = answer.reached_s(rows)

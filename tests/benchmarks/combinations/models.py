@@ -1,4 +1,4 @@
-"""The models that are measured: uniform and mixed ones by name, files, and random ones of published shapes."""
+"""The measured models: uniform and mixed ones by name, files, and random ones of published shapes."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from xml.etree import ElementTree
 MODELS = Path(os.environ["SITAF_HOME"]).parent / "shared" / "benchmarks" / "combinatorial"
 
 # Shapes of the constrained models of Cohen, Dwyer and Shi (IEEE TSE 34(5), 2008): five of programs and thirty made
-# after them. Levels of the parameters, then how many conditions of how many literals; the conditions themselves are ours.
+# after them. Levels of the parameters, then numbers of conditions by length; the conditions themselves are random.
 SHAPES: dict[str, tuple[str, str]] = {
     "spin-s": ("2^13 4^5", "2^13"),
     "spin-v": ("2^42 3^2 4^11", "2^47 3^2"),
@@ -65,7 +65,7 @@ class Model:
 
 
 def model(name: str) -> Model | None:
-    """The model of this name; None when its file is not on this machine."""
+    """The model of this name; None if its file is missing."""
     if name.startswith("like "):
         return like(name.removeprefix("like "))
     if name.endswith(".xml"):
@@ -87,7 +87,7 @@ def read(path: Path) -> Model:
 
 
 def like(shape: str) -> Model:
-    """A model of a published shape: random forbidden tuples, none of which a hidden row holds."""
+    """A model of a published shape: random forbidden tuples that leave at least one valid row."""
     dice = random.Random(zlib.crc32(shape.encode()))
     levels = powers(SHAPES[shape][0])
     hidden = [dice.randrange(n) for n in levels]

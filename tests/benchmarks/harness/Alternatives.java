@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.sitaf.core.activity.ActivityProfile.Language;
 
-/** What the same machine takes at the same time for the least that could be done instead. */
+/** Measures simpler alternatives on the same machine for comparison. */
 final class Alternatives {
   private static final int LINES = 50_000;
   private static final int READINGS = 200_000;
@@ -15,7 +15,7 @@ final class Alternatives {
 
   private Alternatives() {}
 
-  /** Writing a result of usual length, one write a line, in microseconds a line. */
+  /** Writes results of typical length, one write per line; microseconds per line. */
   static double lineMicros(Path directory) throws Exception {
     byte[] line = ("x".repeat(249) + "\n").getBytes(StandardCharsets.UTF_8);
     Path file = directory.resolve("lines");
@@ -51,7 +51,7 @@ final class Alternatives {
     return best;
   }
 
-  /** The language's compiler on the component's sources alone, as in a shell; in seconds. */
+  /** The compiler on the component's sources, as in a shell; in seconds. */
   static double compilerSeconds(Language language, Path example, Path runtimes, Path directory)
       throws Exception {
     Path out = Files.createDirectories(directory.resolve("compiler-" + language.spelling()));

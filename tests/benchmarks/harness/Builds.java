@@ -29,7 +29,7 @@ import org.sitaf.core.verdict.TestResult;
 
 /** Whole builds of activities, as an agent runs them. */
 record Builds(Simulator simulator, Toolchains toolchains, Sandbox sandbox, Path directory) {
-  /** As the server bounds them. */
+  /** The limits of the server. */
   private static final int MOST_RECORDINGS = 500;
 
   private static final long MAX_BYTES = 64 << 20;
@@ -41,7 +41,7 @@ record Builds(Simulator simulator, Toolchains toolchains, Sandbox sandbox, Path 
    * @param casesMicros from the first result to the last
    */
   record Run(int cases, double firstCaseSeconds, double casesMicros, double medianComponentMicros) {
-    /** From the activity's files to the last result. */
+    /** Time from the activity's files to the last result. */
     double seconds() {
       return firstCaseSeconds + casesMicros / 1e6;
     }
@@ -57,7 +57,7 @@ record Builds(Simulator simulator, Toolchains toolchains, Sandbox sandbox, Path 
     return run(activityFolder, lengthened, change, null);
   }
 
-  /** The same, keeping what moves in the simulation of these cases; null for none. */
+  /** The same, with recordings of these cases; null for none. */
   Run run(
       Path activityFolder,
       UnaryOperator<TestSuite> lengthened,
@@ -98,7 +98,7 @@ record Builds(Simulator simulator, Toolchains toolchains, Sandbox sandbox, Path 
                   public void recorded(int no, Path recording) {}
                 })
             .run();
-    // As an agent does after each build.
+    // Like an agent after each build.
     toolchains.startAhead(activity.profile().harness(), sandbox);
     if (!(outcome instanceof BuildOutcome.Completed completed)) {
       throw new IllegalStateException(activityFolder + ": " + outcome);

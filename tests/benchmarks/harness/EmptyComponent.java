@@ -3,7 +3,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.sitaf.core.activity.ActivityProfile.Language;
 
-/** An activity whose component does nothing, so that what is measured is the measuring. */
+/** An activity whose component does nothing, to measure the overhead of the measurement. */
 final class EmptyComponent {
   private static final String INTERFACE =
       """

@@ -21,8 +21,8 @@ import org.sitaf.core.suite.TestSuite;
 
 /**
  * Measures test applications against their targets: each language on its infrared example, with the
- * simulation in its own process. Absolute times hold for a quiet machine; the ratios beside them
- * are to what the same machine took in the same run for something that everybody knows.
+ * simulation in its own process. Absolute times are valid for an idle machine; the ratios
+ * compare them with well-known operations in the same run.
  */
 public final class HarnessBenchmark {
   private static final int FEW = 1_000;
@@ -33,7 +33,7 @@ public final class HarnessBenchmark {
 
   private static final int RECORDED_RUNS = 5;
 
-  /** May be added to the wait for such a build, which nobody asked to be recorded. */
+  /** Allowed additional time for recordings by default. */
   private static final double RECORDING_SECONDS = 0.5;
 
   private static final int RUNS = 3;
@@ -41,7 +41,7 @@ public final class HarnessBenchmark {
   private static final int WARM_UP = 4;
   private static final long PAUSE_MS = 2_000;
 
-  /** What a language is to keep. */
+  /** The targets of a language. */
   private record Targets(
       String example, double overheadMicros, double casesPerSecond, double emptyMicros, double changeSeconds) {}
 
@@ -63,9 +63,9 @@ public final class HarnessBenchmark {
   }
 
   /**
-   * What recording adds to a case and to the build of as many cases as are recorded where nobody
-   * says otherwise, from a changed source: where nothing moves, and where a robot drives for
-   * seconds. Recorded builds and others take turns.
+   * The overhead of recordings for a case and for a build with the default number of recorded
+   * cases, from a changed source: without motion, and with a robot that drives for
+   * seconds. Builds with and without recordings alternate.
    */
   private void measureRecordings(Builds builds) throws Exception {
     measureRecordings("ir-sensor", LongSuite.ofOwnDistances(RECORDED), builds);
@@ -107,7 +107,7 @@ public final class HarnessBenchmark {
   private boolean measure(List<String> languages) throws Exception {
     Path state = home.resolve(".sitaf");
     Path directory = Files.createTempDirectory("sitaf-bench-");
-    // Kept from run to run: a warm agent has its runtimes and environments.
+    // Kept between runs, because a warm agent has its runtimes and environments.
     Toolchains toolchains =
         new Toolchains(new ToolchainPlaces(state.resolve("dist/agent"), state.resolve("bench")));
     List<String> bridge = List.of(state.resolve("venv/bin/python").toString(), "-m", "sitaf_bridge");
@@ -162,7 +162,7 @@ public final class HarnessBenchmark {
     Targets targets = TARGETS.get(language);
     String name = language.spelling();
     builds.run(example, UnaryOperator.identity(), "");
-    // What is subtracted prepares each case, so no case may be spared it here.
+    // The baseline prepares each case, so every case must be prepared here, too.
     Builds.Run few = median(example, LongSuite.ofOwnDistances(FEW), builds);
     double overhead = few.casesMicros() / few.cases() - bareMicros - few.medianComponentMicros();
     row(
@@ -189,7 +189,7 @@ public final class HarnessBenchmark {
     changes(name + ": the same, one build directly after another", example, builds, 0, targets, compiler);
   }
 
-  /** A person pauses between two changes, so the agent has prepared what its next build needs; a queue does not. */
+  /** Users pause between two changes, so the agent has prepared the next build; a queue does not pause. */
   private void changes(String what, Path example, Builds builds, long pauseMs, Targets targets, double compiler)
       throws Exception {
     List<Double> seconds = new ArrayList<>();

@@ -7,13 +7,13 @@ import org.sitaf.core.suite.ExpectedValue;
 import org.sitaf.core.suite.TestCase;
 import org.sitaf.core.suite.TestSuite;
 
-/** Suites of as many cases as a measurement needs, made of the few of an example. */
+/** Long suites that repeat the cases of an example. */
 final class LongSuite {
   private static final double FURTHEST = 10;
 
   private LongSuite() {}
 
-  /** The same cases again and again, until there are so many. */
+  /** Repeats the cases up to the given number. */
   static UnaryOperator<TestSuite> repeated(int atLeast) {
     return suite -> {
       List<TestCase> cases = new ArrayList<>(suite.cases());
@@ -26,8 +26,8 @@ final class LongSuite {
   }
 
   /**
-   * The valid cases again and again, each time with another distance, so that no world that was
-   * prepared for one case serves another.
+   * Repeats the valid cases with different distances, so that no world that was
+   * prepared for one case can be reused.
    */
   static UnaryOperator<TestSuite> ofOwnDistances(int count) {
     return suite -> {

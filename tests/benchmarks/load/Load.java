@@ -37,8 +37,8 @@ import org.sitaf.core.suite.TestSuite;
 import org.sitaf.core.suite.document.TestSuiteXml;
 
 /**
- * Simulated agents that answer each assignment at once with a result, and clients that request builds and read: all that
- * reaches the server is what real ones would send. Arguments: PHASE... after the options; prints a line of JSON a phase.
+ * Simulates agents that answer each assignment at once, and clients that request builds and read. The
+ * server receives the same messages as from real ones. Arguments: options, then PHASE...; prints a line of JSON per phase.
  */
 public final class Load {
   private static final int CASES_OF_LARGE = 2000;
@@ -265,7 +265,7 @@ public final class Load {
     System.out.flush();
   }
 
-  /** Runs the action so many times a second, whether or not earlier ones have ended. */
+  /** Runs the action at a fixed rate, whether or not earlier ones have ended. */
   private Runnable atRate(double perSecond, Runnable action) {
     if (perSecond == 0) {
       return () -> {};
@@ -334,7 +334,7 @@ public final class Load {
         .get("id").getAsString();
   }
 
-  /** The same cases over and over, under numbers of their own. */
+  /** Repeats the cases with new numbers. */
   private void enlarge(String suiteId) throws Exception {
     TestSuite suite = document(suiteId);
     List<TestCase> cases = new ArrayList<>();
@@ -354,7 +354,7 @@ public final class Load {
     return TestSuiteXml.read(new ByteArrayInputStream(xml), "suite");
   }
 
-  /** Makes the result that the agents will answer with, in which each case passes. */
+  /** Creates the result of the agents, in which each case passes. */
   private void prepare(String suiteId) throws Exception {
     byte[] xml = rest.get("/api/v1/suites/" + suiteId + "/document");
     TestSuite suite = TestSuiteXml.read(new ByteArrayInputStream(xml), "suite");

@@ -9,7 +9,7 @@ import org.sitaf.core.verdict.TestResult;
 import org.sitaf.core.verdict.document.TestResultXml;
 import org.sitaf.core.verdict.Verdict;
 
-/** Results as agents send them. */
+/** Creates results like an agent. */
 final class Results {
   private Results() {}
 

@@ -1,4 +1,4 @@
-"""Many agents, builds, rows and reads at once, on each database; the figures beside their targets."""
+"""Load test with many agents, builds, rows and reads on each database; prints figures and targets."""
 
 import argparse
 import json

@@ -1,4 +1,4 @@
-"""Times the portal on a suite and a result of 100,000 cases, on loopback, in Debian's Chromium."""
+"""Measures the portal with a suite and a result of 100,000 cases on loopback in Debian's Chromium."""
 
 import io
 import os
@@ -16,7 +16,7 @@ from playwright.sync_api import sync_playwright
 
 HOME = Path(os.environ["SITAF_HOME"])
 SMALL = 2048
-VALUES = 317  # squared: the first count of cases above 100,000
+VALUES = 317  # its square is the first one above 100,000
 
 FILES = {
     "activity.yaml": """name: adder
@@ -80,7 +80,7 @@ def call(page, method, path, data=None, kind="application/json"):
 
 
 def seconds_until(page, address, selector):
-    """From the address to the first row, on a page that the browser opens for the first time."""
+    """Time from navigation to the first row, with an empty browser cache."""
     began = time.perf_counter()
     page.goto(address)
     page.locator(selector).first.wait_for(timeout=120_000)
@@ -101,7 +101,7 @@ def measure(page, link):
     scripts = [request for request in loaded if request.url.endswith(".js")]
     page.remove_listener("requestfinished", note)
     first_page_kb = sum(request.sizes()["responseBodySize"] for request in scripts) / 1000
-    # What fits into a packet or two, the server rightly sends as it is.
+    # The server does not compress very small responses.
     plain = sum(
         "content-encoding" not in request.response().all_headers()
         for request in scripts

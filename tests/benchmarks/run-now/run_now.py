@@ -1,4 +1,4 @@
-"""How long a person waits from "run now" to the first case, as the server tells it, beyond compilation."""
+"""Measures the time from "run now" to the first case, without compilation, as reported by the server."""
 
 import argparse
 import statistics
@@ -17,7 +17,7 @@ TARGET_S = 1.0
 
 
 def compiled_s(api, build):
-    """How long it was compiled, after its history; 0 where it was not."""
+    """Duration of the compilation according to the history; 0 without one."""
     times = {}
     for change in api.get(f"/api/v1/builds/{build}/history"):
         times.setdefault(change["state"], datetime.fromisoformat(change["time"]))
@@ -27,7 +27,7 @@ def compiled_s(api, build):
 
 
 def first_case_s(api, suite):
-    """Seconds from the request to the first case, and those of compilation among them."""
+    """Seconds from the request to the first case, and the share of the compilation."""
     began = time.monotonic()
     build = api.build(suite)
     if not await_true(lambda: api.get(f"/api/v1/builds/{build}")["casesDone"] > 0, 60, 0.005):
@@ -58,7 +58,7 @@ def main():
             same = api.suite(PAUSE_MS)
             first_case_s(api, same)
             unchanged = [first_case_s(api, same)[0] for _ in range(given.rounds)]
-            # A pause of its own makes each component another one, which has to be compiled.
+            # A different pause makes each component different, so that it is compiled.
             changed = [first_case_s(api, api.suite(PAUSE_MS + 1 + i)) for i in range(given.rounds)]
             beyond = [waited - compiled for waited, compiled in changed]
             jvm = statistics.median(empty_jvm_s() for _ in range(given.rounds))

@@ -113,7 +113,7 @@ public final class Calls {
         .build();
   }
 
-  /** Cases a second; the best of three, as all else on the machine only slows it down. */
+  /** Cases per second; the best of three, because other load only slows it down. */
   private static double bulk(SimulationControlBlockingStub stub, String session) {
     PrepareManyRequest.Builder request =
         PrepareManyRequest.newBuilder().setSessionId(session).addParameters("Distance");
@@ -133,7 +133,7 @@ public final class Calls {
     return best;
   }
 
-  /** Nanoseconds that a component waits for a reading between two steps. */
+  /** Nanoseconds per reading between two steps. */
   private static double read(String target, Path world) throws Exception {
     try (Simulation simulation = Simulation.open(target, world, 1, new Stopwatch(), count -> List.of())) {
       simulation.prepare(Map.of("Distance", 0.3), Duration.ZERO);

@@ -40,7 +40,7 @@ class Row:
 
 
 def timed(work, seconds=1.0):
-    """Seconds that a piece of work takes, the best of many: all else on the machine only slows it down."""
+    """Seconds of a piece of work, the best of many runs, because other load only slows it down."""
     best, end = float("inf"), time.perf_counter() + seconds
     while time.perf_counter() < end:
         began = time.perf_counter()
@@ -124,7 +124,7 @@ def stepped(control):
 
 
 def sessions(control):
-    """Sessions and resets as the server's own process counts them, without the wire."""
+    """Sessions and resets as measured in the server's process, without gRPC."""
 
     def statistics():
         return control.GetStatistics(pb.GetStatisticsRequest())
@@ -135,7 +135,7 @@ def sessions(control):
     after = statistics()
     models = after.models - before.models
     opened = after.sessions - before.sessions
-    # The sessions of the rows before hold the model of the same world already.
+    # Earlier sessions already hold the model of the same world.
     held = opened == SESSIONS and models == 0
     yield Row(f"{SESSIONS} sessions: more compiled models", models, "", "0", held, "")
     for session in mine:

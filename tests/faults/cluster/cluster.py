@@ -1,4 +1,4 @@
-"""Two servers with one database, killed in turns at random: every fire time comes to exactly one build."""
+"""Kills two servers with one database in turn at random: every fire time gives exactly one build."""
 
 import argparse
 import datetime
@@ -32,7 +32,7 @@ def main():
                 part.start()
             api = servers[0].api
             suite = api.suite()
-            # Nobody offers the label: the builds wait, and what is counted is that each was requested once.
+            # No agent has the label, so the builds stay queued; the test counts the requests.
             request = {"suiteId": suite, "cron": f"*/{EVERY_S} * * * * ?", "misfire": "ALL", "labels": ["nowhere"]}
             schedules = [api.post("/api/v1/schedules", request)["id"] for _ in range(SCHEDULES)]
             began = datetime.datetime.now(datetime.UTC)
@@ -42,7 +42,7 @@ def main():
                 victim.kill()
                 time.sleep(dice.uniform(1, 4))
                 victim.start()
-            # The last fire times may be made up for by the server that took over.
+            # The other server may catch up on the last fire times.
             time.sleep(3 * EVERY_S)
             for schedule in schedules:
                 await_true(lambda s=schedule: pause(api, s), 30)
@@ -92,7 +92,7 @@ def every(began, ended):
 
 
 def works(servers, worker, suite):
-    """Kills each server in turn, one of them that which the agent speaks with; the other one gives it a build."""
+    """Kill each server in turn, also the one that the agent is connected to; the other one assigns a build."""
     worker.start()
     done = 0
     for victim, other in (servers, servers[::-1]):

@@ -1,4 +1,4 @@
-"""Hostile activities: which kinds there are, and the archive of each."""
+"""The kinds of hostile activities and their archives."""
 
 import io
 import re
@@ -9,19 +9,19 @@ HERE = Path(__file__).parent
 EXAMPLES = HERE.parents[2] / "examples"
 
 LANGUAGES = {
-    # The example that is changed, the class under test, and the language's own folder of component files.
+    # The modified example, the class under test, and the folder of component files by language.
     "java": ("ir-sensor", "org.sitaf.hostile.HostileComponent"),
     "cpp": ("ir-sensor-cpp", "hostile::HostileComponent"),
     "python": ("ir-sensor-python", "hostile.HostileComponent"),
 }
 
-# Where the component gives -999, or does not come back: a build of them that is green would be wrong.
+# The component returns -999 or does not return, so a green build would be wrong.
 NEVER_GREEN = {
     "crashes", "exits", "exits-like-driver", "forges-and-exits", "forges-by-reflection", "forges-results", "hangs", "long-message",
     "odd-message", "overflows-stack", "stops", "throws-error", "throws-number",
 }  # fmt: skip
 
-# One for each way out of the sandbox and each limit; the short form runs these in the language that can do them most directly.
+# One attack per escape and limit; the short form runs each in the language that can do it most directly.
 SHORT = {
     "java": ("reads-agent-key", "memory-direct", "forges-results", "exits-like-driver"),
     "cpp": ("memory-memfd", "memory-shared", "io-uring", "deep-folders", "forges-results"),
@@ -71,7 +71,7 @@ limits: {{case_wall_s: 3, case_sim_s: 10, memory_mb: 512}}
 
 
 def kinds(language):
-    """The attacks that the component of a language knows, in the order of its source."""
+    """The attacks of a language's component, in the order of its source."""
     if language == "python":
         source = (HERE / "components/python/hostile.py").read_text()
         methods = re.findall(r"^    def (\w+)\(", source[source.index("class Attacks") :], re.MULTILINE)
@@ -99,7 +99,7 @@ def archive(files):
 
 
 def hostile_component(language, kind, ports):
-    """The archive of an activity whose component does one thing; `ports` are those that it must not reach."""
+    """The archive of an activity with one attack; `ports` must not be reachable."""
     example, class_name = LANGUAGES[language]
     files = {n: c for n, c in files_of(example).items() if n.startswith("world/") or n == "InfraredSensorService.xml"}
     folder = HERE / "components" / language

@@ -1,4 +1,4 @@
-"""Has an agent run hostile components, worlds and models, and a server take hostile uploads, while somebody else's builds go on."""
+"""Runs hostile components, worlds and models on an agent and sends hostile uploads to a server, while another user builds."""
 
 import argparse
 import http.client
@@ -23,7 +23,7 @@ CASES = 55
 HOSTILE_LIMIT_S = 150
 CANCEL_LIMIT_S = 20
 VICTIM_FACTOR = 3
-# What two builds of a few milliseconds may differ by without anybody being harmed.
+# Tolerated difference between two builds of a few milliseconds.
 VICTIM_ALLOWANCE_S = 0.5
 ANOTHER_LOOK = 2
 AGENT_MIB = 768
@@ -32,14 +32,14 @@ DISK_MIB = 1024
 
 
 class Victim:
-    """Somebody else's build of the paper's example, again and again."""
+    """Builds the paper's example repeatedly as another user."""
 
     def __init__(self, api):
         self.api, self.suite = api, api.suite()
         self.usual_s = 0.0
 
     def build(self):
-        """Runs one; answers how long it took and its summary."""
+        """Run one build; return its duration and summary."""
         began = time.monotonic()
         build = self.api.build(self.suite)
         await_true(lambda: self.api.state(build) in OVER, HOSTILE_LIMIT_S, 0.05)
@@ -47,7 +47,7 @@ class Victim:
         return took, (found.get("summary") or {}).get("pass", 0), found
 
     def learn(self, rounds):
-        # The first fills the caches.
+        # The first build fills the caches.
         self.build()
         self.usual_s = self.alone_s(rounds)
 
@@ -56,7 +56,7 @@ class Victim:
 
 
 class Trial:
-    """One hostile build next to the victim's, and what came of it."""
+    """Run one hostile build in parallel to the victim's builds; return the outcome."""
 
     def __init__(self, system, suite):
         self.system, self.api, self.suite = system, system.api, suite
@@ -66,7 +66,7 @@ class Trial:
         try:
             hostile = self.api.build(self.suite)
         except Refused as refused:
-            # A world or a model that the server refuses is not built.
+            # A world or model that the server rejects is not built.
             self.build = {"state": "REFUSED", "message": str(refused)}
             return self
         began = time.monotonic()
@@ -143,7 +143,7 @@ class Trial:
 
 
 class System:
-    """A server, one agent with two places, and the builds of two users."""
+    """A server, one agent with two slots, and the builds of two users."""
 
     def __init__(self, folder, user):
         self.folder, self.user = folder, user
@@ -224,7 +224,7 @@ def build_or_refusal(system, table, name, archive, expected):
         fault = " 500 " in f"{refused} "
         table.row(name, f"refused {time.monotonic() - began:.1f} s", "contained", in_time and not fault)
         return
-    # A world that compiles, and a model that gives cases, may well pass; nobody else may notice.
+    # A valid world or model may pass, but must not affect others.
     report(table, f"{name} ({expected})", Trial(system, suite).run(never_green=expected != "survived"))
 
 
@@ -247,7 +247,7 @@ def uploads(system, table, chosen):
 
 
 def send(system, content_type, content):
-    """Uploads an activity; answers the status, or 0 where the server hung up."""
+    """Upload an activity; return the status, or 0 if the server closed the connection."""
     connection = http.client.HTTPConnection("127.0.0.1", system.central.http, timeout=HOSTILE_LIMIT_S)
     headers = {"Authorization": f"Bearer {TOKEN}", "Content-Type": content_type}
     body = content() if callable(content) else content
@@ -261,7 +261,7 @@ def send(system, content_type, content):
 
 
 def afterwards(system, table):
-    """What the agent is like when all is over."""
+    """Check the agent at the end."""
     table.row("peak memory of the agent, MiB", watch.peak_mib(system.agent_pid()), f"<= {AGENT_MIB}",
               watch.peak_mib(system.agent_pid()) <= AGENT_MIB)
     small = await_true(lambda: watch.disk_mib(system.agent.directory) <= DISK_MIB, 60, 2)
@@ -302,7 +302,7 @@ def main():
         finally:
             if table.short or sys.exc_info()[0]:
                 show(system.central, system.agent)
-    # What deep folders are left is nobody's any more.
+    # Delete deep folders that are left.
     subprocess.run(["rm", "-rf", folder], check=False)
     return table.end()
 

@@ -1,4 +1,4 @@
-"""Test models that ask for too much, as bytes that take the place of ir-sensor's GetInfraredData.xml.
+"""Test models that need too many resources, as replacements for ir-sensor's GetInfraredData.xml.
 
 ``refused``: the model, or the generation of its cases, is refused with a message in numbers.
 ``error``: cases are generated, and each that meets the condition is an ERROR that says so.
@@ -17,7 +17,7 @@ SAFE = "valid && IndexOfSensor <= NumOfSensor ? Distance : -1.0"
 
 
 class Hostile(NamedTuple):
-    """A model, and what must come of it."""
+    """A model and its expected outcome."""
 
     name: str
     model: bytes
@@ -25,7 +25,7 @@ class Hostile(NamedTuple):
 
 
 def nested(macro: str, depth: int, inner: str) -> str:
-    """Loops over ten digits within each other."""
+    """Nested loops over ten digits."""
     opened = "".join(f"{DIGITS}.{macro}(i{i}, " for i in range(depth))
     return opened + inner + ")" * depth
 
@@ -61,7 +61,7 @@ def model(
     distance: str = bva("0.0", "10.0", "0.5"),
     order: str = "2",
 ) -> bytes:
-    """The model of ir-sensor with something else in it."""
+    """The model of ir-sensor with modifications."""
     before = "".join(f"<pre_condition>{escape(c)}</pre_condition>" for c in pre or [])
     after = "".join(f"<post_condition>{escape(c)}</post_condition>" for c in post or [])
     return (
@@ -83,7 +83,7 @@ def model(
 
 
 def models() -> list[Hostile]:
-    """All kinds, in the order of what they attack."""
+    """All kinds, ordered by their target."""
     doubled = ".map(s, s + s)" * 40
     text = f"['ab']{doubled}[0] == ''"
     shared = "['ab']" + ".map(s, [s, s])" * 30 + " == dyn([1])"

@@ -1,4 +1,4 @@
-"""Hostile uploads of activities, as data: what is sent to POST /api/v1/activities, and how it may be answered.
+"""Hostile uploads: bodies for POST /api/v1/activities and the allowed status codes.
 
 `uploads()` lists them; no server is spoken with here. `python3 uploads.py FOLDER` writes them below a folder, with `index.json`.
 """
@@ -21,14 +21,14 @@ ZIP = "application/zip"
 MIB = 1 << 20
 DEFLATED, ENCRYPTED, DESCRIPTOR, UTF8_NAME = 8, 0x1, 0x8, 0x800
 
-# What an upload that cannot be used is answered with: never a failure of the server.
+# Allowed status codes for invalid uploads: never a server error.
 REFUSED = frozenset({400, 413, 422})
-# Odd, and yet an activity: it may be taken.
+# Unusual but valid: may be accepted.
 ODD = REFUSED | {201}
 
 
 class Upload(NamedTuple):
-    """A body is bytes, or gives pieces that are sent one by one, with the transfer encoding `chunked`."""
+    """A body is bytes, or an iterable of pieces that are sent with the transfer encoding `chunked`."""
 
     name: str
     content_type: str
@@ -52,7 +52,7 @@ def archive(files):
 
 
 def with_files(**changed):
-    """The example with other contents; `__` stands for a slash in the names, `_dot_` for a dot."""
+    """The example with other files; in the names, `__` stands for a slash and `_dot_` for a dot."""
     files = example()
     files.update({name.replace("__", "/").replace("_dot_", "."): content for name, content in changed.items()})
     return archive(files)
@@ -68,7 +68,7 @@ def deflate(content):
 
 
 def local(name, data, content, flags=UTF8_NAME, method=DEFLATED, crc=None, packed=None, unpacked=None, extra=b"", tail=b""):
-    """An entry as its header has it, true or not."""
+    """An entry with a header that may be wrong."""
     name = name if isinstance(name, bytes) else name.encode()
     crc = zlib.crc32(content) if crc is None else crc
     packed = len(data) if packed is None else packed
@@ -78,7 +78,7 @@ def local(name, data, content, flags=UTF8_NAME, method=DEFLATED, crc=None, packe
 
 
 def raw(*entries):
-    """Entries and an end; what reads as a stream does not look at a directory."""
+    """Entries and an end record; stream readers ignore the central directory."""
     return b"".join(entries) + struct.pack("<4sHHHHIIH", b"PK\5\6", 0, 0, 0, 0, 0, 0, 0)
 
 
@@ -106,7 +106,7 @@ def many(count, suffix=""):
 
 
 def overlapping(kernel_mib=16, copies=256):
-    """A directory of entries that all lie at the same place; a reader that goes by it unpacks the place as often."""
+    """A central directory whose entries share one position; a reader of it unpacks that position repeatedly."""
     content = bytes(kernel_mib * MIB)
     data, crc = deflate(content), zlib.crc32(content)
     body, directory = local("0", data, content), b""
@@ -129,7 +129,7 @@ def nested_bomb(depth=6):
 
 
 def quine():
-    """An archive that claims to hold itself, at the size of itself."""
+    """An archive that claims to contain itself."""
     own = archive({"r.zip": b""})
     for _ in range(3):
         own = archive({"r.zip": own})
@@ -175,7 +175,7 @@ def many_models(count):
 
 
 def drip(content, first, pieces, pause_s):
-    """Begins well, and then sends a byte now and then."""
+    """Start normally, then send single bytes with pauses."""
 
     def give():
         yield content[:first]
@@ -195,7 +195,7 @@ def in_chunks(content, size):
 
 
 def names():
-    """Entries of names that no file may have, or that look like another one."""
+    """Entries with invalid or confusable names."""
     bad = {
         "zip slip": "../../../../tmp/sitaf-slip",
         "zip slip in the middle": "component/../../x",
@@ -224,7 +224,7 @@ def names():
 
 
 def entries():
-    """Archives whose entries contradict each other, or what a machine has."""
+    """Archives with contradicting entries or special files."""
     own = example()
     return [
         Upload("duplicate entries", ZIP, archive([*own.items(), (PROFILE, own[PROFILE])]), REFUSED),
@@ -245,7 +245,7 @@ def entries():
 
 
 def bombs():
-    """Archives that are small, and much when they are unpacked."""
+    """Small archives that are large when unpacked."""
     zeros = bytes(250 * MIB)
     return [
         Upload("250 MiB of zeros", ZIP, with_file("component/zeros", zeros), REFUSED),
@@ -258,7 +258,7 @@ def bombs():
 
 
 def lies():
-    """Headers that are not true."""
+    """Wrong headers."""
     good, content = with_files(), example()[PROFILE]
     data, others = deflate(content), example_entries(but=(PROFILE,))
     zip64 = struct.pack("<HHQQ", 1, 16, 1 << 62, 1 << 62)
@@ -338,7 +338,7 @@ def yaml_documents():
 
 
 def transports():
-    """Bodies that come in another way than announced."""
+    """Bodies that differ from their headers."""
     good = with_files()
     return [
         Upload("another type", "text/plain", good, frozenset({415})),
@@ -353,7 +353,7 @@ def transports():
 
 
 def uploads():
-    """All of them."""
+    """All uploads."""
     return [*names(), *entries(), *bombs(), *lies(), *xml_documents(), *yaml_documents(), *transports()]
 
 

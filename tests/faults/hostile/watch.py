@@ -1,4 +1,4 @@
-"""What is looked at from outside while and after hostile code runs."""
+"""Checks of the machine while and after hostile code runs."""
 
 import os
 import subprocess
@@ -11,7 +11,7 @@ PLACES = ("/etc", "/usr", "/usr/lib", "/opt", "/var/tmp", "/root", "/home", "/")
 
 
 def peak_mib(pid):
-    """The most memory that a process has had."""
+    """The peak memory of a process."""
     for line in Path(f"/proc/{pid}/status").read_text().splitlines():
         if line.startswith("VmHWM"):
             return int(line.split()[1]) // 1024
@@ -19,7 +19,7 @@ def peak_mib(pid):
 
 
 def survivors(mark):
-    """Processes that hostile code left: those of a sandbox's users, or with a word of its own in their command lines."""
+    """Processes that hostile code left: those of sandbox users, or with a mark in their command lines."""
     found = []
     for entry in Path("/proc").glob("[0-9]*"):
         try:
@@ -27,7 +27,7 @@ def survivors(mark):
             line = (entry / "cmdline").read_bytes()
         except OSError:
             continue
-        # A simulation and a compiler that wait for the next build have sandboxes and users of their own, too.
+        # A simulation and a compiler that were started ahead also run as sandbox users.
         ours = b"sitaf-hostile-orphan" in line or (FIRST_USER <= owner < LAST_USER and mark.encode() in line)
         if ours and not any(waiting in line for waiting in WAITING):
             found.append(f"{entry.name} {line[:80]!r}")
@@ -35,11 +35,11 @@ def survivors(mark):
 
 
 def canaries():
-    """Files that hostile code made in folders of this machine."""
+    """Files that hostile code created on this machine."""
     return [place for place in PLACES if os.path.lexists(os.path.join(place, CANARY))]
 
 
 def disk_mib(folder):
-    """What a folder holds, whatever its shape."""
+    """The size of a folder of any shape."""
     done = subprocess.run(["du", "-sm", str(folder)], capture_output=True, text=True, check=False)
     return int(done.stdout.split()[0]) if done.stdout else 0

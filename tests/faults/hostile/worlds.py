@@ -1,4 +1,4 @@
-"""Hostile worlds, as files that replace or join those of a copy of examples/ir-sensor.
+"""Hostile worlds: files that replace or extend those of examples/ir-sensor.
 
 `worlds()` gives (name, {path: content}, outcome). The outcome is `refused` (the build ends before it is compiled, with a
 message that names what is wrong), `limited` (a limit of time or memory ends what it does, as an ERROR or a refusal), or
@@ -16,7 +16,7 @@ REFUSED, LIMITED, SURVIVED = "refused", "limited", "survived"
 
 
 def worlds():
-    """All of them, each with a name of its own."""
+    """All worlds by unique name."""
     found = [(name, {MJCF: _mjcf(**parts).encode()}, outcome) for name, parts, outcome in _MJCF_ONLY]
     found += [(name, {DESCRIPTION: text.encode()}, outcome) for name, text, outcome in _descriptions()]
     return found + _with_assets() + _through_includes()
@@ -124,7 +124,7 @@ def _descriptions():
 
 
 def _png(width, height):
-    """A picture of zeros, small as a file and large in memory."""
+    """A black image, small as a file and large in memory."""
     packer, rows = zlib.compressobj(9), b""
     line = bytes(1 + width)
     for _ in range(height):
@@ -139,12 +139,12 @@ def _png(width, height):
 
 
 def _stl(faces):
-    """A mesh that claims to have so many faces, and has one."""
+    """A mesh that claims many faces but has one."""
     return bytes(80) + struct.pack("<I", faces) + struct.pack("<12fH", 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0)
 
 
 def _sheet(side):
-    """A mesh of side * side points that are all corners of its hull: on a paraboloid."""
+    """A mesh of side * side points on a paraboloid, all of which are corners of its convex hull."""
     points = "".join(f"v {x} {y} {(x * x + y * y) / side:g}\n" for x in range(side) for y in range(side))
     corner = range(1, side * (side - 1))
     return (points + "".join(f"f {i} {i + 1} {i + side}\n" for i in corner if i % side)).encode()

@@ -1,4 +1,4 @@
-"""Kills server, agents, simulations and test applications at random while builds run, and looks for what was lost."""
+"""Kills server, agents, simulations and test applications at random while builds run, and checks that nothing is lost."""
 
 import argparse
 import hashlib
@@ -21,7 +21,7 @@ ACCEPTED = re.compile(r"build ([0-9a-f-]{36}), attempt \d+: accepted, SHA-256 ([
 
 
 class Client:
-    """Requests builds for as long as it may, and notes the digest of each result when it first sees it."""
+    """Request builds and record the digest of each result when it first appears."""
 
     def __init__(self, api, suite):
         self.api, self.suite = api, suite
@@ -34,7 +34,7 @@ class Client:
             try:
                 self.look()
             except (OSError, Refused, ValueError):
-                pass  # The server is dead at the moment; what it answered before is what counts.
+                pass  # The server is down at the moment.
             time.sleep(0.5)
 
     def look(self):
@@ -52,11 +52,11 @@ class Client:
 
 
 def strike(dice, main, agents):
-    """Kills one process, starts again what nobody else starts, and says what it was and when it died."""
+    """Kill one process, restart it if nobody else does, and return its kind and time of death."""
     kind = dice.choice(["server", "agent", "simulation", "harness"])
     if kind in ("simulation", "harness"):
         word = "sitaf_bridge" if kind == "simulation" else "execution"
-        # There is none while agents start and compile.
+        # There is none while agents start or compile.
         await_true(lambda: victims(agents, word), PATIENCE_S, 0.05)
         found = victims(agents, word)
         return (kind, time.monotonic()) if found and kill_process(dice.choice(found)) else (None, 0)

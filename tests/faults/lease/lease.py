@@ -1,4 +1,4 @@
-"""Stops an agent for twice its lease and lets it go on: its late result changes nothing."""
+"""Pauses an agent for twice its lease and resumes it: its late result changes nothing."""
 
 import argparse
 import hashlib
@@ -38,14 +38,14 @@ def main():
 
             near = await_true(lambda: now()["casesDone"] >= NEARLY_DONE, PATIENCE_S, 0.05)
             table.row("cases when the first agent is stopped", now()["casesDone"], f">= {NEARLY_DONE}", near)
-            # Its test application goes on and finishes meanwhile; only the agent itself is stopped.
+            # Only the agent is paused; its test application continues and finishes.
             first.signal(signal.SIGSTOP)
             stopped = time.monotonic()
             second.start()
             given_on = await_true(lambda: now().get("agent") == "second", 2 * given.lease_s)
             table.row("s until the build was given to the second agent", time.monotonic() - stopped,
                       f"<= {2 * given.lease_s}", given_on)
-            # How long a build takes is not what is asked here, and other work may be going on.
+            # A generous timeout, because durations are not tested here.
             done = await_true(lambda: now()["state"] == "DONE", PATIENCE_S)
             table.row("the second agent's result is accepted", now()["state"], "DONE", done)
             result = api.get(f"/api/v1/builds/{build}/result/document")

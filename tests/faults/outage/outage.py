@@ -1,4 +1,4 @@
-"""Takes the server away while agents finish builds, and compares what arrives with what they had."""
+"""Stops the server while agents finish builds, and compares the received results with those of the agents."""
 
 import argparse
 import hashlib
@@ -16,7 +16,7 @@ UNDER_WAY = {"COMPILING", "RUNNING", "UPLOADING"}
 
 
 def spooled(agents):
-    """Digests of the results that wait on the agents' disks, as the agents computed them."""
+    """Digests of the results in the agents' spools, as computed by the agents."""
     found = []
     for part in agents:
         for message in (part.directory / "spool").glob("*/message"):

@@ -2,8 +2,8 @@ import io.zonky.test.db.postgres.embedded.EmbeddedPostgres;
 import java.io.File;
 
 /**
- * A PostgreSQL server that lives for as long as standard input is open; prints its JDBC address. The argument is the folder of its
- * programs, which are unpacked where it is empty, and of its data.
+ * Runs a PostgreSQL server until standard input is closed; prints its JDBC address. The argument is the folder of its
+ * programs, which are unpacked if it is empty, and of its data.
  */
 public final class Postgres {
   private Postgres() {}
@@ -16,7 +16,7 @@ public final class Postgres {
             .start()) {
       System.out.println(postgres.getJdbcUrl("postgres", "postgres"));
       while (System.in.read() >= 0) {
-        // Only the end counts.
+        // The content is ignored.
       }
     }
   }

@@ -25,8 +25,8 @@ import java.util.Set;
 import java.util.concurrent.TimeUnit;
 
 /**
- * A component that attacks the machine that tests it, in one of many ways; what it achieves, it
- * prints as {@code BREACH ...}.
+ * A component that attacks the machine that tests it, in one of many ways; it reports
+ * successful attacks as {@code BREACH ...}.
  */
 public final class HostileComponent {
   private static final int MIB = 1 << 20;
@@ -39,7 +39,7 @@ public final class HostileComponent {
     this.kind = kind;
   }
 
-  /** Attacks, as the property {@code Kind} says. */
+  /** Runs the attack of the property {@code Kind}. */
   public double GetInfraredData(int indexOfSensor, int numOfSensor) throws Exception {
     return switch (kind) {
       case "reads-agent-key" -> readsAgentKey();
@@ -141,7 +141,7 @@ public final class HostileComponent {
             breach("reads " + path);
           }
         } catch (IOException e) {
-          // As it should be.
+          // Expected.
         }
       }
     }
@@ -198,7 +198,7 @@ public final class HostileComponent {
           canary.delete();
         }
       } catch (IOException e) {
-        // As it should be.
+        // Expected.
       }
     }
     return -1;
@@ -236,7 +236,7 @@ public final class HostileComponent {
         Files.createFile(Path.of(folder, "f" + made));
       }
     } catch (IOException e) {
-      // Some limit, as it should be.
+      // Expected: a limit was reached.
     }
     if (made >= 200_000) {
       breach("makes " + made + " files in " + folder);
@@ -289,7 +289,7 @@ public final class HostileComponent {
           socket.connect(new InetSocketAddress(host, Integer.parseInt(port)), 1000);
           breach("connects to " + host + ":" + port);
         } catch (IOException e) {
-          // As it should be.
+          // Expected.
         }
       }
     }
@@ -311,7 +311,7 @@ public final class HostileComponent {
       try {
         Thread.sleep(1000);
       } catch (InterruptedException e) {
-        // Never mind.
+        // Ignored.
       }
     }
   }
@@ -346,7 +346,7 @@ public final class HostileComponent {
         thread.start();
       }
     } catch (OutOfMemoryError e) {
-      // Some limit, as it should be.
+      // Expected: a limit was reached.
     }
     if (started >= 5000) {
       breach(started + " threads");
@@ -379,7 +379,7 @@ public final class HostileComponent {
         kept.add(block);
       }
     } catch (OutOfMemoryError e) {
-      // Some limit, as it should be.
+      // Expected: a limit was reached.
     }
     tooMuch("memory", (long) kept.size() * MIB);
     return -1;
@@ -396,7 +396,7 @@ public final class HostileComponent {
         kept.add(block);
       }
     } catch (OutOfMemoryError e) {
-      // Some limit, as it should be.
+      // Expected: a limit was reached.
     }
     tooMuch("direct memory", (long) kept.size() * MIB);
     return -1;
@@ -412,7 +412,7 @@ public final class HostileComponent {
         + "<expected>1.0</expected><actual>1.0</actual></test_result>\n";
   }
 
-  /** Writes to whatever the results may go to. */
+  /** Writes to all possible destinations of results. */
   private static double everywhere(byte[] content, int times) throws IOException {
     List<Path> targets = new ArrayList<>();
     try (var found = Files.newDirectoryStream(Path.of("/proc/self/fd"))) {
@@ -454,7 +454,7 @@ public final class HostileComponent {
     return halt(0);
   }
 
-  /** Looks through the statics of the runtime's classes for streams, and writes to them. */
+  /** Searches static fields of the runtime's classes for streams and writes to them. */
   private static double forgesByReflection() throws Exception {
     for (StackTraceElement frame : new Throwable().getStackTrace()) {
       Class<?> type = Class.forName(frame.getClassName());
