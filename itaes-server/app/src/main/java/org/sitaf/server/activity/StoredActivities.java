@@ -28,7 +28,7 @@ import org.springframework.transaction.support.TransactionTemplate;
 /** The activities on the server. Activities are verified before they are stored. */
 @Service
 public class StoredActivities {
-  /** How often a change of whatever version is made again when somebody else was faster. */
+  /** Maximum number of attempts of a change that conflicts with concurrent changes. */
   private static final int MAX_ATTEMPTS = 10;
 
   private final StoredActivityRepository activities;

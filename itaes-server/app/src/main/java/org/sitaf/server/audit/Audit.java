@@ -65,7 +65,7 @@ public class Audit {
    * are stored, and the number of the others, so that unauthenticated clients cannot fill the
    * database.
    */
-  public void recordRefusal(
+  public void recordRejected(
       String actor, String action, String subject, String outcome, String address) {
     List<AuditThrottle.Summary> summaries = new ArrayList<>();
     boolean store =

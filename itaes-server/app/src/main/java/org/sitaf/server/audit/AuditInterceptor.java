@@ -50,7 +50,7 @@ class AuditInterceptor implements WebMvcConfigurer, HandlerInterceptor {
       audit.record(
           actor == null ? "-" : actor.getName(), action, subject, "done", request.getRemoteAddr());
     } else {
-      audit.recordRefusal(
+      audit.recordRejected(
           actor == null ? "-" : actor.getName(),
           action,
           subject,

@@ -123,11 +123,11 @@ class LimitsTest extends ServerTest {
     String address = "203.0.113.5";
     String password = user("VIEWER").get("password").asString();
     assertThat(signIn(address, name, password).status()).isEqualTo(200);
-    int refused = 0;
+    int throttled = 0;
     for (int i = 0; i < 60; i++) {
-      refused += signIn(address, "guess-" + i, "a wrong password").status() == 429 ? 1 : 0;
+      throttled += signIn(address, "guess-" + i, "a wrong password").status() == 429 ? 1 : 0;
     }
-    assertThat(refused).isPositive();
+    assertThat(throttled).isPositive();
     assertThat(signIn(address, name, password).status()).isEqualTo(200);
     assertThat(signIn("203.0.113.6", "somebody", "a wrong password").status()).isEqualTo(401);
   }
@@ -186,9 +186,9 @@ class LimitsTest extends ServerTest {
     byte[] first = activityWith(1);
     own.upload(first);
     own.upload(first);
-    Api.Answer refused =
+    Api.Answer rejected =
         own.post("/api/v1/activities", "application/zip", activityWith(2)).expect(413);
-    assertThat(refused.text()).contains("MiB");
+    assertThat(rejected.text()).contains("MiB");
     JsonNode usage = own.get("/api/v1/session/usage").expect(200).json();
     assertThat(usage.get("bytes").asLong()).isBetween((long) SOME_BYTES, 1L << 20);
     assertThat(usage.get("maxBytes").asLong()).isEqualTo(1L << 20);

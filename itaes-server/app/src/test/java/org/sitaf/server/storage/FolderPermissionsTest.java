@@ -38,7 +38,7 @@ class FolderPermissionsTest {
   @Test
   void folderWithForeignFilesIsNotRestricted() throws IOException {
     Files.writeString(temporary.resolve("database.mv.db"), "sessions");
-    Files.writeString(temporary.resolve("letter.txt"), "of somebody else");
+    Files.writeString(temporary.resolve("letter.txt"), "foreign");
     open(temporary, "rwxr-xr-x");
     FolderPermissions.secure(temporary);
     assertThat(mode(temporary)).isEqualTo("rwxr-xr-x");

@@ -132,9 +132,9 @@ class AuthoringStoryTest extends ServerTest {
             "<pre_condition_spec_list><pre_condition>"
                 + digits
                 + "</pre_condition></pre_condition_spec_list><input_spec_list>");
-    JsonNode told = api.post(path, XML, bytes(nested)).expect(200).json();
-    assertThat(told.has("counts")).isFalse();
-    assertThat(told.get("diagnostics").get(0).get("message").asString())
+    JsonNode preview = api.post(path, XML, bytes(nested)).expect(200).json();
+    assertThat(preview.has("counts")).isFalse();
+    assertThat(preview.get("diagnostics").get(0).get("message").asString())
         .contains("steps", "5,000,000");
     JsonNode next = api.post(path, XML, bytes(model)).expect(200).json();
     assertThat(next.get("counts").get("total").asInt()).isEqualTo(55);

@@ -69,7 +69,7 @@ public class Enrolments {
     String from = Addresses.group(address);
     Duration wait = attempts.attempt(from, clock.instant());
     if (!wait.isZero()) {
-      audit.recordRefusal("-", "enrol", agent, "refused: too often", address);
+      audit.recordRejected("-", "enrol", agent, "refused: too often", address);
       throw RequestException.busy(
           "Too many failed enrolments from this address; try again in %d s."
               .formatted(Math.max(1, wait.toSeconds())));
@@ -87,7 +87,7 @@ public class Enrolments {
             store(agent, key);
           });
     } catch (EnrolmentException e) {
-      audit.recordRefusal("-", "enrol", agent, "refused", address);
+      audit.recordRejected("-", "enrol", agent, "refused", address);
       throw e;
     }
     attempts.takeBack(from);

@@ -131,7 +131,7 @@ class SecurityConfiguration {
           "Send the value of the cookie XSRF-TOKEN in the header X-XSRF-TOKEN.");
       return;
     }
-    audit.recordRefusal(
+    audit.recordRejected(
         Caller.currentName(),
         "denied",
         request.getMethod() + " " + request.getRequestURI(),

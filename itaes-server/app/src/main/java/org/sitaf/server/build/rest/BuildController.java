@@ -107,7 +107,7 @@ class BuildController {
   @GetMapping("/{id}")
   @Operation(
       operationId = "getBuild",
-      summary = "A build",
+      summary = "Returns a build",
       description =
           "With waitForChangeSince, the response is sent when the build's version has changed, or"
               + " after timeoutS seconds (at most 60).")
