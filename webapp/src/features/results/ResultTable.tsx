@@ -88,7 +88,7 @@ function useConstants(
 
 function valuesOf(statistics: ReturnType<typeof useStatistics>['data'], name: string): string[] {
   const parameter = statistics?.parameters.find((known) => known.name === name);
-  // Without the values that the statistics leave out, nothing can be said.
+  // Statistics that omit values do not show whether a parameter is constant.
   return parameter?.leftOut === 0 ? parameter.values.map(({ value }) => value) : [];
 }
 
