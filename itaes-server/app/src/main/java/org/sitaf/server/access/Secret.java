@@ -2,10 +2,9 @@ package org.sitaf.server.access;
 
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 import java.security.SecureRandom;
 import java.util.Base64;
-import java.util.HexFormat;
+import org.sitaf.server.file.StoredFiles;
 
 /**
  * Random secrets of 256 bits. They are stored as SHA-256 hashes; a slow hash is only needed for
@@ -30,12 +29,7 @@ public final class Secret {
 
   /** The hash to store, in hexadecimal. */
   public static String hash(String secret) {
-    try {
-      MessageDigest digest = MessageDigest.getInstance("SHA-256");
-      return HexFormat.of().formatHex(digest.digest(secret.getBytes(StandardCharsets.UTF_8)));
-    } catch (NoSuchAlgorithmException e) {
-      throw new IllegalStateException("every Java has SHA-256", e);
-    }
+    return StoredFiles.sha256(secret.getBytes(StandardCharsets.UTF_8));
   }
 
   /** Compares two secrets in constant time. */
