@@ -24,6 +24,8 @@ import org.springframework.stereotype.Service;
 @Service
 @EnableConfigurationProperties(ComputationSettings.class)
 public class Computations implements SmartLifecycle {
+  private static final Duration BETWEEN_HEARTBEATS = Duration.ofMillis(500);
+
   private final ComputationSettings settings;
   private final ComputationPermits permits;
   private ExecutorService threads = threads();
@@ -37,11 +39,13 @@ public class Computations implements SmartLifecycle {
   /**
    * Computes a preview. A later preview of the same user replaces it.
    *
+   * @param heartbeat called every half second while the preview is computed; an exception from it
+   *     cancels the preview
    * @throws ComputationTimeoutException if it exceeds its time limit
    * @throws RequestException if the server is busy, or the computation is cancelled
    */
-  public <T> T preview(String what, Supplier<T> work) {
-    return run(what, settings.preview(), true, work);
+  public <T> T preview(String what, Supplier<T> work, Runnable heartbeat) {
+    return run(what, settings.preview(), true, work, heartbeat);
   }
 
   /**
@@ -51,10 +55,11 @@ public class Computations implements SmartLifecycle {
    * @throws RequestException if the server is busy, or the computation is cancelled
    */
   public <T> T generation(String what, Supplier<T> work) {
-    return run(what, settings.generation(), false, work);
+    return run(what, settings.generation(), false, work, () -> {});
   }
 
-  private <T> T run(String what, Duration limit, boolean replaceable, Supplier<T> work) {
+  private <T> T run(
+      String what, Duration limit, boolean replaceable, Supplier<T> work, Runnable heartbeat) {
     FutureTask<T> task = null;
     try {
       ComputationPermits.Permit permit =
@@ -65,9 +70,7 @@ public class Computations implements SmartLifecycle {
         permit.onReplace(() -> started.cancel(true));
       }
       start(task, permit);
-      return task.get(limit.toMillis(), TimeUnit.MILLISECONDS);
-    } catch (TimeoutException e) {
-      throw new ComputationTimeoutException(what, Math.max(1, limit.toSeconds()));
+      return await(task, what, limit, heartbeat);
     } catch (CancellationException | RejectedExecutionException e) {
       throw cancelled(what);
     } catch (InterruptedException e) {
@@ -89,6 +92,19 @@ public class Computations implements SmartLifecycle {
         task.cancel(true);
       }
     }
+  }
+
+  private static <T> T await(FutureTask<T> task, String what, Duration limit, Runnable heartbeat)
+      throws InterruptedException, ExecutionException {
+    long deadline = System.nanoTime() + limit.toNanos();
+    for (long left = limit.toNanos(); left > 0; left = deadline - System.nanoTime()) {
+      try {
+        return task.get(Math.min(left, BETWEEN_HEARTBEATS.toNanos()), TimeUnit.NANOSECONDS);
+      } catch (TimeoutException e) {
+        heartbeat.run();
+      }
+    }
+    throw new ComputationTimeoutException(what, Math.max(1, limit.toSeconds()));
   }
 
   private void start(FutureTask<?> task, ComputationPermits.Permit permit) {

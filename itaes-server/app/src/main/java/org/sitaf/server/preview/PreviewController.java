@@ -7,8 +7,10 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.parameters.RequestBody;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.io.InputStream;
+import org.sitaf.server.error.RequestException;
 import org.sitaf.server.web.Requests;
 import org.springframework.http.MediaType;
 import org.springframework.web.bind.annotation.PathVariable;
@@ -44,10 +46,34 @@ class PreviewController {
       @PathVariable String id,
       @RequestParam(defaultValue = "false") boolean cases,
       @RequestParam(defaultValue = "1") long seed,
-      @Parameter(hidden = true) HttpServletRequest request)
+      @Parameter(hidden = true) HttpServletRequest request,
+      @Parameter(hidden = true) HttpServletResponse response)
       throws IOException {
+    byte[] draft;
     try (InputStream body = requests.body(request)) {
-      return previews.preview(id, body.readAllBytes(), cases, seed);
+      draft = body.readAllBytes();
+    }
+    try {
+      return previews.preview(id, draft, cases, seed, () -> write(response));
+    } catch (RequestException e) {
+      if (!response.isCommitted()) {
+        throw e;
+      }
+      return Previews.failed(e);
+    }
+  }
+
+  /**
+   * Writes a space, which JSON allows before the value. This fails if the client has disconnected,
+   * which a servlet container does not report otherwise.
+   */
+  private static void write(HttpServletResponse response) {
+    try {
+      response.setContentType(MediaType.APPLICATION_JSON_VALUE);
+      response.getOutputStream().write(' ');
+      response.flushBuffer();
+    } catch (IOException e) {
+      throw RequestException.busy("The client has disconnected.");
     }
   }
 }

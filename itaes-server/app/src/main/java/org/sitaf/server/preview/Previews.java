@@ -37,15 +37,23 @@ class Previews {
    * Previews a draft; its errors are part of the result.
    *
    * @param cases whether to generate and count the cases, which may take long
+   * @param heartbeat called while the preview is computed; an exception from it cancels the preview
    */
-  PreviewView preview(String activityId, byte[] draft, boolean cases, long seed) {
+  PreviewView preview(
+      String activityId, byte[] draft, boolean cases, long seed, Runnable heartbeat) {
     Activity activity = activities.activity(activityId);
     try {
-      return computations.preview("The preview", () -> preview(activity, draft, cases, seed));
+      return computations.preview(
+          "The preview", () -> preview(activity, draft, cases, seed), heartbeat);
     } catch (ComputationTimeoutException e) {
-      Diagnostic timeout = Diagnostic.error("model", 0, "", String.valueOf(e.getMessage()));
-      return new PreviewView(views(List.of(timeout)), List.of(), null);
+      return failed(e);
     }
+  }
+
+  /** A preview that was cancelled, with the reason. */
+  static PreviewView failed(RuntimeException reason) {
+    Diagnostic problem = Diagnostic.error("model", 0, "", String.valueOf(reason.getMessage()));
+    return new PreviewView(views(List.of(problem)), List.of(), null);
   }
 
   private static PreviewView preview(Activity activity, byte[] draft, boolean cases, long seed) {

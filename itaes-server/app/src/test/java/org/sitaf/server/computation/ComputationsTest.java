@@ -62,7 +62,7 @@ class ComputationsTest {
             RequestException.class,
             e -> assertThat(e.reason()).isEqualTo(RequestException.Reason.BUSY));
     assertThat(as("adam", () -> computations.generation("It", () -> 2))).isEqualTo(2);
-    assertThat(as("adam", () -> computations.preview("It", () -> 3))).isEqualTo(3);
+    assertThat(as("adam", () -> computations.preview("It", () -> 3, () -> {}))).isEqualTo(3);
 
     computations.stop();
     await(ended);
@@ -89,11 +89,32 @@ class ComputationsTest {
                             () -> {
                               started.countDown();
                               return evaluate(ended);
-                            })));
+                            },
+                            () -> {})));
     await(started);
-    assertThat(as("eve", () -> computations.preview("It", () -> 5))).isEqualTo(5);
+    assertThat(as("eve", () -> computations.preview("It", () -> 5, () -> {}))).isEqualTo(5);
     await(ended);
     assertThatThrownBy(earlier::join).hasMessageContaining("you sent a later request");
+  }
+
+  @Test
+  void aPreviewIsCancelledWhenItsClientDisconnects() {
+    Computations computations = computations(1, LONG, LONG);
+    CountDownLatch ended = new CountDownLatch(1);
+    assertThatThrownBy(
+            () ->
+                as(
+                    "eve",
+                    () ->
+                        computations.preview(
+                            "It",
+                            () -> evaluate(ended),
+                            () -> {
+                              throw RequestException.busy("gone");
+                            })))
+        .hasMessage("gone");
+    await(ended);
+    assertThat(as("adam", () -> computations.generation("It", () -> 1))).isEqualTo(1);
   }
 
   private static CompletableFuture<Integer> later(
