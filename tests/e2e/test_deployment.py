@@ -8,7 +8,7 @@ import subprocess
 import pytest
 from system import Api, Refused, agent, await_true, own_bridge, server
 
-PATIENCE_S = 180
+TIMEOUT_S = 180
 
 
 def certificate(folder, name):
@@ -49,25 +49,25 @@ def test_an_agent_builds_for_a_server_that_it_trusts(secured, certificates, tmp_
     options = ("--ca", str(certificates["sitaf"][0]), *own_bridge())
     with agent(tmp_path, "trusting", secured.grpc, *options):
         build = secured.api.build(secured.api.suite())
-        assert await_true(lambda: secured.api.state(build) == "DONE", PATIENCE_S)
+        assert await_true(lambda: secured.api.state(build) == "DONE", TIMEOUT_S)
 
 
 @pytest.mark.parametrize(
-    ("options", "told"),
+    ("options", "expected"),
     [
         ("stranger", rb"(?s)no connection to the server: UNAVAILABLE.*certification path"),
         (None, rb"no connection to the server"),
     ],
     ids=["another-authority", "without-tls"],
 )
-def test_an_agent_sends_its_token_to_trusted_servers_only(secured, certificates, tmp_path, options, told):
+def test_an_agent_sends_its_token_to_trusted_servers_only(secured, certificates, tmp_path, options, expected):
     trusted = ("--ca", str(certificates[options][0])) if options else ()
     name = f"wary-{options}"
     wary = agent(tmp_path, name, secured.grpc, *trusted)
     try:
         wary.start(wait=False)
-        assert await_true(lambda: wary.has_said(told), PATIENCE_S), wary.log.read_text()
-        assert not wary.has_said(wary.ready)
+        assert await_true(lambda: wary.has_logged(expected), TIMEOUT_S), wary.log.read_text()
+        assert not wary.has_logged(wary.ready)
         assert not (wary.directory / "key").exists()
         assert name not in [a["name"] for a in secured.api.get("/api/v1/agents")]
     finally:

@@ -84,7 +84,7 @@ def test_a_remote_compiler_error_is_reported_with_file_and_line(sitaf, server, a
 
 
 @pytest.mark.parametrize(
-    ("address", "token", "told"),
+    ("address", "token", "expected"),
     [
         (None, "", "SITAF_TOKEN: error: is not set"),
         (None, "sitaf_wrong", "unknown, revoked or expired"),
@@ -92,10 +92,10 @@ def test_a_remote_compiler_error_is_reported_with_file_and_line(sitaf, server, a
         ("sitaf.example", "sitaf_x", "expected an address"),
     ],
 )
-def test_authentication_errors_are_reported(sitaf, server, address, token, told):
+def test_authentication_errors_are_reported(sitaf, server, address, token, expected):
     run = sitaf("run", "examples/ir-sensor", "--server", address or server.address, env={"SITAF_TOKEN": token})
     assert run.returncode == 2
-    assert told in run.stderr
+    assert expected in run.stderr
 
 
 def test_requests_of_the_openapi_document_do_not_break_the_server(server, tmp_path):

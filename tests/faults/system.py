@@ -123,7 +123,7 @@ class Part:
                 self.command, stdin=subprocess.PIPE, stdout=out, stderr=out, env={**os.environ, **self.environment}
             )
         end = time.monotonic() + limit_s
-        while wait and not self.has_said(self.ready, began):
+        while wait and not self.has_logged(self.ready, began):
             if self.process.poll() is not None:
                 raise RuntimeError(f"{self.name} ended:\n{self.log.read_text(errors='replace')[-3000:]}")
             if time.monotonic() > end:
@@ -137,7 +137,7 @@ class Part:
     def __exit__(self, *_):
         self.stop()
 
-    def has_said(self, words, since=0):
+    def has_logged(self, words, since=0):
         with self.log.open("rb") as said:
             said.seek(since)
             return re.search(words, said.read(), re.MULTILINE) is not None

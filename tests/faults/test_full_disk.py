@@ -7,7 +7,7 @@ import pytest
 from system import agent, await_true, fill, own_bridge, server
 
 NEEDED_MIB = 24
-PATIENCE_S = 180
+TIMEOUT_S = 180
 FULL_S = 10
 
 # Long leases: they are not tested here, and registration is slow on a busy machine.
@@ -31,18 +31,18 @@ def test_an_agent_whose_disk_is_full_takes_no_build_and_keeps_its_results(centra
     with worker:
         suite = api.suite(100)
         first = api.build(suite)
-        assert await_true(lambda: api.state(first) == "RUNNING", PATIENCE_S)
+        assert await_true(lambda: api.state(first) == "RUNNING", TIMEOUT_S)
         central.kill()
-        assert await_true(lambda: list((worker.directory / "spool").glob("*/message")), PATIENCE_S)
+        assert await_true(lambda: list((worker.directory / "spool").glob("*/message")), TIMEOUT_S)
         give_back = fill(disk)
         central.start()
-        assert await_true(lambda: api.state(first) == "DONE", PATIENCE_S)
+        assert await_true(lambda: api.state(first) == "DONE", TIMEOUT_S)
         assert api.get(f"/api/v1/builds/{first}")["attempt"] == 1
 
         second = api.build(suite)
-        assert await_true(lambda: re.search(r"its disk has only \d+ MiB left", waiting_for(api, second)), PATIENCE_S)
+        assert await_true(lambda: re.search(r"its disk has only \d+ MiB left", waiting_for(api, second)), TIMEOUT_S)
         give_back()
-        assert await_true(lambda: api.state(second) == "DONE", PATIENCE_S)
+        assert await_true(lambda: api.state(second) == "DONE", TIMEOUT_S)
 
 
 def test_a_disk_that_runs_full_during_a_build_blames_no_case(central, disk, tmp_path):
@@ -52,16 +52,16 @@ def test_a_disk_that_runs_full_during_a_build_blames_no_case(central, disk, tmp_
     with worker:
         # Long enough to fill the disk during the build, even on a busy machine.
         build = api.build(api.suite(400))
-        assert await_true(lambda: api.get(f"/api/v1/builds/{build}")["casesDone"] >= 5, PATIENCE_S, 0.05)
+        assert await_true(lambda: api.get(f"/api/v1/builds/{build}")["casesDone"] >= 5, TIMEOUT_S, 0.05)
         give_back = fill(disk)
         # The component writes to a tmpfs here, so the cases continue and the result waits for free space. If the agent's own
         # files cannot be written, the attempt fails instead.
         time.sleep(FULL_S)
         give_back()
-        assert await_true(lambda: api.state(build) == "DONE", PATIENCE_S), api.get(f"/api/v1/builds/{build}")
-        told = api.get(f"/api/v1/builds/{build}")
-        assert told["summary"]["pass"] == told["summary"]["total"] == 55
+        assert await_true(lambda: api.state(build) == "DONE", TIMEOUT_S), api.get(f"/api/v1/builds/{build}")
+        finished = api.get(f"/api/v1/builds/{build}")
+        assert finished["summary"]["pass"] == finished["summary"]["total"] == 55
         # The failure reports that the agent accepts no builds, so the server does not assign a second attempt.
-        assert told["attempt"] <= 2
+        assert finished["attempt"] <= 2
         causes = [change["cause"] for change in api.get(f"/api/v1/builds/{build}/history")]
-        assert told["attempt"] == 1 or any("disk" in cause or "No space" in cause for cause in causes), causes
+        assert finished["attempt"] == 1 or any("disk" in cause or "No space" in cause for cause in causes), causes

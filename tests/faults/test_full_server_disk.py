@@ -9,7 +9,7 @@ import pytest
 from system import Refused, agent, await_true, fill, own_bridge, server
 
 MIB = 1 << 20
-PATIENCE_S = 180
+TIMEOUT_S = 180
 
 # Below this, no new work is accepted; below a quarter of it, nothing is written.
 MIN_FREE_MIB = 24
@@ -36,10 +36,10 @@ def health(part):
     """The health status of the server and its components."""
     try:
         with urllib.request.urlopen(f"http://127.0.0.1:{part.http}/actuator/health", timeout=30) as answer:
-            told = json.load(answer)
+            status = json.load(answer)
     except urllib.error.HTTPError as error:
-        told = json.load(error)
-    return told["status"], told["components"]["disks"]["status"]
+        status = json.load(error)
+    return status["status"], status["components"]["disks"]["status"]
 
 
 def person(part):
@@ -64,7 +64,7 @@ def refusal(call):
 
 def insist(call):
     """Repeat a request as long as the server answers that it can be retried."""
-    end = time.monotonic() + PATIENCE_S
+    end = time.monotonic() + TIMEOUT_S
     while True:
         try:
             return call()
@@ -83,16 +83,16 @@ def test_results_wait_for_room_on_the_disk_of_the_server(central, worker, disk):
     see = person(central)
     suite = api.suite(60)
     build = api.build(suite)
-    assert await_true(lambda: api.get(f"/api/v1/builds/{build}")["casesDone"] >= 5, PATIENCE_S, 0.05)
+    assert await_true(lambda: api.get(f"/api/v1/builds/{build}")["casesDone"] >= 5, TIMEOUT_S, 0.05)
 
     give_back = fill(disk)
     assert health(central) == ("DOWN", "DOWN")
     assert "507" in refusal(lambda: api.build(suite))
-    told = refusal(api.suite)
-    assert "507" in told and "the disk of the server's data has only 0 MiB left" in told
+    message = refusal(api.suite)
+    assert "507" in message and "the disk of the server's data has only 0 MiB left" in message
 
     # The agent's uploads fail for longer than a lease, and readers are not affected.
-    assert await_true(lambda: spooled(worker), PATIENCE_S)
+    assert await_true(lambda: spooled(worker), TIMEOUT_S)
     end = time.monotonic() + 2 * LEASE_S
     while time.monotonic() < end:
         assert api.state(build) == "RUNNING"
@@ -101,14 +101,14 @@ def test_results_wait_for_room_on_the_disk_of_the_server(central, worker, disk):
     assert spooled(worker)
 
     give_back()
-    assert await_true(lambda: api.state(build) == "DONE", PATIENCE_S), api.get(f"/api/v1/builds/{build}")
-    told = api.get(f"/api/v1/builds/{build}")
-    assert told["summary"]["pass"] == told["summary"]["total"] == 55
-    assert told["attempt"] == 1
-    assert await_true(lambda: not spooled(worker), PATIENCE_S)
+    assert await_true(lambda: api.state(build) == "DONE", TIMEOUT_S), api.get(f"/api/v1/builds/{build}")
+    finished = api.get(f"/api/v1/builds/{build}")
+    assert finished["summary"]["pass"] == finished["summary"]["total"] == 55
+    assert finished["attempt"] == 1
+    assert await_true(lambda: not spooled(worker), TIMEOUT_S)
     assert health(central) == ("UP", "UP")
     after = api.build(suite)
-    assert await_true(lambda: api.state(after) == "DONE", PATIENCE_S)
+    assert await_true(lambda: api.state(after) == "DONE", TIMEOUT_S)
 
     # Acknowledged results exist after a restart; a start without free space is not tested.
     central.kill()
@@ -124,19 +124,19 @@ def test_little_room_is_kept_for_the_work_that_was_taken(central, worker, disk):
     api = central.api
     suite = api.suite(60)
     build = api.build(suite)
-    assert await_true(lambda: api.get(f"/api/v1/builds/{build}")["casesDone"] >= 5, PATIENCE_S, 0.05)
+    assert await_true(lambda: api.get(f"/api/v1/builds/{build}")["casesDone"] >= 5, TIMEOUT_S, 0.05)
     waiting = api.build(suite)
 
     give_back = fill(disk, leave=(MIN_FREE_MIB - 8) * MIB)
     assert health(central) == ("OUT_OF_SERVICE", "OUT_OF_SERVICE")
-    told = refusal(lambda: api.build(suite))
-    assert "507" in told and "The server accepts no new work" in told and "Free disk space" in told
-    assert await_true(lambda: api.state(build) == "DONE", PATIENCE_S)
+    message = refusal(lambda: api.build(suite))
+    assert "507" in message and "The server accepts no new work" in message and "Free disk space" in message
+    assert await_true(lambda: api.state(build) == "DONE", TIMEOUT_S)
     assert "the disk of the server's data has only" in api.get(f"/api/v1/builds/{waiting}")["waitingFor"]
     assert api.state(waiting) == "QUEUED"
 
     give_back()
-    assert await_true(lambda: api.state(waiting) == "DONE", PATIENCE_S)
+    assert await_true(lambda: api.state(waiting) == "DONE", TIMEOUT_S)
     assert health(central) == ("UP", "UP")
 
 

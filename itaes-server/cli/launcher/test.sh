@@ -8,7 +8,7 @@ source "$home/itaes-server/cli/launcher/setup.sh"
 
 fast=false
 [ "${1:-}" = --fast ] && fast=true
-[ -d "$home/../shared" ] || echo "sitaf: no ../shared beside the checkout: tests that need it are skipped"
+[ -d "$home/../shared" ] || echo "sitaf: no ../shared next to the source tree: tests that need it are skipped"
 
 section() { printf '\n== %s (%d s)\n' "$1" "$SECONDS"; }
 
@@ -53,8 +53,8 @@ keep_java
 unlocked
 
 if ! "$python" -c 'import playwright, schemathesis, xdist' 2>/dev/null; then
-  # The first drives Debian's Chromium and brings no browser of its own; the second asks the server whatever its description
-  # allows; with the third, files of tests that mostly wait run beside others.
+  # playwright drives Debian's Chromium; schemathesis sends requests generated from the OpenAPI document; xdist runs test
+  # files in parallel.
   "$python" -m pip install --quiet playwright==1.65.2 schemathesis==4.32.5 pytest-xdist==3.8.0
 fi
 

@@ -13,7 +13,7 @@ from system import Postgres, Refused, Table, agent, await_true, own_bridge, serv
 
 SCHEDULES = 5
 EVERY_S = 5
-PATIENCE_S = 240
+TIMEOUT_S = 240
 
 
 def main():
@@ -98,7 +98,7 @@ def works(servers, worker, suite):
     for victim, other in (servers, servers[::-1]):
         victim.kill()
         build = other.api.build(suite)
-        done += await_true(lambda api=other.api, b=build: api.state(b) == "DONE", PATIENCE_S)
+        done += await_true(lambda api=other.api, b=build: api.state(b) == "DONE", TIMEOUT_S)
         victim.start()
     return done, "2", done == 2
 

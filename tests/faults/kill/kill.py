@@ -15,7 +15,7 @@ from system import OVER, Refused, Table, agent, await_true, kill_process, own_br
 
 LEASE_S = 15
 OPEN_BUILDS = 3
-PATIENCE_S = 10
+TIMEOUT_S = 10
 CASES = 55
 ACCEPTED = re.compile(r"build ([0-9a-f-]{36}), attempt \d+: accepted, SHA-256 ([0-9a-f]{64})")
 
@@ -57,7 +57,7 @@ def strike(dice, main, agents):
     if kind in ("simulation", "harness"):
         word = "sitaf_bridge" if kind == "simulation" else "execution"
         # There is none while agents start or compile.
-        await_true(lambda: victims(agents, word), PATIENCE_S, 0.05)
+        await_true(lambda: victims(agents, word), TIMEOUT_S, 0.05)
         found = victims(agents, word)
         return (kind, time.monotonic()) if found and kill_process(dice.choice(found)) else (None, 0)
     part = main if kind == "server" else dice.choice(agents)

@@ -13,7 +13,7 @@ from system import Bridge, Table, agent, await_true, server, show
 
 CASES = 55
 NEARLY_DONE = 50
-PATIENCE_S = 240
+TIMEOUT_S = 240
 
 
 def main():
@@ -36,7 +36,7 @@ def main():
             def now():
                 return api.get(f"/api/v1/builds/{build}")
 
-            near = await_true(lambda: now()["casesDone"] >= NEARLY_DONE, PATIENCE_S, 0.05)
+            near = await_true(lambda: now()["casesDone"] >= NEARLY_DONE, TIMEOUT_S, 0.05)
             table.row("cases when the first agent is stopped", now()["casesDone"], f">= {NEARLY_DONE}", near)
             # Only the agent is paused; its test application continues and finishes.
             first.signal(signal.SIGSTOP)
@@ -46,7 +46,7 @@ def main():
             table.row("s until the build was given to the second agent", time.monotonic() - stopped,
                       f"<= {2 * given.lease_s}", given_on)
             # A generous timeout, because durations are not tested here.
-            done = await_true(lambda: now()["state"] == "DONE", PATIENCE_S)
+            done = await_true(lambda: now()["state"] == "DONE", TIMEOUT_S)
             table.row("the second agent's result is accepted", now()["state"], "DONE", done)
             result = api.get(f"/api/v1/builds/{build}/result/document")
             history = api.get(f"/api/v1/builds/{build}/history")
@@ -56,7 +56,7 @@ def main():
             def attempts():
                 return {a["no"]: a["state"] for a in api.get(f"/api/v1/builds/{build}/attempts")}
 
-            superseded = await_true(lambda: attempts()[1] == "SUPERSEDED", PATIENCE_S)
+            superseded = await_true(lambda: attempts()[1] == "SUPERSEDED", TIMEOUT_S)
             table.row("the first agent's late result", attempts()[1], "SUPERSEDED", superseded)
             after = api.get(f"/api/v1/builds/{build}/result/document")
             table.row("the result is the same bytes as before", hashlib.sha256(after).hexdigest()[:12],
@@ -66,7 +66,7 @@ def main():
                       api.get(f"/api/v1/builds/{build}/history") == history)
             second.stop()
             again = api.build(suite)
-            works = await_true(lambda: api.state(again) == "DONE", PATIENCE_S)
+            works = await_true(lambda: api.state(again) == "DONE", TIMEOUT_S)
             worker = api.get(f"/api/v1/builds/{again}").get("agent", "nobody")
             table.row("who alone goes on with the next build", worker, "first", works and worker == "first")
         finally:

@@ -209,8 +209,8 @@ def depth_in(kind: int, p: Vector, size: Vector) -> Vector:
     Exact near the surface, except for a factor for ellipsoids; elsewhere only the sign is meaningful.
     """
     if kind == PLANE:
-        beside = np.abs(p[:, :2]) - size[:, :2]
-        return np.where(((size[:, :2] > 0) & (beside > 0)).any(axis=1), -np.inf, -p[:, 2])
+        outside = np.abs(p[:, :2]) - size[:, :2]
+        return np.where(((size[:, :2] > 0) & (outside > 0)).any(axis=1), -np.inf, -p[:, 2])
     if kind == SPHERE:
         return size[:, 0] - np.sqrt((p * p).sum(axis=1))
     if kind == BOX:

@@ -191,7 +191,7 @@ class Attacks:
             path = os.path.join(place, "sitaf-hostile-canary")
             try:
                 open(path, "w").close()
-                # A folder of the sandbox itself is nobody else's; the program looks at the machine's own.
+                # Folders of the sandbox are ignored; the program checks folders of the machine.
                 os.remove(path)
             except OSError:
                 continue

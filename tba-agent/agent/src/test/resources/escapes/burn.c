@@ -1,4 +1,4 @@
-/* Burns processors with as many threads or processes as it is asked for, each in a session of its own. */
+/* Uses the processors with the given number of threads or processes, each in its own session. */
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>

@@ -108,7 +108,7 @@ class DescribeCommandTest {
   @Test
   void importsRealProfilesOrReportsMissingReferences() throws IOException {
     Path profiles = Path.of("../../../shared/opros-profiles");
-    Assumptions.assumeTrue(Files.isDirectory(profiles), "needs ../shared beside the checkout");
+    Assumptions.assumeTrue(Files.isDirectory(profiles), "needs ../shared next to the source tree");
     Run run = describe(profiles);
     assertThat(run.out())
         .contains("component InfraredSensorComp 1.0")

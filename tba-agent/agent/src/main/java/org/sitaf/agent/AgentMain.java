@@ -178,7 +178,7 @@ public final class AgentMain implements Callable<Integer> {
                 annotationProcessors));
     CountDownLatch stop = new CountDownLatch(1);
     CountDownLatch stopped = new CountDownLatch(1);
-    AtomicBoolean told = new AtomicBoolean();
+    AtomicBoolean registeredBefore = new AtomicBoolean();
     AgentSettings settings;
     TestBuildAgent agent;
     try {
@@ -189,7 +189,7 @@ public final class AgentMain implements Callable<Integer> {
               settings,
               toolchains,
               version -> {
-                if (!told.getAndSet(true)) {
+                if (!registeredBefore.getAndSet(true)) {
                   System.out.println(
                       "registered "
                           + settings.name()

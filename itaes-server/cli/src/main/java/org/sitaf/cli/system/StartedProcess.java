@@ -69,7 +69,7 @@ final class StartedProcess implements AutoCloseable {
     long began = System.nanoTime();
     long cameOn = began;
     Work seen = work(others);
-    boolean told = false;
+    boolean reported = false;
     while (true) {
       try {
         return ready.get(POLL_MS, TimeUnit.MILLISECONDS);
@@ -96,9 +96,9 @@ final class StartedProcess implements AutoCloseable {
               e);
         }
         if (waited.compareTo(USUAL_START) > 0) {
-          if (!told) {
+          if (!reported) {
             progress.step("Waiting for the %s, which starts slowly (log: %s)".formatted(name, log));
-            told = true;
+            reported = true;
           }
           progress.detail(waited.toSeconds() + " s");
         }

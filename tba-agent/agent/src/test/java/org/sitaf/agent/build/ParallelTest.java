@@ -36,11 +36,11 @@ class ParallelTest {
   }
 
   /** All fields that do not depend on the clock. */
-  private static List<String> told(TestResult result) {
-    return result.cases().stream().map(ParallelTest::told).toList();
+  private static List<String> summary(TestResult result) {
+    return result.cases().stream().map(ParallelTest::summary).toList();
   }
 
-  private static String told(CaseResult c) {
+  private static String summary(CaseResult c) {
     return c.no() + " " + c.verdict() + " " + c.values() + c.actual() + c.expected() + c.message();
   }
 
@@ -51,7 +51,7 @@ class ParallelTest {
     TestResult parallel =
         result("parallel", EchoActivity.doing(BODY).cases(40).profileLine("parallel: true"));
 
-    assertThat(told(parallel)).isEqualTo(told(sequence));
+    assertThat(summary(parallel)).isEqualTo(summary(sequence));
     assertThat(parallel.summary().pass()).isEqualTo(37);
     assertThat(recording.logText()).contains("simulations in parallel");
     assertThat(parallel.coverage()).isEqualTo(sequence.coverage()).isNotNull();

@@ -26,7 +26,7 @@ import org.sitaf.core.verdict.Verdict;
 @Timeout(60)
 class RecordingsTest {
   @TempDir Path folder;
-  private final List<Integer> told = Collections.synchronizedList(new ArrayList<>());
+  private final List<Integer> recorded = Collections.synchronizedList(new ArrayList<>());
   private final List<String> remarks = Collections.synchronizedList(new ArrayList<>());
 
   private Recordings recordings(Cases cases, int most, long bytes) throws IOException {
@@ -57,7 +57,7 @@ class RecordingsTest {
 
           @Override
           public void recorded(int no, Path recording) {
-            told.add(no);
+            recorded.add(no);
           }
         },
         new OutputSink() {
@@ -111,7 +111,7 @@ class RecordingsTest {
     }
 
     assertThat(kept()).containsExactly("1.glb", "2.glb");
-    assertThat(told).containsExactlyInAnyOrder(1, 2);
+    assertThat(recorded).containsExactlyInAnyOrder(1, 2);
     assertThat(from("1.glb")).doesNotExist();
     assertThat(remarks).hasSize(2);
     assertThat(remarks.get(0)).startsWith("recordings: 2 cases, 0.0 MiB");
@@ -189,7 +189,7 @@ class RecordingsTest {
       }
     }
 
-    assertThat(told).isEmpty();
+    assertThat(recorded).isEmpty();
   }
 
   @Test
@@ -214,12 +214,12 @@ class RecordingsTest {
       recordings.expect(result(1, Verdict.PASS));
       Path file = Files.write(from("1.glb"), java.util.Arrays.copyOf(glb(100), 50));
       Thread.sleep(500);
-      assertThat(told).as("half of it").isEmpty();
+      assertThat(recorded).as("half of it").isEmpty();
       Files.write(file, glb(100));
-      for (int i = 0; i < 500 && told.isEmpty(); i++) {
+      for (int i = 0; i < 500 && recorded.isEmpty(); i++) {
         Thread.sleep(10);
       }
-      assertThat(told).containsExactly(1);
+      assertThat(recorded).containsExactly(1);
     }
   }
 

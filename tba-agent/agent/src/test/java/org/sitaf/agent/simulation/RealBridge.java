@@ -19,10 +19,9 @@ public final class RealBridge {
     @Nullable String python = System.getProperty("sitaf.bridge.python");
     assumeTrue(
         python != null && !python.isBlank(),
-        "skipped for want of the simulation bridge: -Dsitaf.bridge.python is not given");
+        "skipped: no simulation bridge, set -Dsitaf.bridge.python");
     assumeTrue(
-        Files.isExecutable(Path.of(python)),
-        "skipped for want of the simulation bridge: there is no " + python);
+        Files.isExecutable(Path.of(python)), "skipped: no simulation bridge, missing " + python);
     return List.of(python, "-m", "sitaf_bridge");
   }
 }

@@ -28,8 +28,8 @@ import org.sitaf.agent.toolchain.cpp.inputs.Inputs;
 
 /**
  * A cache of compiled translation units. An entry is found by the command and the unit's source,
- * and is valid only if the compiler would read the same files with the same content now, whoever
- * added it. Several processes may use the cache: an entry is a single file, which appears by an
+ * and is valid only if the compiler would read the same files with the same content now, no matter
+ * who added it. Several processes may use the cache: an entry is a single file, which appears by an
  * atomic rename and contains its own digest.
  *
  * @param folder private to the agent, with one folder per key
