@@ -80,7 +80,7 @@ def test_a_component_that_forges_results_does_not_pass(sitaf, activity, tmp_path
     body = re.search(r"double GetInfraredData\([^)]*\) \{", text)
     forging = (
         ' try (var results = new java.io.FileOutputStream("/dev/fd/3")) {'
-        ' results.write("<test_result no=\'1\' verdict=\'PASS\'/>\\n".getBytes());'
+        ' results.write("<case_record no=\'1\' outcome=\'RETURNED\'/>\\n".getBytes());'
         " } catch (java.io.IOException e) { throw new java.io.UncheckedIOException(e); }"
     )
     source.write_text(text[: body.end()] + forging + text[body.end() :])

@@ -47,7 +47,7 @@ void Stubbing::begin(const std::vector<std::string>& methods) {
 Stubbing::Stubbing(TestRun& run, Raise raise) : run_(run), raise_(raise) {
   run.beforeSaving([this](suite::CaseResult& result) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    result.called(std::move(calls_));
+    result.setCalls(std::move(calls_));
     calls_ = {};
   });
 }
@@ -79,7 +79,7 @@ StubbedCall::StubbedCall(Stubbing& stubbing, std::string_view method, std::vecto
     : aside_(stubbing.stopwatch(), Stopwatch::Aside::Kind::stub), stubbing_(stubbing), number_(0) {
   suite::StubCall call{std::string(method), {}};
   for (auto& [name, value] : arguments) {
-    call.arguments.emplace_back(std::move(name), suite::literals::spelling(value));
+    call.arguments.emplace_back(std::move(name), suite::literals::write(value));
   }
   number_ = stubbing.add(std::move(call));
 }

@@ -136,16 +136,13 @@ class TestRun::State {
     try {
       std::rethrow_exception(thrown);
     } catch (const simulation::CaseTooLong& tooLong) {
-      result.endedWith(suite::Verdict::error, tooLong.what());
+      result.endWith(suite::Outcome::error, tooLong.what());
       return;
     } catch (...) {
       if (stopwatch.isRunning()) {
         stopwatch.stop();
-        if (result.threw(simpleTypeOf(thrown))) {
-          result.took(stopwatch.componentMicros(), stopwatch.hardwareMicros(), stopwatch.stubMicros());
-        } else {
-          result.endedWith(suite::Verdict::error, text);
-        }
+        result.setTime(stopwatch.componentMicros(), stopwatch.hardwareMicros(), stopwatch.stubMicros());
+        result.threw(simpleTypeOf(thrown), text);
         return;
       }
     }
@@ -157,11 +154,11 @@ class TestRun::State {
       if (refused.isLost()) {
         throw;
       }
-      result.endedWith(stopwatch.wasStarted() ? suite::Verdict::error : suite::Verdict::dont, refused.what());
+      result.endWith(stopwatch.wasStarted() ? suite::Outcome::error : suite::Outcome::notCalled, refused.what());
     } catch (const suite::CaseDataError& unreadable) {
-      result.endedWith(suite::Verdict::dont, unreadable.what());
+      result.endWith(suite::Outcome::notCalled, unreadable.what());
     } catch (...) {
-      result.endedWith(suite::Verdict::error, text);
+      result.endWith(suite::Outcome::error, text);
     }
   }
 
@@ -202,7 +199,7 @@ bool Driver::runAndSave(const suite::TestCase& testCase, suite::CaseResult& resu
 
 void Driver::save(suite::CaseResult& result) {
   const Stopwatch& watch = run_.stopwatch();
-  result.took(watch.componentMicros(), watch.hardwareMicros(), watch.stubMicros());
+  result.setTime(watch.componentMicros(), watch.hardwareMicros(), watch.stubMicros());
   run_.save(result);
   saved_ = true;
 }

@@ -43,7 +43,7 @@ wire::CreateSessionResponse create(Wire& wire, const std::string& worldDescripti
 std::string spelled(const Simulation::Names& parameters, const std::vector<double>& values) {
   std::string text = "setting {";
   for (std::size_t i = 0; i < parameters.size(); ++i) {
-    text += (i == 0 ? "" : ", ") + parameters[i] + "=" + suite::literals::spelling(values[i]);
+    text += (i == 0 ? "" : ", ") + parameters[i] + "=" + suite::literals::write(values[i]);
   }
   return text + "}";
 }

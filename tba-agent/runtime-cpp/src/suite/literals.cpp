@@ -158,6 +158,7 @@ std::string unquoted(std::string_view text) {
   return result;
 }
 
+/// The shortest digits that read back as the same number: in decimal notation from 1e-3 to below 1e7, otherwise with an exponent.
 template <class Number>
 std::string shortest(Number number) {
   if (std::isnan(number)) {
@@ -166,10 +167,18 @@ std::string shortest(Number number) {
   if (std::isinf(number)) {
     return number > 0 ? "Infinity" : "-Infinity";
   }
-  char buffer[40];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, number).ptr;
-  std::string text(buffer, end);
-  return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
+  char buffer[64];
+  const double size = std::abs(static_cast<double>(number));
+  if (size == 0 || (size >= 1e-3 && size < 1e7)) {
+    std::string text(buffer, std::to_chars(buffer, buffer + sizeof buffer, number, std::chars_format::fixed).ptr);
+    return text.find('.') == std::string::npos ? text + ".0" : text;
+  }
+  const std::string text(buffer, std::to_chars(buffer, buffer + sizeof buffer, number, std::chars_format::scientific).ptr);
+  const std::size_t mark = text.find('e');
+  const std::string digits = text.substr(0, mark);
+  const std::string sign = text[mark + 1] == '-' ? "-" : "";
+  const std::string exponent = text.substr(text.find_first_not_of("+-0", mark + 1));
+  return digits + (digits.find('.') == std::string::npos ? ".0E" : "E") + sign + exponent;
 }
 
 }  // namespace
@@ -271,20 +280,20 @@ std::vector<std::pair<std::string, std::string>> members(std::string_view litera
   return result;
 }
 
-std::string spelling(double number) { return shortest(number); }
+std::string write(double number) { return shortest(number); }
 
-std::string spelling(float number) { return shortest(number); }
+std::string write(float number) { return shortest(number); }
 
 namespace {
 
 std::string inner(const Value& value) {
   const auto* text = std::get_if<std::string>(&value.content());
-  return text != nullptr ? quoted(*text) : spelling(value);
+  return text != nullptr ? quoted(*text) : write(value);
 }
 
 }  // namespace
 
-std::string spelling(const Value& value) {
+std::string write(const Value& value) {
   return std::visit(
       [](const auto& content) -> std::string {
         using T = std::decay_t<decltype(content)>;

@@ -27,7 +27,7 @@ const char* attribute(const char** attributes, const char* name) {
 
 }  // namespace
 
-/// The parser pushes; cases that nobody has asked for yet wait in a queue.
+/// The parser pushes; cases that were not requested yet wait in a queue.
 class SuiteReader::Document {
  public:
   explicit Document(const std::string& path)
@@ -76,7 +76,7 @@ class SuiteReader::Document {
   }
 
  private:
-  /// Reads on; false at the end of what can be read.
+  /// Reads the next chunk; false at the end of what can be read.
   bool more() {
     if (done_) {
       return false;
@@ -126,15 +126,14 @@ class SuiteReader::Document {
     if (++depth_ == 1 && element != "test_suite_data") {
       fail("the root is <" + element + ">, not <test_suite_data>");
     } else if (collecting_) {
-      fail("<" + element + "> is unknown inside of a value");
+      fail("<" + element + "> is unknown inside a value");
     } else if (inCase_) {
+      // Expected values are read over: only the judge of the results needs them.
       collecting_ = element == "value" || element == "expected";
       if (!collecting_) {
         fail("<" + element + "> is unknown inside <case>");
       }
       collected_.clear();
-      const char* name = attribute(attributes, "name");
-      output_ = name == nullptr ? "" : name;
     } else if (inCases_ && element == "case") {
       startCase(attributes);
     } else if (!inCases_ && element == "param") {
@@ -157,7 +156,6 @@ class SuiteReader::Document {
     ++casesRead_;
     values_.clear();
     values_.reserve(names_.size());
-    expectations_.clear();
     const char* number = attribute(attributes, "no");
     const char* kind = attribute(attributes, "class");
     valid_ = kind == nullptr || std::strcmp(kind, "invalid") != 0;
@@ -180,8 +178,6 @@ class SuiteReader::Document {
           fail("case " + std::to_string(no_) + " has more values than the suite has parameters");
         }
         values_.push_back(collected_);
-      } else {
-        expectations_.emplace_back(output_, collected_);
       }
     } else if (inCase_ && element == "case") {
       inCase_ = false;
@@ -189,9 +185,8 @@ class SuiteReader::Document {
         fail("case " + std::to_string(no_) + " has " + std::to_string(values_.size()) + " values for " + std::to_string(names_.size()) +
              " parameters");
       } else {
-        queue_.emplace_back(no_, valid_, shared_, std::move(values_), std::move(expectations_));
+        queue_.emplace_back(no_, valid_, shared_, std::move(values_));
         values_ = {};
-        expectations_ = {};
       }
     }
   }
@@ -213,9 +208,7 @@ class SuiteReader::Document {
   int no_ = 0;
   bool valid_ = true;
   std::string collected_;
-  std::string output_;
   std::vector<std::string> values_;
-  TestCase::Expectations expectations_;
 };
 
 SuiteReader::SuiteReader(const std::string& path) : document_(std::make_unique<Document>(path)) {}

@@ -22,20 +22,7 @@ const std::string& TestCase::literal(std::string_view parameter) const {
     there += (there.empty() ? "" : ", ") + name;
   }
   throw CaseDataError("the suite has no parameter '" + std::string(parameter) + "'; it has [" + there +
-                      "]: generate the test application anew");
-}
-
-const std::string* TestCase::expected(std::string_view output) const {
-  const std::string* only = nullptr;
-  for (const auto& [name, literal] : expectations_) {
-    if (name == output) {
-      return &literal;
-    }
-    if (name.empty()) {
-      only = &literal;
-    }
-  }
-  return only;
+                      "]: generate the test application again");
 }
 
 }  // namespace sitaf::suite

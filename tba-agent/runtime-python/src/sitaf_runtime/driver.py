@@ -10,7 +10,7 @@ from sitaf_runtime import component as components
 from sitaf_runtime.beside import CallBeside
 from sitaf_runtime.hooks import Hooks
 from sitaf_runtime.stopwatch import Stopwatch
-from sitaf_runtime.suite.result import CaseResult, Verdict
+from sitaf_runtime.suite.result import CaseResult, Outcome
 from sitaf_runtime.suite.test_case import TestCase
 
 if TYPE_CHECKING:
@@ -95,11 +95,11 @@ class SuiteDriver(ABC, Generic[C]):
     def save(self, result: CaseResult) -> None:
         """Hand the result of the case, with the time of its call, over to the results file."""
         watch = self._run.stopwatch
-        result.took(watch.component_us, watch.hardware_us, watch.stub_us)
-        result.called(self._run.stubbing.calls, self._run.stubbing.left_out)
+        result.set_time(watch.component_us, watch.hardware_us, watch.stub_us)
+        result.set_calls(self._run.stubbing.calls, self._run.stubbing.left_out)
         too_long = self._run.took_too_long
         if too_long:
-            result.ended_with(Verdict.ERROR, too_long)
+            result.end_with(Outcome.ERROR, too_long)
         self._run.require_simulator()
         self._run.results.save(result)
         self._saved = True

@@ -27,7 +27,7 @@ from sitaf_runtime.robot.hardware import set_current
 from sitaf_runtime.stopwatch import Stopwatch
 from sitaf_runtime.stub import Stubbing
 from sitaf_runtime.suite.reader import SuiteReader
-from sitaf_runtime.suite.result import CaseResult, ResultsFile, Verdict
+from sitaf_runtime.suite.result import CaseResult, Outcome, ResultsFile
 from sitaf_runtime.suite.test_case import TestCase
 from sitaf_runtime.thrown import describe
 
@@ -165,24 +165,26 @@ class TestRun:
 
     def _end(self, result: CaseResult, case: TestCase, raised: BaseException) -> None:
         """Give a case that did not come to its end its verdict. Raises when no further case can run."""
-        called = self.stopwatch.was_started
+        watch = self.stopwatch
+        called = watch.was_started
         self.require_simulator()
         if isinstance(raised, SimulationError) and raised.lost:
             raise raised
         if self.took_too_long:
-            result.ended_with(Verdict.ERROR, self.took_too_long)
-        elif self.stopwatch.is_running:
-            if not result.raised(raised):
-                result.ended_with(Verdict.ERROR, describe(raised))
+            result.end_with(Outcome.ERROR, self.took_too_long)
+        elif watch.is_running:
+            watch.stop()
+            result.set_time(watch.component_us, watch.hardware_us, watch.stub_us)
+            result.threw(raised, describe(raised))
         elif isinstance(raised, CannotRunError):
             raise raised
         elif isinstance(raised, SimulationError):
-            result.ended_with(Verdict.ERROR if called else Verdict.DONT, str(raised))
+            result.end_with(Outcome.ERROR if called else Outcome.NOT_CALLED, str(raised))
         elif isinstance(raised, CaseDataError) and not called:
-            result.ended_with(Verdict.DONT, str(raised))
+            result.end_with(Outcome.NOT_CALLED, str(raised))
         else:
-            result.ended_with(Verdict.ERROR, describe(raised))
-        result.called(self.stubbing.calls, self.stubbing.left_out)
+            result.end_with(Outcome.ERROR, describe(raised))
+        result.set_calls(self.stubbing.calls, self.stubbing.left_out)
         self.results.save(result)
 
 

@@ -156,8 +156,8 @@ class StubbedMethod(Generic[T]):
 
     def _record(self, arguments: tuple[Any, ...]) -> None:
         given = zip(self._inputs.items(), arguments, strict=True)
-        spelled = {n: literals.spell(kind.shaped(a)) for (n, kind), a in given} if self._stubbing.has_room() else {}
-        self._stubbing.record(self._name, spelled)
+        written = {n: literals.write(kind.shaped(a)) for (n, kind), a in given} if self._stubbing.has_room() else {}
+        self._stubbing.record(self._name, written)
 
     def _current(self, out: str) -> Any:
         current = None

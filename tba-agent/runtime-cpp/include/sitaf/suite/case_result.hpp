@@ -1,73 +1,71 @@
 #pragma once
 
-#include <set>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "sitaf/suite/outcome.hpp"
 #include "sitaf/suite/stub_call.hpp"
 #include "sitaf/suite/test_case.hpp"
-#include "sitaf/suite/tolerance.hpp"
 #include "sitaf/suite/value.hpp"
-#include "sitaf/suite/verdict.hpp"
 
 namespace sitaf::suite {
 
-/// What becomes of one case; the test driver fills it in and saves it.
+/// What is recorded of one case. The test driver fills it in and saves it; expected values and verdicts are not known here.
 class CaseResult {
  public:
-  /// A result of a case that nothing is known of yet; the case must live as long.
+  /// An empty record of a case; the case must live as long.
   explicit CaseResult(const TestCase& testCase) : testCase_(testCase) {}
 
-  /// Keeps how long the call took, in microseconds: the component's own time, and apart from it what virtual hardware and stubs took.
-  void took(double component, double hardware, double stub);
+  /// Sets the processing time in microseconds; `component` is without the other two.
+  void setTime(double component, double hardware, double stub);
 
-  /// Keeps an output that nothing is expected of.
+  /// Records the value of an output.
   template <class T>
   void record(std::string_view output, const T& value) {
     recordValue(output, valueOf(value));
   }
 
-  /// Keeps an output, and compares it where the case expects something of it.
-  template <class T>
-  void compare(std::string_view output, const T& value, const Tolerance& tolerance = {}) {
-    compareValue(output, valueOf(value), tolerance);
+  /// Records a part of an output, which `read` returns; `null` where the value has no such element.
+  template <class Read>
+  void recordPart(std::string_view output, Read read) {
+    try {
+      record(output, read());
+    } catch (const std::out_of_range&) {
+      recordNull(output);
+    }
   }
 
-  /// Keeps that a method returned which returns nothing, and compares that where the case expects something: that it returns, `null`, or an
-  /// error.
-  void returnedNothing(std::string_view output);
+  /// Records that a method without a return value returned.
+  void recordReturn(std::string_view output) { recordNull(output); }
 
-  void recordValue(std::string_view output, const Value& value);
-  void compareValue(std::string_view output, const Value& value, const Tolerance& tolerance);
+  /// Sets the calls of the component to its required interfaces.
+  void setCalls(StubCalls calls) { calls_ = std::move(calls); }
 
-  /// Keeps what the component asked of its required interfaces.
-  void called(StubCalls calls) { calls_ = std::move(calls); }
+  /// Ends the case with an exception of the call under test; `type` is its name without its scope.
+  void threw(const std::string& type, std::string_view description);
 
-  /// The case did not get as far as a comparison, or not through it.
-  void endedWith(Verdict verdict, std::string_view reason);
+  /// Ends the case with another outcome than a return; the reason is added to the message.
+  void endWith(Outcome outcome, std::string_view reason);
 
-  /// The call threw an error of that name, without its scope; true where the case expects it.
-  bool threw(const std::string& error);
-
-  /// The result as one line of XML, line feed included. An expected value that no output was compared with makes an ERROR of a case that
-  /// would pass unseen.
-  std::string line();
+  /// The record as one line of XML, with its line feed.
+  std::string line() const;
 
  private:
-  bool isNoValue(std::string_view output, const std::string& expected, const std::string& returned);
-  void worsen(Verdict verdict, std::string_view reason);
-  std::string named(std::string_view output, const std::string& difference) const;
+  void recordValue(std::string_view output, const Value& value);
+  void recordNull(std::string_view output);
+  void put(std::string_view output, std::string literal);
 
   const TestCase& testCase_;
   std::vector<std::pair<std::string, std::string>> actual_;
-  std::set<std::string> compared_;
   bool timed_ = false;
   double component_ = 0;
   double hardware_ = 0;
   double stub_ = 0;
-  Verdict verdict_ = Verdict::pass;
+  Outcome outcome_ = Outcome::returned;
+  std::string thrown_;
   std::string message_;
   StubCalls calls_;
 };

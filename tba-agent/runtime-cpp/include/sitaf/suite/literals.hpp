@@ -35,12 +35,12 @@ std::vector<std::string> elements(std::string_view literal);
 /// The members of `{x: a, y: b}`, in their order.
 std::vector<std::pair<std::string, std::string>> members(std::string_view literal);
 
-/// The spelling of a value that a component gave.
-std::string spelling(const Value& value);
+/// The literal of a value.
+std::string write(const Value& value);
 
-/// A number as short as it can be said without loss; always with a point or an exponent.
-std::string spelling(double number);
-std::string spelling(float number);
+/// The shortest digits that read back as the same number: in decimal notation from 1e-3 to below 1e7, otherwise with an exponent.
+std::string write(double number);
+std::string write(float number);
 
 [[noreturn]] void refuse(std::string_view literal, std::string_view problem);
 

@@ -1,11 +1,11 @@
-"""Calls that the test stub got."""
+"""Calls of the test stub."""
 
 from dataclasses import dataclass
 
 
 @dataclass(frozen=True, slots=True)
 class StubCall:
-    """A call, with its arguments by name as documents spell them; `method` is `Interface.Method`."""
+    """A call with the literals of its arguments by name; `method` is `Interface.Method`."""
 
     method: str
     arguments: dict[str, str]

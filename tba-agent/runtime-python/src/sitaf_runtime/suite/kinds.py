@@ -1,8 +1,7 @@
-"""The types of interfaces: how a literal becomes a value, and what a value that nobody has set is."""
+"""The types of interfaces: how a literal is read, and the zero of each type."""
 
 import dataclasses
 import enum
-import struct as binary
 from collections.abc import Callable
 from typing import Any, Generic, TypeVar
 
@@ -15,9 +14,9 @@ T = TypeVar("T")
 class Kind(Generic[T]):
     """A type of an interface.
 
-    `parse` reads a literal and raises CaseDataError when the type cannot hold it; `zero` makes the value that nobody
-    has set; `shaped` gives a component's value the type's own form where it has one, and anything else as it is;
-    `part` is the kind of a member or an element, where it has any.
+    `parse` reads a literal and raises CaseDataError when the type cannot hold it. `zero` makes the default value.
+    `shaped` converts a component's value to the type where it can, and returns anything else unchanged. `part` returns
+    the kind of a member or an element; None where the type has no parts.
     """
 
     __slots__ = ("parse", "part", "shaped", "zero")
@@ -45,20 +44,6 @@ def _integer(bits: int, *, signed: bool) -> Kind[int]:
     return Kind(parse, int)
 
 
-def _single(value: float) -> float:
-    """The nearest number of 32 bits."""
-    try:
-        return binary.unpack("<f", binary.pack("<f", value))[0]
-    except OverflowError:
-        return float("inf") if value > 0 else float("-inf")
-
-
-class Single(float):
-    """A number of 32 bits; it is expected as one: 0.1 is expected as the nearest of them."""
-
-    __slots__ = ()
-
-
 def _as_real(value: Any) -> Any:
     value = literals.plain(value)
     return float(value) if isinstance(value, int) and not isinstance(value, bool) and abs(value) < 1 << 53 else value
@@ -66,7 +51,7 @@ def _as_real(value: Any) -> Any:
 
 def _as_single(value: Any) -> Any:
     value = _as_real(value)
-    return Single(_single(value)) if isinstance(value, float) else value
+    return literals.Single(literals.single(value)) if isinstance(value, float) else value
 
 
 INT8 = _integer(8, signed=True)
@@ -78,14 +63,14 @@ UINT32 = _integer(32, signed=False)
 INT64 = _integer(64, signed=True)
 UINT64 = _integer(64, signed=False)
 FLOAT64: Kind[float] = Kind(literals.real, float, _as_real)
-FLOAT32: Kind[float] = Kind(lambda literal: _single(literals.real(literal)), float, _as_single)
+FLOAT32: Kind[float] = Kind(lambda literal: literals.single(literals.real(literal)), float, _as_single)
 BOOLEAN: Kind[bool] = Kind(literals.truth, bool)
 CHARACTER: Kind[str] = Kind(literals.character, lambda: "\0")
 STRING: Kind[str] = Kind(lambda literal: literal, str)
 
 
 def sequence(element: Kind[T], length: int = 0) -> Kind[list[T]]:
-    """Elements of one type; of a fixed number where a length is given."""
+    """A sequence of elements of one type; with a length, an array."""
 
     def parse(literal: str) -> list[T]:
         parts = literals.elements(literal)
@@ -104,7 +89,7 @@ E = TypeVar("E", bound=enum.Enum)
 
 
 def enumeration(type_: type[E]) -> Kind[E]:
-    """An enumeration; a component may also give the name or the value of one of its literals."""
+    """An enumeration; a component may also return the name or the value of a literal."""
     first = next(iter(type_))
 
     def parse(literal: str) -> E:

@@ -1,14 +1,16 @@
-"""Values as documents spell them.
+"""Literals of values (docs/test-application.md, Values).
 
-Numbers in decimal, `NaN`, `Infinity` and `-Infinity`, `true` and `false`, strings as they are, sequences as
-`[1.0, 2.5]` and structs as `{x: 1.0, y: 2.5}`, with strings inside either in double quotes.
+Numbers in decimal, `NaN`, `Infinity` and `-Infinity`, `true` and `false`, strings without quotes, sequences as
+`[1.0, 2.5]` and structs as `{x: 1.0, y: 2.5}`, with nested strings in double quotes.
 """
 
 import dataclasses
 import enum
 import math
 import re
+import struct as binary
 from collections.abc import Iterable, Mapping
+from decimal import Decimal
 from fractions import Fraction
 from typing import Any
 
@@ -20,7 +22,7 @@ _SPECIAL = {
     **dict.fromkeys(("infinity", "+infinity", "inf", "+inf", ".inf"), math.inf),
     **dict.fromkeys(("-infinity", "-inf", "-.inf"), -math.inf),
 }
-# A whole number of more digits fits no type; to write it out would take a while.
+# No type holds a whole number of more digits, and writing it out would take long.
 _MOST_DIGITS = 400
 
 
@@ -42,7 +44,7 @@ def exact(literal: str) -> Fraction:
         raise CaseDataError(f"'{literal}' is not a number")
     _, _, exponent = text.lower().partition("e")
     if len(text) + abs(int(exponent or "0")) > _MOST_DIGITS:
-        raise CaseDataError(f"'{literal[:60]}' has more digits than any number of a test")
+        raise CaseDataError(f"'{literal[:60]}' has more digits than any number type")
     return Fraction(text)
 
 
@@ -83,7 +85,7 @@ def character(literal: str) -> str:
 
 
 def elements(literal: str) -> list[str]:
-    """The elements of `[a, b]`; a quoted element may hold commas, brackets and escaped quotes."""
+    """The elements of `[a, b]`, strings without their quotes."""
     return _parts(literal, "[", "]", "a sequence such as [1, 2]")
 
 
@@ -99,7 +101,7 @@ def members(literal: str) -> dict[str, str]:
 
 
 def _parts(literal: str, opening: str, closing: str, what: str, *, whole: bool = False) -> list[str]:
-    """Split at the commas that are neither quoted nor in inner brackets; `whole` leaves quotes as they are."""
+    """Split at the commas that are not within quotes or brackets; `whole` keeps the quotes."""
     text = literal.strip()
     if len(text) < 2 or text[0] != opening or text[-1] != closing:
         raise CaseDataError(f"'{literal}' is not {what}")
@@ -122,7 +124,7 @@ def _parts(literal: str, opening: str, closing: str, what: str, *, whole: bool =
             start = at + 1
         at += 1
     if quoted:
-        raise CaseDataError(f"'{literal}' has a quote that does not end")
+        raise CaseDataError(f"'{literal}' has a quote that is not closed")
     if parts or inner[start:].strip():
         parts.append(inner[start:])
     return [part.strip() if whole else _unquoted(part.strip()) for part in parts]
@@ -134,8 +136,8 @@ def _unquoted(part: str) -> str:
     return part
 
 
-def spell(value: Any) -> str:
-    """The spelling of a value that a component gave."""
+def write(value: Any) -> str:
+    """The literal of a value."""
     value = plain(value)
     if value is None:
         return "null"
@@ -144,34 +146,65 @@ def spell(value: Any) -> str:
     if isinstance(value, enum.Enum):
         return value.name
     if isinstance(value, float):
-        return _spell_real(value)
+        return _write_real(value)
     if isinstance(value, str):
         return value
-    named = members_of(value)
-    if named is not None:
-        return "{" + ", ".join(f"{name}: {_spell_inside(part)}" for name, part in named.items()) + "}"
+    members = members_of(value)
+    if members is not None:
+        return "{" + ", ".join(f"{name}: {_write_nested(member)}" for name, member in members.items()) + "}"
     listed = elements_of(value)
     if listed is not None:
-        return "[" + ", ".join(map(_spell_inside, listed)) + "]"
+        return "[" + ", ".join(map(_write_nested, listed)) + "]"
     return str(value)
 
 
-def _spell_real(value: float) -> str:
+class Single(float):
+    """A number of 32 bits."""
+
+    __slots__ = ()
+
+
+def single(value: float) -> float:
+    """The nearest number of 32 bits."""
+    try:
+        return binary.unpack("<f", binary.pack("<f", value))[0]
+    except OverflowError:
+        return math.inf if value > 0 else -math.inf
+
+
+def _write_real(value: float) -> str:
+    """The shortest digits that read back as the same number.
+
+    In decimal notation from 1e-3 to below 1e7, otherwise with an exponent: `100000.0`, `1.0E7`.
+    """
     if math.isnan(value):
         return "NaN"
     if math.isinf(value):
         return "Infinity" if value > 0 else "-Infinity"
-    return repr(float(value))
+    text = _shortest_single(value) if isinstance(value, Single) else repr(float(value))
+    if value == 0 or 1e-3 <= abs(value) < 1e7:
+        return text
+    sign, digits, exponent = Decimal(text).normalize().as_tuple()
+    fraction = "".join(map(str, digits[1:])) or "0"
+    return f"{'-' if sign else ''}{digits[0]}.{fraction}E{int(exponent) + len(digits) - 1}"
 
 
-def _spell_inside(part: Any) -> str:
-    if isinstance(part, str) and not isinstance(part, enum.Enum):
-        return '"' + part.replace("\\", "\\\\").replace('"', '\\"') + '"'
-    return spell(part)
+def _shortest_single(value: float) -> str:
+    for precision in range(6, 9):
+        text = repr(float(f"{value:.{precision}g}"))
+        if single(float(text)) == value:
+            return text
+    return repr(float(f"{value:.9g}"))
+
+
+def _write_nested(value: Any) -> str:
+    if isinstance(value, str) and not isinstance(value, enum.Enum):
+        return '"' + value.replace("\\", "\\\\").replace('"', '\\"') + '"'
+    return write(value)
 
 
 def plain(value: Any) -> Any:
-    """A value of numpy as one of Python; anything else as it is."""
+    """A value of numpy converted to one of Python; anything else unchanged."""
     return value.tolist() if hasattr(value, "tolist") and hasattr(value, "dtype") else value
 
 
@@ -187,7 +220,7 @@ def members_of(value: Any) -> Mapping[str, Any] | None:
 
 
 def elements_of(value: Any) -> list[Any] | None:
-    """The elements of anything that can be iterated, but no text and no struct; None for that."""
+    """The elements of an iterable; None for strings, structs and anything else."""
     if isinstance(value, str) or not isinstance(value, Iterable) or members_of(value) is not None:
         return None
     return list(value)

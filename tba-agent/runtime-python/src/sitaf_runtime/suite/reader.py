@@ -14,7 +14,7 @@ _TEXTS = ("value", "expected")
 
 
 class SuiteReader:
-    """Reads a `test_suite_data` document (paper, Fig. 9) piece by piece, so that a suite of any length needs no memory.
+    """Reads a `test_suite_data` document (paper, Fig. 9) in chunks, so that memory does not grow with the suite.
 
     A document with a document type is refused. Raises OSError when the file cannot be read, CaseDataError when it is
     not a suite.
@@ -36,9 +36,7 @@ class SuiteReader:
         self._cases_read = 0
         self._attributes: dict[str, str] | None = None
         self._values: list[str] = []
-        self._expected: dict[str, str] = {}
         self._text: list[str] | None = None
-        self._name = ""
         self._ended = False
         self._mistake: CaseDataError | None = None
         try:
@@ -67,7 +65,7 @@ class SuiteReader:
         self._file.close()
 
     def _feed(self) -> bool:
-        """Read a piece; whether there was one. What was read whole before a mistake is handed out first."""
+        """Read the next chunk; False at the end. Cases before a mistake are returned before it is raised."""
         if self._ended:
             return False
         piece = self._file.read(_CHUNK)
@@ -92,7 +90,6 @@ class SuiteReader:
             if tag not in _TEXTS or self._text is not None:
                 raise self._problem(f"<{tag}> is unknown inside <case>")
             self._text = []
-            self._name = attributes.get("name", "")
         elif tag == "param" and not self._in_cases:
             name = attributes.get("name")
             if name is None:
@@ -105,7 +102,6 @@ class SuiteReader:
         elif tag == "case" and self._in_cases:
             self._attributes = attributes
             self._values = []
-            self._expected = {}
 
     def _characters(self, text: str) -> None:
         if self._text is not None:
@@ -116,10 +112,9 @@ class SuiteReader:
         if self._text is not None:
             text = "".join(self._text)
             self._text = None
+            # Expected values are read over: only the judge of the results needs them.
             if tag == "value":
                 self._values.append(text)
-            else:
-                self._expected[self._name] = text
         elif self._attributes is not None and tag == "case":
             self._cases.append(self._case(self._attributes))
             self._attributes = None
@@ -131,7 +126,7 @@ class SuiteReader:
         if len(self._values) != len(self._parameters):
             raise self._problem(f"case {no} has {len(self._values)} values for {len(self._parameters)} parameters")
         values = dict(zip(self._parameters, self._values, strict=True))
-        return TestCase(no, attributes.get("class") != "invalid", values, self._expected)
+        return TestCase(no, attributes.get("class") != "invalid", values)
 
     def _problem(self, message: str) -> CaseDataError:
         return CaseDataError(f"{self._document}:{self._parser.CurrentLineNumber}: {message}")

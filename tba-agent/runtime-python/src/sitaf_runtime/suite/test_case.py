@@ -10,20 +10,18 @@ T = TypeVar("T")
 
 
 class TestCase:
-    """Values by the names of the suite's parameters, and what is expected of the outputs.
+    """Values by the names of the suite's parameters.
 
-    `no` is its number in the suite, and `valid` whether it holds no invalid value. `values` and `expected` hold
-    literals, in the suite's order; the empty name stands for the only output.
+    `no` is its number in the suite, `valid` whether it has no invalid value, `values` the literals in the suite's order.
     """
 
-    __slots__ = ("expected", "no", "valid", "values")
-    __test__ = False  # pytest: the name is the documents'
+    __slots__ = ("no", "valid", "values")
+    __test__ = False  # not a test of pytest
 
-    def __init__(self, no: int, valid: bool, values: Mapping[str, str], expected: Mapping[str, str]) -> None:
+    def __init__(self, no: int, valid: bool, values: Mapping[str, str]) -> None:
         self.no = no
         self.valid = valid
         self.values = values
-        self.expected = expected
 
     def read(self, parameter: str, kind: Kind[T]) -> T:
         """A value. Raises CaseDataError when the suite has no such parameter, or the type cannot hold its value."""
@@ -34,9 +32,9 @@ class TestCase:
             raise CaseDataError(f"{parameter}: {e}") from e
 
     def assemble(self, kind: Kind[T], parts: Mapping[str, tuple[str | int, ...]]) -> T:
-        """A value of parts that have parameters of their own, each with its way into the value.
+        """A value whose parts have their own parameters, each with its path in the value.
 
-        `assemble(struct(Pose), {"pose.x": ("x",)})`; what no parameter sets has the zero of its type. Raises
+        `assemble(struct(Pose), {"pose.x": ("x",)})`; parts without a parameter are the zero of their type. Raises
         CaseDataError as `read` does.
         """
         whole = kind.zero()
@@ -45,23 +43,18 @@ class TestCase:
         return whole
 
     def literal(self, parameter: str) -> str:
-        """A value as the suite spells it. Raises CaseDataError when there is none."""
+        """The literal of a parameter. Raises CaseDataError when there is none."""
         try:
             return self.values[parameter]
         except KeyError as e:
             raise CaseDataError(
                 f"the suite has no parameter '{parameter}'; it has {', '.join(self.values)}:"
-                " generate the test application anew"
+                " generate the test application again"
             ) from e
-
-    def expectation(self, output: str) -> str | None:
-        """What is expected of an output; None when nothing is."""
-        named = self.expected.get(output)
-        return named if named is not None else self.expected.get("")
 
 
 def _put(whole: Any, kind: Kind[Any], path: tuple[str | int, ...], read: Callable[[Kind[Any]], Any]) -> None:
-    """Put a value into a part of another; a sequence grows to hold it."""
+    """Set a part of a value; a sequence grows to hold it."""
     step, rest = path[0], path[1:]
     part = kind.part(step) if kind.part else None
     if part is None:

@@ -461,9 +461,8 @@ void everywhere(const std::string& content) {
 }
 
 std::string forged(int no) {
-  return "<test_result no=\"" + std::to_string(no) +
-         "\" verdict=\"PASS\"><value>1</value><value>1</value><value>1.0</value>"
-         "<expected>1.0</expected><actual>1.0</actual></test_result>\n";
+  return "<case_record no=\"" + std::to_string(no) +
+         "\" outcome=\"RETURNED\"><actual name=\"return\">1.0</actual></case_record>\n";
 }
 
 void forgeAll() {
@@ -561,7 +560,7 @@ const std::map<std::string, Attack>& attacks() {
       {"repeats-results", [] { everywhere(forged(1) + forged(1)); }},
       {"floods-results", [] { flood("\n", 250 * mib); }},
       {"garbles-results", [] { flood("<not a result\n", 4 * mib); }},
-      {"tears-results", [] { everywhere("<test_result no=\"1\" verd"); }},
+      {"tears-results", [] { everywhere("<case_record no=\"1\" outc"); }},
       {"floods-output", floodOutput},
       {"floods-marks", floodMarks},
       {"long-message", [] { throw std::runtime_error(std::string(20 * mib, 'm')); }},

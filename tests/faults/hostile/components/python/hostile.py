@@ -124,8 +124,8 @@ def everywhere(content):
 
 
 def forged(no):
-    return (f'<test_result no="{no}" verdict="PASS"><value>1</value><value>1</value><value>1.0</value>'
-            f"<expected>1.0</expected><actual>1.0</actual></test_result>\n").encode()
+    return (f'<case_record no="{no}" outcome="RETURNED"><actual name="return">1.0</actual>'
+            f"</case_record>\n").encode()
 
 
 class Attacks:
@@ -555,7 +555,7 @@ class Attacks:
         everywhere(b"<not a result\n" * (4 * MIB // 14))
 
     def tears_results():
-        everywhere(b'<test_result no="1" verd')
+        everywhere(b'<case_record no="1" outc')
 
     def floods_output():
         block = b"line of output\n" * 70_000

@@ -39,19 +39,17 @@ public class ScriptedHarness {
           String line;
           try {
             int actual = component.echo(value);
-            String verdict = actual == value ? "PASS" : "FAIL";
-            line = "verdict=\"" + verdict + "\"><value>" + value + "</value><expected>" + value
-                + "</expected><actual>" + actual + "</actual><processing_time unit=\"us\" "
-                + "hardware=\"0\" stub=\"0\">1.5</processing_time></test_result>\n";
+            line = "outcome=\"RETURNED\"><actual name=\"return\">" + actual + "</actual><processing_time unit=\"us\" "
+                + "hardware=\"0\" stub=\"0\">1.5</processing_time></case_record>\n";
           } catch (IllegalStateException e) {
             System.err.println("sitaf: " + e.getMessage());
             System.exit(3);
             return;
           } catch (Exception e) {
-            line = "verdict=\"ERROR\"><value>" + value + "</value><expected>" + value + "</expected><message>" + e.getMessage()
-                + "</message></test_result>\n";
+            line = "outcome=\"THREW\"><thrown>" + e.getClass().getSimpleName() + "</thrown><message>" + e.getMessage()
+                + "</message></case_record>\n";
           }
-          line = ++number + " " + token + "<test_result no=\"" + no + "\" " + line;
+          line = ++number + " " + token + "<case_record no=\"" + no + "\" " + line;
           results.write(line.getBytes(StandardCharsets.UTF_8));
         }
       }

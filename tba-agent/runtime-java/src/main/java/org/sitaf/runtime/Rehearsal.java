@@ -9,7 +9,6 @@ import java.util.List;
 import java.util.Map;
 import org.sitaf.runtime.suite.CaseResult;
 import org.sitaf.runtime.suite.TestCase;
-import org.sitaf.runtime.suite.Tolerance;
 
 /**
  * Goes through all that a test application does: what is loaded meanwhile goes into an archive of
@@ -79,7 +78,7 @@ final class Rehearsal {
       stopwatch().start();
       double returned = component.measure(times);
       stopwatch().stop();
-      result.compare("return", returned, new Tolerance(1e-9, 0));
+      result.record("return", returned);
       save(result);
     }
   }

@@ -118,7 +118,7 @@ public abstract class SuiteDriver<C> {
   /** Hands the result of the case, with the time of its call, over to the results file. */
   protected final void save(CaseResult result) throws IOException {
     Stopwatch watch = run.stopwatch();
-    result.took(watch.componentMicros(), watch.hardwareMicros(), watch.stubMicros());
+    result.setTime(watch.componentMicros(), watch.hardwareMicros(), watch.stubMicros());
     run.save(result);
     saved = true;
   }

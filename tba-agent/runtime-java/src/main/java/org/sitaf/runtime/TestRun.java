@@ -14,10 +14,10 @@ import org.sitaf.runtime.simulation.SimulationException;
 import org.sitaf.runtime.stub.Stubbing;
 import org.sitaf.runtime.suite.CaseDataException;
 import org.sitaf.runtime.suite.CaseResult;
+import org.sitaf.runtime.suite.Outcome;
 import org.sitaf.runtime.suite.ResultsFile;
 import org.sitaf.runtime.suite.SuiteReader;
 import org.sitaf.runtime.suite.TestCase;
-import org.sitaf.runtime.suite.Verdict;
 
 /**
  * One process that runs a suite: reads the cases, hands each to the test driver, and sees to it
@@ -224,26 +224,23 @@ public final class TestRun {
       simulation.requireThere();
     }
     if (thrown instanceof CaseTooLongException tooLong) {
-      result.endedWith(Verdict.ERROR, String.valueOf(tooLong.getMessage()));
+      result.endWith(Outcome.ERROR, String.valueOf(tooLong.getMessage()));
     } else if (stopwatch.isRunning()) {
-      if (result.expects(thrown)) {
-        stopwatch.stop();
-        result.took(
-            stopwatch.componentMicros(), stopwatch.hardwareMicros(), stopwatch.stubMicros());
-        return;
-      }
-      result.endedWith(Verdict.ERROR, ThrownByComponent.describe(thrown));
+      stopwatch.stop();
+      result.setTime(
+          stopwatch.componentMicros(), stopwatch.hardwareMicros(), stopwatch.stubMicros());
+      result.threw(thrown, ThrownByComponent.describe(thrown));
     } else if (thrown instanceof CannotRunException cannotRun) {
       throw cannotRun;
     } else if (thrown instanceof SimulationException refused) {
       if (refused.isLost()) {
         throw refused;
       }
-      result.endedWith(
-          stopwatch.wasStarted() ? Verdict.ERROR : Verdict.DONT,
+      result.endWith(
+          stopwatch.wasStarted() ? Outcome.ERROR : Outcome.NOT_CALLED,
           String.valueOf(refused.getMessage()));
     } else if (thrown instanceof CaseDataException unreadable) {
-      result.endedWith(Verdict.DONT, String.valueOf(unreadable.getMessage()));
+      result.endWith(Outcome.NOT_CALLED, String.valueOf(unreadable.getMessage()));
     } else if (thrown instanceof NoClassDefFoundError missing
         && missing.getCause() instanceof ClassNotFoundException) {
       throw new CannotRunException(
@@ -252,7 +249,7 @@ public final class TestRun {
               + " is missing: is it among the component's files and libraries?",
           missing);
     } else {
-      result.endedWith(Verdict.ERROR, ThrownByComponent.describe(thrown));
+      result.endWith(Outcome.ERROR, ThrownByComponent.describe(thrown));
     }
   }
 

@@ -84,7 +84,7 @@ public final class HostileComponent {
       case "repeats-results" -> everywhere(forged(1).repeat(3).getBytes(StandardCharsets.UTF_8), 1);
       case "floods-results" -> everywhere("\n".repeat(MIB).getBytes(StandardCharsets.UTF_8), 250);
       case "garbles-results" -> everywhere("<not a result\n".repeat(MIB / 14).getBytes(StandardCharsets.UTF_8), 4);
-      case "tears-results" -> everywhere("<test_result no=\"1\" verd".getBytes(StandardCharsets.UTF_8), 1);
+      case "tears-results" -> everywhere("<case_record no=\"1\" outc".getBytes(StandardCharsets.UTF_8), 1);
       case "floods-output" -> floodsOutput();
       case "floods-marks" -> floodsMarks();
       case "long-message" -> throw new IllegalStateException("m".repeat(20 * MIB));
@@ -408,8 +408,8 @@ public final class HostileComponent {
   }
 
   private static String forged(int no) {
-    return "<test_result no=\"" + no + "\" verdict=\"PASS\"><value>1</value><value>1</value><value>1.0</value>"
-        + "<expected>1.0</expected><actual>1.0</actual></test_result>\n";
+    return "<case_record no=\"" + no + "\" outcome=\"RETURNED\"><actual name=\"return\">1.0</actual>"
+        + "</case_record>\n";
   }
 
   /** Writes to all possible destinations of results. */

@@ -8,7 +8,6 @@ import jakarta.xml.bind.Unmarshaller;
 import jakarta.xml.bind.ValidationEvent;
 import java.io.InputStream;
 import java.io.OutputStream;
-import java.io.StringReader;
 import java.util.Set;
 import java.util.logging.Level;
 import java.util.logging.Logger;
@@ -118,21 +117,6 @@ public final class XmlDocuments {
         throw malformed(malformed, file);
       }
       throw InvalidInputException.of(file, "cannot be read: " + e.getMessage());
-    }
-  }
-
-  /** Reads one element from a line of text. */
-  public static <T> T readLine(String line, String file, Class<T> type) {
-    Diagnostics diagnostics = new Diagnostics();
-    try {
-      XMLStreamReader reader =
-          new WithoutDocumentType(inputFactory().createXMLStreamReader(new StringReader(line)));
-      reader.nextTag();
-      T result = readElement(reader, file, type, diagnostics);
-      diagnostics.throwIfErrors();
-      return result;
-    } catch (XMLStreamException e) {
-      throw malformed(e, file);
     }
   }
 

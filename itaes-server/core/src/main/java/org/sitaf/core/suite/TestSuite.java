@@ -48,6 +48,12 @@ public record TestSuite(
     return new TestSuite(name, description, modelName, generation, parameters, others);
   }
 
+  /** The same suite without expected values, as test applications need it. */
+  public TestSuite withoutExpected() {
+    return withCases(
+        cases.stream().map(c -> new TestCase(c.no(), c.valid(), c.values(), List.of())).toList());
+  }
+
   /** How many cases hold no invalid value. */
   public long validCount() {
     return cases.stream().filter(TestCase::valid).count();

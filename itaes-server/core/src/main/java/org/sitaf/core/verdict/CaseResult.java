@@ -5,11 +5,11 @@ import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What became of one case.
+ * The result of one case.
  *
  * @param values literals in the order of the suite's parameters
  * @param calls of required interfaces
- * @param time null where the component was not called to its end
+ * @param time null where the call did not end
  * @param message why the verdict is not PASS; empty otherwise
  */
 public record CaseResult(
@@ -42,7 +42,7 @@ public record CaseResult(
     this(no, verdict, values, expected, actual, StubCalls.NONE, time, message);
   }
 
-  /** This result with another verdict and the reason for it. */
+  /** This result with another verdict; the reason is added to the message. */
   public CaseResult judged(Verdict newVerdict, String reason) {
     return new CaseResult(
         no,
@@ -55,15 +55,10 @@ public record CaseResult(
         message.isEmpty() ? reason : message + "; " + reason);
   }
 
-  /** This result without a time that cannot be true. */
-  public CaseResult withoutTime() {
-    return new CaseResult(no, verdict, values, expected, actual, calls, null, message);
-  }
-
   /**
    * Processing time of a call in microseconds.
    *
-   * @param total the component's own, without what follows
+   * @param total the component's own time, without the other two
    * @param hardware spent in virtual hardware
    * @param stub spent in stubs
    */

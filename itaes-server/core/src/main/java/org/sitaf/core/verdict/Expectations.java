@@ -10,14 +10,10 @@ import org.sitaf.core.model.TestModel;
 import org.sitaf.core.suite.ExpectedValue;
 import org.sitaf.core.suite.TestCase;
 
-/**
- * Confirms a PASS by what was measured: the recorded values of the outputs within the model's
- * tolerances. A test application compares at once, in its own process, which the component shares.
- */
+/** Judges a recorded case by the values that the suite expects, within the model's tolerances. */
 final class Expectations {
   private static final String ERROR = "!error:";
   private static final String UNEVALUATED = "!unevaluated:";
-  private static final String REPORTED = ", though the test application reported PASS";
 
   private final TestModel model;
 
@@ -25,95 +21,138 @@ final class Expectations {
     this.model = Objects.requireNonNull(model);
   }
 
-  /** The result with the worse verdict of the two; only a PASS can become worse. */
-  CaseResult confirm(TestCase testCase, CaseResult result) {
-    if (result.verdict() != Verdict.PASS
-        || testCase.expected().isEmpty()
-        || isExpectedError(testCase, result)) {
-      return result;
-    }
+  /** The result of a case before its post-conditions are evaluated. */
+  CaseResult judge(TestCase testCase, CaseRecord record) {
+    return switch (record.outcome()) {
+      case RETURNED -> compared(testCase, record);
+      case THREW -> thrown(testCase, record);
+      case ERROR -> result(testCase, record, Verdict.ERROR, record.message());
+      case NOT_CALLED -> result(testCase, record, Verdict.DONT, record.message());
+    };
+  }
+
+  private CaseResult compared(TestCase testCase, CaseRecord record) {
     Verdict verdict = Verdict.PASS;
-    List<String> differences = new ArrayList<>();
+    List<String> messages = new ArrayList<>();
     for (ExpectedValue expected : testCase.expected()) {
-      if (expected.literal().startsWith(UNEVALUATED)) {
-        verdict = Verdict.ERROR;
-        differences.add(
-            "what is expected has no value:" + expected.literal().substring(UNEVALUATED.length()));
-        continue;
-      }
-      String actual = actual(expected, result);
-      Optional<String> difference = Optional.empty();
-      if (actual == null) {
-        verdict = Verdict.ERROR;
-        difference = Optional.of("no value of it was recorded");
-      } else if (expected.literal().startsWith(ERROR)) {
-        difference =
-            Optional.of(
-                "expected the error "
-                    + expected.literal().substring(ERROR.length())
-                    + ", but it returned "
-                    + RecordedValue.shortened(actual));
-      } else {
-        difference = difference(expected, actual);
-      }
-      if (difference.isPresent()) {
-        verdict = verdict.worse(Verdict.FAIL);
-        differences.add(named(testCase, expected, difference.get()));
+      Optional<Mismatch> mismatch = mismatch(expected, record);
+      if (mismatch.isPresent()) {
+        verdict = verdict.worse(mismatch.get().verdict());
+        messages.add(message(testCase, outputName(expected, record), mismatch.get()));
       }
     }
-    return differences.isEmpty()
-        ? result
-        : result.judged(verdict, String.join("; ", differences) + REPORTED);
+    return result(testCase, record, verdict, String.join("; ", messages));
   }
 
-  private Optional<String> difference(ExpectedValue expected, String actual) {
-    if (expected.literal().equals(actual)) {
-      return Optional.empty();
+  private Optional<Mismatch> mismatch(ExpectedValue expected, CaseRecord record) {
+    String literal = expected.literal();
+    String stripped = literal.strip();
+    if (stripped.startsWith(UNEVALUATED)) {
+      return Optional.of(
+          new Mismatch(
+              Verdict.ERROR,
+              "",
+              "the expected value could not be evaluated: "
+                  + stripped.substring(UNEVALUATED.length()).strip()));
     }
-    OutputElement output = model.output(expected.output()).orElse(null);
-    return output == null
-        ? RecordedValue.UNTYPED.difference(expected.literal(), actual)
-        : new RecordedValue(output.type(), output.tolerance())
-            .difference(expected.literal(), actual);
+    String output = outputName(expected, record);
+    String actual = actual(output, record);
+    if (actual == null) {
+      return Optional.of(
+          new Mismatch(
+              Verdict.ERROR,
+              "",
+              "the test application recorded no value of the output '" + output + "'"));
+    }
+    if (stripped.startsWith(ERROR)) {
+      return Optional.of(
+          new Mismatch(
+              Verdict.FAIL,
+              "",
+              "expected the error "
+                  + stripped.substring(ERROR.length())
+                  + ", but it returned "
+                  + Literals.shortened(actual)));
+    }
+    Optional<OutputElement> element = model.output(output);
+    if (actual.equals(Literals.NULL) && output.endsWith("]") && !literal.equals(actual)) {
+      return Optional.of(
+          new Mismatch(
+              Verdict.FAIL,
+              "",
+              "expected " + Literals.shortened(literal) + ", but there is no such element"));
+    }
+    return element
+        .map(e -> new ValueComparison(e.type(), e.tolerance()))
+        .orElse(ValueComparison.UNTYPED)
+        .mismatch(literal, actual);
   }
 
-  /** Where the call threw what is expected of any output, the case is judged by that alone. */
-  private static boolean isExpectedError(TestCase testCase, CaseResult result) {
+  /**
+   * An expected exception decides the case alone: the expected values of the other outputs count as
+   * met.
+   */
+  private CaseResult thrown(TestCase testCase, CaseRecord record) {
+    List<NamedValue> met = new ArrayList<>();
     for (ExpectedValue expected : testCase.expected()) {
-      if (expected.literal().startsWith(ERROR)) {
-        String error = expected.literal().strip();
-        for (NamedValue actual : result.actual()) {
-          if (actual.literal().equals(error)) {
-            return true;
-          }
-        }
+      if (expected.literal().strip().equals(ERROR + record.thrown())) {
+        met.add(new NamedValue(expected.output(), ERROR + record.thrown()));
       }
     }
-    return false;
+    if (met.isEmpty()) {
+      return result(testCase, record.withoutTime(), Verdict.ERROR, record.message());
+    }
+    return new CaseResult(
+        testCase.no(),
+        Verdict.PASS,
+        testCase.values(),
+        expected(testCase),
+        met,
+        record.calls(),
+        record.time(),
+        "");
   }
 
-  /** What was recorded of an output; a name is left out where there is only one. */
-  private @Nullable String actual(ExpectedValue expected, CaseResult result) {
-    List<NamedValue> recorded = result.actual();
-    if (recorded.size() == 1
-        && (recorded.get(0).output().isEmpty() || expected.output().isEmpty())
-        && model.outputs().size() <= 1) {
-      return recorded.get(0).literal();
+  private CaseResult result(TestCase testCase, CaseRecord record, Verdict verdict, String message) {
+    return new CaseResult(
+        testCase.no(),
+        verdict,
+        testCase.values(),
+        expected(testCase),
+        record.actual().size() == 1
+            ? List.of(new NamedValue("", record.actual().get(0).literal()))
+            : record.actual(),
+        record.calls(),
+        record.time(),
+        message);
+  }
+
+  private static List<NamedValue> expected(TestCase testCase) {
+    return testCase.expected().stream().map(e -> new NamedValue(e.output(), e.literal())).toList();
+  }
+
+  /** The output that an expected value is about; the suite leaves out the name of a single one. */
+  private String outputName(ExpectedValue expected, CaseRecord record) {
+    if (!expected.output().isEmpty()) {
+      return expected.output();
     }
-    String name =
-        expected.output().isEmpty() && model.outputs().size() == 1
-            ? model.outputs().get(0).name()
-            : expected.output();
-    for (NamedValue actual : recorded) {
-      if (actual.output().equals(name)) {
+    if (model.outputs().size() == 1) {
+      return model.outputs().get(0).name();
+    }
+    return record.actual().isEmpty() ? OutputElement.RETURN_NAME : record.actual().get(0).output();
+  }
+
+  private static @Nullable String actual(String output, CaseRecord record) {
+    for (NamedValue actual : record.actual()) {
+      if (actual.output().equals(output)) {
         return actual.literal();
       }
     }
-    // A driver that a person wrote may name the only value of a case as it likes.
-    return expected.output().isEmpty() && !recorded.isEmpty() ? recorded.get(0).literal() : null;
+    return null;
   }
 
-  private static String named(TestCase testCase, ExpectedValue expected, String difference) {
-    return testCase.expected().size() > 1 ? expected.output() + ": " + difference : difference;
+  private static String message(TestCase testCase, String output, Mismatch mismatch) {
+    boolean named = testCase.expected().size() > 1 || !mismatch.path().isEmpty();
+    return named ? output + mismatch.path() + ": " + mismatch.text() : mismatch.text();
   }
 }

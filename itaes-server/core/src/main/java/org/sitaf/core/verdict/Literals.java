@@ -7,13 +7,18 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.regex.Pattern;
 
-/** Takes literals of values apart (docs/test-application.md, Values), in any of their forms. */
+/** Parses literals of values (docs/test-application.md, Values). */
 final class Literals {
   private static final Pattern NUMBER =
       Pattern.compile("[-+]?(?:\\d+\\.?\\d*|\\.\\d+)(?:[eE][-+]?\\d{1,9})?");
 
-  /** Longer than any number that is not a whole one of hundreds of digits. */
+  /** No value, and what a method records that returns nothing. */
+  static final String NULL = "null";
+
+  /** Longest literal of a number, in characters. */
   private static final int MAX_NUMBER = 2000;
+
+  private static final int MAX_SHOWN = 200;
 
   private Literals() {}
 
@@ -30,12 +35,12 @@ final class Literals {
     return text.length() >= 2 && text.charAt(0) == open && text.charAt(text.length() - 1) == close;
   }
 
-  static boolean isTruth(String literal) {
+  static boolean isBoolean(String literal) {
     return literal.equals("true") || literal.equals("false");
   }
 
-  /** {@code true} or {@code false} for each of their spellings; any other text as it is. */
-  static String truth(String literal) {
+  /** {@code true} for 1 and {@code false} for 0; any other text unchanged. */
+  static String normalizedBoolean(String literal) {
     return switch (literal.strip()) {
       case "true", "1" -> "true";
       case "false", "0" -> "false";
@@ -49,13 +54,14 @@ final class Literals {
     return text.length() <= MAX_NUMBER && NUMBER.matcher(text).matches();
   }
 
+  /** A number in decimal, an infinity or NaN. */
   static boolean isReal(String literal) {
     String text = literal.strip();
     return text.length() <= MAX_NUMBER
         && (NUMBER.matcher(text).matches() || !Double.isNaN(special(text)) || isNan(text));
   }
 
-  /** A floating-point number, where {@link #isReal} says that it is one. */
+  /** The number of a literal for which {@link #isReal} holds. */
   static double real(String literal) {
     String text = literal.strip();
     return NUMBER.matcher(text).matches() ? Double.parseDouble(text) : special(text);
@@ -74,33 +80,33 @@ final class Literals {
     };
   }
 
-  /** The elements of {@code [a, b]}, texts without their quotes. */
+  /** The elements of {@code [a, b]}, strings without their quotes. */
   static List<String> elements(String literal) {
     List<String> elements = new ArrayList<>();
-    parts(literal, '[', ']').forEach(part -> elements.add(unquoted(part)));
+    parts(literal, '[', ']', "a sequence such as [1, 2]")
+        .forEach(part -> elements.add(unquoted(part)));
     return elements;
   }
 
-  /** The members of <code>{x: 1.0, y: 2.0}</code> in their order, texts without their quotes. */
+  /** The members of <code>{x: 1.0, y: 2.0}</code> in their order, strings without their quotes. */
   static Map<String, String> members(String literal) {
     Map<String, String> members = new LinkedHashMap<>();
-    for (String part : parts(literal, '{', '}')) {
+    for (String part : parts(literal, '{', '}', "a struct such as {x: 1.0, y: 2.0}")) {
       int colon = part.indexOf(':');
       if (colon < 0) {
         throw new IllegalArgumentException(
-            "'" + RecordedValue.shortened(literal) + "' has a member without a name");
+            "'" + shortened(literal) + "' has a member without a name");
       }
       members.put(part.substring(0, colon).strip(), unquoted(part.substring(colon + 1).strip()));
     }
     return members;
   }
 
-  /** What stands between commas; quotes, brackets and braces hold their commas together. */
-  private static List<String> parts(String literal, char open, char close) {
+  /** Splits at the commas that are not within quotes, brackets or braces. */
+  private static List<String> parts(String literal, char open, char close, String example) {
     String text = literal.strip();
     if (!isBetween(text, open, close)) {
-      throw new IllegalArgumentException(
-          "'" + RecordedValue.shortened(literal) + "' does not stand in " + open + close);
+      throw new IllegalArgumentException("'" + shortened(literal) + "' is not " + example);
     }
     List<String> parts = new ArrayList<>();
     int from = 1;
@@ -124,7 +130,7 @@ final class Literals {
     }
     if (quoted) {
       throw new IllegalArgumentException(
-          "'" + RecordedValue.shortened(literal) + "' has a quote that does not end");
+          "'" + shortened(literal) + "' has a quote that is not closed");
     }
     String last = text.substring(from, text.length() - 1).strip();
     if (!parts.isEmpty() || !last.isEmpty()) {
@@ -145,5 +151,39 @@ final class Literals {
       text.append(part.charAt(i));
     }
     return text.toString();
+  }
+
+  /** The beginning of a literal, as messages show it. */
+  static String shortened(String literal) {
+    return literal.length() <= MAX_SHOWN
+        ? literal
+        : literal.substring(0, MAX_SHOWN) + " ... (" + literal.length() + " characters)";
+  }
+
+  /**
+   * A text with the characters that XML cannot hold as <code>&#92;u0000</code>, as records have it.
+   */
+  static String escaped(String text) {
+    StringBuilder escaped = new StringBuilder();
+    text.codePoints()
+        .forEach(
+            c -> {
+              if (isXml(c)) {
+                escaped.appendCodePoint(c);
+              } else {
+                escaped.append(String.format(Locale.ROOT, "\\u%04X", c));
+              }
+            });
+    return escaped.toString();
+  }
+
+  /** Production Char of XML 1.0. */
+  private static boolean isXml(int c) {
+    return c == '\t'
+        || c == '\n'
+        || c == '\r'
+        || c >= 0x20 && c <= 0xD7FF
+        || c >= 0xE000 && c <= 0xFFFD
+        || c >= 0x10000;
   }
 }

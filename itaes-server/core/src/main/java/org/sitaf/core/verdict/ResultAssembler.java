@@ -19,8 +19,8 @@ import org.sitaf.core.suite.TestCase;
 import org.sitaf.core.suite.TestSuite;
 
 /**
- * Makes the result of a build from what the test application wrote: compares what was measured with
- * what is expected, judges post-conditions, accounts for every case, counts.
+ * Makes the result of a build from the records of its test application: compares recorded values
+ * with expected ones, evaluates post-conditions, adds the cases without a record, and counts.
  */
 public final class ResultAssembler {
   private final TestModel model;
@@ -50,21 +50,31 @@ public final class ResultAssembler {
   }
 
   /**
-   * The result of a case, judged by what was measured: by what is expected, then by the
-   * post-conditions. The worse verdict stands.
+   * The result of a recorded case: its values compared with the expected ones, then its
+   * post-conditions evaluated. The worst verdict counts.
+   *
+   * @throws IllegalArgumentException when the suite has no such case
    */
-  public CaseResult judge(CaseResult result) {
-    TestCase testCase = cases.get(result.no());
-    if (testCase == null || result.verdict().compareTo(Verdict.FAIL) > 0) {
-      return result;
+  public CaseResult judge(CaseRecord record) {
+    TestCase testCase = cases.get(record.no());
+    if (testCase == null) {
+      throw new IllegalArgumentException("the suite has no case " + record.no());
     }
-    CaseResult judged = expectations.confirm(testCase, result);
+    CaseResult result = expectations.judge(testCase, record);
+    boolean ended =
+        record.outcome() == CaseRecord.Outcome.RETURNED
+            || record.outcome() == CaseRecord.Outcome.THREW && result.verdict() == Verdict.PASS;
+    return ended ? withPostConditions(testCase, result) : result;
+  }
+
+  private CaseResult withPostConditions(TestCase testCase, CaseResult result) {
+    CaseResult judged = result;
     for (Expression condition : postConditions) {
       if (condition.mentions(Variables.CALLS) && result.calls().leftOut() > 0) {
         judged =
             judged.judged(
                 Verdict.ERROR,
-                "post-condition cannot be judged: "
+                "post-condition cannot be evaluated: "
                     + condition.text()
                     + ": of "
                     + (result.calls().recorded().size() + result.calls().leftOut())

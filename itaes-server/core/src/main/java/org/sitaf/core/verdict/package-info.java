@@ -1,4 +1,4 @@
-/** Results of cases: their verdicts by post-conditions, calls and statistics. */
+/** Judges recorded cases: expected values, post-conditions, verdicts, statistics. */
 @NullMarked
 package org.sitaf.core.verdict;
 

@@ -14,15 +14,13 @@ import org.sitaf.core.description.ScalarType;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.model.TestModelXml;
 import org.sitaf.core.model.Tolerance;
-import org.sitaf.core.suite.CaseParameter;
 import org.sitaf.core.suite.ExpectedValue;
 import org.sitaf.core.suite.GenerationOptions;
 import org.sitaf.core.suite.TestCase;
 import org.sitaf.core.suite.TestCaseGenerator;
 import org.sitaf.core.suite.TestSuite;
-import org.sitaf.core.verdict.document.TestResultXml;
 
-/** A PASS that a test application reports stands only where what was measured says so, too. */
+/** Verdict and message of a recorded case, by the expected values of the suite. */
 class ExpectationsTest {
   private static final String MODEL =
       """
@@ -46,66 +44,84 @@ class ExpectationsTest {
         .formatted(type, name, kind);
   }
 
-  /** The verdict of one case that was reported as PASS. */
-  private static CaseResult judged(String outputs, List<ExpectedValue> expected, String actual) {
+  private static CaseResult judged(
+      String outputs, List<ExpectedValue> expected, CaseRecord record) {
     TestModel model =
         TestModelXml.read(
             new ByteArrayInputStream(MODEL.formatted(outputs).getBytes(StandardCharsets.UTF_8)),
             "Half.xml");
-    TestSuite made = TestCaseGenerator.generate(model, GenerationOptions.DEFAULT).suite();
-    List<CaseParameter> parameters = made.parameters();
     TestSuite suite =
-        new TestSuite(
-            made.name(),
-            "",
-            made.modelName(),
-            made.generation(),
-            parameters,
-            List.of(new TestCase(1, true, List.of("2"), expected)));
-    return new ResultAssembler(model, suite)
-        .judge(
-            TestResultXml.readCase(
-                "<test_result no=\"1\" verdict=\"PASS\"><value>2</value>"
-                    + actual
-                    + "</test_result>"));
+        TestCaseGenerator.generate(model, GenerationOptions.DEFAULT)
+            .suite()
+            .withCases(List.of(new TestCase(1, true, List.of("2"), expected)));
+    return new ResultAssembler(model, suite).judge(record);
   }
 
-  private static CaseResult judged(String expected, String actual) {
+  private static CaseRecord returned(NamedValue... actual) {
+    return new CaseRecord(
+        1, CaseRecord.Outcome.RETURNED, "", List.of(actual), StubCalls.NONE, null, "");
+  }
+
+  private static CaseRecord threw(String type) {
+    return new CaseRecord(
+        1,
+        CaseRecord.Outcome.THREW,
+        type,
+        List.of(),
+        StubCalls.NONE,
+        new CaseResult.ProcessingTime(1, 0, 0),
+        type + ": too fast");
+  }
+
+  private static CaseResult judged(String expected, CaseRecord record) {
     return judged(
-        output("return", "RETURN", "double"),
-        List.of(new ExpectedValue("", expected)),
-        "<actual>" + actual + "</actual>");
+        output("return", "RETURN", "double"), List.of(new ExpectedValue("", expected)), record);
   }
 
   @Test
-  void aPassThatTheMeasuredValueContradictsIsAFailure() {
-    CaseResult result = judged("1.0", "-999.0");
+  void theResultHasTheValuesOfTheSuiteAndTheOutputWithoutItsName() {
+    CaseResult result = judged("1.0", returned(new NamedValue("return", "-999.0")));
 
-    assertThat(result.verdict()).isEqualTo(Verdict.FAIL);
-    assertThat(result.message())
-        .isEqualTo("expected 1.0, but was -999.0, though the test application reported PASS");
+    assertThat(result)
+        .isEqualTo(
+            new CaseResult(
+                1,
+                Verdict.FAIL,
+                List.of("2"),
+                List.of(new NamedValue("", "1.0")),
+                List.of(new NamedValue("", "-999.0")),
+                null,
+                "expected 1.0, but was -999.0"));
   }
 
   @Test
-  void aPassThatTheMeasuredValueConfirmsStands() {
-    assertThat(judged("1", "1.0").verdict()).isEqualTo(Verdict.PASS);
-    assertThat(judged("nan", "NaN").verdict()).isEqualTo(Verdict.PASS);
-    assertThat(judged("inf", "Infinity").verdict()).isEqualTo(Verdict.PASS);
-  }
-
-  @Test
-  void aPassWithoutAValueIsAnError() {
-    CaseResult result =
-        judged(output("return", "RETURN", "double"), List.of(new ExpectedValue("", "1.0")), "");
+  void anOutputWithoutARecordedValueIsAnError() {
+    CaseResult result = judged("1.0", returned());
 
     assertThat(result.verdict()).isEqualTo(Verdict.ERROR);
-    assertThat(result.message()).contains("no value of it was recorded");
+    assertThat(result.message())
+        .isEqualTo("the test application recorded no value of the output 'return'");
   }
 
   @Test
   void anExpectedErrorIsMetByItsNameAlone() {
-    assertThat(judged("!error:TooFast", "!error:TooFast").verdict()).isEqualTo(Verdict.PASS);
-    assertThat(judged("!error:TooFast", "1.0").verdict()).isEqualTo(Verdict.FAIL);
+    CaseResult met = judged("!error:TooFast", threw("TooFast"));
+
+    assertThat(met.verdict()).isEqualTo(Verdict.PASS);
+    assertThat(met.message()).isEmpty();
+    assertThat(met.actual()).containsExactly(new NamedValue("", "!error:TooFast"));
+    assertThat(met.time()).isNotNull();
+    CaseResult other = judged("!error:TooFast", threw("TooSlow"));
+    assertThat(other.verdict()).isEqualTo(Verdict.ERROR);
+    assertThat(other.message()).isEqualTo("TooSlow: too fast");
+    assertThat(other.time()).isNull();
+  }
+
+  @Test
+  void aStringThatReadsLikeAnErrorIsNone() {
+    CaseRecord record = returned(new NamedValue("return", "!error:TooFast"));
+
+    assertThat(judged("!error:TooFast", record).verdict()).isEqualTo(Verdict.FAIL);
   }
 
   @Test
@@ -114,85 +130,60 @@ class ExpectationsTest {
     List<ExpectedValue> expected =
         List.of(new ExpectedValue("return", "!error:TooFast"), new ExpectedValue("way", "2.0"));
 
-    assertThat(judged(outputs, expected, "<actual>!error:TooFast</actual>").verdict())
-        .isEqualTo(Verdict.PASS);
-    assertThat(judged(outputs, expected, "<actual>2.0</actual>").verdict())
-        .isEqualTo(Verdict.ERROR);
+    CaseResult met = judged(outputs, expected, threw("TooFast"));
+    assertThat(met.verdict()).isEqualTo(Verdict.PASS);
+    assertThat(met.actual()).containsExactly(new NamedValue("return", "!error:TooFast"));
+    CaseRecord record = returned(new NamedValue("return", "1.0"), new NamedValue("way", "2.0"));
+    CaseResult missed = judged(outputs, expected, record);
+    assertThat(missed.verdict()).isEqualTo(Verdict.FAIL);
+    assertThat(missed.message())
+        .isEqualTo("return: expected the error TooFast, but it returned 1.0");
   }
 
   @Test
-  void whatIsNotEvaluatedCannotPass() {
-    CaseResult result = judged("!unevaluated: no such member", "1.0");
-
-    assertThat(result.verdict()).isEqualTo(Verdict.ERROR);
-    assertThat(result.message()).contains("what is expected has no value: no such member");
-  }
-
-  @Test
-  void everyOutputIsLookedAtByItsName() {
+  void everyOutputIsComparedByItsName() {
     String outputs = output("return", "RETURN", "double") + output("way", "OUT", "double");
     List<ExpectedValue> expected =
         List.of(new ExpectedValue("return", "1.0"), new ExpectedValue("way", "2.0"));
+    NamedValue one = new NamedValue("return", "1.0");
 
-    assertThat(
-            judged(
-                    outputs,
-                    expected,
-                    "<actual name=\"return\">1.0</actual><actual name=\"way\">2</actual>")
-                .verdict())
+    assertThat(judged(outputs, expected, returned(one, new NamedValue("way", "2"))).verdict())
         .isEqualTo(Verdict.PASS);
-    assertThat(
-            judged(
-                    outputs,
-                    expected,
-                    "<actual name=\"return\">1.0</actual><actual name=\"way\">3.0</actual>")
-                .message())
-        .startsWith("way: expected 2.0, but was 3.0");
-    assertThat(judged(outputs, expected, "<actual name=\"return\">1.0</actual>").verdict())
-        .isEqualTo(Verdict.ERROR);
+    assertThat(judged(outputs, expected, returned(one, new NamedValue("way", "3.0"))).message())
+        .isEqualTo("way: expected 2.0, but was 3.0");
+    assertThat(judged(outputs, expected, returned(one)).verdict()).isEqualTo(Verdict.ERROR);
+  }
+
+  @Test
+  void anElementThatIsNotThereIsAWrongValue() {
+    String outputs = output("return[3]", "RETURN", "double");
+    CaseResult result =
+        judged(
+            outputs,
+            List.of(new ExpectedValue("", "1.0")),
+            returned(new NamedValue("return", "[]"), new NamedValue("return[3]", "null")));
+
+    assertThat(result.verdict()).isEqualTo(Verdict.FAIL);
+    assertThat(result.message()).isEqualTo("expected 1.0, but there is no such element");
   }
 
   @ParameterizedTest
-  @CsvSource({
-    "DOUBLE, 1.0, 1.05, 0.1, 0, 0, true",
-    "DOUBLE, 1.0, 1.2, 0.1, 0, 0, false",
-    "DOUBLE, 100, 101, 0, 0.01, 0, true",
-    "DOUBLE, 0.1, 0.10000000149011612, 0, 0, 0, false",
-    "FLOAT, 0.1, 0.10000000149011612, 0, 0, 0, true",
-    "FLOAT, 0.1, 0.1, 0, 0, 0, true",
-    "FLOAT, 1.0, 1.0000001, 0, 0, 0, false",
-    "FLOAT, 1.0, 1.0000001, 0, 0, 1, true",
-    "DOUBLE, 1.0, 1.0000000000000002, 0, 0, 1, true",
-    "DOUBLE, 1.0, 1.0000000000000004, 0, 0, 1, false",
-    "DOUBLE, Infinity, 1e300, 1e308, 0, 0, false",
-    "DOUBLE, 1.0, NaN, 1e308, 0, 0, false",
-    "DOUBLE, 1.0, one, 1, 0, 0, false",
-    "INT64, 9223372036854775807, 9223372036854775806, 0, 0, 0, false",
-    "INT64, 9223372036854775807, 9.223372036854775807e18, 0, 0, 0, true",
-    "UINT64, 18446744073709551615, 18446744073709551615, 0, 0, 0, true",
-    "INT32, 7, 8, 1, 0, 0, true",
-    "INT32, 7, 7.0, 0, 0, 0, true",
-    "INT32, 1, true, 0, 0, 0, true",
-    "INT32, 1, false, 0, 0, 0, false",
-    "INT32, 1, 1e999999999, 0, 0, 0, false",
-    "INT32, 1, null, 0, 0, 0, false",
-    "BOOLEAN, 1, true, 0, 0, 0, true",
-    "BOOLEAN, true, false, 0, 0, 0, false",
-    "BOOLEAN, true, 1, 0, 0, 0, false",
-    "STRING, 1, 1.0, 0, 0, 0, false",
-    "STRING, abc, abd, 9, 0, 0, false",
-  })
-  void scalarsCompareByTheirType(
-      ScalarType type,
-      String expected,
-      String actual,
-      double absolute,
-      double relative,
-      double ulp,
-      boolean same) {
-    RecordedValue value =
-        new RecordedValue(new DataType.Scalar(type), new Tolerance(absolute, relative, ulp));
-    assertThat(value.difference(expected, actual).isEmpty()).isEqualTo(same);
+  @CsvSource({"ERROR, ERROR", "NOT_CALLED, DONT"})
+  void aCaseThatDidNotGetToItsEndKeepsItsReason(CaseRecord.Outcome outcome, Verdict verdict) {
+    CaseResult result =
+        judged(
+            "1.0",
+            new CaseRecord(
+                1,
+                outcome,
+                "",
+                List.of(new NamedValue("return", "1.0")),
+                StubCalls.NONE,
+                null,
+                "no battery"));
+
+    assertThat(result.verdict()).isEqualTo(verdict);
+    assertThat(result.message()).isEqualTo("no battery");
   }
 
   private static final DataType POSE =
@@ -205,7 +196,10 @@ class ExpectationsTest {
                   "path", new DataType.Sequence(new DataType.Scalar(ScalarType.INT32)))));
 
   private static String difference(DataType type, String expected, String actual) {
-    return new RecordedValue(type, Tolerance.EXACT).difference(expected, actual).orElse("");
+    return new ValueComparison(type, Tolerance.EXACT)
+        .mismatch(expected, actual)
+        .map(found -> found.path() + ": " + found.text())
+        .orElse("");
   }
 
   @Test
@@ -219,13 +213,13 @@ class ExpectationsTest {
         .isEqualTo(".path[1]: expected 3, but was 2");
     assertThat(difference(POSE, "{path: [1]}", actual))
         .isEqualTo(".path: expected 1 elements, but there are 2");
-    assertThat(difference(POSE, "{z: 1}", actual)).contains("there is none");
+    assertThat(difference(POSE, "{z: 1}", actual)).contains("Pose has no member z");
     assertThat(difference(POSE, "{x: 1}", "null")).contains("but was null");
     assertThat(difference(POSE, "x", actual)).contains("cannot be compared");
   }
 
   @Test
-  void whatIsOfNoKnownTypeComparesByItsSpelling() {
+  void literalsOfUnknownTypeCompareByTheirForm() {
     DataType unknown = new DataType.Unknown("");
 
     assertThat(difference(unknown, "[1, {a: 2.0}]", "[1.0, {a: 2, b: 3}]")).isEmpty();
@@ -234,7 +228,7 @@ class ExpectationsTest {
   }
 
   @Test
-  void noLiteralOfAComponentTakesLong() {
+  void noLiteralTakesLong() {
     DataType nested = new DataType.Unknown("");
     String deep = "[".repeat(500_000) + "]".repeat(500_000);
     char[] digits = new char[1 << 20];

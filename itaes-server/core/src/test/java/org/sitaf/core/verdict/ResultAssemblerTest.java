@@ -49,15 +49,24 @@ class ResultAssemblerTest {
         new ByteArrayInputStream(MODEL.getBytes(StandardCharsets.UTF_8)), "Half.xml");
   }
 
-  private static CaseResult line(int no, String value, String actual, double time) {
-    return TestResultXml.readCase(
-        "<test_result no=\"%d\" verdict=\"PASS\"><value>%s</value><actual>%s</actual><processing_time unit=\"us\" hardware=\"1\" stub=\"0\">%s</processing_time></test_result>"
-            .formatted(no, value, actual, time));
+  private static CaseRecord returned(int no, String actual, double time) {
+    return new CaseRecord(
+        no,
+        CaseRecord.Outcome.RETURNED,
+        "",
+        List.of(new NamedValue("return", actual)),
+        StubCalls.NONE,
+        new CaseResult.ProcessingTime(time, 1, 0),
+        "");
+  }
+
+  private CaseResult first() {
+    return assembler.judge(returned(1, "0", 2));
   }
 
   @Test
   void aBrokenPostConditionFailsACaseThatPassedSoFar() {
-    CaseResult judged = assembler.judge(line(2, "2", "1.5", 1));
+    CaseResult judged = assembler.judge(returned(2, "1.5", 1));
     assertThat(judged.verdict()).isEqualTo(Verdict.FAIL);
     assertThat(judged.message()).isEqualTo("post-condition broken: actual * 2.0 == n");
   }
@@ -75,14 +84,14 @@ class ResultAssemblerTest {
         TestModelXml.read(
             new ByteArrayInputStream(costly.getBytes(StandardCharsets.UTF_8)), "Half.xml");
     String ones = java.util.Collections.nCopies(200, "1").toString();
-    CaseResult judged = new ResultAssembler(other, suite).judge(line(2, "2", ones, 1));
+    CaseResult judged = new ResultAssembler(other, suite).judge(returned(2, ones, 1));
     assertThat(judged.verdict()).isEqualTo(Verdict.ERROR);
     assertThat(judged.message()).contains("more than 5,000,000 steps", "simplify it");
   }
 
   @Test
   void aConditionThatHasNoValueIsAnErrorAndNoFailure() {
-    CaseResult judged = assembler.judge(line(2, "2", "one", 1));
+    CaseResult judged = assembler.judge(returned(2, "one", 1));
     assertThat(judged.verdict()).isEqualTo(Verdict.ERROR);
     int line = (int) MODEL.substring(0, MODEL.indexOf("actual * 2.0")).lines().count();
     assertThat(judged.message())
@@ -93,7 +102,7 @@ class ResultAssemblerTest {
   @Test
   void everyCaseIsAccountedForAndTimesAreThoseOfPassAndFail() {
     List<CaseResult> results =
-        List.of(assembler.judge(line(1, "0", "0", 2)), assembler.judge(line(2, "2", "7", 4)));
+        List.of(first(), assembler.judge(returned(2, "7", 4)));
     TestResult result = assembler.assemble(results, "the agent was stopped", PROVENANCE);
     Summary summary = result.summary();
     assertThat(summary.total()).isEqualTo(3);
@@ -109,7 +118,7 @@ class ResultAssemblerTest {
   void aResultReadsBackAsItWasWritten() {
     TestResult result =
         assembler.assemble(
-            List.of(line(1, "0", "0", 2).judged(Verdict.FAIL, "a\rb \"<&")), "why not", PROVENANCE);
+            List.of(first().judged(Verdict.FAIL, "a\rb \"<&")), "why not", PROVENANCE);
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     TestResultXml.write(result, out);
     assertThat(TestResultXml.read(new ByteArrayInputStream(out.toByteArray()), "result.xml"))
@@ -118,7 +127,7 @@ class ResultAssemblerTest {
 
   @Test
   void junitCountsWhatTheSummaryCounts() {
-    TestResult result = assembler.assemble(List.of(line(1, "0", "0", 2)), "stopped", PROVENANCE);
+    TestResult result = assembler.assemble(List.of(first()), "stopped", PROVENANCE);
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     JunitXml.write("activity", List.of(result), out);
     assertThat(out.toString(StandardCharsets.UTF_8))
@@ -131,7 +140,7 @@ class ResultAssemblerTest {
   void aSuspectResultReadsBackAndIsAnErrorInJunit() {
     TestResult result =
         assembler
-            .assemble(List.of(line(1, "0", "0", 2)), "stopped", PROVENANCE)
+            .assemble(List.of(first()), "stopped", PROVENANCE)
             .suspected(List.of("a line without number and token (3 times)"));
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     TestResultXml.write(result, out);

@@ -23,6 +23,7 @@ import org.sitaf.core.model.TestModel;
 import org.sitaf.core.model.TestModelXml;
 import org.sitaf.core.suite.GenerationOptions;
 import org.sitaf.core.suite.TestCaseGenerator;
+import org.sitaf.core.verdict.document.CaseRecordLine;
 import org.sitaf.core.verdict.document.TestResultXml;
 
 /** Post-conditions over what the component asked of its required interfaces, and over parts. */
@@ -66,12 +67,12 @@ class StubCallsTest {
     var suite = TestCaseGenerator.generate(model, GenerationOptions.DEFAULT).suite();
     return new ResultAssembler(model, suite, List.of(WHEELS))
         .judge(
-            TestResultXml.readCase(
-                "<test_result no=\"1\" verdict=\"PASS\"><value>1</value><actual>"
-                    + actual
+            CaseRecordLine.read(
+                "<case_record no=\"1\" outcome=\"RETURNED\"><actual name=\"return\">"
+                    + actual.replace("\"", "&quot;")
                     + "</actual>"
                     + calls
-                    + "</test_result>"));
+                    + "</case_record>"));
   }
 
   private static String drive(Object speed) {
@@ -94,7 +95,7 @@ class StubCallsTest {
           actual.name == "a, }b"                                       ; PASS
           """)
   void conditionsSeeTheCallsInTheirOrderAndPartsOfOutputs(String condition, Verdict verdict) {
-    String calls = drive("1.0") + drive("0.25") + "<call method=\"Wheels.Stop\"/>";
+    String calls = drive("1.0") + drive("0.25") + "<call method=\"Wheels.Stop\"></call>";
     CaseResult judged =
         judge(condition, "{x: 1.5, path: [{y: 1.0}, {y: 2.0}], name: \"a, }b\"}", calls);
     assertThat(judged.verdict()).as(judged.message()).isEqualTo(verdict);

@@ -1,6 +1,8 @@
 package org.sitaf.agent.build;
 
+import java.io.BufferedOutputStream;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -36,6 +38,7 @@ import org.sitaf.core.activity.ActivityProfile.LifeCycle;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.harness.TestApplication;
+import org.sitaf.core.suite.document.TestSuiteXml;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.Provenance;
 import org.sitaf.core.verdict.ResultAssembler;
@@ -207,6 +210,11 @@ public final class BuildRun {
       Files.createDirectories(file.getParent());
       Files.write(file, files.content(path).orElseThrow());
     }
+    // The agent compares; a component that can read the expected values could return them.
+    try (OutputStream suite =
+        new BufferedOutputStream(Files.newOutputStream(suiteFile()))) {
+      TestSuiteXml.write(application.suite().withoutExpected(), suite);
+    }
     String world = application.activity().profile().world();
     if (world == null) {
       return new Prepared(null, null, "");
@@ -271,6 +279,10 @@ public final class BuildRun {
         TestApplicationExecutor.DEFAULT.within(limit().cases()), sessions());
   }
 
+  private Path suiteFile() {
+    return applicationDirectory().resolve("suite.xml");
+  }
+
   private ExecutionRequest request(CompiledApplication compiled, Prepared prepared)
       throws IOException {
     Path execution = Files.createDirectories(directory.resolve(WRITTEN));
@@ -279,7 +291,7 @@ public final class BuildRun {
         settings.sandbox(),
         applicationDirectory(),
         application.suite(),
-        applicationDirectory().resolve("suite.xml"),
+        suiteFile(),
         execution,
         execution.resolve("coverage"),
         settings.recordings() == null || prepared.world() == null
@@ -298,7 +310,7 @@ public final class BuildRun {
     Path recording = request.recording();
     RecordingOrder order = settings.recordings();
     if (recording == null || order == null) {
-      return executor().execute(request, early, log, result -> announce(assembler.judge(result)));
+      return executor().execute(request, early, log, record -> announce(assembler.judge(record)));
     }
     Map<Integer, Path> folders = executor().recordingFolders(application.suite(), recording);
     Path collected = recording.resolveSibling("recording.collected");
@@ -308,8 +320,8 @@ public final class BuildRun {
               request,
               early,
               log,
-              result -> {
-                CaseResult judged = announce(assembler.judge(result));
+              record -> {
+                CaseResult judged = announce(assembler.judge(record));
                 recordings.expect(judged);
                 return judged;
               });

@@ -4,15 +4,13 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.function.UnaryOperator;
+import java.util.function.Function;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.suite.TestCase;
 import org.sitaf.core.suite.TestSuite;
+import org.sitaf.core.verdict.CaseRecord;
 import org.sitaf.core.verdict.CaseResult;
-import org.sitaf.core.verdict.NamedValue;
-import org.sitaf.core.verdict.ReportedCase;
-import org.sitaf.core.verdict.Verdict;
-import org.sitaf.core.verdict.document.TestResultXml;
+import org.sitaf.core.verdict.document.CaseRecordLine;
 
 /**
  * Tracks which cases of a suite have a result and which is next. Cases run in the order of the
@@ -35,7 +33,7 @@ final class CaseProgress implements ResultsChannel.Lines {
   private final List<TestCase> cases;
   private final Map<Integer, TestCase> byNumber = new HashMap<>();
   private final Map<Integer, CaseResult> results = new HashMap<>();
-  private final UnaryOperator<CaseResult> onResult;
+  private final Function<CaseRecord, CaseResult> judge;
   private final Suspicions suspicions;
   private final long maxBytes;
   private long bytes;
@@ -48,11 +46,11 @@ final class CaseProgress implements ResultsChannel.Lines {
   /**
    * Creates a progress without results.
    *
-   * @param onResult receives each result and may change its verdict
+   * @param judge gives the result of each recorded case
    */
-  CaseProgress(TestSuite suite, UnaryOperator<CaseResult> onResult, OutputSink sink) {
+  CaseProgress(TestSuite suite, Function<CaseRecord, CaseResult> judge, OutputSink sink) {
     this.cases = suite.cases();
-    this.onResult = onResult;
+    this.judge = judge;
     this.suspicions = new Suspicions(sink);
     this.maxBytes = MAX_BYTES + MAX_BYTES_OF_CASE * cases.size();
     cases.forEach(testCase -> byNumber.put(testCase.no(), testCase));
@@ -148,17 +146,17 @@ final class CaseProgress implements ResultsChannel.Lines {
   @Override
   public void content(String line) {
     ready = true;
-    CaseResult result;
+    CaseRecord record;
     try {
-      result = TestResultXml.readCase(line);
+      record = CaseRecordLine.read(line);
     } catch (InvalidInputException e) {
-      suspicious("a numbered line is not a test_result: " + e.getMessage(), line.length());
+      suspicious("a numbered line is not a case_record: " + e.getMessage(), line.length());
       return;
     }
-    TestCase testCase = byNumber.get(result.no());
+    TestCase testCase = byNumber.get(record.no());
     if (testCase == null) {
       suspicious("a result of a case that is not in the suite", line.length());
-    } else if (results.containsKey(result.no())) {
+    } else if (results.containsKey(record.no())) {
       suspicious("a second result of a case", line.length());
     } else {
       if (testCase != current()) {
@@ -168,27 +166,21 @@ final class CaseProgress implements ResultsChannel.Lines {
       if (bytes > maxBytes) {
         full = "the results exceed " + (maxBytes >> 20) + " MiB";
       }
-      accept(checked(testCase, result));
+      accept(checked(record));
     }
   }
 
-  /** Replaces the values by those of the suite and checks the processing time. */
-  private CaseResult checked(TestCase testCase, CaseResult result) {
-    CaseResult checked = result;
-    ReportedCase reported = new ReportedCase(testCase, result);
-    if (!reported.isOfSuite()) {
-      suspicions.add("a result has other input or expected values than its case");
-      checked = reported.withValuesOfSuite();
+  /** The record without a processing time that is impossible. */
+  private CaseRecord checked(CaseRecord record) {
+    CaseResult.ProcessingTime time = record.time();
+    if (time == null || isPossible(time)) {
+      return record;
     }
-    CaseResult.ProcessingTime time = result.time();
-    if (time != null && !isPossible(time)) {
-      suspicions.add(
-          "a result has a processing time that is negative or exceeds the run time of its process ("
-              + Math.round(elapsedUs / US_IN_SECOND)
-              + " s)");
-      checked = reported.withValuesOfSuite().withoutTime();
-    }
-    return checked;
+    suspicions.add(
+        "a result has a processing time that is negative or exceeds the run time of its process ("
+            + Math.round(elapsedUs / US_IN_SECOND)
+            + " s)");
+    return record.withoutTime();
   }
 
   private boolean isPossible(CaseResult.ProcessingTime time) {
@@ -201,22 +193,11 @@ final class CaseProgress implements ResultsChannel.Lines {
 
   /** Records an error for the current case, which the test application could not report. */
   void currentFailed(String message) {
-    TestCase testCase = current();
-    accept(
-        new CaseResult(
-            testCase.no(),
-            Verdict.ERROR,
-            testCase.values(),
-            testCase.expected().stream()
-                .map(expected -> new NamedValue(expected.output(), expected.literal()))
-                .toList(),
-            List.of(),
-            null,
-            message));
+    accept(CaseRecord.error(current().no(), message));
   }
 
-  private void accept(CaseResult result) {
-    results.put(result.no(), onResult.apply(result));
+  private void accept(CaseRecord record) {
+    results.put(record.no(), judge.apply(record));
     while (next < cases.size() && results.containsKey(cases.get(next).no())) {
       next++;
     }

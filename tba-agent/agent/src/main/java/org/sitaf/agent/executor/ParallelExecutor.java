@@ -13,10 +13,11 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
-import java.util.function.UnaryOperator;
+import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.suite.TestCase;
 import org.sitaf.core.suite.TestSuite;
+import org.sitaf.core.verdict.CaseRecord;
 import org.sitaf.core.verdict.CaseResult;
 
 /**
@@ -73,24 +74,24 @@ public record ParallelExecutor(TestApplicationExecutor each, int sessions) {
    * Runs the cases; see {@link TestApplicationExecutor#execute}.
    *
    * @param early used for sequential execution only
-   * @param onResult receives one result at a time, from several threads
+   * @param judge gives the result of each recorded case; called by several threads, one at a time
    */
   public Execution execute(
       ExecutionRequest request,
       @Nullable EarlyProcess early,
       OutputSink sink,
-      UnaryOperator<CaseResult> onResult)
+      Function<CaseRecord, CaseResult> judge)
       throws IOException, InterruptedException {
     int shards = shards(request.suite());
     if (shards < 2) {
-      return each.execute(request, early, sink, onResult);
+      return each.execute(request, early, sink, judge);
     }
     sink.remark("the cases run in " + shards + " simulations in parallel");
     Object oneAtATime = new Object();
-    UnaryOperator<CaseResult> inTurn =
-        result -> {
+    Function<CaseRecord, CaseResult> inTurn =
+        record -> {
           synchronized (oneAtATime) {
-            return onResult.apply(result);
+            return judge.apply(record);
           }
         };
     List<Future<Execution>> running = new ArrayList<>();

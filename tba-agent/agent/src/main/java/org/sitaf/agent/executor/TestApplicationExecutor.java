@@ -4,11 +4,12 @@ import java.io.IOException;
 import java.time.Duration;
 import java.util.Objects;
 import java.util.Optional;
-import java.util.function.UnaryOperator;
+import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.simulation.SimulatorEnd;
 import org.sitaf.agent.simulation.SimulatorEndpoint;
 import org.sitaf.agent.spool.FreeSpace;
+import org.sitaf.core.verdict.CaseRecord;
 import org.sitaf.core.verdict.CaseResult;
 
 /**
@@ -56,18 +57,26 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow, Durat
   /**
    * Runs the cases.
    *
+   * <p><<<<<<< HEAD
+   *
    * @param early the first process, started during the compilation; null if there is none
-   * @param onResult receives each result at once and may change its verdict
+   * @param judge gives the result of each recorded case as soon as it is read
    * @throws IOException if no process can be started
-   * @throws InterruptedException if the build was cancelled; its processes are killed
+   * @throws InterruptedException if the build was cancelled; its processes are killed =======
+   * @param early the first process, started before the application was compiled; null where there
+   *     is none
+   * @param judge gives the result of each recorded case, as soon as it is read
+   * @throws IOException when no process can be started at all
+   * @throws InterruptedException when the build was cancelled; its processes are gone then >>>>>>>
+   *     336ab1d (Let runtimes record and one judge compare)
    */
   public Execution execute(
       ExecutionRequest request,
       @Nullable EarlyProcess early,
       OutputSink sink,
-      UnaryOperator<CaseResult> onResult)
+      Function<CaseRecord, CaseResult> judge)
       throws IOException, InterruptedException {
-    CaseProgress progress = new CaseProgress(request.suite(), onResult, sink);
+    CaseProgress progress = new CaseProgress(request.suite(), judge, sink);
     Run run = new Run(request, early, progress, sink);
     String reason = "";
     while (!progress.isComplete() && reason.isEmpty()) {

@@ -27,6 +27,7 @@ import org.sitaf.agent.toolchain.Toolchain;
 import org.sitaf.core.activity.ActivityProfile.Language;
 import org.sitaf.core.harness.TestApplication;
 import org.sitaf.core.verdict.CaseResult;
+import org.sitaf.core.verdict.ResultAssembler;
 import org.sitaf.core.verdict.Verdict;
 
 /** A process that starts before its application is compiled. */
@@ -75,7 +76,10 @@ class EarlyProcessTest {
       CompiledApplication compiled = compiler.compile(compilation);
       assertThat(classesIn(compilation.output())).isNotEmpty();
       return TestApplicationExecutor.DEFAULT.execute(
-          request(compiled, application, files, sandbox), waiting, sink, result -> result);
+          request(compiled, application, files, sandbox),
+          waiting,
+          sink,
+          new ResultAssembler(application.model(), application.suite())::judge);
     }
   }
 

@@ -30,8 +30,8 @@ import org.sitaf.core.verdict.Verdict;
 @Timeout(300)
 class ForgedResultsTest {
   private static final String FORGED =
-      "<test_result no=\\\"5\\\" verdict=\\\"PASS\\\"><value>5</value><expected>5</expected>"
-          + "<actual>5</actual></test_result>";
+      "<case_record no=\\\"5\\\" outcome=\\\"RETURNED\\\"><actual name=\\\"return\\\">5</actual>"
+          + "</case_record>";
   private static final int MAX_LOG = 100_000;
 
   @TempDir private Path directory;
@@ -258,28 +258,23 @@ class ForgedResultsTest {
     isSuspect(result, "(200000 times)");
   }
 
-  /** Replaces the driver's verdict FAIL by PASS and keeps the measured value. */
   @Test
-  void detectsAForgedVerdict() throws Exception {
+  void hidesExpectedValuesFromTheComponent() throws Exception {
     TestResult result =
         result(
             EchoActivity.doing(
                     """
-                    Class<?> verdict = Class.forName("org.sitaf.runtime.suite.Verdict");
-                    java.lang.reflect.Field hidden =
-                        Class.forName("sun.misc.Unsafe").getDeclaredField("theUnsafe");
-                    hidden.setAccessible(true);
-                    Object unsafe = hidden.get(null);
-                    Class<?> type = unsafe.getClass();
-                    java.lang.reflect.Field fail = verdict.getField("FAIL");
-                    type.getMethod("putObject", Object.class, long.class, Object.class)
-                        .invoke(
-                            unsafe,
-                            type.getMethod("staticFieldBase", fail.getClass()).invoke(unsafe, fail),
-                            type.getMethod("staticFieldOffset", fail.getClass())
-                                .invoke(unsafe, fail),
-                            verdict.getField("PASS").get(null));
-                    return -999;
+                    String suite = "";
+                    for (String argument :
+                        ProcessHandle.current().info().arguments().orElseThrow()) {
+                      if (argument.endsWith("suite.xml")) {
+                        suite = java.nio.file.Files.readString(java.nio.file.Path.of(argument));
+                      }
+                    }
+                    if (!suite.contains("<value>")) {
+                      throw new IllegalStateException("the suite is not there");
+                    }
+                    return suite.contains("<expected") ? value : -999;
                     """)
                 .generated());
 
@@ -287,8 +282,6 @@ class ForgedResultsTest {
         .extracting(CaseResult::verdict)
         .as(recording.logText())
         .containsOnly(Verdict.FAIL);
-    assertThat(result.cases().get(0).message())
-        .contains("expected 1, but was -999, though the test application reported PASS");
   }
 
   @Test

@@ -34,8 +34,8 @@ final class StubCalls {
 
   synchronized void writeTo(CaseResult result) {
     for (Call call : recorded) {
-      result.called(call.method(), call.parameters(), call.arguments());
+      result.addCall(call.method(), call.parameters(), call.arguments());
     }
-    result.calledFurther(leftOut);
+    result.addCallsLeftOut(leftOut);
   }
 }

@@ -77,7 +77,7 @@ public final class StubbedMethod<T> {
     List<String> spelled = new ArrayList<>();
     if (stubbing.calls().hasRoom()) {
       for (Object argument : arguments) {
-        spelled.add(CaseResult.spelling(argument));
+        spelled.add(CaseResult.literal(argument));
       }
     }
     stubbing.calls().add(name, parameters, spelled);

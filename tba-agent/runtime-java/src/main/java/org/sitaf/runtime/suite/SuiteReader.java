@@ -18,8 +18,8 @@ import javax.xml.stream.XMLStreamReader;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Reads a {@code test_suite_data} document (paper, Fig. 9) case by case, so that a suite of any
- * length needs no memory. A document with a DTD is refused.
+ * Reads a {@code test_suite_data} document (paper, Fig. 9) case by case, so that memory does not
+ * grow with the suite. A document with a DTD is refused.
  */
 public final class SuiteReader implements AutoCloseable {
   private final InputStream stream;
@@ -27,7 +27,7 @@ public final class SuiteReader implements AutoCloseable {
   private final String document;
   private final List<String> parameters = new ArrayList<>();
   private final Deque<TestCase> ahead = new ArrayDeque<>();
-  private @Nullable CaseDataException trouble;
+  private @Nullable CaseDataException failure;
   private int casesRead;
 
   private SuiteReader(InputStream stream, XMLStreamReader xml, String document) {
@@ -40,7 +40,7 @@ public final class SuiteReader implements AutoCloseable {
    * Opens a suite.
    *
    * @throws IOException when the file cannot be read
-   * @throws CaseDataException when it is not a suite
+   * @throws CaseDataException when the file is not a suite
    */
   public static SuiteReader open(Path suite) throws IOException {
     InputStream stream = Files.newInputStream(suite);
@@ -72,19 +72,19 @@ public final class SuiteReader implements AutoCloseable {
     if (!ahead.isEmpty()) {
       return Optional.of(ahead.remove());
     }
-    if (trouble != null) {
-      throw trouble;
+    if (failure != null) {
+      throw failure;
     }
     return read();
   }
 
   /**
-   * Up to so many of the cases that {@link #next} gives from now on. Where the document is
-   * malformed they end; {@code next} tells of it when it comes there.
+   * Up to {@code count} of the cases that {@link #next} returns from now on. They end where the
+   * document is malformed; {@code next} throws when it gets there.
    */
   public List<TestCase> coming(int count) {
     try {
-      while (ahead.size() < count && trouble == null) {
+      while (ahead.size() < count && failure == null) {
         Optional<TestCase> next = read();
         if (next.isEmpty()) {
           break;
@@ -92,7 +92,7 @@ public final class SuiteReader implements AutoCloseable {
         ahead.add(next.get());
       }
     } catch (CaseDataException e) {
-      trouble = e;
+      failure = e;
     }
     return ahead.stream().limit(count).toList();
   }
@@ -152,7 +152,6 @@ public final class SuiteReader implements AutoCloseable {
     int no = number == null ? casesRead : (int) Literals.whole(number, 1, Integer.MAX_VALUE);
     boolean valid = !"invalid".equals(xml.getAttributeValue(null, "class"));
     Map<String, String> values = new LinkedHashMap<>();
-    Map<String, String> expected = new LinkedHashMap<>();
     while (true) {
       int event = advance();
       if (event == XMLStreamConstants.END_ELEMENT) {
@@ -168,10 +167,8 @@ public final class SuiteReader implements AutoCloseable {
           }
           values.put(parameters.get(values.size()), xml.getElementText());
         }
-        case "expected" -> {
-          @Nullable String name = xml.getAttributeValue(null, "name");
-          expected.put(name == null ? "" : name, xml.getElementText());
-        }
+        // Only the judge of the results needs it.
+        case "expected" -> xml.getElementText();
         default -> throw problem("<" + xml.getLocalName() + "> is unknown inside <case>");
       }
     }
@@ -185,7 +182,7 @@ public final class SuiteReader implements AutoCloseable {
               + parameters.size()
               + " parameters");
     }
-    return new TestCase(no, valid, values, expected);
+    return new TestCase(no, valid, values);
   }
 
   private int advance() throws XMLStreamException {

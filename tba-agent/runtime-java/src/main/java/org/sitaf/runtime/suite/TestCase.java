@@ -5,13 +5,11 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One test case: values by the names of the suite's parameters, and what is expected of the
- * outputs.
+ * One test case: values by the names of the suite's parameters.
  *
  * <p>The accessors throw {@link CaseDataException} when the suite has no such parameter, or when
  * the type cannot hold its value.
@@ -20,19 +18,16 @@ public final class TestCase {
   private final int no;
   private final boolean valid;
   private final Map<String, String> values;
-  private final Map<String, String> expected;
 
   /**
    * A case.
    *
    * @param values literals by parameter, in the suite's order
-   * @param expected literals by output; the empty name stands for the only one
    */
-  public TestCase(int no, boolean valid, Map<String, String> values, Map<String, String> expected) {
+  public TestCase(int no, boolean valid, Map<String, String> values) {
     this.no = no;
     this.valid = valid;
     this.values = new LinkedHashMap<>(values);
-    this.expected = new LinkedHashMap<>(expected);
   }
 
   /** Its number in the suite. */
@@ -40,15 +35,9 @@ public final class TestCase {
     return no;
   }
 
-  /** Whether it holds no invalid value. */
+  /** Whether it has no invalid value. */
   public boolean valid() {
     return valid;
-  }
-
-  /** What is expected of an output; empty when nothing is. */
-  public Optional<String> expected(String output) {
-    String named = expected.get(output);
-    return Optional.ofNullable(named != null ? named : expected.get(""));
   }
 
   public byte byteValue(String parameter) {
@@ -166,11 +155,11 @@ public final class TestCase {
   }
 
   /**
-   * What a stubbed method or an out-parameter of one answers: the parameters of this name and of
-   * this name with {@code #2} and so on.
+   * The answers of a stubbed method or of one of its out-parameters: the parameters of this name,
+   * and of this name with {@code #2} and so on.
    *
    * @param type the boxed type
-   * @param unset where the suite has none, or a delay alone
+   * @param unset the value where the suite has none, or only a delay
    */
   public <T> Answers<T> answers(String name, Class<T> type, @Nullable T unset) {
     Map<Integer, Answer<T>> fromCall = new HashMap<>();
@@ -189,16 +178,6 @@ public final class TestCase {
     return new Answers<>(unset, fromCall);
   }
 
-  /** All literals in the suite's order. */
-  Iterable<String> literals() {
-    return values.values();
-  }
-
-  /** What is expected, by output. */
-  Map<String, String> expectations() {
-    return expected;
-  }
-
   private String literal(String parameter) {
     String literal = values.get(parameter);
     if (literal == null) {
@@ -207,7 +186,7 @@ public final class TestCase {
               + parameter
               + "'; it has "
               + values.keySet()
-              + ": generate the test application anew");
+              + ": generate the test application again");
     }
     return literal;
   }

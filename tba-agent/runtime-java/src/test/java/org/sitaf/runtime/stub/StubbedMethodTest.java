@@ -24,7 +24,7 @@ class StubbedMethodTest {
     for (int i = 0; i < columnsAndValues.length; i += 2) {
       values.put(columnsAndValues[i], columnsAndValues[i + 1]);
     }
-    return new TestCase(1, true, values, Map.of());
+    return new TestCase(1, true, values);
   }
 
   private String resultLine() throws Exception {

@@ -17,7 +17,6 @@ import org.sitaf.core.harness.plan.HarnessPlan.Output;
 import org.sitaf.core.harness.plan.HarnessPlan.Source;
 import org.sitaf.core.harness.plan.Hooks;
 import org.sitaf.core.harness.plan.Words;
-import org.sitaf.core.model.Tolerance;
 
 /** What the templates of the test driver print: the five steps of Fig. 10. */
 record TestDriverView(
@@ -222,24 +221,16 @@ record TestDriverView(
   }
 
   private static String output(CppPlan plan, Output output) {
+    String name = CppText.string(output.name());
     if (HarnessPlan.isVoid(output.type())) {
-      return CppText.list(
-          2, "result.returnedNothing(", List.of(CppText.string(output.name())), ");");
+      return CppText.list(2, "result.recordReturn(", List.of(name), ");");
     }
-    String value = path(looked(plan, output.source()), output.source().path(), true);
-    List<String> arguments = new ArrayList<>(List.of(CppText.string(output.name()), value));
-    Tolerance tolerance = output.tolerance();
-    if (tolerance != null && !tolerance.equals(Tolerance.EXACT)) {
-      arguments.add(
-          "{"
-              + CppText.real(tolerance.absolute())
-              + ", "
-              + CppText.real(tolerance.relative())
-              + (tolerance.ulp() == 0 ? "" : ", " + CppText.real(tolerance.ulp()))
-              + "}");
-    }
-    return CppText.list(
-        2, tolerance == null ? "result.record(" : "result.compare(", arguments, ");");
+    List<Step> path = output.source().path();
+    String value = path(looked(plan, output.source()), path, true);
+    return path.stream().anyMatch(Step.Element.class::isInstance)
+        ? CppText.list(
+            2, "result.recordPart(", List.of(name, "[&] { return " + value + "; }"), ");")
+        : CppText.list(2, "result.record(", List.of(name, value), ");");
   }
 
   private static String looked(CppPlan plan, Source source) {

@@ -13,7 +13,6 @@ import org.sitaf.core.harness.java.plan.JavaPlan.Output;
 import org.sitaf.core.harness.java.plan.JavaPlan.World;
 import org.sitaf.core.harness.java.plan.JavaText;
 import org.sitaf.core.harness.java.plan.JavaType;
-import org.sitaf.core.model.Tolerance;
 
 /** What the template of the test driver prints: the five steps of Fig. 10. */
 record TestDriverView(
@@ -121,9 +120,6 @@ record TestDriverView(
         plan.beside() ? "org.sitaf.runtime.component.CallBeside" : "org.sitaf.runtime.Stopwatch");
     imports.add("org.sitaf.runtime.suite.CaseResult");
     imports.add("org.sitaf.runtime.suite.TestCase");
-    if (plan.outputs().stream().anyMatch(o -> o.tolerance() != null && o.expression() != null)) {
-      imports.add("org.sitaf.runtime.suite.Tolerance");
-    }
     addTypesOfCall(plan, imports);
     plan.arguments().forEach(a -> a.reads().forEach(r -> imports.addAll(r.type().imports())));
     if (!plan.answers().isEmpty()) {
@@ -242,26 +238,13 @@ record TestDriverView(
 
   private static String output(Output output) {
     String name = JavaText.string(output.name());
-    Tolerance tolerance = output.tolerance();
     if (output.expression() == null) {
-      return JavaText.call(4, "", "result.returnedNothing", List.of(name));
+      return JavaText.call(4, "", "result.recordReturn", List.of(name));
     }
-    if (tolerance == null) {
-      return JavaText.call(4, "", "result.record", List.of(name, output.expression()));
-    }
-    String within =
-        tolerance.equals(Tolerance.EXACT)
-            ? "Tolerance.EXACT"
-            : "new Tolerance("
-                + tolerance.absolute()
-                + ", "
-                + tolerance.relative()
-                + (tolerance.ulp() == 0 ? "" : ", " + tolerance.ulp())
-                + ")";
     return JavaText.call(
         4,
         "",
-        output.part() ? "result.comparePart" : "result.compare",
-        List.of(name, output.expression(), within));
+        output.part() ? "result.recordPart" : "result.record",
+        List.of(name, output.expression()));
   }
 }

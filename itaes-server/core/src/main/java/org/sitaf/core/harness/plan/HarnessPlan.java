@@ -12,7 +12,6 @@ import org.sitaf.core.description.MemberPath.Step;
 import org.sitaf.core.description.Method;
 import org.sitaf.core.description.Parameter;
 import org.sitaf.core.description.ScalarType;
-import org.sitaf.core.model.Tolerance;
 import org.sitaf.core.model.Value;
 
 /**
@@ -180,9 +179,8 @@ public record HarnessPlan(
    * Something that is looked at after the call.
    *
    * @param name in the result
-   * @param tolerance null where the model does not look at it, and it is recorded only
    */
-  public record Output(String name, Source source, DataType type, @Nullable Tolerance tolerance) {
+  public record Output(String name, Source source, DataType type) {
     public Output {
       Objects.requireNonNull(name);
       Objects.requireNonNull(source);

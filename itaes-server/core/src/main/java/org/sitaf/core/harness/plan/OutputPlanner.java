@@ -150,7 +150,7 @@ final class OutputPlanner {
           "two outputs have this name");
       return;
     }
-    outputs.add(new Output(name, source, type, element == null ? null : element.tolerance()));
+    outputs.add(new Output(name, source, type));
   }
 
   private void unknown(OutputElement element, String reason) {

@@ -26,7 +26,7 @@ final class PythonNames {
           """
           Answer BOOLEAN CHARACTER CaseResult ConcreteTestDriver ERRORS Enum Exception FLOAT32 FLOAT64 INT16 INT32 INT64 INT8
           InOut NotImplementedError Out Protocol RUN_FOR SETTLE STRING Simulation SimulationControl StubbedMethod
-          SuiteDriver TestCase TestDriver TestRun TestStub Tolerance UINT16 UINT32 UINT64 UINT8 abstractmethod answer
+          SuiteDriver TestCase TestDriver TestRun TestStub UINT16 UINT32 UINT64 UINT8 abstractmethod answer
           bool call_with_outs data_types dataclass dict enumeration errors float int list member method_of object
           part_of port_of sequence set_property start str struct super tuple type""");
 

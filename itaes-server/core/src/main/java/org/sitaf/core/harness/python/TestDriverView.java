@@ -3,7 +3,6 @@ package org.sitaf.core.harness.python;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
-import org.jspecify.annotations.Nullable;
 import org.sitaf.core.activity.ActivityProfile.LifeCycle;
 import org.sitaf.core.description.CallType;
 import org.sitaf.core.description.Direction;
@@ -16,7 +15,6 @@ import org.sitaf.core.harness.plan.Hooks;
 import org.sitaf.core.harness.python.PythonPlan.Answer;
 import org.sitaf.core.harness.python.PythonPlan.Argument;
 import org.sitaf.core.harness.python.PythonText.Group;
-import org.sitaf.core.model.Tolerance;
 
 /** What the template of the test driver prints: the five steps of Fig. 10. */
 record TestDriverView(
@@ -177,9 +175,6 @@ record TestDriverView(
         continue;
       }
       PythonType.importKind(output.type(), imports);
-      if (output.tolerance() != null) {
-        imports.add(RUNTIME + "suite.tolerance", "Tolerance");
-      }
       if (!output.source().path().isEmpty()) {
         imports.add(RUNTIME + "component", "part_of");
       }
@@ -261,24 +256,11 @@ record TestDriverView(
     List<String> arguments = new ArrayList<>();
     arguments.add(PythonText.string(output.name()));
     if (HarnessPlan.isVoid(output.type())) {
-      return new Group("result.returned_nothing(", arguments, ")").at(8);
+      return new Group("result.record_return(", arguments, ")").at(8);
     }
     arguments.add(looked(plan, output.source()));
     arguments.add(PythonType.kind(output.type()));
-    @Nullable Tolerance tolerance = output.tolerance();
-    if (tolerance == null) {
-      return new Group("result.record(", arguments, ")").at(8);
-    }
-    arguments.add(
-        tolerance.equals(Tolerance.EXACT)
-            ? "Tolerance()"
-            : "Tolerance("
-                + PythonText.real(tolerance.absolute())
-                + ", "
-                + PythonText.real(tolerance.relative())
-                + (tolerance.ulp() == 0 ? "" : ", " + PythonText.real(tolerance.ulp()))
-                + ")");
-    return new Group("result.compare(", arguments, ")").at(8);
+    return new Group("result.record(", arguments, ")").at(8);
   }
 
   private static String looked(PythonPlan plan, Source source) {

@@ -27,10 +27,7 @@ import org.sitaf.schemas.TestResultDocument;
 import org.sitaf.schemas.TestResultListType;
 import org.sitaf.schemas.TestResultType;
 
-/**
- * The document of a result (schemas/test_result_descriptor.xsd), and the line that a test
- * application writes for each case.
- */
+/** The document of a result (schemas/test_result_descriptor.xsd). */
 public final class TestResultXml {
   private static final String ROOT = "test_result_descriptor";
   private static final String MICROSECONDS = "us";
@@ -75,24 +72,6 @@ public final class TestResultXml {
         cases,
         coverage,
         root.getSuspicion());
-  }
-
-  /**
-   * Reads the line that a test application writes when a case has ended.
-   *
-   * @throws InvalidInputException when it is not a {@code test_result} element
-   */
-  public static CaseResult readCase(String line) {
-    return ResultLine.read(line).orElseGet(() -> readAnyCase(line));
-  }
-
-  /** Reads such a line however it is spelled. */
-  static CaseResult readAnyCase(String line) {
-    try {
-      return read(XmlDocuments.readLine(line, "results", TestResultType.class));
-    } catch (IllegalArgumentException e) {
-      throw InvalidInputException.of("results", String.valueOf(e.getMessage()));
-    }
   }
 
   /** Writes a result; the same result gives the same bytes. */

@@ -1,4 +1,4 @@
-/** Results as documents: the test result descriptor, the lines it is made of, and JUnit's. */
+/** Documents of results: the test result descriptor, the lines of test applications, JUnit XML. */
 @NullMarked
 package org.sitaf.core.verdict.document;
 

@@ -77,7 +77,7 @@ class GoldenHarnessTest {
             "stopwatch.start();",
             "double returned = call(component, indexOfSensor, numOfSensor);",
             "stopwatch.stop();",
-            "// 5. The result is compared with what is expected, and saved.",
+            "// 5. The outputs are recorded and saved.",
             "save(result);");
   }
 

@@ -141,8 +141,8 @@ class InjectionTest {
     List<String> lines = build.run(application);
     assertThat(lines).hasSize(1);
     assertThat(lines.get(0))
-        .contains("verdict=\"PASS\"")
-        .contains("<actual>" + heard + "</actual>");
+        .contains("outcome=\"RETURNED\"")
+        .contains("<actual name=\"return\">" + heard + "</actual>");
   }
 
   @Test

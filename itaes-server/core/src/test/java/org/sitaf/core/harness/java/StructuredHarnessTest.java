@@ -172,16 +172,15 @@ class StructuredHarnessTest {
     List<String> lines = build.run(application);
     assertThat(lines).hasSize(2);
     String thrown =
-        lines.stream().filter(l -> l.contains("<value>!error:Unmapped")).findFirst().orElseThrow();
+        lines.stream().filter(l -> l.contains("<thrown>")).findFirst().orElseThrow();
     String planned = lines.stream().filter(l -> !l.equals(thrown)).findFirst().orElseThrow();
     assertThat(thrown)
-        .contains("verdict=\"PASS\"")
-        .contains("<actual>!error:NoWay</actual>")
+        .contains("outcome=\"THREW\"><thrown>NoWay</thrown>")
         .contains("<argument name=\"x\">1.0</argument><argument name=\"y\">2.0</argument></call>")
         .doesNotContain("GridMap.Release\"");
     assertThat(planned)
-        .contains("verdict=\"FAIL\"")
-        .contains("<message>return[1].position.x: expected 4.0, but was 3.0</message>")
+        .contains("outcome=\"RETURNED\"")
+        .contains("<actual name=\"return[1].position.x\">3.0</actual>")
         .contains(
             "[{position: {x: 1.0, y: 2.0}, heading: 0.5, label: &quot;a, \\&quot;b}0&quot;},"
                 + " {position: {x: 3.0, y: 0.0}, heading: NaN, label: &quot;a, \\&quot;b}1&quot;}]")
@@ -212,7 +211,7 @@ class StructuredHarnessTest {
     build.compile(application);
     assertThat(build.run(application))
         .hasSize(2)
-        .allMatch(line -> line.contains("verdict=\"ERROR\""))
+        .allMatch(line -> line.contains("outcome=\"THREW\""))
         .allMatch(line -> line.contains("Plan is not passed on yet"));
   }
 
@@ -223,7 +222,7 @@ class StructuredHarnessTest {
         .contains("Pose from = new Pose(new Point(fromPositionX, 0.0), 0.0, fromLabel);")
         .contains("Point[] via = testCase.value(\"via\", Point[].class);")
         .contains("Speed speed = testCase.value(\"speed\", Speed.class);")
-        .contains("result.comparePart(\"return[1].position.x\", returned, Tolerance.EXACT);");
+        .contains("result.recordPart(\"return[1].position.x\", returned);");
     assertThat(application.harness().text("sitaf/interfaces/Pose.java"))
         .contains(
             """
@@ -279,7 +278,7 @@ class StructuredHarnessTest {
     assertThat(build.run(application))
         .singleElement()
         .asString()
-        .contains("verdict=\"PASS\"")
+        .contains("outcome=\"RETURNED\"")
         .contains("GridMap.Release");
   }
 }

@@ -177,8 +177,8 @@ class StubAnswersTest {
     build.compile(application);
     assertThat(build.run(application))
         .hasSameSizeAs(suite.cases())
-        .allMatch(line -> line.contains("verdict=\"PASS\""))
-        .anyMatch(line -> line.contains("<actual>true "))
-        .anyMatch(line -> line.contains("<actual>false "));
+        .allMatch(line -> line.contains("outcome=\"RETURNED\""))
+        .anyMatch(line -> line.contains("<actual name=\"return\">true "))
+        .anyMatch(line -> line.contains("<actual name=\"return\">false "));
   }
 }

@@ -56,7 +56,7 @@ class PreparationTest {
     Deque<TestCase> left = new ArrayDeque<>();
     IntStream.range(0, count)
         .mapToObj(i -> Map.of("d", Double.toString(distances[i % distances.length])))
-        .forEach(values -> left.add(new TestCase(left.size() + 1, true, values, Map.of())));
+        .forEach(values -> left.add(new TestCase(left.size() + 1, true, values)));
     Preparation preparation =
         new Preparation(
             session(), most -> left.stream().limit(most).toList(), request -> answer(request));

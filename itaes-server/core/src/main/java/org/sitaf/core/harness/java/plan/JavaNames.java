@@ -30,7 +30,7 @@ final class JavaNames {
           Answers BigInteger Boolean Byte CallBeside CaseResult Character ConcreteTestDriver Double Duration
           Exception Float Integer LifeCycle LinkedHashMap Long Map Object Out Override RuntimeException Short
           Simulation SimulationControl Stopwatch String StubbedMethod StubbedOut Stubbing SuiteDriver TestCase
-          TestDriver TestRun TestStub Tick Tolerance Void""");
+          TestDriver TestRun TestStub Tick Void""");
 
   /** Methods that every object has: an interface cannot declare its own. */
   private static final Set<String> OBJECT_METHODS =

@@ -6,7 +6,6 @@ import java.util.Map;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.description.Direction;
-import org.sitaf.core.model.Tolerance;
 
 /**
  * A test application in Java, decided: every name is one that Java can spell, every type has a
@@ -173,14 +172,8 @@ public record JavaPlan(
    *     nothing, and all there is to see is that it returns
    * @param part whether it is a part of a whole
    * @param observed whether the world shows it
-   * @param tolerance null where nothing is expected of it
    */
-  public record Output(
-      String name,
-      @Nullable String expression,
-      boolean part,
-      boolean observed,
-      @Nullable Tolerance tolerance) {}
+  public record Output(String name, @Nullable String expression, boolean part, boolean observed) {}
 
   /** A call of the component, with arguments as expressions. */
   public record Call(String method, List<String> arguments, Set<String> imports) {}

@@ -239,8 +239,7 @@ public final class JavaPlanner {
               output.name(),
               HarnessPlan.isVoid(output.type()) ? null : expression(source, arguments),
               !source.path().isEmpty(),
-              source instanceof Source.Observation,
-              output.tolerance()));
+              source instanceof Source.Observation));
     }
     return outputs;
   }

@@ -56,7 +56,7 @@ abstract class TestDriver extends SuiteDriver<InfraredSensor> {
     stopwatch.stop();
     afterCase(component, testCase);
 
-    // 5. The result is compared with what is expected, and saved.
+    // 5. The outputs are recorded and saved.
     result.compare("return", returned, new Tolerance(1.0E-9, 0.0));
     save(result);
   }

@@ -29,7 +29,7 @@ void TestDriver::runCase(const suite::TestCase& testCase, suite::CaseResult& res
   stopwatch().stop();
   afterCase(component, testCase);
 
-  // 5. The result is compared with what is expected, and saved.
+  // 5. The outputs are recorded and saved.
   result.compare("return", returned, {1.0e-9, 0.0});
   save(result);
 }

@@ -41,7 +41,7 @@ void TestDriver::runCase(const suite::TestCase& testCase, suite::CaseResult& res
   simulationControl_.runOn();
   afterCase(component, testCase);
 
-  // 5. The result is compared with what is expected, and saved.
+  // 5. The outputs are recorded and saved.
   result.record("return", returned);
   result.record("found", found);
   result.record("budget", budget);

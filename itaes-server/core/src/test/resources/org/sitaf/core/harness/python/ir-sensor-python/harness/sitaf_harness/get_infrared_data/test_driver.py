@@ -62,6 +62,6 @@ class TestDriver(SuiteDriver[InfraredSensor]):
         self.stopwatch.stop()
         self.after_case(component, test_case)
 
-        # 5. The result is compared with what is expected, and saved.
+        # 5. The outputs are recorded and saved.
         result.compare("return", returned, FLOAT64, Tolerance(1.0e-9, 0.0))
         self.save(result)

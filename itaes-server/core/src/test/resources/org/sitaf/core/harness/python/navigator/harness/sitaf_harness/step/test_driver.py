@@ -83,7 +83,7 @@ class TestDriver(SuiteDriver[Navigator]):
         self.stopwatch.stop()
         self.after_case(component, test_case)
 
-        # 5. The result is compared with what is expected, and saved.
+        # 5. The outputs are recorded and saved.
         result.compare("return", returned, INT32, Tolerance())
         result.record("target", target.value, struct(Point))
         result.record("heading", heading.value, FLOAT64)

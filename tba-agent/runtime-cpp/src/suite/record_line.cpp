@@ -1,4 +1,4 @@
-#include "suite/result_line.hpp"
+#include "suite/record_line.hpp"
 
 #include <charconv>
 #include <cstdint>
@@ -7,24 +7,24 @@
 namespace sitaf::suite {
 namespace {
 
-/// Longest message; what a component puts into an exception has no bound of its own.
+/// Longest message in bytes; exceptions of components may have messages of any length.
 constexpr std::size_t maxMessageLength = 8000;
 
-std::string_view nameOf(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::pass:
-      return "PASS";
-    case Verdict::fail:
-      return "FAIL";
-    case Verdict::error:
+std::string_view nameOf(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::returned:
+      return "RETURNED";
+    case Outcome::threw:
+      return "THREW";
+    case Outcome::error:
       return "ERROR";
-    case Verdict::dont:
-      return "DONT";
+    case Outcome::notCalled:
+      return "NOT_CALLED";
   }
   return "ERROR";
 }
 
-/// The character that begins at a place, and how many bytes it has; a byte that is no UTF-8 stands for itself, with length 0.
+/// The character at a position and its length in bytes. A byte that is not UTF-8 is a character of its own value, with length 0.
 struct Character {
   std::uint32_t code;
   std::size_t length;
@@ -51,19 +51,19 @@ Character characterAt(std::string_view text, std::size_t at) {
   return overlong || code > 0x10FFFF ? Character{first, 0} : Character{code, length};
 }
 
-/// Char of XML 1.0.
+/// Production Char of XML 1.0.
 bool isXml(std::uint32_t c) { return (c >= 0x20 && c <= 0xD7FF) || (c >= 0xE000 && c <= 0xFFFD) || c >= 0x10000; }
 
 }  // namespace
 
-ResultLine::ResultLine(int no, Verdict verdict) {
+RecordLine::RecordLine(int no, Outcome outcome) {
   xml_.reserve(512);
-  xml_ += "<test_result no=\"" + std::to_string(no) + "\" verdict=\"";
-  xml_ += nameOf(verdict);
+  xml_ += "<case_record no=\"" + std::to_string(no) + "\" outcome=\"";
+  xml_ += nameOf(outcome);
   xml_ += "\">";
 }
 
-void ResultLine::time(double component, double hardware, double stub) {
+void RecordLine::time(double component, double hardware, double stub) {
   const auto number = [this](double micros) {
     char buffer[64];
     xml_.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, micros, std::chars_format::fixed, 3).ptr);
@@ -77,7 +77,7 @@ void ResultLine::time(double component, double hardware, double stub) {
   xml_ += "</processing_time>";
 }
 
-void ResultLine::calls(const StubCalls& calls) {
+void RecordLine::calls(const StubCalls& calls) {
   for (const StubCall& call : calls.first) {
     xml_ += "<call method=\"";
     escape(call.method);
@@ -96,7 +96,7 @@ void ResultLine::calls(const StubCalls& calls) {
   }
 }
 
-void ResultLine::message(std::string_view text) {
+void RecordLine::message(std::string_view text) {
   if (text.size() <= maxMessageLength) {
     element("message", "", text);
     return;
@@ -108,12 +108,12 @@ void ResultLine::message(std::string_view text) {
   element("message", "", std::string(text.substr(0, end)) + " ... (" + std::to_string(text.size()) + " bytes)");
 }
 
-std::string ResultLine::close() {
-  xml_ += "</test_result>\n";
+std::string RecordLine::close() {
+  xml_ += "</case_record>\n";
   return std::move(xml_);
 }
 
-void ResultLine::element(std::string_view element, std::string_view name, std::string_view content) {
+void RecordLine::element(std::string_view element, std::string_view name, std::string_view content) {
   xml_ += '<';
   xml_ += element;
   if (!name.empty()) {
@@ -128,7 +128,7 @@ void ResultLine::element(std::string_view element, std::string_view name, std::s
   xml_ += '>';
 }
 
-void ResultLine::escape(std::string_view text) {
+void RecordLine::escape(std::string_view text) {
   for (std::size_t at = 0; at < text.size();) {
     const Character c = characterAt(text, at);
     switch (c.code) {
@@ -144,7 +144,7 @@ void ResultLine::escape(std::string_view text) {
       case '"':
         xml_ += "&quot;";
         break;
-      // A reader that splits lines by Unicode's rules must find one line, too.
+      // Readers that split lines by the rules of Unicode must find one line, too.
       case '\n':
       case '\r':
       case '\t':

@@ -4,33 +4,33 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * Prints one {@code test_result} element (paper, Fig. 11) on one line.
+ * Prints one {@code case_record} element on one line (docs/test-application.md, The record of a
+ * case).
  *
- * <p>Line breaks and the like inside of values are written as character references. A character
- * that XML cannot hold at all is written as in a Java string, {@code &#92;u0000}; backslashes
- * themselves stay as they are.
+ * <p>Line breaks and tabs within values are written as character references. A character that XML
+ * cannot hold is written as {@code &#92;u0000}; backslashes are not escaped.
  */
-final class ResultLine {
-  /** Longest message; what a component puts into an exception has no bound of its own. */
+final class RecordLine {
+  /** Longest message in characters; exceptions of components may have messages of any length. */
   private static final int MAX_MESSAGE_LENGTH = 8000;
 
   private final StringBuilder xml = new StringBuilder(256);
 
-  void open(int no, Verdict verdict) {
-    xml.append("<test_result no=\"")
+  RecordLine(int no, Outcome outcome) {
+    xml.append("<case_record no=\"")
         .append(no)
-        .append("\" verdict=\"")
-        .append(verdict)
+        .append("\" outcome=\"")
+        .append(outcome)
         .append("\">");
   }
 
-  void value(String literal) {
-    element("value", "", literal);
+  /** The name of the exception's type, without its package. */
+  void thrown(String type) {
+    element("thrown", "", type);
   }
 
-  /** An expected or actual value; an empty name means the only output. */
-  void output(String element, String name, String literal) {
-    element(element, name, literal);
+  void actual(String output, String literal) {
+    element("actual", output, literal);
   }
 
   void time(CaseResult.ProcessingTime time) {
@@ -43,7 +43,7 @@ final class ResultLine {
     xml.append("</processing_time>");
   }
 
-  /** Three decimals of a number that is not negative; a format string would cost ten times that. */
+  /** Three decimals of a number that is not negative; a format string takes ten times as long. */
   private void thousandths(double number) {
     long rounded = Math.round(number * 1000);
     xml.append(rounded / 1000).append('.');
@@ -76,7 +76,7 @@ final class ResultLine {
   }
 
   String close() {
-    return xml.append("</test_result>\n").toString();
+    return xml.append("</case_record>\n").toString();
   }
 
   private void element(String element, String name, String content) {
@@ -101,7 +101,7 @@ final class ResultLine {
     }
   }
 
-  /** Whether there is nothing to escape, as in almost all literals. */
+  /** Whether there is nothing to escape, which holds for almost all literals. */
   private static boolean isPlain(String text) {
     for (int i = 0; i < text.length(); i++) {
       char c = text.charAt(i);
@@ -118,7 +118,7 @@ final class ResultLine {
       case '<' -> xml.append("&lt;");
       case '>' -> xml.append("&gt;");
       case '"' -> xml.append("&quot;");
-      // A reader that splits lines by Unicode's rules must find one line, too.
+      // Readers that split lines by the rules of Unicode must find one line, too.
       case '\n', '\r', '\t', 0x85, 0x2028, 0x2029 -> xml.append("&#").append(c).append(';');
       default -> {
         if (isXml(c)) {
@@ -130,7 +130,7 @@ final class ResultLine {
     }
   }
 
-  /** Char of XML 1.0, less what is handled before. */
+  /** Production Char of XML 1.0, without the characters handled before. */
   private static boolean isXml(int c) {
     return c >= 0x20 && c <= 0xD7FF || c >= 0xE000 && c <= 0xFFFD || c >= 0x10000;
   }

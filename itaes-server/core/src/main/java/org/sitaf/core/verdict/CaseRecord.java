@@ -1,0 +1,56 @@
+package org.sitaf.core.verdict;
+
+import java.util.List;
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What a test application recorded of one case. It holds measurements only: {@link ResultAssembler}
+ * compares them with the expected values and gives the verdict.
+ *
+ * @param no number of the case in the suite
+ * @param thrown name of the exception's type without its package or namespace; empty unless the
+ *     outcome is {@link Outcome#THREW}
+ * @param actual every recorded output by its name
+ * @param calls of required interfaces
+ * @param time of the call; null where the call did not end
+ * @param message describes the exception or the reason; empty where the call returned
+ */
+public record CaseRecord(
+    int no,
+    Outcome outcome,
+    String thrown,
+    List<NamedValue> actual,
+    StubCalls calls,
+    CaseResult.@Nullable ProcessingTime time,
+    String message) {
+  public CaseRecord {
+    Objects.requireNonNull(outcome);
+    Objects.requireNonNull(thrown);
+    actual = List.copyOf(actual);
+    Objects.requireNonNull(calls);
+    Objects.requireNonNull(message);
+  }
+
+  /** How the case ended. */
+  public enum Outcome {
+    /** The call returned, and its outputs are recorded. */
+    RETURNED,
+    /** The call under test threw an exception. */
+    THREW,
+    /** Anything else failed: creation, set-up, a periodic tick, a limit. */
+    ERROR,
+    /** The component was not called. */
+    NOT_CALLED
+  }
+
+  /** The record of a case that ended without its test application. */
+  public static CaseRecord error(int no, String message) {
+    return new CaseRecord(no, Outcome.ERROR, "", List.of(), StubCalls.NONE, null, message);
+  }
+
+  /** The same record without its processing time. */
+  public CaseRecord withoutTime() {
+    return new CaseRecord(no, outcome, thrown, actual, calls, null, message);
+  }
+}

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "sitaf/suite/outcome.hpp"
+#include "sitaf/suite/stub_call.hpp"
+
+namespace sitaf::suite {
+
+/// Prints one `case_record` element on one line (docs/test-application.md, The record of a case).
+///
+/// Line breaks and tabs within values are written as character references. A character that XML cannot hold, and a byte that is not UTF-8,
+/// is written as `\u0000`; backslashes are not escaped.
+class RecordLine {
+ public:
+  RecordLine(int no, Outcome outcome);
+
+  /// The name of the exception's type, without its scope.
+  void thrown(std::string_view type) { element("thrown", "", type); }
+
+  void actual(std::string_view output, std::string_view literal) { element("actual", output, literal); }
+
+  /// The calls of the component to its required interfaces.
+  void calls(const StubCalls& calls);
+
+  /// In microseconds.
+  void time(double component, double hardware, double stub);
+
+  void message(std::string_view text);
+
+  std::string close();
+
+ private:
+  void element(std::string_view element, std::string_view name, std::string_view content);
+  void escape(std::string_view text);
+
+  std::string xml_;
+};
+
+}  // namespace sitaf::suite

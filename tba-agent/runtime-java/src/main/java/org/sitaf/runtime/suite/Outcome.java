@@ -1,0 +1,13 @@
+package org.sitaf.runtime.suite;
+
+/** How a case ended. The verdict is given later, by whoever knows the expected values. */
+public enum Outcome {
+  /** The call returned, and its outputs are recorded. */
+  RETURNED,
+  /** The call under test threw an exception. */
+  THREW,
+  /** Anything else failed: creation, set-up, a periodic tick, a limit. */
+  ERROR,
+  /** The component was not called. */
+  NOT_CALLED
+}
