@@ -1,40 +1,15 @@
 #include "sitaf/runtime/stub.hpp"
 
-#include <charconv>
 #include <chrono>
 #include <thread>
 
 namespace sitaf::runtime {
 namespace {
 
-constexpr std::string_view delayMark = "!delay:";
-constexpr std::string_view errorMark = "!error:";
-/// Calls of a case that are kept; what a component asks for in a loop has no bound of its own.
-constexpr std::size_t keptCalls = 1000;
-
-bool startsWith(std::string_view text, std::string_view mark) { return text.substr(0, mark.size()) == mark; }
+/// Recorded calls per case; a component may make any number of calls.
+constexpr std::size_t maxRecordedCalls = 1000;
 
 }  // namespace
-
-std::string_view readAnswer(std::string_view literal, double& delay, std::string& error, bool& hasValue) {
-  std::string_view rest = literal;
-  hasValue = true;
-  if (startsWith(rest, delayMark)) {
-    rest.remove_prefix(delayMark.size());
-    const auto [end, problem] = std::from_chars(rest.data(), rest.data() + rest.size(), delay);
-    rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
-    if (problem != std::errc() || !(delay >= 0) || (!rest.empty() && rest.front() != ' ')) {
-      suite::literals::refuse(literal, "is not a delay such as !delay:0.5 or !delay:0.5 VALUE, in seconds");
-    }
-    hasValue = !rest.empty();
-    rest.remove_prefix(rest.empty() ? 0 : 1);
-  }
-  if (startsWith(rest, errorMark)) {
-    error = rest.substr(errorMark.size());
-    hasValue = false;
-  }
-  return rest;
-}
 
 void Stubbing::begin(const std::vector<std::string>& methods) {
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -55,7 +30,7 @@ Stubbing::Stubbing(TestRun& run, Raise raise) : run_(run), raise_(raise) {
 std::size_t Stubbing::add(suite::StubCall call) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const std::size_t number = ++calls_.counts[call.method];
-  if (calls_.first.size() < keptCalls) {
+  if (calls_.first.size() < maxRecordedCalls) {
     calls_.first.push_back(std::move(call));
   }
   return number;

@@ -8,17 +8,14 @@
 namespace sitaf::suite::literals {
 namespace {
 
-std::string_view stripped(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\r\n");
-  return first == std::string_view::npos ? std::string_view() : text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
-}
-
 bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 
-/// A whole number's digits without its sign: the integral part of a decimal whose fraction is zero, such as 7, 7.0 or 7e2.
+/// No integer type holds more digits.
+constexpr long maxDigits = 30;
+
+/// The digits of an integer without its sign. It may be written as 7, 7.0 or 7e2.
 std::string wholeDigits(std::string_view literal, bool& negative) {
   std::string_view text = stripped(literal);
-  const std::string_view all = text;
   negative = !text.empty() && text.front() == '-';
   if (!text.empty() && (text.front() == '-' || text.front() == '+')) {
     text.remove_prefix(1);
@@ -30,7 +27,7 @@ std::string wholeDigits(std::string_view literal, bool& negative) {
   for (; i < text.size() && (text[i] == '.' || (text[i] >= '0' && text[i] <= '9')); ++i) {
     if (text[i] == '.') {
       if (fraction) {
-        refuse(all, "is not a number");
+        refuse(literal, "is not a number");
       }
       fraction = true;
     } else {
@@ -39,7 +36,7 @@ std::string wholeDigits(std::string_view literal, bool& negative) {
     }
   }
   if (digits.empty()) {
-    refuse(all, "is not a number");
+    refuse(literal, "is not a number");
   }
   if (i < text.size()) {
     const char* from = text.data() + i + 1;
@@ -47,24 +44,24 @@ std::string wholeDigits(std::string_view literal, bool& negative) {
     from += from != end && *from == '+' ? 1 : 0;
     long given = 0;
     const auto [stop, problem] = std::from_chars(from, end, given);
-    if ((text[i] != 'e' && text[i] != 'E') || problem != std::errc() || stop != end || std::labs(given) > 4000) {
-      refuse(all, "is not a number");
+    if ((text[i] != 'e' && text[i] != 'E') || problem != std::errc() || stop != end) {
+      refuse(literal, "is not a number");
     }
     exponent += given;
   }
+  digits.erase(0, digits.find_first_not_of('0'));
+  if (digits.empty()) {
+    return "0";
+  }
   for (; exponent < 0; ++exponent) {
-    if (!digits.empty() && digits.back() != '0') {
-      refuse(all, "is not a whole number");
+    if (digits.empty() || digits.back() != '0') {
+      refuse(literal, "is not a whole number");
     }
-    if (!digits.empty()) {
-      digits.pop_back();
-    }
+    digits.pop_back();
   }
-  if (exponent > 0 && digits.find_first_not_of('0') != std::string::npos) {
-    digits.append(static_cast<std::size_t>(exponent), '0');
-  }
-  digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size()));
-  return digits.empty() ? "0" : digits;
+  // Every number of more digits is out of range: 1e999999999 would take all memory.
+  digits.append(static_cast<std::size_t>(std::min(exponent, maxDigits)), '0');
+  return digits;
 }
 
 std::string quoted(std::string_view text) {
@@ -78,10 +75,10 @@ std::string quoted(std::string_view text) {
   return result + '"';
 }
 
-/// Parts of a sequence or a struct: text between separators at the outermost level.
+/// A part of a sequence or a struct: the text between two commas of the outermost level.
 struct Part {
   std::string text;
-  /// Where the colon of a member stands; npos where there is none.
+  /// Position of the colon of a member; npos without one.
   std::size_t colon = std::string::npos;
   bool quoted = false;
 };
@@ -99,7 +96,7 @@ std::vector<Part> partsOf(std::string_view literal, char open, char close, const
     const char c = text[i];
     if (inQuotes) {
       if (c == '\\' && i + 2 < text.size()) {
-        // Inside of a nested part the escape is resolved when that part is read.
+        // Within a nested part the escape is resolved when that part is read.
         if (depth > 0 || part.colon != std::string::npos) {
           part.text += c;
         }
@@ -136,7 +133,7 @@ std::vector<Part> partsOf(std::string_view literal, char open, char close, const
     }
   }
   if (inQuotes) {
-    refuse(literal, "has a quote that does not end");
+    refuse(literal, "has a quote that is not closed");
   }
   if (!parts.empty() || part.quoted || !stripped(part.text).empty()) {
     parts.push_back(part);
@@ -183,6 +180,11 @@ std::string shortest(Number number) {
 
 }  // namespace
 
+std::string_view stripped(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t\r\n");
+  return first == std::string_view::npos ? std::string_view() : text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
+}
+
 void refuse(std::string_view literal, std::string_view problem) {
   throw CaseDataError("'" + std::string(literal) + "' " + std::string(problem));
 }
@@ -207,10 +209,10 @@ double real(std::string_view literal) {
   double number = 0;
   const auto [stop, problem] = std::from_chars(from, end, number);
   if (problem == std::errc::result_out_of_range && stop == end) {
-    // Too large or too small: strtod says which, and the locale has no part in it as there are digits alone behind the point.
+    // Too large or too small: strtod tells which. The locale does not matter here, as the number is out of range anyway.
     return std::strtod(lower.c_str(), nullptr);
   }
-  if (problem != std::errc() || stop != end || lower.find_first_of("in") != std::string::npos) {
+  if (problem != std::errc() || stop != end || lower.find_first_of("in") != std::string::npos || lower.compare(0, 2, "+-") == 0) {
     refuse(literal, "is not a number");
   }
   return number;
@@ -219,13 +221,10 @@ double real(std::string_view literal) {
 std::int64_t whole(std::string_view literal, std::int64_t min, std::int64_t max) {
   bool negative = false;
   const std::string digits = wholeDigits(literal, negative);
-  const std::string spelled = (negative ? "-" : "") + digits;
+  const std::string text = (negative ? "-" : "") + digits;
   std::int64_t number = 0;
-  const auto problem = std::from_chars(spelled.data(), spelled.data() + spelled.size(), number).ec;
-  if (problem != std::errc()) {
-    refuse(literal, "is not a whole number of 64 bits");
-  }
-  if (number < min || number > max) {
+  const auto problem = std::from_chars(text.data(), text.data() + text.size(), number).ec;
+  if (problem != std::errc() || number < min || number > max) {
     throw CaseDataError(std::string(literal) + " is outside of " + std::to_string(min) + " to " + std::to_string(max));
   }
   return number;
@@ -242,7 +241,7 @@ std::uint64_t natural(std::string_view literal, std::uint64_t max) {
   return number;
 }
 
-bool truth(std::string_view literal) {
+bool boolean(std::string_view literal) {
   const std::string_view text = stripped(literal);
   if (text == "true" || text == "1") {
     return true;
@@ -270,9 +269,9 @@ std::vector<std::string> elements(std::string_view literal) {
 
 std::vector<std::pair<std::string, std::string>> members(std::string_view literal) {
   std::vector<std::pair<std::string, std::string>> result;
-  for (const Part& part : partsOf(literal, '{', '}', "struct such as {x: 1, y: 2}")) {
+  for (const Part& part : partsOf(literal, '{', '}', "struct such as {x: 1.0, y: 2.0}")) {
     if (part.colon == std::string::npos) {
-      refuse(literal, "has a member without a name; a struct is spelled {x: 1, y: 2}");
+      refuse(literal, "has a member without a name");
     }
     const std::string_view text = part.text;
     result.emplace_back(std::string(stripped(text.substr(0, part.colon))), unquoted(stripped(text.substr(part.colon + 1))));

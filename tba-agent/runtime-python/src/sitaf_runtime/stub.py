@@ -43,7 +43,7 @@ def answer(kind: Kind[T] | None, errors: Mapping[str, type[Exception]]) -> Kind[
         if literal.startswith("!delay:"):
             delayed = _DELAYED.fullmatch(literal)
             if not delayed:
-                raise CaseDataError(f"'{literal}' is not a delay such as !delay:0.5, in seconds")
+                raise CaseDataError(f"'{literal}' is not a delay such as !delay:0.5 or !delay:0.5 VALUE, in seconds")
             delay = float(delayed[1])
             rest = delayed[2]
         if rest is not None and rest.startswith(_ERROR):

@@ -10,47 +10,16 @@
 #include <vector>
 
 #include "sitaf/runtime/test_run.hpp"
+#include "sitaf/suite/answer.hpp"
 #include "sitaf/suite/literals.hpp"
 #include "sitaf/suite/stub_call.hpp"
 #include "sitaf/suite/test_case.hpp"
 
 namespace sitaf::runtime {
 
-/// What a method returns that returns nothing.
-struct Nothing {};
-
-/// What a stubbed method does when it is called, as a case spells it: `VALUE`, `!error:NAME`, `!delay:SECONDS`, or a delay and, after a
-/// space, one of the others.
-template <class T>
-struct Answer {
-  /// In seconds of simulation time where there is a world, else of the clock on the wall.
-  double delay = 0;
-  /// Name of what is thrown; empty where nothing is.
-  std::string error;
-  /// What is returned, unless something is thrown.
-  T value{};
-};
-
-/// Takes delay and error from the front of an answer; CaseDataError when it is spelled otherwise. What is left is a value, if there is one.
-std::string_view readAnswer(std::string_view literal, double& delay, std::string& error, bool& hasValue);
-
-/// The answer that a case gives.
-template <class T>
-Answer<T> answer(const suite::TestCase& testCase, std::string_view column) {
-  Answer<T> result;
-  bool hasValue = false;
-  const std::string_view value = readAnswer(testCase.literal(column), result.delay, result.error, hasValue);
-  if constexpr (!std::is_same_v<T, Nothing>) {
-    if (hasValue) {
-      try {
-        result.value = suite::literals::read<T>(value);
-      } catch (const suite::CaseDataError& e) {
-        throw suite::CaseDataError(std::string(column) + ": " + e.what());
-      }
-    }
-  }
-  return result;
-}
+using suite::Answer;
+using suite::answer;
+using suite::Nothing;
 
 /// What all stubs of a test share: how they throw and wait, and the record of their calls.
 class Stubbing {

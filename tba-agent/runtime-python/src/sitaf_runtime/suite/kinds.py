@@ -64,7 +64,7 @@ INT64 = _integer(64, signed=True)
 UINT64 = _integer(64, signed=False)
 FLOAT64: Kind[float] = Kind(literals.real, float, _as_real)
 FLOAT32: Kind[float] = Kind(lambda literal: literals.single(literals.real(literal)), float, _as_single)
-BOOLEAN: Kind[bool] = Kind(literals.truth, bool)
+BOOLEAN: Kind[bool] = Kind(literals.boolean, bool)
 CHARACTER: Kind[str] = Kind(literals.character, lambda: "\0")
 STRING: Kind[str] = Kind(lambda literal: literal, str)
 
@@ -96,7 +96,7 @@ def enumeration(type_: type[E]) -> Kind[E]:
         try:
             return type_[literal.strip()]
         except KeyError as e:
-            raise CaseDataError(f"'{literal}' is none of {', '.join(type_.__members__)}") from e
+            raise CaseDataError(f"'{literal}' is not one of {', '.join(type_.__members__)}") from e
 
     def shaped(value: Any) -> Any:
         value = literals.plain(value)
@@ -132,7 +132,7 @@ def struct(type_: type[T]) -> Kind[T]:
         given = literals.members(literal)
         unknown = [name for name in given if name not in kinds]
         if unknown:
-            raise CaseDataError(f"'{literal}' has a member {unknown[0]}; {type_.__name__} has {', '.join(kinds)}")
+            raise CaseDataError(f"'{literal}' has an unknown member {unknown[0]}; the struct has {', '.join(kinds)}")
         return type_(**{name: kinds[name].parse(value) for name, value in given.items()})
 
     def shaped(value: Any) -> Any:

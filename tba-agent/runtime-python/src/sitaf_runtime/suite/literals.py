@@ -11,7 +11,6 @@ import re
 import struct as binary
 from collections.abc import Iterable, Mapping
 from decimal import Decimal
-from fractions import Fraction
 from typing import Any
 
 from sitaf_runtime.errors import CaseDataError
@@ -22,8 +21,7 @@ _SPECIAL = {
     **dict.fromkeys(("infinity", "+infinity", "inf", "+inf", ".inf"), math.inf),
     **dict.fromkeys(("-infinity", "-inf", "-.inf"), -math.inf),
 }
-# No type holds a whole number of more digits, and writing it out would take long.
-_MOST_DIGITS = 400
+_FEW_DIGITS = 30
 
 
 def real(literal: str) -> float:
@@ -37,37 +35,24 @@ def real(literal: str) -> float:
     return special
 
 
-def exact(literal: str) -> Fraction:
-    """A finite number, exactly as written."""
-    text = literal.strip()
-    if not _NUMBER.fullmatch(text):
-        raise CaseDataError(f"'{literal}' is not a number")
-    _, _, exponent = text.lower().partition("e")
-    if len(text) + abs(int(exponent or "0")) > _MOST_DIGITS:
-        raise CaseDataError(f"'{literal[:60]}' has more digits than any number type")
-    return Fraction(text)
-
-
 def whole(literal: str, low: int, high: int) -> int:
-    """A whole number within bounds, both inclusive."""
+    """An integer within bounds, both inclusive."""
     text = literal.strip()
-    try:
-        number = int(text) if text.isascii() and text.isdigit() and len(text) < 30 else _whole(literal)
-    except OverflowError as e:
-        raise CaseDataError(f"'{literal}' is not a whole number") from e
+    if text.isascii() and text.isdigit() and len(text) < _FEW_DIGITS:
+        number = int(text)
+    elif _NUMBER.fullmatch(text):
+        # Not expanded: 1e999999999 would take all memory.
+        number = Decimal(text)
+        if number != number.to_integral_value():
+            raise CaseDataError(f"'{literal}' is not a whole number")
+    else:
+        raise CaseDataError(f"'{literal}' is not a number")
     if not low <= number <= high:
         raise CaseDataError(f"{literal} is outside of {low} to {high}")
-    return number
+    return int(number)
 
 
-def _whole(literal: str) -> int:
-    number = exact(literal)
-    if number.denominator != 1:
-        raise CaseDataError(f"'{literal}' is not a whole number")
-    return number.numerator
-
-
-def truth(literal: str) -> bool:
+def boolean(literal: str) -> bool:
     """`true` or `false`."""
     text = literal.strip()
     if text in ("true", "1"):
@@ -92,7 +77,7 @@ def elements(literal: str) -> list[str]:
 def members(literal: str) -> dict[str, str]:
     """The members of `{x: 1, y: 2}` by name."""
     found: dict[str, str] = {}
-    for part in _parts(literal, "{", "}", "a struct such as {x: 1, y: 2}", whole=True):
+    for part in _parts(literal, "{", "}", "a struct such as {x: 1.0, y: 2.0}", whole=True):
         name, colon, value = part.partition(":")
         if not colon:
             raise CaseDataError(f"'{literal}' has a member without a name")

@@ -101,8 +101,7 @@ class ResultAssemblerTest {
 
   @Test
   void everyCaseIsAccountedForAndTimesAreThoseOfPassAndFail() {
-    List<CaseResult> results =
-        List.of(first(), assembler.judge(returned(2, "7", 4)));
+    List<CaseResult> results = List.of(first(), assembler.judge(returned(2, "7", 4)));
     TestResult result = assembler.assemble(results, "the agent was stopped", PROVENANCE);
     Summary summary = result.summary();
     assertThat(summary.total()).isEqualTo(3);

@@ -211,8 +211,7 @@ public final class BuildRun {
       Files.write(file, files.content(path).orElseThrow());
     }
     // The agent compares; a component that can read the expected values could return them.
-    try (OutputStream suite =
-        new BufferedOutputStream(Files.newOutputStream(suiteFile()))) {
+    try (OutputStream suite = new BufferedOutputStream(Files.newOutputStream(suiteFile()))) {
       TestSuiteXml.write(application.suite().withoutExpected(), suite);
     }
     String world = application.activity().profile().world();

@@ -57,18 +57,10 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow, Durat
   /**
    * Runs the cases.
    *
-   * <p><<<<<<< HEAD
-   *
    * @param early the first process, started during the compilation; null if there is none
    * @param judge gives the result of each recorded case as soon as it is read
    * @throws IOException if no process can be started
-   * @throws InterruptedException if the build was cancelled; its processes are killed =======
-   * @param early the first process, started before the application was compiled; null where there
-   *     is none
-   * @param judge gives the result of each recorded case, as soon as it is read
-   * @throws IOException when no process can be started at all
-   * @throws InterruptedException when the build was cancelled; its processes are gone then >>>>>>>
-   *     336ab1d (Let runtimes record and one judge compare)
+   * @throws InterruptedException if the build was cancelled; its processes are killed
    */
   public Execution execute(
       ExecutionRequest request,

@@ -3,20 +3,21 @@ package org.sitaf.runtime.suite;
 import java.time.Duration;
 import java.util.Objects;
 import java.util.function.Function;
+import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 
 /**
  * What a stubbed method does when it is called.
  *
- * @param delay that passes first; zero for none
- * @param error name of what is thrown; null where a value is returned
- * @param value what is returned; null for nothing
+ * @param delay before the answer; zero for none
+ * @param error name of the exception to throw; null where a value is returned
+ * @param value to return; null for a method without a return value
  */
 public record Answer<T>(Duration delay, @Nullable String error, @Nullable T value) {
-  /** Begins an error, thrown or expected. */
-  static final String ERROR = "!error:";
+  private static final String ERROR = "!error:";
 
   private static final String DELAY = "!delay:";
+  private static final Pattern SECONDS = Pattern.compile("[0-9]{1,6}(\\.[0-9]{1,9})?");
 
   public Answer {
     Objects.requireNonNull(delay);
@@ -26,7 +27,7 @@ public record Answer<T>(Duration delay, @Nullable String error, @Nullable T valu
    * Reads {@code VALUE}, {@code !error:NAME}, {@code !delay:SECONDS} or a delay and, after a space,
    * one of the others.
    *
-   * @param unset what is returned where the literal has no value
+   * @param unset the value of a literal without one
    */
   static <T> Answer<T> read(String literal, @Nullable T unset, Function<String, T> reading) {
     Duration delay = Duration.ZERO;
@@ -34,6 +35,10 @@ public record Answer<T>(Duration delay, @Nullable String error, @Nullable T valu
     if (literal.startsWith(DELAY)) {
       int space = literal.indexOf(' ');
       String seconds = literal.substring(DELAY.length(), space < 0 ? literal.length() : space);
+      if (!SECONDS.matcher(seconds).matches()) {
+        throw new CaseDataException(
+            "'" + literal + "' is not a delay such as !delay:0.5 or !delay:0.5 VALUE, in seconds");
+      }
       delay = Duration.ofNanos(Math.round(Literals.real(seconds) * 1e9));
       if (space < 0) {
         return new Answer<>(delay, null, unset);

@@ -4,11 +4,12 @@ import java.lang.reflect.Array;
 import java.lang.reflect.Constructor;
 import java.lang.reflect.RecordComponent;
 import java.math.BigInteger;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
-import java.util.TreeMap;
+import java.util.stream.Collectors;
 
-/** Makes values of generated types out of literals. */
+/** Converts literals to values of generated types. */
 final class Conversion {
   private Conversion() {}
 
@@ -28,7 +29,7 @@ final class Conversion {
       return array;
     }
     if (type.isRecord()) {
-      return struct(Literals.members(literal), type);
+      return struct(literal, type);
     }
     if (type.isEnum()) {
       for (Object constant : type.getEnumConstants()) {
@@ -36,7 +37,13 @@ final class Conversion {
           return constant;
         }
       }
-      throw new CaseDataException("'" + literal + "' is no literal of " + type.getSimpleName());
+      throw new CaseDataException(
+          "'"
+              + literal
+              + "' is not one of "
+              + Arrays.stream(type.getEnumConstants())
+                  .map(constant -> ((Enum<?>) constant).name())
+                  .collect(Collectors.joining(", ")));
     }
     return scalar(literal, type);
   }
@@ -57,32 +64,39 @@ final class Conversion {
     } else if (type == BigInteger.class) {
       return Literals.big(literal);
     } else if (type == boolean.class || type == Boolean.class) {
-      return Literals.truth(literal);
+      return Literals.parseBoolean(literal);
     } else if (type == char.class || type == Character.class) {
-      return Literals.character(literal);
+      return Literals.parseCharacter(literal);
     } else if (type == String.class) {
       return literal;
     }
     throw new CaseDataException("a value of " + type.getName() + " cannot be read");
   }
 
-  /** Members that the literal leaves out are as the record's own empty constructor has them. */
-  private static Object struct(Map<String, String> given, Class<?> type) {
+  /** Members that the literal leaves out have the values of the record's empty constructor. */
+  private static Object struct(String literal, Class<?> type) {
     RecordComponent[] components = type.getRecordComponents();
     Class<?>[] types = new Class<?>[components.length];
     Object[] values = new Object[components.length];
-    Map<String, String> rest = new TreeMap<>(given);
+    Map<String, String> rest = Literals.members(literal);
     try {
       Object zero = type.getConstructor().newInstance();
       for (int i = 0; i < components.length; i++) {
         types[i] = components[i].getType();
-        String literal = rest.remove(components[i].getName());
+        String member = rest.remove(components[i].getName());
         values[i] =
-            literal == null ? components[i].getAccessor().invoke(zero) : convert(literal, types[i]);
+            member == null ? components[i].getAccessor().invoke(zero) : convert(member, types[i]);
       }
       if (!rest.isEmpty()) {
         throw new CaseDataException(
-            type.getSimpleName() + " has no member " + String.join(", ", rest.keySet()));
+            "'"
+                + literal
+                + "' has an unknown member "
+                + rest.keySet().iterator().next()
+                + "; the struct has "
+                + Arrays.stream(components)
+                    .map(RecordComponent::getName)
+                    .collect(Collectors.joining(", ")));
       }
       Constructor<?> constructor = type.getConstructor(types);
       return constructor.newInstance(values);

@@ -4,27 +4,38 @@ import java.lang.reflect.Array;
 import java.lang.reflect.RecordComponent;
 import java.math.BigDecimal;
 import java.math.BigInteger;
+import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.StringJoiner;
+import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Values as documents spell them: numbers in decimal, {@code NaN}, {@code Infinity} and {@code
- * -Infinity}, {@code true} and {@code false}, strings as they are, and sequences as {@code [1.0,
- * 2.5]}, structs as <code>{x: 1.0}</code>, with strings inside them in double quotes.
+ * Reads and writes literals (docs/test-application.md, Literals): numbers in decimal, {@code NaN},
+ * {@code Infinity} and {@code -Infinity}, {@code true} and {@code false}, strings without quotes,
+ * sequences as {@code [1.0, 2.5]} and structs as <code>{x: 1.0}</code>, with nested strings in
+ * double quotes.
  */
 final class Literals {
-  /** With 15 digits a number is below 2^53, and held exactly by a double. */
+  /** A number of 15 digits is below 2^53, so a double holds it exactly. */
   private static final int PLAIN_LENGTH = 15;
 
-  /** Held exactly, all of them. */
+  /** All of these are exact. */
   private static final double[] POWERS_OF_TEN = {
     1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15
   };
+
+  /** No integer type holds a number of more digits. */
+  private static final int MAX_DIGITS = 20;
+
+  /** Digits with which every double, and every float, reads back as the same number. */
+  private static final int DIGITS_OF_DOUBLE = 17;
+
+  private static final int DIGITS_OF_FLOAT = 9;
 
   private Literals() {}
 
@@ -48,30 +59,45 @@ final class Literals {
   }
 
   /** A finite number, exactly as written. */
-  static BigDecimal decimal(String literal) {
+  private static BigDecimal decimal(String literal) {
+    String text = literal.strip();
     try {
-      return new BigDecimal(literal.strip());
+      if (text.chars().allMatch(c -> c < 0x80)) {
+        return new BigDecimal(text);
+      }
     } catch (NumberFormatException e) {
       throw new CaseDataException("'" + literal + "' is not a number", e);
     }
+    throw new CaseDataException("'" + literal + "' is not a number");
   }
 
-  /** A whole number within bounds, both inclusive. */
+  /** An integer within bounds, both inclusive. */
   static long whole(String literal, long min, long max) {
-    long number;
-    try {
-      number =
-          isPlain(literal, false) ? Long.parseLong(literal) : decimal(literal).longValueExact();
-    } catch (ArithmeticException e) {
-      throw new CaseDataException("'" + literal + "' is not a whole number of 64 bits", e);
+    if (isPlain(literal, false)) {
+      long number = Long.parseLong(literal);
+      if (number >= min && number <= max) {
+        return number;
+      }
+    } else {
+      BigDecimal number = wholeDecimal(literal);
+      if (number.compareTo(BigDecimal.valueOf(min)) >= 0
+          && number.compareTo(BigDecimal.valueOf(max)) <= 0) {
+        return number.longValueExact();
+      }
     }
-    if (number < min || number > max) {
-      throw new CaseDataException(literal + " is outside of " + min + " to " + max);
+    throw new CaseDataException(literal + " is outside of " + min + " to " + max);
+  }
+
+  /** An integer, not expanded: {@code 1e999999999} would take all memory. */
+  private static BigDecimal wholeDecimal(String literal) {
+    BigDecimal number = decimal(literal);
+    if (number.stripTrailingZeros().scale() > 0) {
+      throw new CaseDataException("'" + literal + "' is not a whole number");
     }
     return number;
   }
 
-  /** Whether a number is written in so few digits, without an exponent, that it is easily read. */
+  /** Whether a number has few digits and no exponent, so that it can be read without rounding. */
   private static boolean isPlain(String literal, boolean point) {
     int length = literal.length();
     if (length > PLAIN_LENGTH) {
@@ -92,7 +118,7 @@ final class Literals {
     return digits > 0 && literal.charAt(length - 1) != '.';
   }
 
-  /** Both numbers are exact, so that their quotient is the nearest to what is written. */
+  /** Both numbers are exact, so their quotient is the nearest number to the literal. */
   private static double plain(String literal) {
     long digits = 0;
     int decimals = -1;
@@ -109,7 +135,7 @@ final class Literals {
     return literal.charAt(0) == '-' ? -number : number;
   }
 
-  static boolean truth(String literal) {
+  static boolean parseBoolean(String literal) {
     return switch (literal.strip()) {
       case "true", "1" -> true;
       case "false", "0" -> false;
@@ -117,43 +143,44 @@ final class Literals {
     };
   }
 
-  static char character(String literal) {
+  static char parseCharacter(String literal) {
     if (literal.length() != 1) {
       throw new CaseDataException("'" + literal + "' is not one character");
     }
     return literal.charAt(0);
   }
 
+  /** An unsigned integer of 64 bits, or any smaller one. */
   static BigInteger big(String literal) {
-    try {
-      return decimal(literal).toBigIntegerExact();
-    } catch (ArithmeticException e) {
-      throw new CaseDataException("'" + literal + "' is not a whole number", e);
+    BigDecimal number = wholeDecimal(literal);
+    if (number.precision() - number.scale() > MAX_DIGITS) {
+      throw new CaseDataException("'" + literal + "' has more digits than any number type");
     }
+    return number.toBigIntegerExact();
   }
 
-  /** The elements of {@code [a, b]}, texts without their quotes. */
+  /** The elements of {@code [a, b]}, strings without their quotes. */
   static List<String> elements(String literal) {
     return parts(literal, '[', ']', "a sequence such as [1, 2]").stream()
         .map(Literals::unquoted)
         .toList();
   }
 
-  /** The members of <code>{x: 1.0, y: 2.0}</code> in their order, texts without their quotes. */
+  /** The members of <code>{x: 1.0, y: 2.0}</code> in their order, strings without their quotes. */
   static Map<String, String> members(String literal) {
     String example = "a struct such as {x: 1.0, y: 2.0}";
     Map<String, String> members = new LinkedHashMap<>();
     for (String part : parts(literal, '{', '}', example)) {
       int colon = part.indexOf(':');
       if (colon < 0) {
-        throw new CaseDataException("'" + literal + "' is not " + example);
+        throw new CaseDataException("'" + literal + "' has a member without a name");
       }
       members.put(part.substring(0, colon).strip(), unquoted(part.substring(colon + 1).strip()));
     }
     return members;
   }
 
-  /** What stands between commas; quotes, brackets and braces hold their commas together. */
+  /** Splits at the commas that are not within quotes, brackets or braces. */
   private static List<String> parts(String literal, char open, char close, String example) {
     String text = literal.strip();
     if (text.length() < 2 || text.charAt(0) != open || text.charAt(text.length() - 1) != close) {
@@ -184,7 +211,7 @@ final class Literals {
       }
     }
     if (quoted) {
-      throw new CaseDataException("'" + literal + "' has a quote that does not end");
+      throw new CaseDataException("'" + literal + "' has a quote that is not closed");
     }
     String last = text.substring(from, text.length() - 1).strip();
     if (!parts.isEmpty() || !last.isEmpty()) {
@@ -207,10 +234,17 @@ final class Literals {
     return text.toString();
   }
 
-  /** The spelling of a value that a component gave. */
+  /** The literal of a value. */
   static String of(@Nullable Object value) {
     if (value == null) {
       return "null";
+    }
+    if (value instanceof Double number) {
+      return shortest(
+          number.toString(), DIGITS_OF_DOUBLE, text -> Double.parseDouble(text) == number);
+    }
+    if (value instanceof Float number) {
+      return shortest(number.toString(), DIGITS_OF_FLOAT, text -> Float.parseFloat(text) == number);
     }
     if (value instanceof Enum<?> constant) {
       return constant.name();
@@ -229,6 +263,23 @@ final class Literals {
     StringJoiner text = new StringJoiner(", ", "[", "]");
     elements.forEach(element -> text.add(nested(element)));
     return text.toString();
+  }
+
+  /**
+   * Some releases of Java write a digit too many (JDK-4511638); then the text without it reads back
+   * as the same number, too.
+   */
+  private static String shortest(String text, int digits, Predicate<String> isSame) {
+    if (text.length() < digits || !Character.isDigit(text.charAt(text.length() - 1))) {
+      return text;
+    }
+    int mark = text.indexOf('E');
+    String number = mark < 0 ? text : text.substring(0, mark);
+    String exponent = mark < 0 ? "" : text.substring(mark);
+    BigDecimal exact = new BigDecimal(number);
+    BigDecimal rounded = exact.round(new MathContext(exact.precision() - 1)).stripTrailingZeros();
+    String shorter = rounded.setScale(Math.max(1, rounded.scale())).toPlainString() + exponent;
+    return exact.precision() >= digits - 1 && isSame.test(shorter) ? shorter : text;
   }
 
   private static String nested(@Nullable Object value) {

@@ -69,11 +69,11 @@ public final class TestCase {
   }
 
   public boolean booleanValue(String parameter) {
-    return read(parameter, Literals::truth);
+    return read(parameter, Literals::parseBoolean);
   }
 
   public char charValue(String parameter) {
-    return read(parameter, Literals::character);
+    return read(parameter, Literals::parseCharacter);
   }
 
   public String stringValue(String parameter) {
@@ -128,7 +128,7 @@ public final class TestCase {
   }
 
   public boolean[] booleanArray(String parameter) {
-    List<Boolean> elements = elements(parameter, Literals::truth);
+    List<Boolean> elements = elements(parameter, Literals::parseBoolean);
     boolean[] array = new boolean[elements.size()];
     for (int i = 0; i < array.length; i++) {
       array[i] = elements.get(i);
@@ -137,7 +137,7 @@ public final class TestCase {
   }
 
   public char[] charArray(String parameter) {
-    List<Character> elements = elements(parameter, Literals::character);
+    List<Character> elements = elements(parameter, Literals::parseCharacter);
     char[] array = new char[elements.size()];
     for (int i = 0; i < array.length; i++) {
       array[i] = elements.get(i);

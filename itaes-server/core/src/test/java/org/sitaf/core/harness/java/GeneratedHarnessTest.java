@@ -149,8 +149,7 @@ class GeneratedHarnessTest {
     build.compile(application);
     List<String> lines = build.run(application);
     assertThat(lines).hasSize(2);
-    String refused =
-        lines.stream().filter(l -> l.contains("range -4.0")).findFirst().orElseThrow();
+    String refused = lines.stream().filter(l -> l.contains("range -4.0")).findFirst().orElseThrow();
     String steered = lines.stream().filter(l -> !l.equals(refused)).findFirst().orElseThrow();
     assertThat(steered)
         .contains("outcome=\"RETURNED\"")

@@ -171,8 +171,7 @@ class StructuredHarnessTest {
     build.compile(application);
     List<String> lines = build.run(application);
     assertThat(lines).hasSize(2);
-    String thrown =
-        lines.stream().filter(l -> l.contains("<thrown>")).findFirst().orElseThrow();
+    String thrown = lines.stream().filter(l -> l.contains("<thrown>")).findFirst().orElseThrow();
     String planned = lines.stream().filter(l -> !l.equals(thrown)).findFirst().orElseThrow();
     assertThat(thrown)
         .contains("outcome=\"THREW\"><thrown>NoWay</thrown>")

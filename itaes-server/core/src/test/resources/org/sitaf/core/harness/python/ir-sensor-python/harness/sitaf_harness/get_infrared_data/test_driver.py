@@ -15,7 +15,6 @@ from sitaf_runtime.run import TestRun
 from sitaf_runtime.suite.kinds import FLOAT64, INT32
 from sitaf_runtime.suite.result import CaseResult
 from sitaf_runtime.suite.test_case import TestCase
-from sitaf_runtime.suite.tolerance import Tolerance
 
 
 class TestDriver(SuiteDriver[InfraredSensor]):
@@ -63,5 +62,5 @@ class TestDriver(SuiteDriver[InfraredSensor]):
         self.after_case(component, test_case)
 
         # 5. The outputs are recorded and saved.
-        result.compare("return", returned, FLOAT64, Tolerance(1.0e-9, 0.0))
+        result.record("return", returned, FLOAT64)
         self.save(result)
