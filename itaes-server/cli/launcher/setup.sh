@@ -103,7 +103,7 @@ install_java() {
     generate "$home/examples/ir-sensor/GetInfraredData.xml"
   # Classes that each Java test application loads before its first case.
   java -XX:ArchiveClassesAtExit="$state/dist/agent/runtime-java.jsa" -XX:TieredStopAtLevel=1 -XX:+UseSerialGC \
-    -cp "$(printf '%s\n' "$state"/dist/agent/runtime-java/*.jar | LC_ALL=C sort | paste -sd:)" org.sitaf.runtime.Rehearsal
+    -cp "$(printf '%s\n' "$state"/dist/agent/runtime-java/*.jar | LC_ALL=C sort | paste -sd:)" org.sitaf.runtime.DryRun
   # Classes that the Java compiler process loads before its first request; it ends without one.
   java -XX:ArchiveClassesAtExit="$state/dist/agent/compiler-java.jsa" -XX:TieredStopAtLevel=1 -XX:+UseSerialGC \
     -cp "$state/dist/agent/compiler-java/compiler-java.jar" org.sitaf.agent.toolchain.java.confined.CompilerMain \

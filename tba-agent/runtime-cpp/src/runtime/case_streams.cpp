@@ -17,12 +17,12 @@ namespace sitaf::runtime {
 #if defined(__GLIBC__) && defined(__GLIBCXX__)
 namespace {
 
-/// A process runs one suite; components may print from threads of their own.
+/// A process runs one suite; components may print from any thread.
 volatile int current = 0;
 
 struct Stream {
   int descriptor;
-  int told;
+  int announced;
 };
 
 Stream out{STDOUT_FILENO, 0};
@@ -47,8 +47,8 @@ bool writeAll(int descriptor, const char* data, size_t size) {
 ssize_t writeMarked(void* cookie, const char* data, size_t size) {
   auto& stream = *static_cast<Stream*>(cookie);
   const int no = current;
-  if (size > 0 && stream.told != no) {
-    stream.told = no;
+  if (size > 0 && stream.announced != no) {
+    stream.announced = no;
     char mark[32];
     const int length = std::snprintf(mark, sizeof mark, "%ccase %d\n", '\x1e', no);
     writeAll(stream.descriptor, mark, static_cast<size_t>(length));

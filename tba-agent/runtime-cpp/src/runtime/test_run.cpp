@@ -43,7 +43,7 @@ int cannotRun(const std::string& reason) {
   return exitCannotRun;
 }
 
-/// Does what follows a case; what goes wrong then is told, and changes no result.
+/// Does the work after a case. A failure is printed and does not change the result.
 template <class Closing>
 void closing(const std::string& what, Closing close) {
   try {
@@ -81,7 +81,7 @@ class TestRun::State {
     results.save(result);
   }
 
-  /// Nothing that was measured since the simulator was found gone counts.
+  /// Throws when the simulator was lost: what was measured since then does not count.
   void requireSimulator() {
     if (simulation) {
       simulation->requireThere();
@@ -129,7 +129,7 @@ class TestRun::State {
     closing("closing the component after case " + std::to_string(testCase.no()), [&] { driver.endCase(); });
   }
 
-  /// Gives a case that did not come to its end its verdict; throws on where no further case can run.
+  /// Ends the record of a case that did not get to save(result); rethrows when no further case can run.
   void end(suite::CaseResult& result, const std::exception_ptr& thrown) {
     requireSimulator();
     const std::string text = describe(thrown);

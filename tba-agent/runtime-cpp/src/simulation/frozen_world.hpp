@@ -42,7 +42,7 @@ class Layout {
   std::size_t firstObservation_ = 0;
 };
 
-/// What the robot's devices read, and what can be observed, at one step. Components may read it on threads of their own.
+/// What the robot's devices read, and what can be observed, at one step. Components may read it from any thread.
 class FrozenWorld {
  public:
   explicit FrozenWorld(const Layout& layout) : layout_(layout), numbers_(layout.width()) {}

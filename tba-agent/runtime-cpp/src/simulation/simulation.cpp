@@ -112,7 +112,7 @@ class Simulation::Session : public Simulator {
     try {
       wire_.control("closing the session", &Control::DeleteSession, request);
     } catch (const SimulationError&) {
-      // A simulator that is gone has done so already.
+      // A lost simulator has already done so.
     }
   }
 

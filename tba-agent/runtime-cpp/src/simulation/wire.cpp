@@ -87,7 +87,7 @@ Lease::Lease(Wire& wire, std::string session, std::chrono::milliseconds length)
           try {
             wire.control("renewing the session", &sim::v1::SimulationControl::Stub::RenewSession, request);
           } catch (const SimulationError&) {
-            // The next call of the test driver meets the same trouble, and tells it where it matters.
+            // The next call of the test driver fails in the same way and reports it.
           }
           lock.lock();
         }

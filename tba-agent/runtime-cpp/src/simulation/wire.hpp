@@ -35,7 +35,7 @@ class Wire {
         what, true, [&](grpc::ClientContext* context, Response* response) { return (hardware_.get()->*rpc)(context, request, response); });
   }
 
-  /// SimulationError where a call found the simulator or the session gone, whatever was made of it.
+  /// SimulationError when a call found the simulator or the session lost, even if the component caught the exception.
   void requireThere();
 
  private:

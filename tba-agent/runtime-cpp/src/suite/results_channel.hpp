@@ -7,7 +7,7 @@ namespace sitaf::suite {
 /// A descriptor that the agent opened for the results, in place of a file. Each line begins with its number and a token that the agent
 /// wrote to standard input, so that what the component writes there is not taken for a result.
 struct ResultsChannel {
-  /// Where lines are written; nobody else is given its number.
+  /// Where lines are written; no other code gets its number.
   int descriptor;
   std::string token;
 

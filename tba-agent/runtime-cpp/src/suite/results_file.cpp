@@ -12,7 +12,7 @@
 namespace sitaf::suite {
 namespace {
 
-/// How many results may be lost by a machine that loses its power; a killed process loses none.
+/// A power failure loses at most so many results; a killed process loses none.
 constexpr int linesToSync = 4096;
 
 [[noreturn]] void fail(const std::string& path) { throw std::system_error(errno, std::generic_category(), path); }

@@ -8,7 +8,7 @@
 namespace sitaf::suite {
 
 /// Reads a `test_suite_data` document (paper, Fig. 9) case by case, so that a suite of any length needs no memory. A document with a DTD is
-/// refused. Every problem of the document is a CaseDataError, told when its place is reached.
+/// refused. Every problem of the document is a CaseDataError, thrown when its place is reached.
 class SuiteReader : public Upcoming {
  public:
   /// Opens a suite; std::system_error when the file cannot be read.

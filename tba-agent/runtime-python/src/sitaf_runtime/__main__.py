@@ -1,6 +1,6 @@
 """Starts a test application: `python -m sitaf_runtime MODULE ARGUMENTS`.
 
-The module holds the class ConcreteTestDriver. A component that cannot be imported is told here, before any case.
+The module holds the class ConcreteTestDriver. A component that cannot be imported is reported here, before any case.
 """
 
 import importlib

@@ -1,4 +1,4 @@
-"""A nonblocking call: made on a thread of its own, so that time passes meanwhile."""
+"""A nonblocking call: runs on its own thread, so that time passes during the call."""
 
 from __future__ import annotations
 
@@ -34,14 +34,14 @@ class CallBeside(Generic[T]):
             self._returned.append(self._call())
             self._stopwatch.stop()
         except BaseException as e:
-            # The watch goes on: that is how the run knows who raised it.
+            # The watch keeps running: it tells the run that the component raised.
             self._raised = e
         finally:
             if self._time is not None:
                 self._time.leave()
 
     def outcome(self) -> T:
-        """What the call returns; as much simulation time passes until then as it waits for.
+        """What the call returns; until then the simulation time that it waits for passes.
 
         Raises what the component raises.
         """
@@ -53,9 +53,9 @@ class CallBeside(Generic[T]):
         return self._returned[0]
 
     def give_up(self) -> None:
-        """Wait for the end of a call whose outcome is not asked for any more.
+        """Wait for the end of a call whose outcome is no longer needed.
 
-        It would do something to the next case. Wherever it waits for simulation time, it gets an exception.
+        It would affect the next case. Where it waits for simulation time, it gets an exception.
         """
         if self._time is not None:
             self._time.give_up()

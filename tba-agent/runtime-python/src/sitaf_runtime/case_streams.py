@@ -19,7 +19,7 @@ _MARK = "\x1e"
 
 
 class _Marked(io.RawIOBase):
-    """A descriptor that is told of each case that writes to it."""
+    """A descriptor that gets a mark before the output of each case."""
 
     def __init__(self, descriptor: int, streams: CaseStreams) -> None:
         super().__init__()
@@ -58,7 +58,7 @@ class CaseStreams:
     def begin(self, no: int) -> None:
         """What is printed from now on is printed by this case; 0 for what belongs to none."""
         for stream in (self._out, self._err):
-            # The component may have closed it, or nobody reads it any more.
+            # The component may have closed it, or its reader has ended.
             with suppress(OSError, ValueError):
                 stream.flush()
         self.current = no

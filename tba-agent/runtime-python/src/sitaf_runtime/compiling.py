@@ -1,6 +1,6 @@
 """Compiles the sources of test applications: `python -m sitaf_runtime.compiling FOLDER...`.
 
-What cannot be compiled is told on the output, one line each: path, line, column and message, with tabs between. No code
+What cannot be compiled is printed, one line each: path, line, column and message, with tabs between. No code
 of the sources runs.
 """
 
@@ -17,8 +17,8 @@ def main() -> None:
     mistakes = [mistake for folder in sys.argv[1:] for path in _modules(folder) for mistake in _mistakes(path)]
     sys.stdout.reconfigure(encoding="utf-8", errors="backslashreplace")  # pyright: ignore[reportAttributeAccessIssue]
     for path, line, column, message in mistakes:
-        told = " ".join(message.split())
-        sys.stdout.write(f"{path}\t{line}\t{column}\t{told}\n")
+        text = " ".join(message.split())
+        sys.stdout.write(f"{path}\t{line}\t{column}\t{text}\n")
     sys.exit(1 if mistakes else 0)
 
 

@@ -200,7 +200,7 @@ def _takes_holders(function: Any, arguments: int, inputs: int) -> bool:
 
 
 def call_with_outs(method: Callable[..., Any], *arguments: Any, returns: bool) -> Any:
-    """Call a method that has out-parameters, and give what it returns beside them.
+    """Call a method with out-parameters and return its return value and them.
 
     The arguments hold an `Out` for each of these, in their places. A method that is annotated with `Out`, or takes as
     many arguments as the interface has parameters, gets them so. Any other gets the inputs alone, and returns a tuple:

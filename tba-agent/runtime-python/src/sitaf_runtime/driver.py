@@ -1,4 +1,4 @@
-"""What a generated test driver is built on: the life of the component, and where results go."""
+"""Base of the generated test drivers: life cycle of the component and results."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ T = TypeVar("T")
 class SuiteDriver(ABC, Generic[C]):
     """A driver within a run.
 
-    The component lives for each case anew, or as long as the suite where `SUITE_LIFE` says so. `NOT_HOOKS` names
+    A component is created for each case, or once per suite with `SUITE_LIFE`. `NOT_HOOKS` names
     methods of its interfaces, which its life must not call.
     """
 
@@ -40,7 +40,7 @@ class SuiteDriver(ABC, Generic[C]):
 
     @abstractmethod
     def run_case(self, test_case: TestCase, result: CaseResult) -> None:
-        """Run one case and save its result, in the five steps of Fig. 10. What the component raises makes an ERROR."""
+        """Run one case and save its result, in the five steps of Fig. 10."""
 
     @abstractmethod
     def create_component(self) -> C:
@@ -116,7 +116,7 @@ class SuiteDriver(ABC, Generic[C]):
         self._run.stubbing.begin()
 
     def give_up(self) -> None:
-        """Wait for the end of a nonblocking call, where it is still under way."""
+        """Wait for the end of a nonblocking call that is still running."""
         if self._pending is not None:
             self._pending.give_up()
 

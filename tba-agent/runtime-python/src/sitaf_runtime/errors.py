@@ -1,8 +1,8 @@
-"""What goes wrong beside the component under test."""
+"""Errors outside of the component under test."""
 
 
 class CannotRunError(Exception):
-    """The suite cannot be run at all, or cannot go on: a class is missing, the simulator is gone.
+    """The suite cannot be run at all, or cannot continue: a class is missing, the simulator is lost.
 
     The process ends with exit code 3; nothing that a component under test does wrong belongs here. The message says
     what is missing and what to do, for a person.

@@ -18,7 +18,7 @@ _EXECUTE = ("onExecute", "execute")
 
 
 class Hooks:
-    """Hooks with any name but those of the methods of its interfaces, in either spelling."""
+    """Hooks of a component, except for the methods of its interfaces in either notation."""
 
     def __init__(self, not_hooks: Sequence[str] = ()) -> None:
         self._not_hooks = {spelling for name in not_hooks for spelling in (name, snake_case(name))}

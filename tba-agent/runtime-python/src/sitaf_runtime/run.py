@@ -1,6 +1,6 @@
 """One process that runs a suite.
 
-Reads the cases, hands each to the test driver, and sees to it that every case gets a result line whatever the component
+Reads the cases, hands each to the test driver, and writes a record of every case, whatever the component
 does.
 """
 
@@ -43,7 +43,7 @@ _COVERAGE_EVERY_S = 1.0
 class TestRun:
     """What the drivers of a run share."""
 
-    __test__ = False  # pytest: the name is not one of its own
+    __test__ = False  # not a test of pytest
 
     def __init__(self, command: CommandLine, suite: SuiteReader, results: ResultsFile) -> None:
         self.stopwatch = Stopwatch()
@@ -80,7 +80,7 @@ class TestRun:
         return None if self._simulation is None else self._simulation.took_too_long
 
     def require_simulator(self) -> None:
-        """Raise SimulationError where the simulator was found gone: nothing that was measured since then counts."""
+        """Raise SimulationError when the simulator was lost: what was measured since then does not count."""
         if self._simulation is not None:
             self._simulation.require_there()
 
@@ -164,7 +164,7 @@ class TestRun:
             _closing(f"closing the component after case {case.no}", driver.end_case)
 
     def _end(self, result: CaseResult, case: TestCase, raised: BaseException) -> None:
-        """Give a case that did not come to its end its verdict. Raises when no further case can run."""
+        """End the record of a case that did not get to save(result). Raises when no further case can run."""
         watch = self.stopwatch
         called = watch.was_started
         self.require_simulator()
@@ -230,12 +230,12 @@ def end(code: int) -> NoReturn:
         try:
             stream.flush()
         except (OSError, ValueError):
-            continue  # Nobody reads it any more.
+            continue  # Its reader has ended.
     os._exit(code)
 
 
 def cannot_run(reason: str) -> int:
-    """Say why the suite cannot be run."""
+    """Print why the suite cannot be run."""
     _tell(re.sub(r"\s*\n\s*", "; ", reason.strip()))
     return EXIT_CANNOT_RUN
 
@@ -256,7 +256,7 @@ def _tell(text: str) -> None:
 
 
 def _closing(what: str, close: Callable[[], None]) -> None:
-    """Do what follows a case; what goes wrong then is told, and changes no result."""
+    """Do the work after a case. A failure is printed and does not change the result."""
     try:
         close()
     except BaseException as e:

@@ -11,7 +11,7 @@ _NANOS_PER_MICRO = 1000.0
 class Stopwatch:
     """Measures one call by the monotonic clock, and apart from it what it spends in virtual hardware and in stubs.
 
-    Only the thread that started the watch counts: what other threads of the component do goes on beside the call.
+    Only the thread that started the watch counts: what other threads of the component do is not part of the call.
     """
 
     __slots__ = ("_began", "_called", "_hardware", "_owner", "_stub", "_total")
@@ -22,7 +22,7 @@ class Stopwatch:
         self._began = self._total = self._hardware = self._stub = 0
 
     def start(self) -> None:
-        """Begin to measure; an earlier measurement is forgotten."""
+        """Start the measurement; an earlier one is cleared."""
         self._total = self._hardware = self._stub = 0
         self._called = True
         self._owner = get_ident()
@@ -37,14 +37,14 @@ class Stopwatch:
         self._owner = 0
 
     def reset(self) -> None:
-        """Forget the call before."""
+        """Clear the measurement."""
         self._owner = 0
         self._called = False
         self._total = self._hardware = self._stub = 0
 
     @property
     def is_running(self) -> bool:
-        """Whether a call is being measured: what is raised now, the component raises."""
+        """Whether a call is being measured: an exception now comes from the component."""
         return self._owner != 0
 
     @property

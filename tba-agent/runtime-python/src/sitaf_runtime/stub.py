@@ -32,7 +32,7 @@ class Answer(Generic[T]):
 
 
 def answer(kind: Kind[T] | None, errors: Mapping[str, type[Exception]]) -> Kind[Answer[T]]:
-    """Answers as a case spells them: `VALUE`, `!error:NAME`, `!delay:SECONDS`, or a delay, a space and another.
+    """Answers of a case: `VALUE`, `!error:NAME`, `!delay:SECONDS`, or a delay, a space and another.
 
     `kind` is None for a method that returns nothing.
     """
@@ -72,7 +72,7 @@ class Stubbing:
         self.left_out = 0
 
     def begin(self) -> None:
-        """Begin a case: what was called before is forgotten."""
+        """Begin a case: clear the recorded calls."""
         self.calls = []
         self.left_out = 0
 
@@ -88,7 +88,7 @@ class Stubbing:
             self.left_out += 1
 
     def let_pass(self, delay_s: float) -> None:
-        """Let the time of a delayed answer pass."""
+        """Wait for a delayed answer."""
         if self._simulation is None:
             time.sleep(delay_s)
         else:
@@ -144,7 +144,7 @@ class StubbedMethod(Generic[T]):
                 if value.delay_s:
                     self._stubbing.let_pass(value.delay_s)
                 if value.error:
-                    raise value.error(f"{self._name} was told to raise this by the test")
+                    raise value.error(f"{self._name} raises this error in this case")
                 value = value.value
             if not self._outs:
                 return value

@@ -1,4 +1,4 @@
-"""Says in one message what a component raised and where."""
+"""Describes an exception of a component in one message."""
 
 import os
 import sys
@@ -67,7 +67,7 @@ def _short(filename: str) -> str:
 
 
 def _message_of(raised: BaseException) -> str:
-    """The message; an exception of the user's may fail to say its own."""
+    """The message; the exception's own method may fail."""
     try:
         return str(raised)[:_MAX_MESSAGE]
     except Exception as e:

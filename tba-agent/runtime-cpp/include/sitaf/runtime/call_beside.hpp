@@ -10,7 +10,7 @@
 
 namespace sitaf::runtime {
 
-/// A nonblocking call: made on a thread of its own, so that time passes meanwhile.
+/// A nonblocking call: runs on its own thread, so that time passes during the call.
 template <class Returned>
 class CallBeside {
  public:
@@ -57,7 +57,7 @@ class CallBeside {
     }
   }
 
-  /// What the call returns, or what it throws; as much simulation time passes until then as it waits for.
+  /// What the call returns, or what it throws; until then the simulation time that it waits for passes.
   Returned outcome() {
     if (simulation_ != nullptr) {
       simulation_->advanceUntilItLeaves();

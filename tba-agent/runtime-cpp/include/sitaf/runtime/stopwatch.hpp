@@ -7,12 +7,12 @@
 namespace sitaf::runtime {
 
 /// Measures one call of the component by the monotonic clock, and apart from it what the call spends in virtual hardware and in stubs.
-/// Only the thread that started the watch counts: what other threads of the component do goes on beside the call.
+/// Only the thread that started the watch counts: what other threads of the component do is not part of the call.
 class Stopwatch {
  public:
   using Moment = std::chrono::steady_clock::time_point;
 
-  /// Begins to measure; an earlier measurement is forgotten.
+  /// Starts the measurement; an earlier one is cleared.
   void start() {
     hardware_ = {};
     stub_ = {};
@@ -29,13 +29,13 @@ class Stopwatch {
     running_ = false;
   }
 
-  /// Forgets the call before.
+  /// Clears the measurement.
   void reset() {
     running_ = false;
     called_ = false;
   }
 
-  /// Whether a call is being measured: what is thrown now, the component throws.
+  /// Whether a call is being measured: an exception now comes from the component.
   bool isRunning() const { return running_; }
 
   /// Whether a call was begun since the last reset.

@@ -39,7 +39,7 @@ class Driver {
  protected:
   explicit Driver(TestRun& run) : run_(run) {}
 
-  /// Runs one case and saves its result, in the five steps of Fig. 10. What the component throws makes the case an ERROR.
+  /// Runs one case and saves its result, in the five steps of Fig. 10.
   virtual void runCase(const suite::TestCase& testCase, suite::CaseResult& result) = 0;
 
   /// Measures the call under test.
@@ -61,7 +61,7 @@ class Driver {
   bool saved_ = false;
 };
 
-/// What a generated test driver is built on: the life of the component, and where results go.
+/// Base of the generated test drivers: life cycle of the component and results.
 template <class Component>
 class SuiteDriver : public Driver {
  public:

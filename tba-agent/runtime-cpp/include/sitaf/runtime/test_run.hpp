@@ -28,7 +28,7 @@ inline void flushCoverage() {
 
 class Driver;
 
-/// One process that runs a suite: reads the cases, hands each to the test driver, and sees to it that every case gets a result line
+/// One process that runs a suite: reads the cases, hands each to the test driver, and writes a record of every case,
 /// whatever the component does.
 class TestRun {
  public:

@@ -33,7 +33,7 @@ class Simulation {
   /// What a component under test gets.
   Hardware& hardware();
 
-  /// SimulationError where a call found the simulator or the session gone, whatever the component made of it.
+  /// SimulationError when a call found the simulator or the session lost, even if the component caught the exception.
   void requireThere();
 
   /// What a case sets: parameters of the world, in one order for all cases; those not named take their default.

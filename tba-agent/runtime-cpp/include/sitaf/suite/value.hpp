@@ -25,7 +25,7 @@ class Value {
  public:
   using Elements = std::vector<Value>;
   using Members = std::vector<std::pair<std::string, Value>>;
-  /// The name of an enumeration's literal, which is spelled without quotes.
+  /// The name of an enumeration's literal, which is written without quotes.
   struct Literal {
     std::string name;
   };

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from sitaf_runtime.robot.geometry import Quaternion, Vector
 
 
-class Device(ABC):  # noqa: B024  # each kind has methods of its own
+class Device(ABC):  # noqa: B024  # each kind has its own methods
     """A part of the robot's hardware."""
 
     __slots__ = ("name",)

@@ -162,7 +162,7 @@ class Simulation:
         self._ask("recording", self._control.RecordMotion, request)
 
     def require_there(self) -> None:
-        """Raise SimulationError where a call found the simulator or the session gone, whatever was made of it."""
+        """Raise SimulationError when a call found the simulator or the session lost, even if that was caught."""
         if self._gone is not None:
             raise SimulationError(f"the simulator is gone: {self._gone}", lost=True)
 
@@ -180,7 +180,7 @@ class Simulation:
         self._recording.save(no, taken.gltf)
 
     def close(self) -> None:
-        """Free the session; a simulator that is gone has done so already."""
+        """Free the session; a lost simulator has already done so."""
         self._ended.set()
         self._time.end()
         try:
@@ -254,7 +254,7 @@ class Simulation:
             try:
                 self._control.RenewSession(pb.RenewSessionRequest(session_id=self._session), timeout=_LONGEST_CALL_S)
             except (grpc.RpcError, ValueError):
-                continue  # The next call of the test driver meets the same trouble, and tells it where it matters.
+                continue  # The next call of the test driver fails in the same way and reports it.
 
     def _failure(self, what: str, e: grpc.RpcError) -> SimulationError:
         failure = _failure(what, e)

@@ -22,8 +22,8 @@ _LINES_TO_SYNC = 4096
 class Outcome(enum.Enum):
     """How a case ended. The verdict is given later, by the process that knows the expected values.
 
-    RETURNED: the call returned, and its outputs are recorded. THREW: the call under test raised an exception. ERROR:
-    anything else failed, such as creation, set-up, a periodic tick or a limit. NOT_CALLED: the component was not called.
+    RETURNED: the call returned; its outputs are recorded. THREW: the call under test raised an exception. ERROR:
+    anything else failed, such as creation, set-up, a tick or a limit. NOT_CALLED: the component was not called.
     """
 
     RETURNED = enum.auto()
@@ -123,7 +123,7 @@ class ResultsFile:
             os.write(self._descriptor, b"\n")
 
     def ready(self) -> None:
-        """Write an empty line: set-up is complete and the first case begins. From now on a case's time limit applies."""
+        """Write an empty line: the first case begins. From now on the time limit of cases applies."""
         self._write(b"\n")
 
     def save(self, result: CaseResult) -> None:

@@ -12,7 +12,7 @@ T = TypeVar("T")
 class TestCase:
     """Values by the names of the suite's parameters.
 
-    `no` is its number in the suite and `valid` whether it has no invalid value; `values` are literals in the suite's order.
+    `no` is its number in the suite, `valid` whether it has no invalid value; `values` are literals by parameter.
     """
 
     __slots__ = ("no", "valid", "values")

@@ -17,7 +17,7 @@ import org.jspecify.annotations.Nullable;
 
 /** Makes a component and sets its properties, by what its class offers. */
 public final class ComponentUnderTest {
-  /** By their names; a component that lives for one case is set up anew in each. */
+  /** By name; a component that lives for one case is set up for each case. */
   private static final ClassValue<Map<String, List<Method>>> SETTERS =
       new ClassValue<>() {
         @Override

@@ -7,7 +7,7 @@ import java.lang.reflect.Method;
  * when the JVM ends in good order, and a component may see to it that it does not.
  */
 final class CoverageRecord implements Runnable {
-  /** Set by whoever started the recorder with this JVM. */
+  /** Set by the process that started this JVM with the recorder. */
   private static final String WANTED = "sitaf.coverage";
 
   private static final long FIRST_MS = 50;

@@ -9,12 +9,12 @@ import org.jspecify.annotations.Nullable;
 /**
  * Starts a test application while it is still being compiled, with {@code EarlyStart ENTRY-POINT
  * ARGUMENTS} in place of {@code ENTRY-POINT ARGUMENTS}: reads the suite and opens the simulation,
- * which needs none of the application's classes, and waits. A line on standard input says that they
- * are there, and is what {@link org.sitaf.runtime.suite.ResultsFile} waits for; an end of the input
- * without one, that nobody wants them any more.
+ * which needs none of the application's classes, and waits. A line on standard input means that the
+ * classes are compiled; it is the token for {@link org.sitaf.runtime.suite.ResultsFile}. The end of
+ * the input without a line means that the process is no longer needed.
  */
 public final class EarlyStart {
-  /** What was opened, for whichever run begins with the same arguments. */
+  /** The opened run, for the run with the same arguments. */
   private static @Nullable TestRun opened;
 
   private static String[] openedWith = {};
@@ -34,7 +34,7 @@ public final class EarlyStart {
       opened = TestRun.open(itsOwn);
       openedWith = itsOwn;
     } catch (IOException | RuntimeException e) {
-      // The run itself meets the same trouble when it begins, and tells it.
+      // The run fails in the same way when it begins, and reports it.
     }
     line = StandardInput.line();
     if (line == null) {

@@ -5,7 +5,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * Measures one call of the component by the monotonic clock, and apart from it what the call spends
  * in virtual hardware and in stubs. Only the thread that started the watch counts: what other
- * threads of the component do goes on beside the call.
+ * threads of the component do is not part of the call.
  */
 public final class Stopwatch {
   private static final double NANOS_PER_MICRO = 1000.0;
@@ -17,7 +17,7 @@ public final class Stopwatch {
   private long hardware;
   private long stub;
 
-  /** Begins to measure; an earlier measurement is forgotten. */
+  /** Starts the measurement; an earlier one is cleared. */
   public void start() {
     total = 0;
     hardware = 0;
@@ -30,7 +30,7 @@ public final class Stopwatch {
   /**
    * Ends the measurement.
    *
-   * @throws IllegalStateException when none is under way
+   * @throws IllegalStateException when none is running
    */
   public void stop() {
     long now = System.nanoTime();
@@ -41,13 +41,13 @@ public final class Stopwatch {
     owner = null;
   }
 
-  /** Forgets the call before. */
+  /** Clears the measurement. */
   void reset() {
     owner = null;
     called = false;
   }
 
-  /** Whether a call is being measured: what is thrown now, the component throws. */
+  /** Whether a call is being measured: an exception now comes from the component. */
   boolean isRunning() {
     return owner != null;
   }
@@ -57,7 +57,7 @@ public final class Stopwatch {
     return called;
   }
 
-  /** A moment for {@link #leaveHardware} and {@link #leaveStub}. */
+  /** The current time, for {@link #leaveHardware} and {@link #leaveStub}. */
   public long enter() {
     return System.nanoTime();
   }

@@ -14,7 +14,7 @@ import org.sitaf.runtime.suite.CaseResult;
 import org.sitaf.runtime.suite.TestCase;
 
 /**
- * What a generated test driver is built on: the life of the component, and where results go.
+ * Base of the generated test drivers: life cycle of the component and results.
  *
  * @param <C> class of the component under test
  */
@@ -41,7 +41,7 @@ public abstract class SuiteDriver<C> {
   /**
    * Runs one case and saves its result, in the five steps of Fig. 10.
    *
-   * @throws Exception what the component throws: the case is then an ERROR
+   * @throws Exception what the component throws
    */
   protected abstract void runCase(TestCase testCase, CaseResult result) throws Exception;
 

@@ -20,8 +20,8 @@ import org.sitaf.runtime.suite.SuiteReader;
 import org.sitaf.runtime.suite.TestCase;
 
 /**
- * One process that runs a suite: reads the cases, hands each to the test driver, and sees to it
- * that every case gets a result line whatever the component does.
+ * One process that runs a suite: reads the cases, hands each to the test driver, and writes a
+ * record of every case, whatever the component does.
  */
 public final class TestRun {
   /** Every case has a result. */
@@ -89,7 +89,7 @@ public final class TestRun {
   }
 
   /**
-   * Opens all that a run needs beside the test application itself.
+   * Opens everything that a run needs except the test application itself.
    *
    * @throws CannotRunException when the arguments are wrong
    * @throws CaseDataException when the suite is none
@@ -140,7 +140,7 @@ public final class TestRun {
     return simulation;
   }
 
-  /** Writes the result of a case, the calls that it made of its stubs among it. */
+  /** Writes the record of a case with the calls of its stubs. */
   void save(CaseResult result) throws IOException {
     if (simulation != null) {
       simulation.requireThere();
@@ -213,12 +213,12 @@ public final class TestRun {
   }
 
   /**
-   * Gives a case that did not come to its end its verdict.
+   * Ends the record of a case that did not get to save(result).
    *
-   * @throws RuntimeException the thrown one, when no further case can run
+   * @throws RuntimeException the thrown one when no further case can run
    */
   private void end(CaseResult result, Throwable thrown) {
-    // A component must not disturb the next case by an interrupt that it left behind.
+    // An interrupt that the component leaves behind must not affect the next case.
     Thread.interrupted();
     if (simulation != null) {
       simulation.requireThere();
@@ -254,7 +254,7 @@ public final class TestRun {
   }
 
   /**
-   * Does what follows a case; what goes wrong then is told, and changes no result.
+   * Does the work after a case. A failure is printed and does not change the result.
    *
    * @param no of the case; 0 after the last
    */

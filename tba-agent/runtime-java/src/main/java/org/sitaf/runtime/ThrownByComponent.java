@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
 
-/** Says in one message what a component threw and where. */
+/** Describes an exception of a component in one message. */
 final class ThrownByComponent {
   private static final int FRAMES = 4;
   private static final int CAUSES = 3;
@@ -53,7 +53,7 @@ final class ThrownByComponent {
         + (frames.isEmpty() ? "" : " at " + frames);
   }
 
-  /** An exception of the user's may fail to say its own message. */
+  /** The exception's own method may fail. */
   private static String messageOf(Throwable thrown) {
     try {
       String message = thrown.getMessage();

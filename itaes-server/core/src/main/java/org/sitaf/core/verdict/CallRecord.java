@@ -10,7 +10,9 @@ import org.sitaf.core.description.Method;
 import org.sitaf.core.description.Parameter;
 import org.sitaf.core.expression.Variables;
 
-/** The record of the test stub as post-conditions see it: {@code calls["Interface.Method"]}. */
+/**
+ * The calls of the test stub as the variable of post-conditions: {@code calls["Interface.Method"]}.
+ */
 final class CallRecord {
   /** The key of the names of all methods, in the order of the calls. */
   private static final String IN_ORDER = "";
@@ -50,7 +52,10 @@ final class CallRecord {
     return arguments;
   }
 
-  /** An overload is known by its arguments; where that does not tell, the spelling decides. */
+  /**
+   * An overload is identified by its arguments; where they are ambiguous, the form of the literal
+   * decides.
+   */
   private DataType type(StubCalls.Call call, String argument) {
     List<DataType> types =
         methods.getOrDefault(call.method(), List.of()).stream()

@@ -33,8 +33,8 @@ public record Coverage(List<File> files) {
    *
    * @param number from 1
    * @param reached whether any of its statements ran
-   * @param branches ways on from it; 0 where there is only one
-   * @param taken how many of them were gone
+   * @param branches branches from it; 0 where there is only one
+   * @param taken how many of them were taken
    */
   public record Line(int number, boolean reached, int branches, int taken) {
     public Line {
@@ -50,7 +50,7 @@ public record Coverage(List<File> files) {
     return percent(line -> line.reached() ? 1 : 0, line -> 1);
   }
 
-  /** Per cent of the branches that were gone; empty where there are none. */
+  /** Per cent of the branches that were taken; empty where there are none. */
   public OptionalDouble branch() {
     return percent(Line::taken, Line::branches);
   }

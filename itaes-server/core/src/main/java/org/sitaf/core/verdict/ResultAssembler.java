@@ -127,7 +127,7 @@ public final class ResultAssembler {
         null);
   }
 
-  /** A case of the suite that brought no result. */
+  /** The result of a case without a record. */
   public CaseResult without(int no, Verdict verdict, String reason) {
     TestCase testCase = cases.get(no);
     if (testCase == null) {

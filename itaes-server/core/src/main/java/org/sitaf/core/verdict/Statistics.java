@@ -8,7 +8,7 @@ final class Statistics {
   private Statistics() {}
 
   /**
-   * Counts verdicts and works out the times of PASS and FAIL cases.
+   * Counts verdicts and computes the times of PASS and FAIL cases.
    *
    * @param postConditions whether the model has any; without, only expected values judge a case
    */
@@ -35,7 +35,7 @@ final class Statistics {
         times.length == 0 ? null : times(times));
   }
 
-  /** Welford's method, which does not lose digits where times are alike. */
+  /** Welford's algorithm, which is numerically stable for similar times. */
   private static Summary.Times times(double[] times) {
     double min = Double.POSITIVE_INFINITY;
     double max = Double.NEGATIVE_INFINITY;

@@ -28,7 +28,7 @@ public record TestResult(
     suspicions = List.copyOf(suspicions);
   }
 
-  /** A result that nothing speaks against. */
+  /** A result that is not suspect. */
   public TestResult(
       String name,
       Provenance provenance,
@@ -39,17 +39,17 @@ public record TestResult(
     this(name, provenance, summary, parameters, cases, coverage, List.of());
   }
 
-  /** The same with what was reached of the component. */
+  /** The same result with coverage. */
   public TestResult with(Coverage measured) {
     return new TestResult(name, provenance, summary, parameters, cases, measured, suspicions);
   }
 
-  /** The same with reasons not to trust it. */
+  /** The same result with reasons not to trust it. */
   public TestResult suspected(List<String> reasons) {
     return new TestResult(name, provenance, summary, parameters, cases, coverage, reasons);
   }
 
-  /** Whether there are cases, all passed, and nothing speaks against it. */
+  /** Whether there are cases, all passed, and the result is not suspect. */
   public boolean allPassed() {
     return summary.total() > 0 && summary.pass() == summary.total() && !isSuspect();
   }

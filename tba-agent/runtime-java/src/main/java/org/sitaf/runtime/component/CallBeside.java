@@ -7,7 +7,7 @@ import org.sitaf.runtime.Stopwatch;
 import org.sitaf.runtime.simulation.Simulation;
 
 /**
- * A nonblocking call: made on a thread of its own, so that time passes meanwhile.
+ * A nonblocking call: runs on its own thread, so that time passes during the call.
  *
  * @param <T> the boxed return type
  */
@@ -54,7 +54,7 @@ public final class CallBeside<T> {
   }
 
   /**
-   * What the call returns; as much simulation time passes until then as it waits for.
+   * What the call returns; until then the simulation time that it waits for passes.
    *
    * @throws Exception what the component throws
    */

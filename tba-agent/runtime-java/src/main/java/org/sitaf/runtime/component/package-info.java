@@ -1,4 +1,4 @@
-/** What the driver does to a component beside the call: its life, its periods, its data ports. */
+/** What the driver does with a component besides the call: life cycle, periods, data ports. */
 @NullMarked
 package org.sitaf.runtime.component;
 

@@ -61,7 +61,7 @@ public final class CaseStreams {
   /** Used under the lock of its print stream alone. */
   private final class Marked extends OutputStream {
     private final FileOutputStream stream;
-    private int told;
+    private int announced;
 
     Marked(FileOutputStream stream) {
       this.stream = stream;
@@ -75,11 +75,11 @@ public final class CaseStreams {
     @Override
     public void write(byte[] bytes, int offset, int length) throws IOException {
       int no = current;
-      if (no == told || length == 0) {
+      if (no == announced || length == 0) {
         stream.write(bytes, offset, length);
         return;
       }
-      told = no;
+      announced = no;
       byte[] mark = (MARK + "case " + no + "\n").getBytes(StandardCharsets.US_ASCII);
       byte[] both = new byte[mark.length + length];
       System.arraycopy(mark, 0, both, 0, mark.length);

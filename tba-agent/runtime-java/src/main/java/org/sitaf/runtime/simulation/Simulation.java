@@ -266,7 +266,7 @@ public final class Simulation implements AutoCloseable {
     }
   }
 
-  /** Frees the session; a simulator that is gone has done so already. */
+  /** Frees the session; a lost simulator has already done so. */
   @Override
   public void close() {
     lease.close();

@@ -2,9 +2,7 @@ package org.sitaf.runtime.stub;
 
 import org.sitaf.runtime.CannotRunException;
 
-/**
- * Makes the exceptions that interfaces declare; their types are generated beside the interfaces.
- */
+/** Makes the exceptions that interfaces declare; their types are generated with the interfaces. */
 final class DeclaredError {
   private static final String PACKAGE = "sitaf.interfaces.";
 
@@ -19,7 +17,13 @@ final class DeclaredError {
           .newInstance(message);
     } catch (ReflectiveOperationException | ClassCastException e) {
       throw new CannotRunException(
-          "the error " + name + " has no type " + PACKAGE + name + "; generate the test anew", e);
+          "the error "
+              + name
+              + " has no type "
+              + PACKAGE
+              + name
+              + "; generate the test application again",
+          e);
     }
   }
 }

@@ -19,7 +19,7 @@ final class StubCalls {
     leftOut = 0;
   }
 
-  /** Whether a further call would be kept: spelling its arguments is worth it only then. */
+  /** Whether a further call is recorded; only then its arguments are written. */
   synchronized boolean hasRoom() {
     return recorded.size() < MAX_RECORDED;
   }

@@ -23,7 +23,7 @@ public final class StubbedMethod<T> {
   private int calls;
 
   /**
-   * A method that answers with a neutral value until the test says otherwise.
+   * A method that returns a default value until the test sets an answer.
    *
    * @param name {@code Interface.Method}
    * @param unset what is answered in cases that set nothing; null for a method that returns nothing
@@ -58,7 +58,7 @@ public final class StubbedMethod<T> {
       }
       String error = answer.error();
       if (error != null) {
-        throw DeclaredError.named(error, name + " answers so in this case");
+        throw DeclaredError.named(error, name + " throws this error in this case");
       }
       return answer.value();
     } catch (InterruptedException e) {
@@ -74,12 +74,12 @@ public final class StubbedMethod<T> {
   }
 
   private void record(@Nullable Object... arguments) {
-    List<String> spelled = new ArrayList<>();
+    List<String> literals = new ArrayList<>();
     if (stubbing.calls().hasRoom()) {
       for (Object argument : arguments) {
-        spelled.add(CaseResult.literal(argument));
+        literals.add(CaseResult.literal(argument));
       }
     }
-    stubbing.calls().add(name, parameters, spelled);
+    stubbing.calls().add(name, parameters, literals);
   }
 }

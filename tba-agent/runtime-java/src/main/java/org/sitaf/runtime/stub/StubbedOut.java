@@ -14,7 +14,7 @@ public final class StubbedOut<T> {
   private int calls;
 
   /**
-   * An out-parameter that gets a neutral value until the test says otherwise.
+   * An out-parameter that gets a default value until the test sets an answer.
    *
    * @param unset what it gets in cases that set nothing
    */
@@ -28,7 +28,7 @@ public final class StubbedOut<T> {
     calls = 0;
   }
 
-  /** Puts the answer of a call into what the component gave for it. */
+  /** Sets the out-parameter to the answer of the call. */
   public synchronized void fill(Out<T> out) {
     T value = answers.of(++calls).value();
     out.set(Objects.requireNonNull(value));

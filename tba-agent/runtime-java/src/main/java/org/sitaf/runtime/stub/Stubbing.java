@@ -14,7 +14,7 @@ public final class Stubbing {
   private final StubCalls calls = new StubCalls();
 
   /**
-   * For one run.
+   * Creates the state of one run.
    *
    * @param simulation whose time a delayed answer takes; null where real time passes
    */
@@ -23,7 +23,7 @@ public final class Stubbing {
     this.simulation = simulation;
   }
 
-  /** Begins a case: what was called before is forgotten. */
+  /** Begins a case: clears the recorded calls. */
   public void begin() {
     calls.forget();
   }
@@ -41,7 +41,7 @@ public final class Stubbing {
     return calls;
   }
 
-  /** Lets the time of a delayed answer pass. */
+  /** Waits for a delayed answer. */
   void pass(Duration delay) throws InterruptedException {
     if (simulation == null) {
       Thread.sleep(delay.toMillis(), delay.getNano() % 1_000_000);

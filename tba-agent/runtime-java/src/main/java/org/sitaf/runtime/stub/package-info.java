@@ -1,6 +1,4 @@
-/**
- * What a generated test stub is built on: answers, errors and delays of calls, and their record.
- */
+/** Base of the generated test stubs: answers, errors and delays of calls, and their record. */
 @NullMarked
 package org.sitaf.runtime.stub;
 

@@ -10,15 +10,15 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where the results go, one line a case. Each line is handed to the kernel in one write the moment
- * its case ends, so that the end of the process, however sudden, loses none of them.
+ * Where the results go, one line a case. Each line is one write when its case ends, so a killed
+ * process loses none of them.
  *
  * <p>A file holds the lines alone. Through a descriptor that the agent opened, each line begins
  * with its number and a token that the agent knows, so that what the component writes there is not
  * taken for a result.
  */
 public final class ResultsFile implements AutoCloseable {
-  /** How many results a machine may lose with its power; a process that is killed loses none. */
+  /** A power failure loses at most so many results; a killed process loses none. */
   private static final int LINES_TO_SYNC = 4096;
 
   private static final String DESCRIPTOR = "fd:";
@@ -26,7 +26,7 @@ public final class ResultsFile implements AutoCloseable {
   /** Room for number and token. */
   private static final int PREFIX_LENGTH = 64;
 
-  /** Not a channel: an interrupt that the component left behind would close it. */
+  /** Not a FileChannel: an interrupt that the component leaves behind would close it. */
   private final FileOutputStream file;
 
   private final boolean numbered;
@@ -42,7 +42,7 @@ public final class ResultsFile implements AutoCloseable {
   /**
    * Opens what {@code --results} names.
    *
-   * @param append goes on with a file that is there
+   * @param append appends to an existing file
    */
   public static ResultsFile open(String results, boolean append) throws IOException {
     if (results.startsWith(DESCRIPTOR)) {
@@ -62,15 +62,12 @@ public final class ResultsFile implements AutoCloseable {
     }
   }
 
-  /** Begins a new file; one that is there is emptied. */
+  /** Creates a file; an existing file is truncated. */
   public static ResultsFile create(Path file) throws IOException {
     return new ResultsFile(new FileOutputStream(file.toFile()), false);
   }
 
-  /**
-   * Goes on with a file, behind what is in it. A last line that a killed process left unfinished is
-   * ended first.
-   */
+  /** Appends to a file. A last line that a killed process left unfinished is ended first. */
   public static ResultsFile append(Path file) throws IOException {
     boolean torn = false;
     try (RandomAccessFile before = new RandomAccessFile(file.toFile(), "rw")) {
@@ -87,9 +84,9 @@ public final class ResultsFile implements AutoCloseable {
   }
 
   /**
-   * Takes the token with which lines begin, where they are numbered.
+   * Reads the token of the lines, where they are numbered.
    *
-   * @param line asked for it only then; null where there is none
+   * @param line read only then; null where there is none
    * @throws IOException when there is none
    */
   public void authorise(Supplier<@Nullable String> line) throws IOException {
@@ -103,8 +100,8 @@ public final class ResultsFile implements AutoCloseable {
   }
 
   /**
-   * Writes an empty line: all is set up, and the first case begins. From then on the time limit of
-   * a case holds.
+   * Writes an empty line: set-up is complete and the first case begins. From now on the time limit
+   * of a case applies.
    */
   public void ready() throws IOException {
     write("\n");
@@ -120,7 +117,7 @@ public final class ResultsFile implements AutoCloseable {
   }
 
   private void write(String line) throws IOException {
-    // Not by +, whose way of joining texts takes its time when it is first gone.
+    // String concatenation by + links its code at the first call, which takes a while.
     StringBuilder whole = new StringBuilder(line.length() + PREFIX_LENGTH);
     if (numbered) {
       whole.append(++number).append(' ').append(token).append(' ');
@@ -128,7 +125,7 @@ public final class ResultsFile implements AutoCloseable {
     file.write(whole.append(line).toString().getBytes(StandardCharsets.UTF_8));
   }
 
-  /** Hands the rest of a file to the disk and closes. */
+  /** Syncs a file to the disk and closes it. */
   @Override
   public void close() throws IOException {
     try (file) {

@@ -10,7 +10,7 @@ import org.sitaf.schemas.CoveredFileType;
 import org.sitaf.schemas.CoveredLineType;
 import org.sitaf.schemas.SummaryType;
 
-/** The parts of a result's document that tell its coverage. */
+/** The coverage in the document of a result. */
 final class CoverageXml {
   private CoverageXml() {}
 

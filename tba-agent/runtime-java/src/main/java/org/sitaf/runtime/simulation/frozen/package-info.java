@@ -1,4 +1,4 @@
-/** What the simulated world shows at one step, as the simulator told it or prepared it ahead. */
+/** The state of the simulated world at one step, read from the simulator or prepared ahead. */
 @NullMarked
 package org.sitaf.runtime.simulation.frozen;
 

@@ -11,15 +11,15 @@ import org.sitaf.runtime.suite.CaseResult;
 import org.sitaf.runtime.suite.TestCase;
 
 /**
- * Goes through all that a test application does: what is loaded meanwhile goes into an archive of
- * classes, from which test applications start in half the time. An installation runs it once.
+ * Does everything that a test application does, once per installation. The classes that it loads go
+ * into a class-data archive, which halves the start time of test applications.
  */
-final class Rehearsal {
+final class DryRun {
   private static final String SUITE =
       """
       <test_suite_data>
-        <name>rehearsal</name>
-        <test_model_name>rehearsal</test_model_name>
+        <name>dry-run</name>
+        <test_model_name>dry-run</test_model_name>
         <case_param_info>
           <param name="n" type="TDI" real_type="int"/>
           <param name="x" type="TDSD" real_type="double"/>
@@ -32,19 +32,19 @@ final class Rehearsal {
       </test_suite_data>
       """;
 
-  private Rehearsal() {}
+  private DryRun() {}
 
-  /** What is rehearsed with. */
+  /** The component of the dry run. */
   public static final class Component {
     private final RangeSensor sensor;
     private int size;
 
-    /** A component on a robot. */
+    /** Needs the hardware. */
     public Component(Hardware hardware) {
-      sensor = hardware.rangeSensor(RehearsedSimulator.SENSOR);
+      sensor = hardware.rangeSensor(DryRunSimulator.SENSOR);
     }
 
-    /** As a property of a profile is set. */
+    /** A property of a profile. */
     public void setSize(int size) {
       this.size = size;
     }
@@ -54,7 +54,7 @@ final class Rehearsal {
     }
   }
 
-  /** A driver as they are generated. */
+  /** A driver like the generated ones. */
   private static final class Driver extends SuiteDriver<Component> {
     private final TestRun run;
 
@@ -83,14 +83,14 @@ final class Rehearsal {
     }
   }
 
-  /** Needs no arguments; ends with 0 whatever it comes to. */
+  /** Takes no arguments; always ends with 0. */
   public static void main(String[] arguments) throws IOException {
-    Path folder = Files.createTempDirectory("sitaf-rehearsal");
+    Path folder = Files.createTempDirectory("sitaf-dry-run");
     Path suite = Files.writeString(folder.resolve("suite.xml"), SUITE);
     Path world = Files.writeString(folder.resolve("none.world.yaml"), "mjcf: none.xml\n");
     Path results = Files.createFile(folder.resolve("results"));
-    Server simulator = RehearsedSimulator.listening();
-    // Once with answers, and once by the kind of address that agents give, at which nobody listens.
+    Server simulator = DryRunSimulator.listening();
+    // Once with answers, and once with the kind of address that agents use, without a server.
     for (String target :
         List.of("127.0.0.1:" + simulator.getPort(), "unix:" + folder.resolve("bridge"))) {
       TestRun.execute(

@@ -25,8 +25,8 @@ import org.sitaf.sim.v1.SimulationControlGrpc;
 import org.sitaf.sim.v1.WorldDescription;
 import org.sitaf.sim.v1.WorldState;
 
-/** As much of a simulator as a {@link Rehearsal} needs: one sensor, which reads what is set. */
-final class RehearsedSimulator extends SimulationControlGrpc.SimulationControlImplBase {
+/** The part of a simulator that {@link DryRun} needs: one sensor, which reads the set value. */
+final class DryRunSimulator extends SimulationControlGrpc.SimulationControlImplBase {
   /** The one device, of the kind {@code range}. */
   static final String SENSOR = "r";
 
@@ -35,7 +35,7 @@ final class RehearsedSimulator extends SimulationControlGrpc.SimulationControlIm
   /** Begins to listen, at a port of the loopback that is free. */
   static Server listening() throws IOException {
     return Grpc.newServerBuilderForPort(0, InsecureServerCredentials.create())
-        .addService(new RehearsedSimulator())
+        .addService(new DryRunSimulator())
         .build()
         .start();
   }
@@ -52,7 +52,7 @@ final class RehearsedSimulator extends SimulationControlGrpc.SimulationControlIm
     answer(
         out,
         CreateSessionResponse.newBuilder()
-            .setSessionId("rehearsal")
+            .setSessionId("dry-run")
             .setWorld(
                 WorldDescription.newBuilder()
                     .setDigest("0")
