@@ -135,13 +135,13 @@ def _setter_type(method: Callable[..., Any]) -> Any:
 
 
 def _converted(component: object, name: str, value: str, hint: Any) -> Any:
-    """The value as an object of a type; as a number or a truth value where it looks like one and no type is known."""
+    """The value as an object of a type; without a known type as a number or a boolean where it has that form."""
     text = value.strip()
     try:
         if hint is str:
             return value
         if hint is bool:
-            return literals.truth(text)
+            return literals.boolean(text)
         if hint is int:
             return int(text)
         if hint is float:

@@ -99,7 +99,7 @@ class ApplicationComplianceTest {
   void resultsAreThoseOfTheTable(Language language) throws Exception {
     assumeTrue(
         EchoActivity.toolchains().of(language).isPresent(),
-        () -> "skipped: " + EchoActivity.toolchains().lackOf(language));
+        () -> "skipped: " + EchoActivity.toolchains().missingMessage(language));
     BuildOutcome outcome =
         new BuildRun(
                 application(language),

@@ -96,7 +96,7 @@ class PreparedAheadTest {
             i -> {
               Map<String, String> values = new LinkedHashMap<>();
               columns.forEach((name, list) -> values.put(name, list.get(i % list.size())));
-              return new TestCase(i + 1, true, values, Map.of());
+              return new TestCase(i + 1, true, values);
             })
         .toList();
   }
