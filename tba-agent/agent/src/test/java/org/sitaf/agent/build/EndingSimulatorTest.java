@@ -185,7 +185,7 @@ class EndingSimulatorTest {
         .filteredOn(c -> c.verdict() == Verdict.ERROR)
         .extracting(CaseResult::message)
         .isNotEmpty()
-        .allSatisfy(message -> assertThat(message).contains("each time that this case ran"));
+        .allSatisfy(message -> assertThat(message).contains("each time in this case"));
     assertThat(result.cases().get(54).verdict()).isEqualTo(Verdict.DONT);
   }
 }

@@ -24,7 +24,7 @@ class SimulatorEndsTest {
     SimulatorEnds.Consequence second = ends.after(7, true, KILLED);
     assertThat(second.next()).isEqualTo(Next.BLAME_CASE);
     assertThat(second.message())
-        .contains("case 7", "exit code 137", "each time that this case ran");
+        .contains("case 7", "exit code 137", "each time in this case");
   }
 
   @Test
