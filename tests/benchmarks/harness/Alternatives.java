@@ -54,7 +54,7 @@ final class Alternatives {
   /** The compiler on the component's sources, as in a shell; in seconds. */
   static double compilerSeconds(Language language, Path example, Path runtimes, Path directory)
       throws Exception {
-    Path out = Files.createDirectories(directory.resolve("compiler-" + language.spelling()));
+    Path out = Files.createDirectories(directory.resolve("compiler-" + language.id()));
     List<String> sources = new ArrayList<>();
     try (Stream<Path> files = Files.walk(example.resolve("component"))) {
       files

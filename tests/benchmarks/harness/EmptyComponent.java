@@ -86,7 +86,7 @@ final class EmptyComponent {
         provided: [EchoService.xml]
         models: [Echo.xml]
         """
-            .formatted(language.spelling(), className));
+            .formatted(language.id(), className));
     return folder;
   }
 }

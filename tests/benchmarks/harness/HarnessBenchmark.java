@@ -136,11 +136,11 @@ public final class HarnessBenchmark {
       }
       for (Language language : Language.values()) {
         Path example = home.resolve("examples").resolve(TARGETS.get(language).example());
-        if (!languages.isEmpty() && !languages.contains(language.spelling())) {
+        if (!languages.isEmpty() && !languages.contains(language.id())) {
           continue;
         }
         if (toolchains.of(language).isEmpty()) {
-          System.out.println(language.spelling() + ": skipped: " + toolchains.missingMessage(language));
+          System.out.println(language.id() + ": skipped: " + toolchains.missingMessage(language));
         } else {
           measure(language, example, builds);
         }
@@ -160,7 +160,7 @@ public final class HarnessBenchmark {
 
   private void measure(Language language, Path example, Builds builds) throws Exception {
     Targets targets = TARGETS.get(language);
-    String name = language.spelling();
+    String name = language.id();
     builds.run(example, UnaryOperator.identity(), "");
     // The baseline prepares each case, so every case must be prepared here, too.
     Builds.Run few = median(example, LongSuite.ofOwnDistances(FEW), builds);

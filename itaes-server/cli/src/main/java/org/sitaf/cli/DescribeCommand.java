@@ -39,10 +39,10 @@ final class DescribeCommand implements Callable<Integer> {
     boolean usable = true;
     List<Diagnostic> diagnostics = new ArrayList<>();
     for (InterfaceSources.Source source : InterfaceSources.read(files)) {
-      DescriptionText.of(source.described(), source::show)
+      DescriptionText.of(source.result(), source::show)
           .forEach(line -> out.println(Printable.line(line)));
       diagnostics.addAll(source.diagnostics());
-      usable &= !source.described().hasErrors();
+      usable &= !source.result().hasErrors();
     }
     out.flush();
     Sitaf.print(diagnostics, spec.commandLine().getErr());

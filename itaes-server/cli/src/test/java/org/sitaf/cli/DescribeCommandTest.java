@@ -92,9 +92,9 @@ class DescribeCommandTest {
     assertThat(missing.err()).contains("none.idl: error: does not exist");
     Run empty = describe(folder);
     assertThat(empty.exitCode()).isEqualTo(2);
-    assertThat(empty.err()).contains("holds no interface file");
+    assertThat(empty.err()).contains("contains no interface file");
     Path text = Files.writeString(folder.resolve("notes.txt"), "interface?");
-    assertThat(describe(text).err()).contains("notes.txt: error: is no interface file");
+    assertThat(describe(text).err()).contains("notes.txt: error: is not an interface file");
   }
 
   @Test

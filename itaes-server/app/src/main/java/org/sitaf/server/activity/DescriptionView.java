@@ -86,10 +86,10 @@ record DescriptionView(
       if (type instanceof DataType.Struct struct) {
         List<MemberTree> members =
             struct.members().stream().map(m -> new MemberTree(m.name(), of(m.type()))).toList();
-        return new TypeTree(type.spelling(), Kind.struct, members, List.of());
+        return new TypeTree(type.typeName(), Kind.struct, members, List.of());
       }
       if (type instanceof DataType.Enumeration enumeration) {
-        return new TypeTree(type.spelling(), Kind.enumeration, List.of(), enumeration.literals());
+        return new TypeTree(type.typeName(), Kind.enumeration, List.of(), enumeration.literals());
       }
       Kind kind =
           type instanceof DataType.Sequence
@@ -99,7 +99,7 @@ record DescriptionView(
                   : type instanceof DataType.Unknown ? Kind.unknown : Kind.scalar;
       List<MemberTree> elements =
           type.parts().stream().map(part -> new MemberTree("[]", of(part))).toList();
-      return new TypeTree(type.spelling(), kind, elements, List.of());
+      return new TypeTree(type.typeName(), kind, elements, List.of());
     }
   }
 

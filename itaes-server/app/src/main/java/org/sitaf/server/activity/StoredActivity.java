@@ -84,7 +84,7 @@ class StoredActivity {
     requireStorable(activity);
     name = activity.profile().name();
     description = activity.profile().description();
-    language = activity.profile().component().language().spelling();
+    language = activity.profile().component().language().id();
     componentClass = activity.profile().component().className();
     updated = now;
     files.removeIf(old -> !newFiles.contains(old));

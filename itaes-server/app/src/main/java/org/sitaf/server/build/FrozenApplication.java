@@ -46,7 +46,7 @@ record FrozenApplication(
   static FrozenApplication of(
       TestApplication application, Requirements requirements, Collection<StoredFile> files) {
     return new FrozenApplication(
-        application.activity().profile().harness().spelling(),
+        application.activity().profile().harness().id(),
         requirements,
         files,
         application.suite().cases().size(),

@@ -21,19 +21,19 @@ import org.sitaf.core.description.Parameter;
 import org.sitaf.core.description.source.ComponentDescription;
 import org.sitaf.core.description.source.ComponentDescription.Execution;
 import org.sitaf.core.description.source.ComponentDescription.Port;
-import org.sitaf.core.description.source.Described;
+import org.sitaf.core.description.source.ImportResult;
 
 /** Formats a description as lines of text. Names are not escaped. */
 public final class DescriptionText {
   private static final int MAX_COLUMN_WIDTH = 32;
   private static final int MAX_LITERALS = 12;
 
-  private final Described described;
+  private final ImportResult result;
   private final UnaryOperator<String> shownFile;
   private final List<String> lines = new ArrayList<>();
 
-  private DescriptionText(Described described, UnaryOperator<String> shownFile) {
-    this.described = described;
+  private DescriptionText(ImportResult result, UnaryOperator<String> shownFile) {
+    this.result = result;
     this.shownFile = shownFile;
   }
 
@@ -42,17 +42,17 @@ public final class DescriptionText {
    *
    * @param shownFile maps a file to the name that the user knows
    */
-  public static List<String> of(Described described, UnaryOperator<String> shownFile) {
-    DescriptionText text = new DescriptionText(described, shownFile);
+  public static List<String> of(ImportResult result, UnaryOperator<String> shownFile) {
+    DescriptionText text = new DescriptionText(result, shownFile);
     text.write();
     return List.copyOf(text.lines);
   }
 
   private void write() {
-    described.components().forEach(this::write);
+    result.components().forEach(this::write);
     Map<InterfaceDescription, Void> all = new LinkedHashMap<>();
-    described.provided().forEach(i -> all.put(i, null));
-    described.required().forEach(i -> all.put(i, null));
+    result.provided().forEach(i -> all.put(i, null));
+    result.required().forEach(i -> all.put(i, null));
     all.keySet().forEach(this::write);
     writeTypes();
   }
@@ -68,7 +68,7 @@ public final class DescriptionText {
       String value =
           property.defaultValue().filter(v -> !v.isEmpty()).map(v -> " = " + v).orElse("");
       rows.add(
-          new String[] {"property", property.name() + " : " + property.type().spelling() + value});
+          new String[] {"property", property.name() + " : " + property.type().typeName() + value});
     }
     component.ports().forEach(port -> rows.add(row(port, component.source())));
     table(rows);
@@ -79,8 +79,8 @@ public final class DescriptionText {
     if (execution instanceof Execution.Periodic periodic) {
       return "periodic, every " + periodic.period() + " ms";
     }
-    if (execution instanceof Execution.Unstated unstated) {
-      return unstated.spelling().isEmpty() ? "not stated" : unstated.spelling();
+    if (execution instanceof Execution.Unspecified unspecified) {
+      return unspecified.text().isEmpty() ? "not stated" : unspecified.text();
     }
     return "passive";
   }
@@ -102,12 +102,12 @@ public final class DescriptionText {
     }
     if (port instanceof Port.Data data) {
       return new String[] {
-        data.output() ? "data out" : "data in", data.name() + " : " + data.type().spelling()
+        data.output() ? "data out" : "data in", data.name() + " : " + data.type().typeName()
       };
     }
     Port.Event event = (Port.Event) port;
     return new String[] {
-      event.output() ? "event out" : "event in", event.name() + " : " + event.type().spelling()
+      event.output() ? "event out" : "event in", event.name() + " : " + event.type().typeName()
     };
   }
 
@@ -116,7 +116,7 @@ public final class DescriptionText {
         "interface", description.name() + "  (" + usage(description) + ")", description.source());
     List<String[]> rows = new ArrayList<>();
     for (Method method : description.methods()) {
-      rows.add(new String[] {method.returnType().spelling(), prototype(method)});
+      rows.add(new String[] {method.returnType().typeName(), prototype(method)});
     }
     table(rows);
     String unknown =
@@ -137,7 +137,7 @@ public final class DescriptionText {
     List<String> words = new ArrayList<>();
     for (boolean provided : new boolean[] {true, false}) {
       String components =
-          described.components().stream()
+          result.components().stream()
               .filter(
                   c ->
                       c.ports().stream()
@@ -173,18 +173,18 @@ public final class DescriptionText {
         parameter.direction() == Direction.IN
             ? ""
             : parameter.direction().name().toLowerCase(Locale.ROOT) + " ";
-    return direction + parameter.type().spelling() + " " + parameter.name();
+    return direction + parameter.type().typeName() + " " + parameter.name();
   }
 
   private void writeTypes() {
     Map<String, DataType> named = new LinkedHashMap<>();
     Stream<DataType> used =
-        Stream.of(described.provided(), described.required())
+        Stream.of(result.provided(), result.required())
             .flatMap(Collection::stream)
             .flatMap(DescriptionText::types);
-    Stream.concat(parts(Stream.concat(described.types().stream(), ports())).stream(), used)
+    Stream.concat(parts(Stream.concat(result.types().stream(), ports())).stream(), used)
         .filter(t -> t instanceof DataType.Struct || t instanceof DataType.Enumeration)
-        .forEach(type -> named.putIfAbsent(type.spelling(), type));
+        .forEach(type -> named.putIfAbsent(type.typeName(), type));
     named.values().forEach(this::write);
   }
 
@@ -193,7 +193,7 @@ public final class DescriptionText {
       lines.add("struct " + struct.name());
       table(
           struct.members().stream()
-              .map(m -> new String[] {m.type().spelling(), m.name()})
+              .map(m -> new String[] {m.type().typeName(), m.name()})
               .toList());
     } else if (type instanceof DataType.Enumeration enumeration) {
       List<String> literals = enumeration.literals();
@@ -208,7 +208,7 @@ public final class DescriptionText {
   }
 
   private Stream<DataType> ports() {
-    return described.components().stream()
+    return result.components().stream()
         .flatMap(c -> c.ports().stream())
         .flatMap(
             port -> {
@@ -235,7 +235,7 @@ public final class DescriptionText {
     Deque<DataType> open = new ArrayDeque<>(types.toList());
     while (!open.isEmpty()) {
       DataType type = open.poll();
-      if (parts.putIfAbsent(type.spelling(), type) == null) {
+      if (parts.putIfAbsent(type.typeName(), type) == null) {
         open.addAll(type.parts());
       }
     }

@@ -15,7 +15,7 @@ import java.util.stream.Stream;
 import org.sitaf.core.activity.ActivityArchive;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.description.importer.InterfaceFiles;
-import org.sitaf.core.description.source.Described;
+import org.sitaf.core.description.source.ImportResult;
 import org.sitaf.core.description.source.SourceFiles;
 import org.sitaf.core.diagnostic.Diagnostic;
 import org.sitaf.core.diagnostic.InvalidInputException;
@@ -35,7 +35,7 @@ public final class InterfaceSources {
    *
    * @param shown name of each file as the user knows it
    */
-  public record Source(Described described, Map<String, String> shown) {
+  public record Source(ImportResult result, Map<String, String> shown) {
     public Source {
       shown = Map.copyOf(shown);
     }
@@ -47,7 +47,7 @@ public final class InterfaceSources {
 
     /** The diagnostics, with file names as the user knows them. */
     public List<Diagnostic> diagnostics() {
-      return described.diagnostics().stream()
+      return result.diagnostics().stream()
           .map(
               d -> new Diagnostic(d.severity(), show(d.file()), d.line(), d.element(), d.message()))
           .toList();
@@ -170,7 +170,7 @@ public final class InterfaceSources {
   }
 
   private static boolean isWanted(Path path) {
-    return InterfaceFiles.mayBe(path.toString())
+    return InterfaceFiles.isSupported(path.toString())
         && Files.isRegularFile(path, LinkOption.NOFOLLOW_LINKS);
   }
 

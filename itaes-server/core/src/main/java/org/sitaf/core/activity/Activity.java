@@ -13,12 +13,12 @@ import org.sitaf.core.model.TestModel;
 import org.sitaf.core.suite.TestCaseGenerator;
 
 /**
- * A test activity, read and verified: everything that a test of one component needs.
+ * A verified test activity: everything that is needed to test one component.
  *
- * @param files all files, {@code activity.yaml} among them
- * @param outputPorts data ports through which the component sends, as its profile declares them
- * @param world null where the component needs no simulation
- * @param warnings what was found and does not keep the activity from being used
+ * @param files all files, including {@code activity.yaml}
+ * @param outputPorts output data ports declared in the component's profile
+ * @param world null if the component needs no simulation
+ * @param warnings problems that do not prevent the use of the activity
  */
 public record Activity(
     ActivityProfile profile,
@@ -40,45 +40,44 @@ public record Activity(
   }
 
   /**
-   * Reads an activity and verifies all of it.
+   * Reads and verifies an activity.
    *
-   * @throws org.sitaf.core.diagnostic.InvalidInputException with every problem of every document
+   * @throws org.sitaf.core.diagnostic.InvalidInputException with all problems of all documents
    */
   public static Activity read(FileTree files) {
     return new ActivityReader(files).read();
   }
 
   /**
-   * Reads an activity whose component, or the adapter to it, is not written yet: all of it is
-   * verified but that these are there.
+   * Reads and verifies an activity whose component or adapter may not exist yet.
    *
-   * @throws org.sitaf.core.diagnostic.InvalidInputException with every problem of every document
+   * @throws org.sitaf.core.diagnostic.InvalidInputException with all problems of all documents
    */
   public static Activity readWithoutComponent(FileTree files) {
     return new ActivityReader(files).readWithoutComponent();
   }
 
   /**
-   * A model as it stands in this activity, which need not hold it: its enumerations get their
-   * literals from the interfaces.
+   * Resolves the types of a model by the interfaces of this activity. The model does not need to be
+   * part of the activity.
    */
   public TestModel resolve(TestModel model) {
     return InterfaceTypes.resolve(model, provided, required, outputPorts);
   }
 
-  /** What keeps a resolved model from being used with this activity; empty where nothing does. */
+  /** Verifies a resolved model against this activity. Returns all problems. */
   public List<Diagnostic> verify(TestModel model) {
     List<Diagnostic> found = new ArrayList<>(TestCaseGenerator.verifyConditions(model));
     found.addAll(ModelAgainstActivity.verify(model, provided, required, world, outputPorts));
     return found;
   }
 
-  /** The output data port that an observed output is, or is a part of. */
+  /** The output data port of an observed output. */
   public Optional<Port.Data> outputPort(String output) {
     return OutputPorts.named(outputPorts, output);
   }
 
-  /** The model of a name. */
+  /** Finds a model by name. */
   public Optional<TestModel> model(String name) {
     return models.stream().filter(m -> m.name().equals(name)).findFirst();
   }

@@ -20,23 +20,26 @@ import java.util.zip.ZipOutputStream;
 import org.sitaf.core.diagnostic.InvalidInputException;
 
 /**
- * An activity as a zip: untrusted on the way in, the same bytes for the same files on the way out.
+ * Reads and writes activities as ZIP archives. Archives are untrusted input; writing the same files
+ * gives the same bytes.
  */
 public final class ActivityArchive {
-  /** Largest number of files in an archive. */
+  /** Maximum number of files in an archive. */
   public static final int MAX_FILES = 10_000;
 
-  /** Largest size of all files together, unpacked, in bytes. */
+  /** Maximum unpacked size of all files in bytes. */
   public static final long MAX_SIZE = 256L << 20;
 
-  /** Largest number of entries, folders among them. */
+  /** Maximum number of entries, including folders. */
   private static final int MAX_ENTRIES = 2 * MAX_FILES;
 
-  /** Beyond {@link #UNSUSPECTED} bytes, how many times its own size an archive may unpack to. */
+  /**
+   * Maximum compression ratio of an archive that unpacks to more than {@link #MIN_CHECKED} bytes.
+   */
   public static final int MAX_RATIO = 100;
 
-  /** So much may come of an archive however small it is: a few empty tables, say. */
-  private static final long UNSUSPECTED = 1L << 20;
+  /** The compression ratio of smaller contents is not checked: almost empty files compress well. */
+  private static final long MIN_CHECKED = 1L << 20;
 
   private static final int PIECE = 1 << 16;
 
@@ -45,20 +48,19 @@ public final class ActivityArchive {
   private ActivityArchive() {}
 
   /**
-   * Unpacks an archive in memory. Where everything lies in one folder, the tree begins inside it.
+   * Unpacks an archive in memory. If all files are in one top-level folder, this folder is removed
+   * from the paths.
    *
-   * @throws InvalidInputException when it is not a zip, a path leaves the archive, or it is too
-   *     large
+   * @throws InvalidInputException if it is not a ZIP archive, a path is unsafe, or it is too large
    */
   public static FileTree read(InputStream zip, String name) {
     return read(zip, name, MAX_SIZE);
   }
 
   /**
-   * The same, of at most so many bytes unpacked.
+   * Unpacks an archive in memory, with a maximum unpacked size in bytes.
    *
-   * @throws InvalidInputException when it is not a zip, a path leaves the archive, or it is too
-   *     large
+   * @throws InvalidInputException if it is not a ZIP archive, a path is unsafe, or it is too large
    */
   public static FileTree read(InputStream zip, String name, long maxSize) {
     Map<String, byte[]> files = new LinkedHashMap<>();
@@ -69,7 +71,7 @@ public final class ActivityArchive {
         if (++entries > MAX_ENTRIES || files.size() >= MAX_FILES) {
           throw InvalidInputException.of(
               name,
-              "holds more than %d files, or %d files and folders; leave out what the test does not need"
+              "contains more than %d files or %d files and folders; remove files that the test does not need"
                   .formatted(MAX_FILES, MAX_ENTRIES));
         }
         byte[] content = unpacked.content(in);
@@ -77,23 +79,23 @@ public final class ActivityArchive {
           continue;
         }
         if (files.put(FileTree.requireSafe(entry.getName()), content) != null) {
-          throw InvalidInputException.of(name, "holds '" + entry.getName() + "' twice");
+          throw InvalidInputException.of(name, "contains '" + entry.getName() + "' twice");
         }
       }
       if (files.isEmpty()) {
-        throw InvalidInputException.of(name, "is not a zip archive, or holds no file");
+        throw InvalidInputException.of(name, "is not a ZIP archive or contains no file");
       }
       return withoutCommonFolder(FileTree.of(files));
     } catch (ZipException | EOFException e) {
-      throw InvalidInputException.of(name, "is not a readable zip archive: " + e.getMessage());
+      throw InvalidInputException.of(name, "is not a valid ZIP archive: " + e.getMessage());
     } catch (IllegalArgumentException e) {
-      throw InvalidInputException.of(name, "is refused: " + e.getMessage());
+      throw InvalidInputException.of(name, "is rejected: " + e.getMessage());
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
   }
 
-  /** Packs a tree. */
+  /** Writes a file tree as an archive. */
   public static void write(FileTree files, OutputStream out) throws IOException {
     ZipOutputStream zip = new ZipOutputStream(out, StandardCharsets.UTF_8);
     for (String path : files.paths()) {
@@ -111,15 +113,15 @@ public final class ActivityArchive {
     zip.finish();
   }
 
-  /** What has come out of an archive, held against what went in and against the limits. */
+  /** Unpacks entries and checks the size limits. */
   private static final class Unpacked {
-    private final CountedInput packed;
+    private final CountingInputStream packed;
     private final String name;
     private final long most;
     private long size;
 
     Unpacked(InputStream zip, String name, long most) {
-      this.packed = new CountedInput(zip);
+      this.packed = new CountingInputStream(zip);
       this.name = name;
       this.most = most;
     }
@@ -147,22 +149,24 @@ public final class ActivityArchive {
       if (size > most) {
         throw InvalidInputException.of(
             name,
-            "unpacks to more than " + (most >> 20) + " MiB; leave out what the test does not need");
+            "unpacks to more than "
+                + (most >> 20)
+                + " MiB; remove files that the test does not need");
       }
-      if (size > UNSUSPECTED && size > MAX_RATIO * packed.count) {
+      if (size > MIN_CHECKED && size > MAX_RATIO * packed.count) {
         throw InvalidInputException.of(
             name,
-            "unpacks to more than %d times its size: %d KiB have given %d KiB; leave out files that are almost empty"
+            "unpacks to more than %d times its size (%d KiB to %d KiB); remove files that are almost empty"
                 .formatted(MAX_RATIO, packed.count >> 10, size >> 10));
       }
     }
   }
 
-  /** Counts what is read through it. */
-  private static final class CountedInput extends FilterInputStream {
+  /** Counts the bytes read. */
+  private static final class CountingInputStream extends FilterInputStream {
     private long count;
 
-    CountedInput(InputStream in) {
+    CountingInputStream(InputStream in) {
       super(in);
     }
 

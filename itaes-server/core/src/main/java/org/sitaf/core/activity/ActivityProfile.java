@@ -8,13 +8,13 @@ import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The test profile (paper, Fig. 13): what {@code activity.yaml} says.
+ * The test profile (paper, Fig. 13): the content of {@code activity.yaml}.
  *
  * @param provided interface files of the component, relative to the activity
  * @param required interface files that the stub implements
  * @param libraries external libraries, relative to the activity
  * @param harness language of the generated test application
- * @param world the world description; null where the component needs no simulation
+ * @param world the world description; null if the component needs no simulation
  * @param models test models, relative to the activity
  * @param parallel whether cases may run in several simulations at once
  */
@@ -48,36 +48,34 @@ public record ActivityProfile(
     CPP,
     PYTHON;
 
-    /** As documents spell it. */
-    public String spelling() {
+    /** The name in documents, in lower case. */
+    public String id() {
       return name().toLowerCase(java.util.Locale.ROOT);
     }
   }
 
-  /** When a component is made and destroyed. */
+  /** When a component is created and destroyed. */
   public enum LifeCycle {
-    /** Anew for each case. */
+    /** A new component for each case. */
     CASE,
-    /** Once for all cases. */
+    /** One component for all cases. */
     SUITE
   }
 
   /**
    * The component under test.
    *
-   * @param sources folder of sources; null where a library or a package is given
-   * @param library built library; null where sources or a package are given
+   * @param sources folder of sources; null with a library or package
+   * @param library compiled library; null with sources or a package
    * @param headers folder of headers of a C++ library, or null
-   * @param header the header that declares a C++ class, as an include names it; null where it is
-   *     found by its content
-   * @param packageName package of the language's ecosystem; null where sources or a library are
-   *     given
-   * @param className class, qualified as its language writes it
+   * @param header include path of the header that declares a C++ class; null to search it
+   * @param packageName package of the language's package manager; null with sources or a library
+   * @param className qualified class name in the syntax of the language
    * @param adapter folder of the adapter's sources, or null
    * @param profile component profile, or null
-   * @param properties set before the first call, by name
+   * @param properties property values by name, set before the first call
    * @param period null for a passive component
-   * @param before calls before the one under test, as written
+   * @param before calls before the call under test, as written
    */
   public record Component(
       Language language,
@@ -103,17 +101,17 @@ public record ActivityProfile(
   }
 
   /**
-   * Bounds of a build and its cases.
+   * Limits of a build and its cases.
    *
-   * @param caseWall wall-clock time of a case
-   * @param caseSimulation simulation time of a case
-   * @param memoryMiB memory of the test application
-   * @param preparation wall-clock time in which the packages of the component are fetched, built
-   *     and installed
+   * @param caseWall maximum wall-clock time of a case
+   * @param caseSimulation maximum simulation time of a case
+   * @param memoryMiB maximum memory of the test application
+   * @param preparation maximum wall-clock time for fetching, building and installing the packages of
+   *     the component
    */
   public record Limits(
       Duration caseWall, Duration caseSimulation, int memoryMiB, Duration preparation) {
-    /** What holds where the profile is silent. */
+    /** The default limits. */
     public static final Limits DEFAULT =
         new Limits(Duration.ofSeconds(10), Duration.ofSeconds(60), 1024, Duration.ofMinutes(5));
 
@@ -125,7 +123,7 @@ public record ActivityProfile(
           || memoryMiB < 1
           || preparation.isZero()
           || preparation.isNegative()) {
-        throw new IllegalArgumentException("limits must be above 0");
+        throw new IllegalArgumentException("limits must be greater than 0");
       }
     }
   }

@@ -14,7 +14,7 @@ import org.sitaf.core.description.WorldDescription;
 import org.sitaf.core.description.WorldReader;
 import org.sitaf.core.description.importer.InterfaceFiles;
 import org.sitaf.core.description.source.ComponentDescription.Port;
-import org.sitaf.core.description.source.Described;
+import org.sitaf.core.description.source.ImportResult;
 import org.sitaf.core.description.source.SourceFiles;
 import org.sitaf.core.diagnostic.Diagnostic;
 import org.sitaf.core.diagnostic.Diagnostics;
@@ -24,14 +24,14 @@ import org.sitaf.core.model.TestModelXml;
 import org.sitaf.core.suite.TestCaseGenerator;
 
 /**
- * Reads all documents of an activity and verifies them against each other, so that every problem is
- * told at once.
+ * Reads all documents of an activity and verifies them against each other. All problems are
+ * reported at once.
  */
 final class ActivityReader {
-  /** The one file that every activity has. */
+  /** The profile, which every activity must have. */
   static final String PROFILE = "activity.yaml";
 
-  /** Of a kind: models, interfaces offered, interfaces called. */
+  /** Maximum number of models, of provided and of required interface files. */
   private static final int MAX_DOCUMENTS = 500;
 
   private final FileTree files;
@@ -56,7 +56,7 @@ final class ActivityReader {
             .orElseThrow(
                 () ->
                     InvalidInputException.of(
-                        PROFILE, "is missing; an activity has this file at its top"));
+                        PROFILE, "is missing; an activity must have this file in its root folder"));
     ActivityProfile profile = ProfileReader.read(text, PROFILE, diagnostics);
     requireFew("models", profile.models());
     requireFew("provided", profile.provided());
@@ -87,7 +87,7 @@ final class ActivityReader {
         profile, files, provided, required, outputPorts, world, models, diagnostics.all());
   }
 
-  /** Each costs a moment; thousands of them would cost minutes of everybody's server. */
+  /** Limits the time that a server spends on one activity. */
   private static void requireFew(String entry, List<String> documents) {
     if (documents.size() > MAX_DOCUMENTS) {
       throw new InvalidInputException(
@@ -96,7 +96,7 @@ final class ActivityReader {
                   PROFILE,
                   0,
                   entry,
-                  "names %d documents; at most %d are read, divide the activity into several"
+                  "lists %d documents, but at most %d are allowed; split the activity"
                       .formatted(documents.size(), MAX_DOCUMENTS))));
     }
   }
@@ -110,14 +110,14 @@ final class ActivityReader {
         missing(path, entry);
       }
     }
-    Described described =
+    ImportResult result =
         InterfaceFiles.read(SourceFiles.of(name, interfaceFiles(files, present), present));
-    diagnostics.addAll(described.diagnostics());
-    // A component profile tells what its component offers from what it calls.
+    diagnostics.addAll(result.diagnostics());
+    // A component profile distinguishes provided and required interfaces.
     List<InterfaceDescription> interfaces =
-        entry.equals("required") && !described.components().isEmpty()
-            ? described.required()
-            : described.provided();
+        entry.equals("required") && !result.components().isEmpty()
+            ? result.required()
+            : result.provided();
     Set<String> names = new HashSet<>();
     for (InterfaceDescription description : interfaces) {
       if (!names.add(description.name())) {
@@ -125,17 +125,17 @@ final class ActivityReader {
             description.source(),
             0,
             description.name(),
-            "an interface of this name is " + entry + " already");
+            "another " + entry + " interface has this name");
       }
     }
     return interfaces;
   }
 
-  /** Files that may hold interfaces, and some that are named. */
+  /** All files that may contain interfaces, and the named files. */
   static Map<String, byte[]> interfaceFiles(FileTree files, List<String> named) {
     Map<String, byte[]> sources = new HashMap<>();
     files.paths().stream()
-        .filter(InterfaceFiles::mayBe)
+        .filter(InterfaceFiles::isSupported)
         .forEach(path -> sources.put(path, files.content(path).orElseThrow()));
     named.forEach(path -> sources.put(path, files.content(path).orElseThrow()));
     return sources;
@@ -178,6 +178,6 @@ final class ActivityReader {
   }
 
   private void missing(String path, String entry) {
-    diagnostics.error(PROFILE, 0, entry, "'" + path + "' is not among the files of the activity");
+    diagnostics.error(PROFILE, 0, entry, "'" + path + "' does not exist in the activity");
   }
 }

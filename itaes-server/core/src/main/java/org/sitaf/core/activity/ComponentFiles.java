@@ -8,17 +8,14 @@ import org.sitaf.core.activity.ActivityProfile.Component;
 import org.sitaf.core.activity.ActivityProfile.Language;
 import org.sitaf.core.diagnostic.Diagnostics;
 
-/**
- * Finds out before anything is built whether the files that a profile names are there, and the
- * component's class among them.
- */
+/** Checks before a build that the files in a profile and the component's class exist. */
 final class ComponentFiles {
   private static final Pattern JAVA_CLASS =
       Pattern.compile("[A-Za-z_$][A-Za-z0-9_$]*(\\.[A-Za-z_$][A-Za-z0-9_$]*)*");
 
-  /** What helps where an adapter is not written yet. */
+  /** A hint for missing adapters. */
   private static final String SKELETON =
-      "; ./sitaf harness ACTIVITY_DIR --adapter writes the beginning of an adapter";
+      "; ./sitaf harness ACTIVITY_DIR --adapter generates a skeleton";
 
   private ComponentFiles() {}
 
@@ -47,7 +44,7 @@ final class ComponentFiles {
           file, 0, "component.class", "'" + className + "' is not the qualified name of a class");
       return;
     }
-    // With an adapter, the class that the test makes is the adapter's.
+    // With an adapter, the class is part of the adapter.
     FileTree all =
         component.adapter() == null
             ? files.below(sources)
@@ -90,13 +87,13 @@ final class ComponentFiles {
           file,
           0,
           "component.adapter",
-          "there is no file below '" + folder + "' in the activity" + SKELETON);
+          "the activity has no file below '" + folder + "'" + SKELETON);
     } else if (component.language() == Language.PYTHON) {
       pythonModule(component, files, file, diagnostics);
     }
   }
 
-  /** The module of the class may also be one of the component's own. */
+  /** The module of the class may be part of the adapter or of the component. */
   private static void pythonModule(
       Component component, FileTree files, String file, Diagnostics diagnostics) {
     String className = component.className();
@@ -115,7 +112,7 @@ final class ComponentFiles {
           file,
           0,
           "component.class",
-          "there is no " + module + ".py below '" + component.adapter() + "'" + SKELETON);
+          module + ".py does not exist below '" + component.adapter() + "'" + SKELETON);
     }
   }
 
@@ -126,7 +123,7 @@ final class ComponentFiles {
       String file,
       Diagnostics diagnostics) {
     if (path != null && files.below(path).paths().isEmpty()) {
-      diagnostics.error(file, 0, entry, "there is no file below '" + path + "' in the activity");
+      diagnostics.error(file, 0, entry, "the activity has no file below '" + path + "'");
     }
   }
 
@@ -137,7 +134,7 @@ final class ComponentFiles {
       String file,
       Diagnostics diagnostics) {
     if (path != null && !files.contains(path) && files.below(path).paths().isEmpty()) {
-      diagnostics.error(file, 0, entry, "'" + path + "' is not among the files of the activity");
+      diagnostics.error(file, 0, entry, "'" + path + "' does not exist in the activity");
     }
   }
 }

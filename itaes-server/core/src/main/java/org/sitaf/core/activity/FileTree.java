@@ -14,11 +14,11 @@ import java.util.TreeMap;
 import java.util.regex.Pattern;
 
 /**
- * Files by relative path, in the order of their paths. Paths have '/' separators and no empty, '.'
- * or '..' parts, so that a tree can be written below any folder without leaving it.
+ * Files by relative path, sorted by path. Paths have '/' separators and no empty, '.' or '..'
+ * parts, so a tree can be safely written to any folder.
  */
 public final class FileTree {
-  /** Controls of terminals, and those that make a name look like another one. */
+  /** Control characters, including bidirectional controls that disguise a name. */
   private static final Pattern CONTROL =
       Pattern.compile("[\\p{Cc}\\p{Cs}\\u2028\\u2029\\u200E\\u200F\\u202A-\\u202E\\u2066-\\u2069]");
 
@@ -26,7 +26,7 @@ public final class FileTree {
   private static final int MAX_DEPTH = 50;
   private static final int SHOWN = 100;
 
-  /** In bytes of UTF-8, as the file systems have it. */
+  /** In bytes of UTF-8, as in common file systems. */
   private static final int MAX_NAME_BYTES = 255;
 
   private final NavigableMap<String, byte[]> files;
@@ -36,10 +36,9 @@ public final class FileTree {
   }
 
   /**
-   * A tree of these files.
+   * Creates a tree.
    *
-   * @throws IllegalArgumentException when a path could leave the tree, or names both a file and a
-   *     folder
+   * @throws IllegalArgumentException if a path is unsafe or is both a file and a folder
    */
   public static FileTree of(Map<String, byte[]> files) {
     NavigableMap<String, byte[]> sorted = new TreeMap<>();
@@ -56,7 +55,7 @@ public final class FileTree {
   /**
    * Checks a path.
    *
-   * @throws IllegalArgumentException when it could leave the tree or cannot be a file's path
+   * @throws IllegalArgumentException if the path is unsafe or not a valid file path
    */
   public static String requireSafe(String path) {
     boolean bad =
@@ -75,12 +74,12 @@ public final class FileTree {
               + shown(path)
               + "' is not a relative path of at most "
               + MAX_PATH_LENGTH
-              + " characters with '/' separators, without '.' and '..' parts and controls");
+              + " characters with '/' separators, without '.' or '..' parts and control characters");
     }
     return path;
   }
 
-  /** As much of a path as a message needs, without what would change how the message looks. */
+  /** A path for messages, shortened and without control characters. */
   private static String shown(String path) {
     String plain = CONTROL.matcher(path).replaceAll("?");
     return plain.length() <= SHOWN ? plain : plain.substring(0, SHOWN) + "...";
@@ -90,46 +89,46 @@ public final class FileTree {
     String[] parts = path.split("/", -1);
     if (parts.length > MAX_DEPTH) {
       throw new IllegalArgumentException(
-          "'" + shown(path) + "' lies more than " + MAX_DEPTH + " folders deep");
+          "'" + shown(path) + "' is nested more than " + MAX_DEPTH + " folders deep");
     }
     for (String part : parts) {
       if (part.getBytes(StandardCharsets.UTF_8).length > MAX_NAME_BYTES) {
         throw new IllegalArgumentException(
             "'"
                 + shown(part)
-                + "' is longer than a file's name can be, "
+                + "' is longer than the maximum length of a file name, "
                 + MAX_NAME_BYTES
                 + " bytes");
       }
     }
   }
 
-  /** All paths, in order. */
+  /** All paths in sorted order. */
   public NavigableSet<String> paths() {
     return files.navigableKeySet();
   }
 
-  /** Whether there is a file of that path. */
+  /** Whether a file exists. */
   public boolean contains(String path) {
     return files.containsKey(path);
   }
 
-  /** A copy of a file's content. */
+  /** A copy of the content of a file. */
   public Optional<byte[]> content(String path) {
     return Optional.ofNullable(files.get(path)).map(byte[]::clone);
   }
 
-  /** A file as text in UTF-8. */
+  /** The content of a file, decoded as UTF-8. */
   public Optional<String> text(String path) {
     return Optional.ofNullable(files.get(path)).map(b -> new String(b, StandardCharsets.UTF_8));
   }
 
-  /** A file as a stream. */
+  /** The content of a file as a stream. */
   public Optional<InputStream> open(String path) {
     return Optional.ofNullable(files.get(path)).map(ByteArrayInputStream::new);
   }
 
-  /** The files below a folder, by their path from there. */
+  /** The files below a folder, with paths relative to the folder. */
   public FileTree below(String folder) {
     String prefix = folder.isEmpty() || folder.endsWith("/") ? folder : folder + "/";
     NavigableMap<String, byte[]> inside = new TreeMap<>();
@@ -144,7 +143,7 @@ public final class FileTree {
     return new FileTree(inside);
   }
 
-  /** These files and those of another tree below a folder; the other's win. */
+  /** A copy with the files of another tree added below a folder; these replace existing files. */
   public FileTree with(String folder, FileTree other) {
     Map<String, byte[]> all = new HashMap<>(files);
     String prefix = folder.isEmpty() || folder.endsWith("/") ? folder : folder + "/";
@@ -152,14 +151,14 @@ public final class FileTree {
     return of(all);
   }
 
-  /** These files and one more, which wins over one of the same path. */
+  /** A copy with a file added or replaced. */
   public FileTree with(String path, byte[] content) {
     Map<String, byte[]> all = new HashMap<>(files);
     all.put(path, content);
     return of(all);
   }
 
-  /** Number of bytes of all files. */
+  /** The size of all files in bytes. */
   public long size() {
     return files.values().stream().mapToLong(content -> content.length).sum();
   }

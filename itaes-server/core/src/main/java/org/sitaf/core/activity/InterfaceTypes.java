@@ -15,8 +15,8 @@ import org.sitaf.core.model.OutputElement;
 import org.sitaf.core.model.TestModel;
 
 /**
- * Gives a model what only the interfaces know: the literals of the enumerations and the members of
- * the structs that its elements are of.
+ * Resolves the types of a model's elements that only the interfaces define: enumerations and
+ * structs.
  */
 final class InterfaceTypes {
   private static final Pattern STUB_NAME =
@@ -33,7 +33,7 @@ final class InterfaceTypes {
     this.method = method;
   }
 
-  /** The model with its elements' types resolved; as it was where its target is not found. */
+  /** Resolves the types of a model. The model is not changed if its target is not found. */
   static TestModel resolve(
       TestModel model,
       List<InterfaceDescription> provided,
@@ -46,7 +46,7 @@ final class InterfaceTypes {
           .withInputs(model.inputs().stream().map(types::resolve).toList())
           .withOutputs(model.outputs().stream().map(types::resolve).toList());
     } catch (IllegalArgumentException e) {
-      // Told where the model is verified against the activity.
+      // Reported by ModelAgainstActivity.
       return model;
     }
   }
@@ -96,7 +96,7 @@ final class InterfaceTypes {
         .flatMap(t -> MemberPath.resolve(t, name));
   }
 
-  /** A model spells scalars itself, and may spell them otherwise than the interface. */
+  /** The type of a scalar is defined by the model and may differ from the interface. */
   private static boolean isKnownOnlyTo(DataType inInterface, DataType inModel) {
     return inInterface instanceof DataType.Enumeration
         || (holdsUnknown(inModel) && !(inInterface instanceof DataType.Scalar));

@@ -28,12 +28,12 @@ import org.sitaf.core.model.Value;
 import org.sitaf.core.value.TestDataGenerator;
 import org.sitaf.core.value.TestValue;
 
-/**
- * Verifies a test model against the interfaces and the world of its activity, before anything is
- * built.
- */
+/** Verifies a test model against the interfaces and the world of its activity. */
 final class ModelAgainstActivity {
-  /** {@code Interface.Method}, {@code Interface.Method.param}, either with {@code #2} appended. */
+  /**
+   * {@code Interface.Method}, {@code Interface.Method.param}, each optionally followed by {@code
+   * #2}.
+   */
   private static final Pattern STUB_NAME =
       Pattern.compile("(\\w+)\\.(\\w+)(?:\\.(\\w+))?(?:#[1-9][0-9]*)?");
 
@@ -115,7 +115,7 @@ final class ModelAgainstActivity {
       error(
           input.line(),
           "test_element " + input.name(),
-          parameter.get().type().spelling() + " has no such member or element");
+          parameter.get().type().typeName() + " has no such member or element");
     } else {
       sameType(input.line(), input.name(), input.realType(), type.get());
       literals(input, type.get());
@@ -134,9 +134,9 @@ final class ModelAgainstActivity {
                       "test_element " + input.name(),
                       "'"
                           + literal
-                          + "' is no literal of "
+                          + "' is not a literal of "
                           + enumeration.name()
-                          + "; it has "
+                          + "; known literals: "
                           + enumeration.literals()));
     }
   }
@@ -144,7 +144,7 @@ final class ModelAgainstActivity {
   private void worldParameter(InputElement input) {
     String where = "test_element " + input.name();
     if (world == null) {
-      error(input.line(), where, "is set through the simulation, but activity.yaml names no world");
+      error(input.line(), where, "is a parameter of the world, but activity.yaml has no world");
       return;
     }
     Optional<WorldParameter> parameter = world.parameter(input.name());
@@ -165,7 +165,7 @@ final class ModelAgainstActivity {
         error(
             input.line(),
             where,
-            "a parameter of the world is a number, not " + value.value().literal());
+            "a parameter of the world must be a number, not " + value.value().literal());
         return;
       }
       if (!(number.get() >= parameter.get().min() && number.get() <= parameter.get().max())) {
@@ -174,13 +174,13 @@ final class ModelAgainstActivity {
             where,
             "the value "
                 + value.value().literal()
-                + " lies outside the range ["
+                + " is outside the range ["
                 + parameter.get().min()
                 + ", "
                 + parameter.get().max()
                 + "] that "
                 + world.path()
-                + " declares; widen that range, or narrow the test_spec");
+                + " declares; extend this range or restrict the test_spec");
       }
     }
   }
@@ -192,7 +192,7 @@ final class ModelAgainstActivity {
       error(
           input.line(),
           where,
-          "must be named Interface.Method, Interface.Method.param, or one of these with #2");
+          "must be named Interface.Method or Interface.Method.param, optionally followed by #2");
       return;
     }
     Optional<InterfaceDescription> called =
@@ -201,9 +201,9 @@ final class ModelAgainstActivity {
       error(
           input.line(),
           where,
-          "activity.yaml requires no interface "
+          "activity.yaml does not require the interface "
               + name.group(1)
-              + "; it requires "
+              + "; required interfaces: "
               + required.stream().map(InterfaceDescription::name).toList());
       return;
     }
@@ -228,9 +228,8 @@ final class ModelAgainstActivity {
                   output.line(),
                   where,
                   method.name()
-                      + " returns nothing; an element named return, with abstract_type VOID and"
-                      + " real_type void, can only expect null or an error such as"
-                      + " \"!error:NAME\"");
+                      + " returns nothing; use an element named return with abstract_type VOID and real_type"
+                      + " void, which expects null or an error such as \"!error:NAME\"");
             }
           } else {
             Optional<DataType> part = MemberPath.resolve(method.returnType(), output.name());
@@ -238,7 +237,7 @@ final class ModelAgainstActivity {
               error(
                   output.line(),
                   where,
-                  method.returnType().spelling() + " has no such member or element");
+                  method.returnType().typeName() + " has no such member or element");
             } else {
               sameType(output.line(), output.name(), output.realType(), part.get());
             }
@@ -262,12 +261,14 @@ final class ModelAgainstActivity {
       error(
           output.line(),
           where,
-          "is an observation of " + world.path() + " and an output data port; rename one of them");
+          "is both an observation of "
+              + world.path()
+              + " and an output data port; rename one of them");
     } else if (port.isPresent()) {
       Optional<DataType> part = MemberPath.resolve(port.get().type(), output.name());
       if (part.isEmpty()) {
         error(
-            output.line(), where, port.get().type().spelling() + " has no such member or element");
+            output.line(), where, port.get().type().typeName() + " has no such member or element");
       } else {
         sameType(output.line(), output.name(), output.realType(), part.get());
       }
@@ -277,9 +278,9 @@ final class ModelAgainstActivity {
           where,
           "is neither an observation of the world"
               + (world == null
-                  ? ", of which activity.yaml names none"
-                  : ", where " + world.path() + " has " + world.observations())
-              + ", nor an output data port of a component_profile, which are "
+                  ? ", since activity.yaml has no world"
+                  : " in " + world.path() + ", which defines " + world.observations())
+              + ", nor one of the output data ports "
               + outputPorts.stream().map(Port.Data::name).toList());
     }
   }
@@ -289,8 +290,8 @@ final class ModelAgainstActivity {
   }
 
   /**
-   * A whole number may be passed where a floating-point number is wanted; otherwise the kinds must
-   * agree.
+   * Checks that a type matches. An integer may be passed as a floating-point number; otherwise the
+   * types must be of the same kind.
    */
   private void sameType(int line, String element, String realType, DataType wanted) {
     DataType given = TypeGrammar.parse(realType).type();
@@ -305,8 +306,8 @@ final class ModelAgainstActivity {
             "test_element " + element,
             "real_type "
                 + realType
-                + " does not fit the interface, which has "
-                + wanted.spelling());
+                + " does not match the interface, which declares "
+                + wanted.typeName());
       }
     }
   }

@@ -8,19 +8,19 @@ import org.sitaf.core.description.MemberPath;
 import org.sitaf.core.description.importer.InterfaceFiles;
 import org.sitaf.core.description.source.ComponentDescription;
 import org.sitaf.core.description.source.ComponentDescription.Port;
-import org.sitaf.core.description.source.Described;
+import org.sitaf.core.description.source.ImportResult;
 import org.sitaf.core.description.source.SourceFiles;
 import org.sitaf.core.diagnostic.Diagnostics;
 
-/** Output data ports of the component under test, which a test can observe. */
+/** The output data ports of the component under test, which a test can observe. */
 final class OutputPorts {
   private OutputPorts() {}
 
   /**
-   * The output data ports that component profiles declare.
+   * Reads the output data ports of component profiles.
    *
-   * @param provided documents of the provided interfaces, which may be profiles and are verified
-   * @param profile the component's profile; null where there is none
+   * @param provided documents of the provided interfaces, which may be profiles
+   * @param profile profile of the component; null if there is none
    */
   static List<Port.Data> read(
       FileTree files, List<String> provided, @Nullable String profile, Diagnostics diagnostics) {
@@ -29,16 +29,16 @@ final class OutputPorts {
     if (more) {
       asked.add(profile);
     }
-    Described described =
+    ImportResult result =
         InterfaceFiles.read(
             SourceFiles.of("component", ActivityReader.interfaceFiles(files, asked), asked));
     if (more) {
-      // The interfaces are those of the test profile, so that it is usable without them.
-      described.diagnostics().stream()
+      // Only warnings: the interfaces are defined by activity.yaml, so this profile is optional.
+      result.diagnostics().stream()
           .filter(d -> d.file().equals(profile))
           .forEach(d -> diagnostics.warning(d.file(), d.line(), d.element(), d.message()));
     }
-    return described.components().stream()
+    return result.components().stream()
         .map(ComponentDescription::ports)
         .flatMap(List::stream)
         .filter(Port.Data.class::isInstance)
@@ -48,7 +48,7 @@ final class OutputPorts {
         .toList();
   }
 
-  /** The port that an observed output is, or is a part of. */
+  /** The port of an observed output or of a part of it. */
   static Optional<Port.Data> named(List<Port.Data> ports, String output) {
     return ports.stream().filter(p -> p.name().equals(MemberPath.root(output))).findFirst();
   }

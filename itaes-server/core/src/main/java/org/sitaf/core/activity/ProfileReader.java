@@ -52,23 +52,26 @@ final class ProfileReader {
 
   private ProfileReader() {}
 
-  /** Reads the text of a profile; what is wrong goes to the diagnostics. */
+  /** Reads a profile. Problems are added to the diagnostics. */
   static ActivityProfile read(String text, String file, Diagnostics diagnostics) {
     YamlMapping root = YamlDocument.read(text, file, diagnostics);
-    root.knowOnly(ENTRIES);
+    root.allowOnly(ENTRIES);
     String name = root.requiredText("name");
     if (!name.isEmpty() && !NAME.matcher(name).matches()) {
       root.problem(
-          "name", "'" + name + "' is not a name; letters, digits, '.', '_' and '-', at most 100");
+          "name",
+          "'"
+              + name
+              + "' is not a name; use letters, digits, '.', '_' and '-', at most 100 characters");
     }
     Component component = component(root);
     Language harness =
         root.text("harness")
-            .flatMap(spelling -> language(root, "harness", spelling))
+            .flatMap(value -> language(root, "harness", value))
             .orElse(component.language());
-    // Models may come later: an activity begins with the component and its interfaces.
+    // Models are optional: a new activity has only a component and its interfaces.
     if (root.texts("provided").isEmpty()) {
-      root.problem("provided", "must name at least one file");
+      root.problem("provided", "must list at least one file");
     }
     return new ActivityProfile(
         name,
@@ -80,14 +83,15 @@ final class ProfileReader {
         harness,
         root.text("world").orElse(null),
         root.texts("models"),
-        root.truth("parallel").orElse(false),
+        root.booleanValue("parallel").orElse(false),
         root.mapping("limits").map(ProfileReader::limits).orElse(Limits.DEFAULT));
   }
 
   private static Component component(YamlMapping root) {
     Optional<YamlMapping> found = root.mapping("component");
     if (found.isEmpty()) {
-      root.problem("component", "must say what is tested: language, sources and class");
+      root.problem(
+          "component", "must describe the component under test: language, sources and class");
       return new Component(
           Language.JAVA,
           "",
@@ -104,10 +108,10 @@ final class ProfileReader {
           List.of());
     }
     YamlMapping entry = found.get();
-    entry.knowOnly(COMPONENT_ENTRIES);
+    entry.allowOnly(COMPONENT_ENTRIES);
     long origins = List.of("sources", "library", "package").stream().filter(entry::has).count();
     if (origins != 1) {
-      entry.problem("sources", "the component comes from exactly one of sources, library, package");
+      entry.problem("sources", "the component needs exactly one of sources, library and package");
     }
     Map<String, String> properties = new HashMap<>();
     entry
@@ -130,14 +134,14 @@ final class ProfileReader {
         entry.texts("before"));
   }
 
-  private static Optional<Language> language(YamlMapping entry, String name, String spelling) {
+  private static Optional<Language> language(YamlMapping entry, String name, String text) {
     for (Language language : Language.values()) {
-      if (language.spelling().equals(spelling.toLowerCase(Locale.ROOT))) {
+      if (language.id().equals(text.toLowerCase(Locale.ROOT))) {
         return Optional.of(language);
       }
     }
     if (entry.has(name)) {
-      entry.problem(name, "must be java, cpp or python, not '" + spelling + "'");
+      entry.problem(name, "must be java, cpp or python, not '" + text + "'");
     }
     return Optional.empty();
   }
@@ -158,13 +162,14 @@ final class ProfileReader {
     switch (entry.text("execution").orElse("passive")) {
       case "passive" -> {
         if (periodMs.isPresent()) {
-          entry.problem("period_ms", "belongs to execution: periodic");
+          entry.problem("period_ms", "is only allowed with execution: periodic");
         }
         return null;
       }
       case "periodic" -> {
         if (periodMs.isEmpty() || periodMs.get() <= 0) {
-          entry.problem("period_ms", "execution: periodic needs a period above 0, in milliseconds");
+          entry.problem(
+              "period_ms", "execution: periodic needs a period in milliseconds, greater than 0");
           return null;
         }
         return Duration.ofNanos(Math.round(periodMs.get() * 1e6));
@@ -177,7 +182,7 @@ final class ProfileReader {
   }
 
   private static Limits limits(YamlMapping entry) {
-    entry.knowOnly(Set.of("case_wall_s", "case_sim_s", "memory_mb", "prepare_s"));
+    entry.allowOnly(Set.of("case_wall_s", "case_sim_s", "memory_mb", "prepare_s"));
     return new Limits(
         seconds(entry, "case_wall_s", Limits.DEFAULT.caseWall()),
         seconds(entry, "case_sim_s", Limits.DEFAULT.caseSimulation()),

@@ -11,9 +11,9 @@ import org.sitaf.core.description.TypeGrammar;
 import org.sitaf.core.model.Target;
 import org.sitaf.core.model.TestModel;
 
-/** The method under test, found among the provided interfaces. */
+/** The method under test and its interface. */
 public record TargetMethod(InterfaceDescription declaring, Method method) {
-  /** A comma between types, not one inside such as {@code sequence<double,8>}. */
+  /** A comma between types, but not within {@code sequence<double,8>}. */
   private static final String OUTSIDE_BRACKETS = ",(?![^<]*>)";
 
   public TargetMethod {
@@ -24,8 +24,7 @@ public record TargetMethod(InterfaceDescription declaring, Method method) {
   /**
    * Finds the target of a model.
    *
-   * @throws IllegalArgumentException when no method or more than one fits; the message lists what
-   *     there is
+   * @throws IllegalArgumentException if no method or more than one matches; lists the methods
    */
   public static TargetMethod find(TestModel model, List<InterfaceDescription> provided) {
     Target target = model.target();
@@ -37,7 +36,7 @@ public record TargetMethod(InterfaceDescription declaring, Method method) {
       throw new IllegalArgumentException(
           "no provided interface is named "
               + target.interfaceName()
-              + "; provided are "
+              + "; provided interfaces: "
               + provided.stream().map(InterfaceDescription::name).toList());
     }
     List<TargetMethod> found = new ArrayList<>();
@@ -51,14 +50,14 @@ public record TargetMethod(InterfaceDescription declaring, Method method) {
           "no method "
               + target.method()
               + (target.signature() == null ? "" : "(" + target.signature() + ")")
-              + "; there are "
+              + "; known methods: "
               + interfaces.stream()
                   .flatMap(i -> i.methods().stream().map(m -> i.name() + "." + m.name()))
                   .collect(Collectors.joining(", ")));
     }
     if (found.size() > 1) {
       throw new IllegalArgumentException(
-          "several methods fit; name one by interface and signature: "
+          "several methods match; select one by interface and signature: "
               + found.stream()
                   .map(
                       f ->
@@ -78,7 +77,7 @@ public record TargetMethod(InterfaceDescription declaring, Method method) {
         signature.isBlank()
             ? ""
             : Arrays.stream(signature.split(OUTSIDE_BRACKETS))
-                .map(t -> TypeGrammar.parse(t).type().spelling())
+                .map(t -> TypeGrammar.parse(t).type().typeName())
                 .collect(Collectors.joining(","));
     return method.signature().equals(wanted);
   }

@@ -1,6 +1,6 @@
 /**
- * One component under test as files: its profile, interfaces, world and models, read and verified
- * together.
+ * Test activities: the profile, interfaces, world and models of one component under test, read and
+ * verified together.
  */
 @NullMarked
 package org.sitaf.core.activity;

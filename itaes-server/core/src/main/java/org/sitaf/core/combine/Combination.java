@@ -10,22 +10,26 @@ import java.util.Optional;
 import java.util.TreeSet;
 import org.sitaf.core.combine.CoveringArray.TupleReport;
 import org.sitaf.core.combine.construction.Constructions;
-import org.sitaf.core.combine.construction.Constructions.Development;
+import org.sitaf.core.combine.construction.Constructions.SearchResult;
 import org.sitaf.core.combine.coverage.ColumnSets;
 import org.sitaf.core.combine.coverage.Coverage;
-import org.sitaf.core.combine.coverage.Dice;
 import org.sitaf.core.combine.coverage.Row;
 import org.sitaf.core.combine.coverage.Symbols;
 import org.sitaf.core.combine.feasible.Feasibility;
 import org.sitaf.core.combine.feasible.ImpossibleTuples;
-import org.sitaf.core.combine.feasible.ImpossibleTuples.Judgement;
+import org.sitaf.core.combine.feasible.ImpossibleTuples.Exclusion;
 import org.sitaf.core.combine.search.Budget;
 import org.sitaf.core.combine.search.Greedy;
 import org.sitaf.core.combine.search.TupleForcing;
 
-/** One combination, from what is possible over a first array to a small one. */
+/**
+ * Runs one combination: excludes impossible tuples, creates a first covering array, then removes
+ * rows from it.
+ */
 final class Combination {
-  /** Within this factor of the bound, growth need not compete. */
+  /**
+   * An algebraic array within this factor of the lower bound is used without trying greedy growth.
+   */
   private static final double NEAR = 1.1;
 
   private final CombinationProblem problem;
@@ -52,30 +56,30 @@ final class Combination {
 
   CoveringArray run(long seed) {
     Coverage coverage = ColumnSets.coverage(symbols, sets);
-    Judgement judgement = ImpossibleTuples.exclude(symbols, sets, feasibility, coverage);
-    TupleReport report = judgement.report();
+    Exclusion exclusion = ImpossibleTuples.exclude(symbols, sets, feasibility, coverage);
+    TupleReport report = exclusion.report();
     long most = TestDataCombinator.maxRows(symbols);
-    if (judgement.bound() > most) {
+    if (exclusion.bound() > most) {
       throw new TooManyCombinationsException(
-          "cases that are needed at least", BigInteger.valueOf(judgement.bound()), most);
+          "minimum number of cases", BigInteger.valueOf(exclusion.bound()), most);
     }
-    Dice dice = new Dice(seed);
+    SeededRandom random = new SeededRandom(seed);
     Budget budget = new Budget(operations());
-    Greedy greedy = new Greedy(symbols, coverage, feasibility, dice, budget);
+    Greedy greedy = new Greedy(symbols, coverage, feasibility, random, budget);
 
     List<Row> rows = new ArrayList<>();
     List<int[]> kept = problem.seeds();
     for (int[] values : kept) {
       Row filled =
-          Objects.requireNonNull(
-              greedy.fill(new Row(symbols, values)), "a seed that was found allowed");
+          Objects.requireNonNull(greedy.fill(new Row(symbols, values)), "seed was checked before");
       filled.keep(values);
       coverage.add(filled);
       rows.add(filled);
     }
     boolean plain = kept.isEmpty() && feasibility.rules().isEmpty();
-    Optional<Plain> columns = plain ? Plain.of(problem, symbols) : Optional.empty();
-    first(rows, columns.flatMap(Plain::atOnce), judgement.bound(), coverage, greedy);
+    Optional<SingleInteraction> columns =
+        plain ? SingleInteraction.of(problem, symbols) : Optional.empty();
+    first(rows, columns.flatMap(SingleInteraction::direct), exclusion.bound(), coverage, greedy);
     if (rows.isEmpty()) {
       Row only = greedy.fill(new Row(symbols));
       if (only != null) {
@@ -85,15 +89,18 @@ final class Combination {
     }
     progress.report(rows.size(), 0);
 
-    int enough = Math.max(judgement.bound(), kept.size());
+    int enough = Math.max(exclusion.bound(), kept.size());
     List<int[]> best = rows.stream().map(Row::values).toList();
     if (effort != Effort.FAST) {
-      best = smaller(rows, best, enough, columns, coverage, greedy, dice, budget);
+      best = smaller(rows, best, enough, columns, coverage, greedy, random, budget);
     }
     return new CoveringArray(ordered(best, kept.size()), report, best.size() <= enough, List.of());
   }
 
-  /** A first complete array: what algebra gives where that is near the bound, or else smaller. */
+  /**
+   * Creates a first complete array: the algebraic one if it is close to the lower bound or smaller
+   * than the greedy one.
+   */
   private void first(
       List<Row> rows, Optional<List<int[]>> algebra, int bound, Coverage coverage, Greedy greedy) {
     int tries = effort == Effort.FAST ? 1 : 4;
@@ -111,15 +118,15 @@ final class Combination {
       List<Row> rows,
       List<int[]> complete,
       int enough,
-      Optional<Plain> columns,
+      Optional<SingleInteraction> columns,
       Coverage coverage,
       Greedy greedy,
-      Dice dice,
+      SeededRandom random,
       Budget budget) {
-    TupleForcing search = new TupleForcing(symbols, coverage, feasibility, greedy, dice, rows);
+    TupleForcing search = new TupleForcing(symbols, coverage, feasibility, greedy, random, rows);
     List<int[]> best = search.shrink(complete, enough, budget.part(0.1), listener(budget));
     if (best.size() > enough && columns.isPresent()) {
-      Development found = columns.get().developed(best.size(), dice, budget.part(0.3));
+      SearchResult found = columns.get().develop(best.size(), random, budget.part(0.3));
       if (found.array().isPresent()) {
         replace(rows, found.array().get(), coverage);
         greedy.grow(rows, 1, Integer.MAX_VALUE);
@@ -133,7 +140,7 @@ final class Combination {
       }
       replace(rows, best, coverage);
     }
-    return search.shrink(best, enough, budget.patient(patience()), listener(budget));
+    return search.shrink(best, enough, budget.withPatience(patience()), listener(budget));
   }
 
   private TupleForcing.Listener listener(Budget budget) {
@@ -150,9 +157,12 @@ final class Combination {
     }
   }
 
-  /** The varied columns of a problem with a single interaction, for which algebra may know. */
-  private record Plain(Symbols symbols, int strength, int[] columns, int[] levels) {
-    static Optional<Plain> of(CombinationProblem problem, Symbols symbols) {
+  /**
+   * The columns with more than one value of a problem with a single interaction, to which algebraic
+   * constructions apply.
+   */
+  private record SingleInteraction(Symbols symbols, int strength, int[] columns, int[] levels) {
+    static Optional<SingleInteraction> of(CombinationProblem problem, Symbols symbols) {
       if (problem.interactions().size() != 1) {
         return Optional.empty();
       }
@@ -161,16 +171,16 @@ final class Combination {
           Arrays.stream(interaction.parameters()).filter(c -> symbols.levels(c) > 1).toArray();
       int[] levels = Arrays.stream(columns).map(symbols::levels).toArray();
       int strength = Math.min(interaction.strength(), columns.length);
-      return Optional.of(new Plain(symbols, strength, columns, levels));
+      return Optional.of(new SingleInteraction(symbols, strength, columns, levels));
     }
 
-    Optional<List<int[]>> atOnce() {
-      return Constructions.atOnce(strength, levels).map(this::whole);
+    Optional<List<int[]>> direct() {
+      return Constructions.direct(strength, levels).map(this::whole);
     }
 
-    Development developed(int size, Dice dice, Budget budget) {
-      Development found = Constructions.developed(strength, levels, size, dice, budget);
-      return new Development(found.array().map(this::whole), found.nearMiss().map(this::whole));
+    SearchResult develop(int size, SeededRandom random, Budget budget) {
+      SearchResult found = Constructions.develop(strength, levels, size, random, budget);
+      return new SearchResult(found.array().map(this::whole), found.nearMiss().map(this::whole));
     }
 
     private List<int[]> whole(List<int[]> rows) {
@@ -186,7 +196,9 @@ final class Combination {
     }
   }
 
-  /** By default a search that finds nothing for a while gives up: a person waits. */
+  /**
+   * With default effort, the search stops early if it makes no progress, because a user is waiting.
+   */
   private double patience() {
     return effort == Effort.DEFAULT && !onlyPairs() ? 0.3 : 1;
   }
@@ -203,7 +215,7 @@ final class Combination {
     };
   }
 
-  /** Kept rows in their places, the others in ascending order, none twice. */
+  /** Kept rows first, then the others in ascending order without duplicates. */
   private static int[][] ordered(List<int[]> rows, int kept) {
     List<int[]> all = new ArrayList<>(rows.subList(0, kept));
     TreeSet<int[]> others = new TreeSet<>(Comparator.comparing((int[] a) -> a, Arrays::compare));

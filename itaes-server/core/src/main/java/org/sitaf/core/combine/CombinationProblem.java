@@ -5,18 +5,18 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * What to combine. Parameter {@code p} has the values {@code 0 .. levels[p]-1}.
+ * A combination problem. Parameter {@code p} has the values {@code 0 .. levels[p]-1}.
  *
- * @param levels how many values each parameter has, each at least 1
- * @param interactions what must be covered; several make mixed strength
- * @param constraints what every row keeps
- * @param seeds rows to keep, in this order, each with a value for every parameter; {@link #FREE}
- *     where the value may be chosen
+ * @param levels number of values of each parameter, at least 1
+ * @param interactions the tuples to cover; several interactions mean mixed strength
+ * @param constraints conditions that every row satisfies
+ * @param seeds rows to keep, in this order, with one value per parameter; {@link #FREE} if the
+ *     generator may choose the value
  */
 public record CombinationProblem(
     int[] levels, List<Interaction> interactions, List<Constraint> constraints, List<int[]> seeds) {
 
-  /** In a seed: the value of this parameter may be chosen. */
+  /** In a seed: the generator chooses the value of this parameter. */
   public static final int FREE = -1;
 
   public CombinationProblem {
@@ -40,24 +40,24 @@ public record CombinationProblem(
     }
   }
 
-  /** Every tuple of {@code strength} values of all parameters, without any condition. */
+  /** All tuples of {@code strength} values of all parameters, without constraints. */
   public static CombinationProblem tWay(int strength, int... levels) {
     int[] all = IntStream.range(0, levels.length).toArray();
     return new CombinationProblem(
         levels, List.of(new Interaction(strength, all)), List.of(), List.of());
   }
 
-  /** Every combination of all values. */
+  /** All combinations of all values. */
   public static CombinationProblem all(int... levels) {
     return tWay(Math.max(1, levels.length), levels);
   }
 
-  /** The same problem under these constraints. */
+  /** A copy with other constraints. */
   public CombinationProblem withConstraints(List<Constraint> replaced) {
     return new CombinationProblem(levels, interactions, replaced, seeds);
   }
 
-  /** The same problem with these rows to keep. */
+  /** A copy with other seeds. */
   public CombinationProblem withSeeds(List<int[]> replaced) {
     return new CombinationProblem(levels, interactions, constraints, replaced);
   }
@@ -76,7 +76,7 @@ public record CombinationProblem(
     for (int p : parameters) {
       if (p < 0 || p >= count) {
         throw new IllegalArgumentException(
-            what + " names parameter " + p + ", but there are " + count + " (from 0)");
+            what + " uses parameter " + p + ", but there are " + count + " (from 0)");
       }
     }
   }

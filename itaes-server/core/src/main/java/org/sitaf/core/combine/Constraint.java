@@ -5,16 +5,19 @@ import java.util.Objects;
 import java.util.function.Predicate;
 
 /**
- * A condition that every row keeps, over the values of a few parameters.
+ * A condition over some parameters that every row satisfies.
  *
- * @param parameters distinct indices of parameters, from 0, in the order in which {@code allowed}
- *     takes their values
- * @param allowed whether these values may stand together in a row; a pure function, asked once for
- *     every tuple where there are few enough, else as needed
+ * @param parameters distinct indices of parameters, from 0, in the order of the values passed to
+ *     {@code allowed}
+ * @param allowed whether a row may contain these values; a pure function, evaluated once per tuple
+ *     if there are at most {@link #MAX_TABLE}, else on demand
  */
 @SuppressWarnings("ArrayRecordComponent") // copied in and out
 public record Constraint(int[] parameters, Predicate<int[]> allowed) {
-  /** Up to this many tuples are tabulated; beyond, a constraint is asked as needed. */
+  /**
+   * Up to this number of tuples, the results are tabulated; otherwise the constraint is evaluated
+   * on demand.
+   */
   public static final long MAX_TABLE = 200_000;
 
   public Constraint {
@@ -22,15 +25,15 @@ public record Constraint(int[] parameters, Predicate<int[]> allowed) {
     parameters = parameters.clone();
     if (Arrays.stream(parameters).distinct().count() != parameters.length) {
       throw new IllegalArgumentException(
-          "a constraint names a parameter twice: " + Arrays.toString(parameters));
+          "a constraint uses a parameter twice: " + Arrays.toString(parameters));
     }
   }
 
-  /** The constraint that these values of these parameters never stand together. */
+  /** Forbids a tuple of values. */
   public static Constraint forbid(int[] parameters, int[] values) {
     if (parameters.length != values.length) {
       throw new IllegalArgumentException(
-          "as many values as parameters are needed: "
+          "the number of values must be the number of parameters: "
               + Arrays.toString(parameters)
               + " and "
               + Arrays.toString(values));

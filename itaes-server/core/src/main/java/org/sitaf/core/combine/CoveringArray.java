@@ -4,14 +4,13 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Rows that cover what a {@link CombinationProblem} asks for.
+ * Rows that cover all tuples of a {@link CombinationProblem}.
  *
- * @param rows the seeds in their order, then the new rows in ascending order; each holds a value
- *     for every parameter
- * @param tuples what was covered, and what cannot be
- * @param optimal whether no smaller array exists, by proof
- * @param refusedSeeds indices of the seeds that no allowed row holds, and that are left out of the
- *     rows
+ * @param rows the seeds in their order, then the new rows in ascending order; one value per
+ *     parameter
+ * @param tuples number of covered and impossible tuples
+ * @param optimal whether it is proven that no smaller array exists
+ * @param refusedSeeds indices of seeds that violate the constraints and are not in the rows
  */
 @SuppressWarnings("ArrayRecordComponent") // copied in and out
 public record CoveringArray(
@@ -26,7 +25,7 @@ public record CoveringArray(
     return copy(rows);
   }
 
-  /** How many rows there are. */
+  /** The number of rows. */
   public int size() {
     return rows.length;
   }
@@ -36,15 +35,15 @@ public record CoveringArray(
   }
 
   /**
-   * The tuples that the interactions ask for. Parameters with a single value take no part, and a
-   * tuple that a larger one implies is not counted beside it.
+   * Counts the required tuples. Parameters with a single value are ignored, and a tuple that is
+   * part of a larger required tuple is not counted.
    *
-   * @param covered how many the rows cover: all that are possible
-   * @param impossible how many no allowed row can hold
-   * @param examples the first of the impossible ones, at most {@link #MAX_EXAMPLES}
+   * @param covered number of covered tuples: all possible ones
+   * @param impossible number of tuples that the constraints exclude
+   * @param examples the first impossible tuples, at most {@link #MAX_EXAMPLES}
    */
   public record TupleReport(long covered, long impossible, List<Tuple> examples) {
-    /** How many impossible tuples are listed. */
+    /** Maximum number of listed impossible tuples. */
     public static final int MAX_EXAMPLES = 1000;
 
     public TupleReport {
@@ -53,10 +52,10 @@ public record CoveringArray(
   }
 
   /**
-   * Values that should stand together in a row.
+   * A combination of values.
    *
    * @param parameters indices in ascending order
-   * @param values one for each of them
+   * @param values one value per parameter
    */
   @SuppressWarnings("ArrayRecordComponent") // copied in and out
   public record Tuple(int[] parameters, int[] values) {

@@ -8,16 +8,17 @@ import java.util.Set;
 import java.util.stream.IntStream;
 
 /**
- * Checks an array against its problem, in the plainest way that there is: it shares no code with
- * the generator.
+ * Checks a covering array against its problem. Simple and independent: shares no code with the
+ * generator.
  */
 public final class CoveringCheck {
   private CoveringCheck() {}
 
   /**
-   * Lists what is wrong, at most a thousand findings; empty when every required tuple is covered,
-   * or reported impossible, or in no allowed row by exhaustion, when no constraint is broken, when
-   * the seeds stand first, and when what was refused as impossible is in no allowed row.
+   * Returns at most 1000 problems. The array is correct if each required tuple is covered or
+   * impossible, no row violates a constraint, the rows begin with the seeds, and no rejected seed
+   * and no tuple reported as impossible is part of an allowed row. Impossibility is checked by
+   * exhaustive search.
    */
   public static List<String> findings(CombinationProblem problem, CoveringArray array) {
     List<String> findings = new ArrayList<>();
@@ -27,14 +28,14 @@ public final class CoveringCheck {
     for (CoveringArray.Tuple tuple : array.tuples().examples()) {
       impossible.add(code(tuple.parameters(), tuple.values()));
     }
-    Exhaustion exhaustion = new Exhaustion(problem);
-    checkRefusals(problem, array, exhaustion, findings);
+    ExhaustiveSearch exhaustiveSearch = new ExhaustiveSearch(problem);
+    checkRefusals(problem, array, exhaustiveSearch, findings);
     for (Interaction interaction : problem.interactions()) {
       int[] parameters = interaction.parameters();
       int strength = Math.min(interaction.strength(), parameters.length);
       for (int[] set : subsets(parameters, strength)) {
         for (int[] values : missing(problem.levels(), set, rows)) {
-          if (!holdsImpossible(set, values, impossible) && exhaustion.finds(set, values)) {
+          if (!holdsImpossible(set, values, impossible) && exhaustiveSearch.finds(set, values)) {
             add(findings, "not covered: " + Arrays.toString(set) + "=" + Arrays.toString(values));
           }
         }
@@ -53,19 +54,19 @@ public final class CoveringCheck {
   private static void checkRefusals(
       CombinationProblem problem,
       CoveringArray array,
-      Exhaustion exhaustion,
+      ExhaustiveSearch exhaustiveSearch,
       List<String> findings) {
     for (int refused : array.refusedSeeds()) {
       int[] seed = problem.seeds().get(refused);
       int[] parameters = IntStream.range(0, seed.length).filter(p -> seed[p] >= 0).toArray();
       int[] values = IntStream.of(parameters).map(p -> seed[p]).toArray();
-      if (exhaustion.finds(parameters, values)) {
-        add(findings, "seed " + refused + " was refused, but an allowed row holds it");
+      if (exhaustiveSearch.finds(parameters, values)) {
+        add(findings, "seed " + refused + " was rejected, but an allowed row contains it");
       }
     }
     for (CoveringArray.Tuple tuple : array.tuples().examples()) {
-      if (exhaustion.finds(tuple.parameters(), tuple.values())) {
-        add(findings, "reported impossible, but an allowed row holds it: " + tuple);
+      if (exhaustiveSearch.finds(tuple.parameters(), tuple.values())) {
+        add(findings, "reported as impossible, but an allowed row contains it: " + tuple);
       }
     }
   }
@@ -81,17 +82,17 @@ public final class CoveringCheck {
           add(findings, "row " + r + " has no value " + row[p] + " of parameter " + p);
         }
         if (r < seeds.size() && seeds.get(r)[p] >= 0 && seeds.get(r)[p] != row[p]) {
-          add(findings, "row " + r + " is not the seed that should stand there");
+          add(findings, "row " + r + " differs from its seed");
         }
       }
       for (Constraint constraint : problem.constraints()) {
         int[] values = Arrays.stream(constraint.parameters()).map(p -> row[p]).toArray();
         if (!constraint.allowed().test(values)) {
-          add(findings, "row " + r + " breaks a constraint: " + Arrays.toString(row));
+          add(findings, "row " + r + " violates a constraint: " + Arrays.toString(row));
         }
       }
       if (!seen.add(Arrays.stream(row).boxed().toList()) && r >= seeds.size()) {
-        add(findings, "row " + r + " occurs before: " + Arrays.toString(row));
+        add(findings, "row " + r + " is a duplicate: " + Arrays.toString(row));
       }
     }
     if (rows.length < seeds.size()) {
@@ -131,7 +132,7 @@ public final class CoveringCheck {
     return missing;
   }
 
-  /** Whether the tuple, or one that it holds, is among the impossible. */
+  /** Whether the tuple or a part of it is impossible. */
   private static boolean holdsImpossible(int[] set, int[] values, Set<List<Integer>> impossible) {
     for (int members = 1; members < 1 << set.length; members++) {
       int size = Integer.bitCount(members);

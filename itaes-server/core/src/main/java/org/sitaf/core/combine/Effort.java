@@ -1,10 +1,13 @@
 package org.sitaf.core.combine;
 
-/** How long to look for fewer rows, counted in search steps, never by the clock. */
+/**
+ * How long to search for a smaller array. Counted in search steps instead of time, so results are
+ * reproducible.
+ */
 public enum Effort {
-  /** The first complete array. */
+  /** Returns the first complete array. */
   FAST,
-  /** A second or so for pairs, some seconds above. */
+  /** About a second for pairs, some seconds for higher strengths. */
   DEFAULT,
   /** Up to about two minutes. */
   BEST

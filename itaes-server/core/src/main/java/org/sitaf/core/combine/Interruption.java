@@ -2,14 +2,17 @@ package org.sitaf.core.combine;
 
 import java.util.concurrent.CancellationException;
 
-/** Long work ends when its thread is interrupted; a caller that has a clock sets the deadline. */
+/**
+ * Stops long computations when their thread is interrupted. Callers implement timeouts by
+ * interrupting the thread.
+ */
 public final class Interruption {
   private Interruption() {}
 
   /**
-   * Ends the work when its thread is interrupted; the thread stays interrupted.
+   * Throws if the thread is interrupted. The interrupt status is kept.
    *
-   * @throws CancellationException when it is
+   * @throws CancellationException if the thread is interrupted
    */
   public static void check() {
     if (Thread.currentThread().isInterrupted()) {

@@ -1,16 +1,16 @@
 package org.sitaf.core.combine;
 
-/** Hears how a combination gets on. Called on the thread that combines. */
+/** Receives the progress of a combination, on the thread of the combination. */
 @FunctionalInterface
 public interface Progress {
-  /** Nobody listens. */
+  /** Ignores progress. */
   Progress NONE = (rows, share) -> {};
 
   /**
-   * A complete array exists, or more of the effort is spent.
+   * Called when a smaller array was found or more of the effort was used.
    *
-   * @param rows rows of the smallest complete array so far
-   * @param share how much of the effort is spent, 0 to 1
+   * @param rows number of rows of the smallest complete array so far
+   * @param share used share of the effort, 0 to 1
    */
   void report(int rows, double share);
 }

@@ -14,37 +14,37 @@ import org.sitaf.core.combine.feasible.Feasibility;
 import org.sitaf.core.combine.search.Product;
 
 /**
- * Test Data Combinator (paper, Fig. 2): rows that hold every required tuple of values, as few as it
- * finds. The same problem, effort and seed give the same rows on every machine.
+ * Test Data Combinator (paper, Fig. 2): generates a small set of rows that contains every required
+ * tuple of values. The same problem, effort and seed give the same rows on every machine.
  */
 public final class TestDataCombinator {
-  /** The most rows that a full product may have. */
+  /** Maximum number of rows of a full product. */
   public static final long MAX_PRODUCT = 1_000_000;
 
-  /** The most tuples that may be required. */
+  /** Maximum number of required tuples. */
   public static final long MAX_TUPLES = 120_000_000;
 
-  /** The most sets of columns whose tuples may be required. */
+  /** Maximum number of column sets with required tuples. */
   static final long MAX_SETS = 5_000_000;
 
-  /** The most rows that an array may need at least. */
+  /** Maximum lower bound of the number of rows. */
   static final long MAX_ROWS = 1_000_000;
 
   /**
-   * Combines.
+   * Solves a combination problem.
    *
-   * @param seed of the pseudo-random choices
-   * @throws TooManyCombinationsException when there are more than {@link #MAX_PRODUCT} rows of a
-   *     full product, or more than {@link #MAX_TUPLES} tuples
-   * @throws WideConstraintException when a constraint cannot be judged by trying its tuples
-   * @throws java.util.concurrent.CancellationException when the thread is interrupted
+   * @param seed seed of random choices
+   * @throws TooManyCombinationsException if a full product has more than {@link #MAX_PRODUCT} rows,
+   *     or there are more than {@link #MAX_TUPLES} tuples
+   * @throws WideConstraintException if a constraint relates too many combinations of values
+   * @throws java.util.concurrent.CancellationException if the thread is interrupted
    */
   public CoveringArray combine(
       CombinationProblem problem, Effort effort, long seed, Progress progress) {
     Symbols symbols = new Symbols(problem.levels());
     ColumnSets sets = new ColumnSets(symbols, problem.interactions());
     boolean product = sets.isProduct();
-    refuseExplosion(symbols, sets, product);
+    checkSize(symbols, sets, product);
     Feasibility feasibility = new Feasibility(symbols, problem.constraints());
     List<Integer> refused = new ArrayList<>();
     List<int[]> allowed = new ArrayList<>();
@@ -63,7 +63,10 @@ public final class TestDataCombinator {
     return new CoveringArray(array.rows(), array.tuples(), array.optimal(), refused);
   }
 
-  /** The most rows that an array may need at least; they take a third of the memory at most. */
+  /**
+   * Maximum lower bound of the number of rows, such that the rows use at most a third of the
+   * memory.
+   */
   static long maxRows(Symbols symbols) {
     long bytes = 200 + 24L * symbols.columns() + (symbols.hasSets() ? 8L * symbols.words() : 0);
     return Math.min(MAX_ROWS, Runtime.getRuntime().maxMemory() / 3 / bytes);
@@ -73,26 +76,27 @@ public final class TestDataCombinator {
     return feasibility.rules().allow(row) && feasibility.complete(row) != null;
   }
 
-  private static void refuseExplosion(Symbols symbols, ColumnSets sets, boolean product) {
+  private static void checkSize(Symbols symbols, ColumnSets sets, boolean product) {
     if (product) {
       BigInteger rows = BigInteger.ONE;
       for (int levels : symbols.levels()) {
         rows = rows.multiply(BigInteger.valueOf(levels));
       }
       if (rows.compareTo(BigInteger.valueOf(MAX_PRODUCT)) > 0) {
-        throw new TooManyCombinationsException("all combinations", rows, MAX_PRODUCT);
+        throw new TooManyCombinationsException("number of all combinations", rows, MAX_PRODUCT);
       }
       return;
     }
     BigInteger tuples = sets.tuples();
-    // A counter for each of them takes half of the memory at most.
+    // The counters of all tuples may use at most half of the memory.
     long limit = Math.min(MAX_TUPLES, Runtime.getRuntime().maxMemory() / 9);
     if (tuples.compareTo(BigInteger.valueOf(limit)) > 0) {
-      throw new TooManyCombinationsException("tuples of values to cover", tuples, limit);
+      throw new TooManyCombinationsException("number of tuples to cover", tuples, limit);
     }
     BigInteger listed = sets.count();
     if (listed.compareTo(BigInteger.valueOf(MAX_SETS)) > 0) {
-      throw new TooManyCombinationsException("sets of parameters to combine", listed, MAX_SETS);
+      throw new TooManyCombinationsException(
+          "number of parameter sets to combine", listed, MAX_SETS);
     }
   }
 
@@ -118,7 +122,8 @@ public final class TestDataCombinator {
     }
     List<int[]> all = new ArrayList<>(kept.stream().map(Row::values).toList());
     all.addAll(rows);
-    // Which combinations the constraints forbid is their very sense, and no finding: only counted.
+    // For a full product, excluded combinations are only counted: they are expected, so no examples
+    // are listed.
     return new CoveringArray(
         all.toArray(int[][]::new),
         new TupleReport(covered, whole - covered, List.of()),

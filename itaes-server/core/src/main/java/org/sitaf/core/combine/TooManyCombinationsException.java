@@ -2,16 +2,16 @@ package org.sitaf.core.combine;
 
 import java.math.BigInteger;
 
-/** A combination that would explode; refused before it is begun. */
+/** Thrown before a combination that would be too large. */
 public final class TooManyCombinationsException extends RuntimeException {
   private static final long serialVersionUID = 1L;
 
   private final BigInteger count;
 
   /**
-   * Refuses.
+   * Creates an exception.
    *
-   * @param what is too many
+   * @param what what is counted
    */
   public TooManyCombinationsException(String what, BigInteger count, long limit) {
     super(
@@ -20,11 +20,11 @@ public final class TooManyCombinationsException extends RuntimeException {
             + count
             + ", more than the limit of "
             + limit
-            + "; lower the strength, or give the parameters fewer values");
+            + "; reduce the strength or the number of values");
     this.count = count;
   }
 
-  /** How many combinations there would be, exactly, conditions left out of account. */
+  /** The exact count without constraints. */
   public BigInteger count() {
     return count;
   }

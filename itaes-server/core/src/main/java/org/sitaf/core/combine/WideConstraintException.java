@@ -3,31 +3,31 @@ package org.sitaf.core.combine;
 import java.math.BigInteger;
 import java.util.Locale;
 
-/** A constraint over so many combinations of values that it cannot be judged by trying them. */
+/** Thrown when a constraint relates too many combinations of values to be evaluated. */
 public final class WideConstraintException extends RuntimeException {
   private static final long serialVersionUID = 1L;
 
   private final transient Constraint constraint;
 
   /**
-   * Refuses a constraint.
+   * Creates an exception.
    *
-   * @param combinations of values of its parameters
-   * @param limit what trying them reached
+   * @param combinations number of combinations of values of the parameters
+   * @param limit the exceeded limit, as text
    */
   public WideConstraintException(Constraint constraint, BigInteger combinations, String limit) {
     super(
         String.format(
             Locale.ROOT,
-            "relates %d parameters with %,d combinations of values, of which %s; split it with &&,"
-                + " or into several conditions, of fewer parameters each",
+            "relates %d parameters with %,d combinations of values, of which %s; split it with && or"
+                + " into several conditions with fewer parameters each",
             constraint.parameters().length,
             combinations,
             limit));
     this.constraint = constraint;
   }
 
-  /** The constraint. */
+  /** The rejected constraint. */
   public Constraint constraint() {
     return constraint;
   }

@@ -1,6 +1,6 @@
 /**
- * Test Data Combinator: covering arrays over dense ints, which know nothing of names, XML or
- * conditions' language.
+ * Test Data Combinator: generates covering arrays over integers. Independent of names, documents
+ * and the language of conditions.
  */
 @NullMarked
 package org.sitaf.core.combine;

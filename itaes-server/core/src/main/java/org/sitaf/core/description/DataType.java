@@ -3,50 +3,50 @@ package org.sitaf.core.description;
 import java.util.List;
 import java.util.Objects;
 
-/** A type of an interface, resolved from its spelling. */
+/** A resolved data type of an interface. */
 public sealed interface DataType {
 
-  /** The canonical spelling, such as {@code int32}, {@code sequence<double>} or {@code Pose}. */
-  String spelling();
+  /** The canonical name, such as {@code int32}, {@code sequence<double>} or {@code Pose}. */
+  String typeName();
 
-  /** The types that this one is made of, one level down. */
+  /** The direct component types: elements or members. */
   default List<DataType> parts() {
     return List.of();
   }
 
-  /** The type of a member of this name; unknown where there is no such member. */
+  /** The type of a member; {@link Unknown} if there is no such member. */
   default DataType member(String name) {
     return new Unknown("");
   }
 
   /**
-   * A type without parts.
+   * A scalar type.
    *
-   * @param bound greatest length of a string; 0 where any length is allowed
+   * @param bound maximum length of a string; 0 if unbounded
    */
   record Scalar(ScalarType type, int bound) implements DataType {
     public Scalar {
       Objects.requireNonNull(type);
       if (bound < 0 || (bound > 0 && type != ScalarType.STRING)) {
-        throw new IllegalArgumentException("a " + type.spelling() + " has no bound " + bound);
+        throw new IllegalArgumentException("a " + type.typeName() + " has no bound " + bound);
       }
     }
 
-    /** A type without parts and without a bound. */
+    /** A scalar without a bound. */
     public Scalar(ScalarType type) {
       this(type, 0);
     }
 
     @Override
-    public String spelling() {
-      return bound == 0 ? type.spelling() : type.spelling() + "<" + bound + ">";
+    public String typeName() {
+      return bound == 0 ? type.typeName() : type.typeName() + "<" + bound + ">";
     }
   }
 
   /**
-   * Elements of one type: vector, valarray, sequence, list.
+   * A sequence of elements of one type: vector, valarray, sequence, list.
    *
-   * @param bound greatest number of elements; 0 where any number is allowed
+   * @param bound maximum number of elements; 0 if unbounded
    */
   record Sequence(DataType element, int bound) implements DataType {
     public Sequence {
@@ -56,7 +56,7 @@ public sealed interface DataType {
       }
     }
 
-    /** Any number of elements. */
+    /** An unbounded sequence. */
     public Sequence(DataType element) {
       this(element, 0);
     }
@@ -67,12 +67,14 @@ public sealed interface DataType {
     }
 
     @Override
-    public String spelling() {
-      return "sequence<" + element.spelling() + (bound == 0 ? ">" : "," + bound + ">");
+    public String typeName() {
+      return "sequence<" + element.typeName() + (bound == 0 ? ">" : "," + bound + ">");
     }
   }
 
-  /** A fixed number of elements; {@code double[2][3]} is two times three of them, as in C++. */
+  /**
+   * An array of fixed length. As in C++, {@code double[2][3]} is an array of two arrays of three.
+   */
   record FixedArray(DataType element, int length) implements DataType {
     public FixedArray {
       Objects.requireNonNull(element);
@@ -87,18 +89,18 @@ public sealed interface DataType {
     }
 
     @Override
-    public String spelling() {
+    public String typeName() {
       StringBuilder dimensions = new StringBuilder("[" + length + "]");
       DataType inner = element;
       while (inner instanceof FixedArray array) {
         dimensions.append('[').append(array.length).append(']');
         inner = array.element;
       }
-      return inner.spelling() + dimensions;
+      return inner.typeName() + dimensions;
     }
   }
 
-  /** Named members. */
+  /** A struct with named members. */
   record Struct(String name, List<Member> members) implements DataType {
     public Struct {
       Objects.requireNonNull(name);
@@ -120,7 +122,7 @@ public sealed interface DataType {
     }
 
     @Override
-    public String spelling() {
+    public String typeName() {
       return name;
     }
   }
@@ -133,7 +135,7 @@ public sealed interface DataType {
     }
   }
 
-  /** Named literals. */
+  /** An enumeration with named literals. */
   record Enumeration(String name, List<String> literals) implements DataType {
     public Enumeration {
       Objects.requireNonNull(name);
@@ -141,19 +143,21 @@ public sealed interface DataType {
     }
 
     @Override
-    public String spelling() {
+    public String typeName() {
       return name;
     }
   }
 
-  /** A type that nothing at hand defines; kept by its name and reported. */
+  /**
+   * A type that none of the given files defines. It keeps its name and is reported as a warning.
+   */
   record Unknown(String name) implements DataType {
     public Unknown {
       Objects.requireNonNull(name);
     }
 
     @Override
-    public String spelling() {
+    public String typeName() {
       return name;
     }
   }

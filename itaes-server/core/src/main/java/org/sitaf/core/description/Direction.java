@@ -1,6 +1,6 @@
 package org.sitaf.core.description;
 
-/** Which way a parameter carries data. */
+/** The direction in which a parameter passes data. */
 public enum Direction {
   IN,
   OUT,

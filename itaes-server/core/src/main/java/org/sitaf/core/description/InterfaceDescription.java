@@ -16,7 +16,7 @@ public record InterfaceDescription(String name, List<Method> methods, String sou
     methods = List.copyOf(methods);
   }
 
-  /** The methods of a name; several where it is overloaded. */
+  /** All overloads of a method. */
   public List<Method> methodsNamed(String methodName) {
     return methods.stream().filter(m -> m.name().equals(methodName)).toList();
   }

@@ -7,36 +7,36 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Where a test element lies in a parameter: {@code pose}, a member of it {@code pose.x}, an element
- * {@code path[0]}.
+ * The path of a test element in a parameter: the whole parameter {@code pose}, a member {@code
+ * pose.x} or an element {@code path[0]}.
  */
 public final class MemberPath {
   private static final Pattern STEP = Pattern.compile("\\.([A-Za-z_]\\w*)|\\[(\\d{1,6})]");
 
   private MemberPath() {}
 
-  /** One step of the way into a parameter. */
+  /** One step of a path. */
   public sealed interface Step {
-    /** To a member of a struct. */
+    /** Selects a member of a struct. */
     record Member(String name) implements Step {}
 
     /**
-     * To an element of a sequence or an array.
+     * Selects an element of a sequence or an array.
      *
      * @param index from 0
      */
     record Element(int index) implements Step {}
   }
 
-  /** The parameter that a name begins with. */
+  /** The name of the parameter at the beginning of a path. */
   public static String root(String name) {
     return name.split("[.\\[]", 2)[0];
   }
 
   /**
-   * The steps from the parameter that a name begins with; none for the whole of it.
+   * The steps after the parameter's name; empty for the whole parameter.
    *
-   * @throws IllegalArgumentException when the name is spelled otherwise
+   * @throws IllegalArgumentException if the name is not a valid path
    */
   public static List<Step> steps(String name) {
     List<Step> steps = new ArrayList<>();
@@ -45,7 +45,7 @@ public final class MemberPath {
     while (at < name.length()) {
       if (!step.find(at) || step.start() != at) {
         throw new IllegalArgumentException(
-            "'" + name + "' is not spelled like pose, pose.x or path[0]");
+            "'" + name + "' is not a path such as pose, pose.x or path[0]");
       }
       steps.add(
           step.group(1) != null
@@ -57,11 +57,11 @@ public final class MemberPath {
   }
 
   /**
-   * The type that a name leads to.
+   * Resolves the type at a path.
    *
-   * @param root type of the parameter that the name begins with
-   * @return empty where there is no such member or element; the root itself where it is unknown
-   *     what it holds
+   * @param root type of the parameter
+   * @return empty if there is no such member or element; {@link DataType.Unknown} if a type on the
+   *     path is unknown
    */
   public static Optional<DataType> resolve(DataType root, String name) {
     DataType type = root;

@@ -5,10 +5,10 @@ import java.util.Objects;
 import java.util.stream.Collectors;
 
 /**
- * Prototype of a method.
+ * The prototype of a method.
  *
- * @param raises names of the exceptions that it declares
- * @param line where it stands in its document, from 1; 0 where that is unknown
+ * @param raises names of the declared exceptions
+ * @param line line in the document, from 1; 0 if unknown
  */
 public record Method(
     String name,
@@ -25,14 +25,14 @@ public record Method(
     raises = List.copyOf(raises);
   }
 
-  /** A method that declares no exception. */
+  /** Creates a method without declared exceptions. */
   public Method(
       String name, DataType returnType, List<Parameter> parameters, CallType callType, int line) {
     this(name, returnType, parameters, callType, List.of(), line);
   }
 
-  /** Types of the parameters, such as {@code int32,double}; tells overloads apart. */
+  /** The parameter types, such as {@code int32,double}. Distinguishes overloads. */
   public String signature() {
-    return parameters.stream().map(p -> p.type().spelling()).collect(Collectors.joining(","));
+    return parameters.stream().map(p -> p.type().typeName()).collect(Collectors.joining(","));
   }
 }

@@ -3,7 +3,7 @@ package org.sitaf.core.description;
 import java.math.BigInteger;
 import org.jspecify.annotations.Nullable;
 
-/** Types without parts, by width. */
+/** Scalar types. */
 public enum ScalarType {
   VOID("void", 0, false),
   BOOLEAN("boolean", 1, false),
@@ -20,19 +20,19 @@ public enum ScalarType {
   DOUBLE("double", 64, true),
   STRING("string", 0, false);
 
-  private final String spelling;
+  private final String typeName;
   private final int bits;
   private final boolean signed;
 
-  ScalarType(String spelling, int bits, boolean signed) {
-    this.spelling = spelling;
+  ScalarType(String typeName, int bits, boolean signed) {
+    this.typeName = typeName;
     this.bits = bits;
     this.signed = signed;
   }
 
-  /** The canonical spelling. */
-  public String spelling() {
-    return spelling;
+  /** The canonical name. */
+  public String typeName() {
+    return typeName;
   }
 
   /** Whether values are whole numbers. */
@@ -53,7 +53,7 @@ public enum ScalarType {
     return isInteger() || isFloating();
   }
 
-  /** Smallest value of an integer type; null for all others. */
+  /** The minimum of an integer type; null for other types. */
   public @Nullable BigInteger minimum() {
     if (!isInteger()) {
       return null;
@@ -61,7 +61,7 @@ public enum ScalarType {
     return signed ? BigInteger.ONE.shiftLeft(bits - 1).negate() : BigInteger.ZERO;
   }
 
-  /** Largest value of an integer type; null for all others. */
+  /** The maximum of an integer type; null for other types. */
   public @Nullable BigInteger maximum() {
     if (!isInteger()) {
       return null;

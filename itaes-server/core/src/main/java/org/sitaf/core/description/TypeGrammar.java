@@ -9,10 +9,10 @@ import java.util.OptionalInt;
 import java.util.Set;
 
 /**
- * Reads types as robot developers spell them: C++ text such as {@code const std::vector<
- * valarray<double> >&}, {@code unsigned int}, {@code uint8_t} or {@code double[3]}, and the
- * canonical spellings of {@link DataType}, bounds as in {@code string<10>} included. What it cannot
- * resolve becomes {@link DataType.Unknown} under its own name.
+ * Parses type names: C++ types such as {@code const std::vector< valarray<double> >&}, {@code
+ * unsigned int}, {@code uint8_t} or {@code double[3]}, and the canonical names of {@link DataType},
+ * including bounds as in {@code string<10>}. A type that cannot be resolved becomes {@link
+ * DataType.Unknown} with its original name.
  */
 public final class TypeGrammar {
   private static final Map<String, ScalarType> SCALARS =
@@ -62,7 +62,7 @@ public final class TypeGrammar {
   private static final Set<String> SEQUENCES =
       Set.of("vector", "valarray", "list", "deque", "sequence");
 
-  /** A length or bound; larger ones are mistakes rather than interfaces. */
+  /** A length or bound. Larger numbers are most likely mistakes. */
   private static final String LENGTH = "[1-9][0-9]{0,5}";
 
   private static final int MAX_LENGTH = 500;
@@ -75,18 +75,18 @@ public final class TypeGrammar {
   }
 
   /**
-   * A type with the way it is passed.
+   * A parsed type.
    *
-   * @param byReference whether it is a reference or pointer that is not const: the callee may write
-   *     to it
+   * @param byReference whether it is a non-const reference or pointer, so the callee may write to
+   *     it
    */
-  public record Spelled(DataType type, boolean byReference) {}
+  public record ParsedType(DataType type, boolean byReference) {}
 
-  /** Reads a spelling; never fails. */
-  public static Spelled parse(String spelling) {
-    String flat = spelling.strip().replaceAll("\\s+", " ");
+  /** Parses a type name. Never fails. */
+  public static ParsedType parse(String typeText) {
+    String flat = typeText.strip().replaceAll("\\s+", " ");
     if (flat.isEmpty() || flat.length() > MAX_LENGTH) {
-      return new Spelled(new DataType.Unknown(flat), false);
+      return new ParsedType(new DataType.Unknown(flat), false);
     }
     boolean constant = flat.startsWith("const ") || flat.matches(".* const ?[&*]?");
     boolean reference = flat.endsWith("&") || flat.endsWith("*");
@@ -97,7 +97,8 @@ public final class TypeGrammar {
     TypeGrammar grammar = new TypeGrammar(value);
     Optional<DataType> type = grammar.type();
     boolean complete = type.isPresent() && grammar.at == grammar.text.length();
-    return new Spelled(complete ? type.get() : new DataType.Unknown(value), reference && !constant);
+    return new ParsedType(
+        complete ? type.get() : new DataType.Unknown(value), reference && !constant);
   }
 
   private Optional<DataType> type() {
@@ -113,7 +114,7 @@ public final class TypeGrammar {
         return Optional.empty();
       }
     }
-    // The last dimension counts innermost.
+    // The last dimension is the innermost.
     for (int i = dimensions.size() - 1; i >= 0 && type.isPresent(); i--) {
       String digits = dimensions.get(i);
       type = digits.isEmpty() ? type.map(e -> new DataType.Sequence(e)) : array(type.get(), digits);
@@ -168,7 +169,7 @@ public final class TypeGrammar {
     return scalar == null ? new DataType.Unknown(name) : new DataType.Scalar(scalar);
   }
 
-  /** Words with single spaces between them, {@code std::} left out. */
+  /** Reads words separated by single spaces, without the prefix {@code std::}. */
   private String name() {
     skipSpace();
     int from = at;

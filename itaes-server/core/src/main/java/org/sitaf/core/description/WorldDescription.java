@@ -5,10 +5,10 @@ import java.util.Objects;
 import java.util.Optional;
 
 /**
- * What a world declares in its {@code *.world.yaml}: what a test may vary, which hardware there is,
- * what can be observed.
+ * The declarations of a world in its {@code *.world.yaml}: parameters that a test may vary, virtual
+ * hardware, and observations.
  *
- * @param path where the description lies among the files of the activity
+ * @param path path of the description in the activity
  */
 public record WorldDescription(
     String path, List<WorldParameter> parameters, List<Device> devices, List<String> observations) {
@@ -19,17 +19,17 @@ public record WorldDescription(
     observations = List.copyOf(observations);
   }
 
-  /** The parameter of a name. */
+  /** Finds a parameter by name. */
   public Optional<WorldParameter> parameter(String name) {
     return parameters.stream().filter(p -> p.name().equals(name)).findFirst();
   }
 
   /**
-   * Something that a test may vary (TDSD).
+   * A parameter that a test may vary (TDSD).
    *
-   * @param unit SI unit, {@code 1} for a plain number
-   * @param min smallest value that may be set, inclusive
-   * @param max largest value that may be set, inclusive
+   * @param unit SI unit; {@code 1} for a dimensionless number
+   * @param min minimum, inclusive
+   * @param max maximum, inclusive
    */
   public record WorldParameter(
       String name, String unit, double min, double max, double defaultValue) {
@@ -39,7 +39,7 @@ public record WorldDescription(
     }
   }
 
-  /** A piece of virtual hardware. */
+  /** A virtual hardware device. */
   public record Device(String name, String kind) {
     public Device {
       Objects.requireNonNull(name);

@@ -10,8 +10,8 @@ import org.sitaf.core.document.YamlDocument;
 import org.sitaf.core.document.YamlMapping;
 
 /**
- * Reads from a world description what a test needs to know of it. Bindings and the MJCF are the
- * simulator's to judge, since only it can compile them.
+ * Reads the parts of a world description that a test needs. Bindings and the MJCF are checked by
+ * the simulator, since only the simulator can compile them.
  */
 public final class WorldReader {
   private WorldReader() {}
@@ -19,13 +19,13 @@ public final class WorldReader {
   /**
    * Reads a {@code *.world.yaml}.
    *
-   * @param path where it lies among the files of the activity
-   * @throws org.sitaf.core.diagnostic.InvalidInputException with every problem of the file
+   * @param path path of the file in the activity
+   * @throws org.sitaf.core.diagnostic.InvalidInputException with all problems of the file
    */
   public static WorldDescription read(String text, String path) {
     Diagnostics diagnostics = new Diagnostics();
     YamlMapping root = YamlDocument.read(text, path, diagnostics);
-    root.knowOnly(Set.of("mjcf", "robots", "parameters", "devices", "observations"));
+    root.allowOnly(Set.of("mjcf", "robots", "parameters", "devices", "observations"));
     root.requiredText("mjcf");
     List<WorldParameter> parameters = new ArrayList<>();
     root.mapping("parameters")

@@ -1,4 +1,7 @@
-/** What the component offers and requires, and what its world can vary and observe. */
+/**
+ * The interfaces that a component provides and requires, and the parameters and observations of its
+ * world.
+ */
 @NullMarked
 package org.sitaf.core.description;
 

@@ -3,12 +3,12 @@ package org.sitaf.core.diagnostic;
 import java.util.Objects;
 
 /**
- * One thing that is wrong with an input.
+ * A problem in a user's input.
  *
  * @param severity whether the input can still be used
- * @param file name of the document, as the user knows it
- * @param line line in the document, from 1; 0 where it is unknown
- * @param element the element or entry concerned, such as {@code test_element Distance/test_spec};
+ * @param name of the document as the user knows it
+ * @param line line in the document, from 1; 0 if unknown
+ * @param element the affected element or entry, such as {@code test_element Distance/test_spec};
  *     empty for the whole document
  * @param message what is wrong, what was expected, and what to do
  */
@@ -24,17 +24,17 @@ public record Diagnostic(Severity severity, String file, int line, String elemen
     }
   }
 
-  /** An error at a line of a document. */
+  /** Creates an error. */
   public static Diagnostic error(String file, int line, String element, String message) {
     return new Diagnostic(Severity.ERROR, file, line, element, message);
   }
 
-  /** A warning at a line of a document. */
+  /** Creates a warning. */
   public static Diagnostic warning(String file, int line, String element, String message) {
     return new Diagnostic(Severity.WARNING, file, line, element, message);
   }
 
-  /** As compilers print it: {@code file:line: error: element: message}. */
+  /** Returns the format of compilers: {@code file:line: error: element: message}. */
   @Override
   public String toString() {
     StringBuilder text = new StringBuilder(file);

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Collects what is wrong with the documents of one reading, so that every problem is told at once.
+ * Collects the problems found while documents are read, so that all of them are reported at once.
  */
 public final class Diagnostics {
   private final List<Diagnostic> collected = new ArrayList<>();
@@ -19,25 +19,25 @@ public final class Diagnostics {
     collected.add(Diagnostic.warning(file, line, element, message));
   }
 
-  /** Adds what another reading collected. */
+  /** Adds diagnostics that were collected elsewhere. */
   public void addAll(List<Diagnostic> others) {
     collected.addAll(others);
   }
 
-  /** Whether anything collected makes the input unusable. */
+  /** Whether at least one error was collected. */
   public boolean hasErrors() {
     return collected.stream().anyMatch(d -> d.severity() == Severity.ERROR);
   }
 
-  /** All that was collected, in the order of its finding. */
+  /** All diagnostics in the order in which they were found. */
   public List<Diagnostic> all() {
     return List.copyOf(collected);
   }
 
   /**
-   * Ends the reading where the input is unusable.
+   * Throws if at least one error was collected.
    *
-   * @throws InvalidInputException with everything collected, when there is an error among it
+   * @throws InvalidInputException with all diagnostics, warnings included
    */
   public void throwIfErrors() {
     if (hasErrors()) {

@@ -1,9 +1,9 @@
 package org.sitaf.core.diagnostic;
 
-/** How much a diagnostic matters. */
+/** The severity of a diagnostic. */
 public enum Severity {
   /** The input cannot be used. */
   ERROR,
-  /** The input can be used, but something in it was left out or is probably a mistake. */
+  /** The input can be used, but a part of it was ignored or is probably a mistake. */
   WARNING
 }

@@ -1,4 +1,4 @@
-/** What is wrong with a user's input: what, where, and what to do. */
+/** Problems in a user's input: what is wrong, where, and how to fix it. */
 @NullMarked
 package org.sitaf.core.diagnostic;
 

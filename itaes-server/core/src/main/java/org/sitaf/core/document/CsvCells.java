@@ -5,11 +5,15 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
 /**
- * Cells of comma-separated values, as RFC 4180 has them, which no spreadsheet takes for a formula:
- * a text that begins like one gets an apostrophe before it, and loses it when it is read again.
+ * Cells of comma-separated values (RFC 4180) that are safe from formula injection: a text that a
+ * spreadsheet would evaluate as a formula is prefixed with an apostrophe, which is removed when the
+ * cell is read.
  */
 public final class CsvCells {
-  /** With further apostrophes before it, it must get one too, or it would lose one. */
+  /**
+   * Also matches text that already has leading apostrophes: without another one, reading would
+   * remove one of them.
+   */
   private static final Pattern FORMULA = Pattern.compile("(?s)'*[=+\\-@\t\r].*");
 
   private static final Pattern NUMBER =
@@ -17,12 +21,12 @@ public final class CsvCells {
 
   private CsvCells() {}
 
-  /** A line, with its end. */
+  /** Formats a line, including the line break. */
   public static String line(List<String> cells) {
     return cells.stream().map(CsvCells::cell).collect(Collectors.joining(",", "", "\r\n"));
   }
 
-  /** What a cell that was written so held. */
+  /** The original text of a cell that {@link #line} wrote. */
   public static String read(String cell) {
     return cell.startsWith("'") && isFormula(cell.substring(1)) ? cell.substring(1) : cell;
   }

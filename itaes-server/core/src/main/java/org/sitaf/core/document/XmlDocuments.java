@@ -26,14 +26,15 @@ import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.schemas.ObjectFactory;
 
-/** The paper's XML documents between bytes and the classes generated from the schemas. */
+/** Reads and writes the paper's XML documents, using the classes generated from the schemas. */
 public final class XmlDocuments {
-  /** Immutable and safe to share between threads. */
+  /** Thread-safe. */
   private static final JAXBContext CONTEXT = context();
 
   /**
-   * Below this level the binding framework tells only the first ten unknown elements, by a counter
-   * that all threads share. Held here, since loggers are held weakly.
+   * Above this log level, JAXB reports only the first ten unknown elements, using a counter that
+   * all threads share. The field keeps the logger alive: the log manager holds only a weak
+   * reference.
    */
   @SuppressWarnings("unused")
   private static final Logger BINDING = bindingLogger();
@@ -41,9 +42,10 @@ public final class XmlDocuments {
   private XmlDocuments() {}
 
   /**
-   * Opens a document of a user. A document type declaration, and with it every entity, is refused.
+   * Opens a user's document. Document type declarations, and with them all entities, are rejected.
    *
-   * @throws InvalidInputException when it is not XML; the message is the parser's
+   * @throws InvalidInputException if the document is not well-formed XML; contains the parser's
+   *     message
    */
   public static XMLStreamReader open(InputStream document, String file) {
     try {
@@ -59,12 +61,12 @@ public final class XmlDocuments {
   }
 
   /**
-   * Reads a document of a user as one of the classes of the schemas. Elements that the schema does
-   * not know become warnings.
+   * Reads a user's document into a class generated from the schemas. An element that the schema
+   * does not define is reported as a warning.
    *
    * @param root name of the root element
-   * @throws InvalidInputException when it is not XML, has another root, or a value is not of its
-   *     type
+   * @throws InvalidInputException if the document is not well-formed XML or has another root
+   *     element
    */
   public static <T> T read(
       InputStream document, String file, String root, Class<T> type, Diagnostics diagnostics) {
@@ -104,7 +106,7 @@ public final class XmlDocuments {
     return result;
   }
 
-  /** Reads the element at which a reader stands. */
+  /** Reads the element at the reader's current position. */
   public static <T> T readElement(
       XMLStreamReader reader, String file, Class<T> type, Diagnostics diagnostics) {
     try {
@@ -121,10 +123,11 @@ public final class XmlDocuments {
   }
 
   /**
-   * Writes a document in UTF-8, indented, elements named in {@code rows} on one line each.
+   * Writes a document in UTF-8, indented by two spaces. Elements named in {@code rows} are written
+   * on a single line.
    *
    * @param root name of the root element
-   * @throws IllegalArgumentException when the stream cannot be written
+   * @throws IllegalArgumentException if the document cannot be written to the stream
    */
   public static <T> void write(
       String root, Class<T> type, T document, Set<String> rows, OutputStream out) {
@@ -143,7 +146,7 @@ public final class XmlDocuments {
     }
   }
 
-  /** Line at which an element stands, from 1; 0 where it is unknown. */
+  /** Line of an element in its document, from 1; 0 if unknown. */
   public static int line(Object element) {
     return element instanceof Locatable located && located.sourceLocation() != null
         ? Math.max(0, located.sourceLocation().getLineNumber())
@@ -161,7 +164,7 @@ public final class XmlDocuments {
     }
     if (message.startsWith("unexpected element")) {
       String name = message.replaceFirst("(?s)^.*?local:\"([^\"]*)\".*$", "$1");
-      diagnostics.warning(file, line, name, "unknown element, not read; check its spelling");
+      diagnostics.warning(file, line, name, "unknown element, ignored; check the spelling");
     } else {
       diagnostics.error(file, line, "", message);
     }
@@ -170,7 +173,7 @@ public final class XmlDocuments {
 
   private static InvalidInputException malformed(XMLStreamException e, String file) {
     Location location = e.getLocation();
-    // The JDK's parser puts "ParseError at [row,col]:[..]\nMessage: " before what it has to say.
+    // The JDK's parser prefixes its message with "ParseError at [row,col]:[..]\nMessage: ".
     String message =
         String.valueOf(e.getMessage()).replaceFirst("(?s)^ParseError at .*?Message: ", "");
     return new InvalidInputException(
@@ -202,11 +205,11 @@ public final class XmlDocuments {
     try {
       return JAXBContext.newInstance(ObjectFactory.class);
     } catch (JAXBException e) {
-      throw new IllegalStateException("the classes of the schemas are damaged", e);
+      throw new IllegalStateException("the classes generated from the schemas are invalid", e);
     }
   }
 
-  /** Refuses what {@code SUPPORT_DTD = false} only passes over. */
+  /** Rejects document type declarations, which {@code SUPPORT_DTD = false} only skips. */
   private static final class WithoutDocumentType extends StreamReaderDelegate {
     WithoutDocumentType(XMLStreamReader reader) {
       super(reader);
@@ -217,7 +220,7 @@ public final class XmlDocuments {
       int event = super.next();
       if (event == XMLStreamConstants.DTD || event == XMLStreamConstants.ENTITY_REFERENCE) {
         throw new XMLStreamException(
-            "document type declarations and entities are refused; remove <!DOCTYPE ...>",
+            "document type declarations and entities are not allowed; remove <!DOCTYPE ...>",
             getLocation());
       }
       return event;

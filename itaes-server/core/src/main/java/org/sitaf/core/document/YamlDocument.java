@@ -11,7 +11,9 @@ import org.yaml.snakeyaml.error.YAMLException;
 import org.yaml.snakeyaml.nodes.MappingNode;
 import org.yaml.snakeyaml.nodes.Node;
 
-/** What a person keeps beside code: {@code activity.yaml} and {@code *.world.yaml}. */
+/**
+ * Reads the YAML files that users write by hand: {@code activity.yaml} and {@code *.world.yaml}.
+ */
 public final class YamlDocument {
   private static final int MAX_CHARACTERS = 1 << 20;
   private static final int MAX_ALIASES = 20;
@@ -20,11 +22,11 @@ public final class YamlDocument {
   private YamlDocument() {}
 
   /**
-   * Reads a document whose root is a mapping. Only the plain structure is read: no tag of a
-   * document makes an object.
+   * Reads a document whose root is a mapping. Only plain structure is read: tags never create
+   * objects.
    *
-   * @param diagnostics takes what is wrong with the entries, as they are asked for
-   * @throws InvalidInputException when it is not YAML or not a mapping; the message is the parser's
+   * @param diagnostics receives problems of entries when the entries are accessed
+   * @throws InvalidInputException if the text is not YAML or the root is not a mapping
    */
   public static YamlMapping read(String text, String file, Diagnostics diagnostics) {
     LoaderOptions options = new LoaderOptions();

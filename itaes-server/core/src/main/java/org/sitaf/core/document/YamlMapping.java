@@ -16,7 +16,7 @@ import org.yaml.snakeyaml.nodes.SequenceNode;
 import org.yaml.snakeyaml.nodes.Tag;
 
 /**
- * A mapping of a YAML document. An entry of the wrong kind is reported and then taken for absent.
+ * A mapping of a YAML document. An entry of the wrong kind is reported and then treated as absent.
  */
 public final class YamlMapping {
   private final Map<String, Node> entries = new LinkedHashMap<>();
@@ -34,46 +34,46 @@ public final class YamlMapping {
       if (!(tuple.getKeyNode() instanceof ScalarNode key)) {
         problem(tuple.getKeyNode(), path, "a name must be plain text");
       } else if (entries.putIfAbsent(key.getValue(), tuple.getValueNode()) != null) {
-        problem(key, pathOf(key.getValue()), "stands here a second time; keep one");
+        problem(key, pathOf(key.getValue()), "is defined twice; remove one");
       }
     }
   }
 
-  /** Names, in the order of the document. */
+  /** Names of all entries in document order. */
   public List<String> names() {
     return List.copyOf(entries.keySet());
   }
 
-  /** Whether there is an entry, null not counted. */
+  /** Whether an entry exists and is not null. */
   public boolean has(String name) {
     return find(name).isPresent();
   }
 
-  /** Line of an entry, or of the mapping where there is none; from 1. */
+  /** Line of an entry, or of the mapping if the entry does not exist; from 1. */
   public int line(String name) {
     Node node = entries.get(name);
     return node == null ? line : node.getStartMark().getLine() + 1;
   }
 
-  /** Reports entries that nothing will read. */
-  public void knowOnly(Set<String> known) {
+  /** Reports entries whose name is not in {@code known}. */
+  public void allowOnly(Set<String> known) {
     for (String name : entries.keySet()) {
       if (!known.contains(name)) {
         diagnostics.error(
             file,
             line(name),
             pathOf(name),
-            "unknown entry; known here: " + String.join(", ", new java.util.TreeSet<>(known)));
+            "unknown entry; known entries: " + String.join(", ", new java.util.TreeSet<>(known)));
       }
     }
   }
 
-  /** Text of an entry. */
+  /** The text of an entry. */
   public Optional<String> text(String name) {
     return find(name).flatMap(node -> textOf(node, pathOf(name)));
   }
 
-  /** Text of an entry that must be there; an empty text and a diagnostic where it is not. */
+  /** The text of a required entry. A missing entry is reported and read as the empty text. */
   public String requiredText(String name) {
     Optional<String> text = text(name);
     if (text.isEmpty() && find(name).isEmpty()) {
@@ -82,7 +82,7 @@ public final class YamlMapping {
     return text.orElse("");
   }
 
-  /** A finite number. */
+  /** The entry as a finite number. */
   public Optional<Double> number(String name) {
     return text(name)
         .flatMap(
@@ -93,7 +93,7 @@ public final class YamlMapping {
                   return Optional.of(number);
                 }
               } catch (NumberFormatException e) {
-                // Reported below, like every other text that is not a finite number.
+                // Reported below.
               }
               diagnostics.error(
                   file, line(name), pathOf(name), "'" + text + "' is not a finite number");
@@ -101,8 +101,8 @@ public final class YamlMapping {
             });
   }
 
-  /** true or false. */
-  public Optional<Boolean> truth(String name) {
+  /** The entry as {@code true} or {@code false}. */
+  public Optional<Boolean> booleanValue(String name) {
     return text(name)
         .flatMap(
             text ->
@@ -117,7 +117,7 @@ public final class YamlMapping {
                 });
   }
 
-  /** A list of texts; empty where there is no such entry. */
+  /** The entry as a list of texts; empty if there is no such entry. */
   public List<String> texts(String name) {
     List<String> texts = new ArrayList<>();
     find(name)
@@ -134,7 +134,7 @@ public final class YamlMapping {
     return List.copyOf(texts);
   }
 
-  /** A mapping within this one. */
+  /** The entry as a nested mapping. */
   public Optional<YamlMapping> mapping(String name) {
     return find(name)
         .flatMap(
@@ -147,7 +147,7 @@ public final class YamlMapping {
             });
   }
 
-  /** Reports a problem of an entry. */
+  /** Reports a problem with an entry. */
   public void problem(String name, String message) {
     diagnostics.error(file, line(name), pathOf(name), message);
   }

@@ -1,6 +1,6 @@
 /**
- * Untrusted XML and YAML, read safely and with line numbers, and written so that the same input
- * gives the same bytes.
+ * Reads untrusted XML and YAML safely and with line numbers. Writing is deterministic: the same
+ * input gives the same bytes.
  */
 @NullMarked
 package org.sitaf.core.document;

@@ -1,6 +1,6 @@
 package org.sitaf.core.expression;
 
-/** An expression has no value for these variables. */
+/** Thrown when an expression cannot be evaluated for the given variables. */
 public final class EvaluationException extends Exception {
   private static final long serialVersionUID = 1L;
 
@@ -15,7 +15,10 @@ public final class EvaluationException extends Exception {
     this.tooCostly = tooCostly;
   }
 
-  /** Whether the evaluation was ended because it took too much, so that others will, too. */
+  /**
+   * Whether the evaluation exceeded a limit; evaluations with other variables will most likely
+   * exceed it, too.
+   */
   public boolean tooCostly() {
     return tooCostly;
   }

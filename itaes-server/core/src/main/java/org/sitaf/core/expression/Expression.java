@@ -14,11 +14,11 @@ import java.util.TreeSet;
 import java.util.concurrent.CancellationException;
 
 /**
- * A compiled CEL expression; immutable. An evaluation has a limit of steps and ends when its thread
+ * A compiled CEL expression. Immutable. An evaluation is limited in steps and stops when its thread
  * is interrupted.
  */
 public final class Expression {
-  /** Characters of an expression in a message; each case of a suite may have one. */
+  /** Maximum length of an expression in a message, since each case of a suite may contain one. */
   private static final int MAX_SHOWN = 500;
 
   private final String text;
@@ -46,7 +46,7 @@ public final class Expression {
     this.names = Set.copyOf(found);
   }
 
-  /** The expression as it was written, for messages: cut where it is long. */
+  /** The source text for messages, truncated if it is long. */
   public String text() {
     return text;
   }
@@ -55,14 +55,14 @@ public final class Expression {
     return text.length() <= MAX_SHOWN ? text : text.substring(0, MAX_SHOWN) + "…";
   }
 
-  /** Whether the expression asks for a variable. */
+  /** Whether the expression uses a variable. */
   public boolean mentions(String variable) {
     return names.contains(variable);
   }
 
   /**
-   * The parts that {@code &&} joins at the top, each under the whole's text; only itself where
-   * there is none. The whole is false where one of them is.
+   * The operands of {@code &&} at the top level, each with the text of the whole expression; only
+   * this expression if there is no {@code &&}.
    */
   public List<Expression> conjuncts() {
     List<CelExpr> parts = new ArrayList<>();
@@ -80,7 +80,8 @@ public final class Expression {
                     part, ast.getSource(), ast.getReferenceMap(), ast.getTypeMap()),
                 runtime));
       } catch (CelEvaluationException e) {
-        throw new IllegalStateException("a part of what compiles does not: " + text, e);
+        throw new IllegalStateException(
+            "an operand of a valid expression does not compile: " + text, e);
       }
     }
     return expressions;
@@ -97,12 +98,12 @@ public final class Expression {
   /**
    * Evaluates to a boolean.
    *
-   * @throws EvaluationException when it cannot be evaluated, or to something else
-   * @throws CancellationException when the thread is interrupted
+   * @throws EvaluationException if the evaluation fails or the result is not a boolean
+   * @throws CancellationException if the thread is interrupted
    */
   public boolean isTrue(Map<String, Object> variables) throws EvaluationException {
-    if (evaluate(variables) instanceof Boolean truth) {
-      return truth;
+    if (evaluate(variables) instanceof Boolean value) {
+      return value;
     }
     throw new EvaluationException("'" + text + "' is neither true nor false");
   }
@@ -110,9 +111,9 @@ public final class Expression {
   /**
    * Evaluates to a value: Long, Double, Boolean, String, List or Map.
    *
-   * @throws EvaluationException when it cannot be evaluated, such as a division by zero, or takes
+   * @throws EvaluationException if the evaluation fails, such as by a division by zero, or takes
    *     too many steps
-   * @throws CancellationException when the thread is interrupted
+   * @throws CancellationException if the thread is interrupted
    */
   public Object evaluate(Map<String, Object> variables) throws EvaluationException {
     if (Thread.currentThread().isInterrupted()) {
@@ -127,7 +128,7 @@ public final class Expression {
       throw new EvaluationException(String.valueOf(e.getMessage()), true);
     } catch (CelEvaluationException e) {
       String message = String.valueOf(e.getMessage());
-      // A message may hold a value, which may be long.
+      // Messages can contain long values.
       throw new EvaluationException(shown(message.replaceFirst("^evaluation error[^:]*: ", "")));
     }
   }

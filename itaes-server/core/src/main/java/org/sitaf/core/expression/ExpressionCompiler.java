@@ -17,11 +17,14 @@ import java.util.Collection;
 import java.util.stream.Collectors;
 
 /**
- * Compiles CEL over given variables, within {@link ExpressionLimits}. Whole and floating-point
- * numbers compare across types, so that {@code Distance <= 10} means what it says.
+ * Compiles CEL expressions over given variables, within {@link ExpressionLimits}. Integers and
+ * floating-point numbers are comparable, so {@code Distance <= 10} works for both types.
  */
 public final class ExpressionCompiler {
-  /** Lists by name: with less said, CEL takes what has a size for a string. */
+  /**
+   * A map of lists. With type {@code dyn}, CEL would assume that {@code size()} is called on a
+   * string.
+   */
   private static final CelType CALLS =
       MapType.create(SimpleType.STRING, ListType.create(SimpleType.DYN));
 
@@ -29,8 +32,8 @@ public final class ExpressionCompiler {
   private final CelRuntime runtime;
 
   /**
-   * Every variable but the record of calls may hold any value: its type shows when the expression
-   * is evaluated.
+   * Creates a compiler for variables. All variables except {@link Variables#CALLS} are dynamically
+   * typed.
    */
   public ExpressionCompiler(Collection<String> variables) {
     CelCompilerBuilder builder =
@@ -47,31 +50,31 @@ public final class ExpressionCompiler {
   /**
    * Compiles an expression.
    *
-   * @throws IllegalArgumentException when it is not CEL, names an unknown variable, or would take
-   *     too much; the message says which
+   * @throws IllegalArgumentException if it is not valid CEL, uses an unknown variable, or exceeds a
+   *     limit
    */
   public Expression compile(String text) {
     try {
       CelAbstractSyntaxTree parsed = compiler.parse(text).getAst();
-      // Before the types are worked out: those alone can take for ever.
+      // Before type checking, which can take exponential time.
       StepEstimate.check(parsed.getExpr());
       return new Expression(text, compiler.check(parsed).getAst(), runtime);
     } catch (IllegalArgumentException e) {
-      throw notUsable(text, String.valueOf(e.getMessage()), e);
+      throw invalid(text, String.valueOf(e.getMessage()), e);
     } catch (CelValidationException e) {
       String issues =
           e.getErrors().stream()
               .map(CelIssue::getMessage)
               .distinct()
               .collect(Collectors.joining("; "));
-      throw notUsable(text, issues, e);
+      throw invalid(text, issues, e);
     } catch (CelEvaluationException e) {
-      throw notUsable(text, String.valueOf(e.getMessage()), e);
+      throw invalid(text, String.valueOf(e.getMessage()), e);
     }
   }
 
-  private static IllegalArgumentException notUsable(String text, String why, Exception cause) {
+  private static IllegalArgumentException invalid(String text, String why, Exception cause) {
     return new IllegalArgumentException(
-        "'" + Expression.shown(text) + "' is not usable: " + why, cause);
+        "'" + Expression.shown(text) + "' is not a valid expression: " + why, cause);
   }
 }

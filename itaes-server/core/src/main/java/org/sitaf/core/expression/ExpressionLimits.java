@@ -3,35 +3,35 @@ package org.sitaf.core.expression;
 import dev.cel.common.CelOptions;
 
 /**
- * What an expression may be and may take. A step is the evaluation of one node of the syntax tree,
- * or as much work as one: some dozens of nanoseconds.
+ * Limits of expressions. A step is the evaluation of one node of the syntax tree or an equivalent
+ * amount of work: some dozens of nanoseconds.
  */
 final class ExpressionLimits {
-  /** Characters of an expression. */
+  /** Maximum length of an expression in characters. */
   static final int MAX_CHARACTERS = 20_000;
 
-  /** Operands and operators of an expression. */
+  /** Maximum number of operands and operators. */
   static final int MAX_NODES = 20_000;
 
-  /** Brackets, operators and macros within each other. */
+  /** Maximum nesting of brackets, operators and macros. */
   static final int MAX_NESTING = 250;
 
-  /** Parts of the type of a value, such as 3 of a list of lists of numbers. */
+  /** Maximum number of parts of a type. A list of lists of numbers has 3 parts. */
   static final int MAX_TYPE_PARTS = 1_000;
 
-  /** Steps of one evaluation: below a second. */
+  /** Maximum number of steps of one evaluation; takes less than a second. */
   static final long MAX_STEPS = 5_000_000;
 
-  /** Characters of a text and elements of a list that an expression makes. */
+  /** Maximum length of a string or list that an expression creates. */
   static final int MAX_LENGTH = 1_000_000;
 
-  /** How deep lists and maps may lie in each other. */
+  /** Maximum nesting of lists and maps in a value. */
   static final int MAX_DEPTH = 100;
 
-  /** Instructions of a regular expression, its repetitions written out. */
+  /** Maximum size of a regular expression with expanded repetitions. */
   static final int MAX_PATTERN = 1_000;
 
-  /** Whole and floating-point numbers compare across types. */
+  /** Integers and floating-point numbers are comparable. */
   static final CelOptions OPTIONS =
       CelOptions.current()
           .enableHeterogeneousNumericComparisons(true)

@@ -4,28 +4,28 @@ import dev.cel.common.ast.CelExpr;
 import dev.cel.common.ast.CelExpr.CelComprehension;
 import dev.cel.common.ast.CelExpr.CelMap;
 
-/** Which nodes of a syntax tree have values that cost more than the node itself. */
+/** Marks the nodes of a syntax tree whose values cost more steps than the node itself. */
 final class NodeRoles {
-  /** Nothing but itself. */
+  /** No additional cost. */
   static final byte PLAIN = 0;
 
-  /** The value is compared or hashed, with all that lies in it. */
+  /** The value is compared or hashed as a whole. */
   static final byte COMPARED = 1;
 
-  /** A text in which a regular expression is looked for. */
+  /** A string that is matched against a regular expression. */
   static final byte SEARCHED = 2;
 
   /** A regular expression. */
   static final byte PATTERN = 3;
 
-  /** A text, list or other value that is made by an operation. */
-  static final byte MADE = 4;
+  /** A string, list or other value that an operation creates. */
+  static final byte CREATED = 4;
 
   private byte[] roles = new byte[64];
 
   NodeRoles(CelExpr root) {
     visit(root);
-    // What an expression gives is written out as a whole.
+    // The result is converted to text as a whole.
     set(root, COMPARED);
   }
 
@@ -61,7 +61,7 @@ final class NodeRoles {
         visit(loop.loopCondition());
         visit(loop.loopStep());
         visit(loop.result());
-        set(node, MADE);
+        set(node, CREATED);
       }
       case CALL -> call(node);
       default -> {}
@@ -69,7 +69,7 @@ final class NodeRoles {
   }
 
   private void call(CelExpr node) {
-    set(node, MADE);
+    set(node, CREATED);
     node.call().target().ifPresent(this::visit);
     node.call().args().forEach(this::visit);
     switch (node.call().function()) {

@@ -1,8 +1,8 @@
 package org.sitaf.core.expression;
 
 /**
- * How large a regular expression is with its repetitions written out, as RE2 does it before it
- * looks at any limit: {@code ((a{1000}){1000}){1000}} is a billion.
+ * Computes the size of a regular expression with expanded repetitions. RE2 expands repetitions
+ * before it checks any limit: {@code ((a{1000}){1000}){1000}} has a size of one billion.
  */
 final class PatternSize {
   private final String pattern;
@@ -13,7 +13,10 @@ final class PatternSize {
     this.pattern = pattern;
   }
 
-  /** The size, at most a little above the real one; huge where the pattern is nested too deeply. */
+  /**
+   * Returns an upper bound close to the real size, or a huge number if the pattern is nested too
+   * deeply.
+   */
   static long of(String pattern) {
     return new PatternSize(pattern).alternatives();
   }
@@ -31,7 +34,7 @@ final class PatternSize {
         break;
       }
       if (c == '{' && atom > 0) {
-        // The atom itself is counted already.
+        // The atom itself is already counted once.
         size = sum(size, product(atom, repetitions() - 1));
         continue;
       }
@@ -42,7 +45,7 @@ final class PatternSize {
     return size;
   }
 
-  /** One character, class or operator. */
+  /** Reads one character, character class or operator. */
   private long atom(char c) {
     if (c == '\\' && at < pattern.length()) {
       char escaped = pattern.charAt(at++);
@@ -50,7 +53,7 @@ final class PatternSize {
         at = after('}');
       }
     } else if (c == '[') {
-      // A bracket right after the opening one, or the negation, stands for itself.
+      // A closing bracket right after the opening one or the negation is an ordinary character.
       at += at < pattern.length() && pattern.charAt(at) == '^' ? 1 : 0;
       at += at < pattern.length() && pattern.charAt(at) == ']' ? 1 : 0;
       while (at < pattern.length() && pattern.charAt(at) != ']') {
@@ -64,7 +67,7 @@ final class PatternSize {
     return 1;
   }
 
-  /** The larger number of {@code 2,5}}; 1 where it is no repetition. */
+  /** Reads the larger number of {@code {2,5}}; 1 if it is not a repetition. */
   private long repetitions() {
     int end = after('}');
     long most = 1;

@@ -9,8 +9,8 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What an expression takes at most as far as its text shows it, before it is compiled: a list that
- * comes in a variable counts as one element, and {@link StepMeter} counts the rest.
+ * Estimates the maximum number of steps of an expression before it is compiled. A list in a
+ * variable counts as one element; {@link StepMeter} counts the actual steps at runtime.
  */
 final class StepEstimate {
   private final Map<String, Shape> scope = new HashMap<>();
@@ -21,9 +21,9 @@ final class StepEstimate {
   private StepEstimate() {}
 
   /**
-   * Checks an expression that was parsed but not compiled.
+   * Checks a parsed expression.
    *
-   * @throws IllegalArgumentException when it would take more than the limits allow
+   * @throws IllegalArgumentException if it would exceed a limit
    */
   static void check(CelExpr expression) {
     StepEstimate estimate = new StepEstimate();
@@ -32,8 +32,8 @@ final class StepEstimate {
       throw new IllegalArgumentException(
           String.format(
               java.util.Locale.ROOT,
-              "it takes up to %s steps, more than the limit of %,d; use fewer macros, such as"
-                  + " all(), within each other, or shorter lists",
+              "it takes up to %s steps, more than the limit of %,d; use fewer nested macros,"
+                  + " such as all(), or shorter lists",
               estimate.steps < 1e15
                   ? String.format(java.util.Locale.ROOT, "%,.0f", estimate.steps)
                   : String.format(java.util.Locale.ROOT, "%.1e", estimate.steps),
@@ -43,8 +43,8 @@ final class StepEstimate {
       throw new IllegalArgumentException(
           String.format(
               java.util.Locale.ROOT,
-              "a value in it is of a type with %s parts, more than the limit of %,d; use fewer"
-                  + " lists and maps within each other",
+              "the type of a value in it has %s parts, more than the limit of %,d; use fewer"
+                  + " nested lists and maps",
               estimate.largestType == Long.MAX_VALUE
                   ? "countless"
                   : String.format(java.util.Locale.ROOT, "%,d", estimate.largestType),
@@ -53,12 +53,12 @@ final class StepEstimate {
   }
 
   /**
-   * What is known of a value.
+   * The statically known properties of a value.
    *
-   * @param length elements of a list or entries of a map; 1 where unknown
-   * @param parts of its type
-   * @param key what a loop over it sees; null for a scalar
-   * @param value what an index into it gives; null for a scalar
+   * @param length number of elements of a list or entries of a map; 1 if unknown
+   * @param parts number of parts of the type
+   * @param key shape of a loop variable over this value; null for a scalar
+   * @param value shape of an indexed element; null for a scalar
    */
   private record Shape(double length, long parts, @Nullable Shape key, @Nullable Shape value) {
     static final Shape SCALAR = new Shape(1, 1, null, null);
@@ -157,7 +157,7 @@ final class StepEstimate {
     shape(loop.loopCondition());
     Shape step = shape(loop.loopStep());
     repetitions = outside;
-    // map() and filter() add as many elements in each round as in the first one.
+    // map() and filter() add the same number of elements in each iteration.
     double added = Math.max(0, step.length() - start.length()) * range.length();
     Shape accumulated =
         step.value() == null ? step : Shape.list(start.length() + added, step.ofValue());

@@ -10,24 +10,24 @@ import java.util.Locale;
 import java.util.Map;
 
 /**
- * Counts the steps of one evaluation, and ends it where they are too many, a value grows too large,
- * or the thread is interrupted. CEL calls it after each node, in loops too.
+ * Counts the steps of one evaluation. Stops the evaluation if there are too many steps, a value is
+ * too large, or the thread is interrupted. CEL calls the listener after each node, also in loops.
  */
 final class StepMeter implements CelEvaluationListener {
   private static final int CHARACTERS_PER_STEP = 16;
 
-  /** A character costs as much for each thread of the automaton. */
+  /** The regular expression automaton processes each character once per thread. */
   private static final int STEPS_PER_SEARCHED_CHARACTER = 20;
 
-  private static final int ASK_EVERY = 512;
+  private static final int STEPS_PER_INTERRUPT_CHECK = 512;
 
   private final NodeRoles roles;
   private long left = ExpressionLimits.MAX_STEPS;
-  private int untilAsked = ASK_EVERY;
+  private int untilInterruptCheck = STEPS_PER_INTERRUPT_CHECK;
 
   /**
-   * Ends an evaluation. An error, since CEL takes every exception within {@code &&} and {@code ||}
-   * for a value and goes on.
+   * Stops an evaluation. This is an Error because CEL treats exceptions within {@code &&} and
+   * {@code ||} as values and continues.
    */
   static final class Stopped extends Error {
     private static final long serialVersionUID = 1L;
@@ -39,7 +39,7 @@ final class StepMeter implements CelEvaluationListener {
       this.interrupted = interrupted;
     }
 
-    /** Whether the thread was interrupted, and the expression is not to blame. */
+    /** Whether the thread was interrupted; otherwise the expression exceeded a limit. */
     boolean interrupted() {
       return interrupted;
     }
@@ -57,52 +57,57 @@ final class StepMeter implements CelEvaluationListener {
       return;
     }
     if (value instanceof String text) {
-      text(text, role);
+      visitString(text, role);
     } else if (role == NodeRoles.COMPARED) {
-      whole(value, 0);
-    } else if (role == NodeRoles.MADE) {
-      made(value);
+      visitAll(value, 0);
+    } else if (role == NodeRoles.CREATED) {
+      visitCreated(value);
     }
   }
 
-  private void text(String text, byte role) {
+  private void visitString(String text, byte role) {
     int length = text.length();
-    limit(length, "a text of %,d characters");
+    checkLength(length, "a string of %,d characters");
     spend(length / CHARACTERS_PER_STEP);
-    if (role == NodeRoles.MADE) {
+    if (role == NodeRoles.CREATED) {
       spend(length / 4);
     } else if (role == NodeRoles.SEARCHED) {
       spend((long) length * STEPS_PER_SEARCHED_CHARACTER);
     } else if (role == NodeRoles.PATTERN) {
       long size = PatternSize.of(text);
       if (size > ExpressionLimits.MAX_PATTERN) {
-        throw stopped(
-            "a regular expression in it is of size %,d, its repetitions written out; at most %,d"
-                + " are allowed: use smaller numbers in {}",
+        throw limitExceeded(
+            "a regular expression in it has size %,d with expanded repetitions, more than the limit of"
+                + " %,d; use smaller numbers in {}",
             size, ExpressionLimits.MAX_PATTERN);
       }
       spend(10 * size);
     }
   }
 
-  /** The list that a loop collects is a view that grows in place: it costs nothing again. */
-  private void made(Object value) {
+  /**
+   * The list that a loop collects is a view that grows in place, so it costs no additional steps.
+   */
+  private void visitCreated(Object value) {
     if (value instanceof CelByteString bytes) {
-      limit(bytes.size(), "%,d bytes");
+      checkLength(bytes.size(), "%,d bytes");
       spend(bytes.size() / 4);
     } else if (value instanceof List<?> list && !(value instanceof ConcatenatedListView)) {
-      limit(list.size(), "a list of %,d elements");
+      checkLength(list.size(), "a list of %,d elements");
       spend(list.size() / 4);
     } else if (value instanceof ConcatenatedListView<?> list) {
-      limit(list.size(), "a list of %,d elements");
+      checkLength(list.size(), "a list of %,d elements");
     }
   }
 
-  /** All that lies in a value, as often as it occurs: parts may be shared, work on them is not. */
-  private void whole(Object value, int depth) {
+  /**
+   * Counts all parts of a value. Shared parts count each time, since they are processed each time.
+   */
+  private void visitAll(Object value, int depth) {
     spend(1);
     if (depth > ExpressionLimits.MAX_DEPTH) {
-      throw stopped("lists in it lie more than %,d deep in each other", ExpressionLimits.MAX_DEPTH);
+      throw limitExceeded(
+          "lists in it are nested more than %,d levels deep", ExpressionLimits.MAX_DEPTH);
     }
     if (value instanceof String text) {
       spend(text.length() / CHARACTERS_PER_STEP);
@@ -110,12 +115,12 @@ final class StepMeter implements CelEvaluationListener {
       spend(bytes.size() / CHARACTERS_PER_STEP);
     } else if (value instanceof List<?> list) {
       for (Object element : list) {
-        whole(element, depth + 1);
+        visitAll(element, depth + 1);
       }
     } else if (value instanceof Map<?, ?> map) {
       for (Map.Entry<?, ?> entry : map.entrySet()) {
-        whole(entry.getKey(), depth + 1);
-        whole(entry.getValue(), depth + 1);
+        visitAll(entry.getKey(), depth + 1);
+        visitAll(entry.getValue(), depth + 1);
       }
     }
   }
@@ -123,23 +128,22 @@ final class StepMeter implements CelEvaluationListener {
   private void spend(long steps) {
     left -= steps;
     if (left < 0) {
-      throw stopped(
-          "it took more than %,d steps: simplify it, or have fewer elements in what it goes"
-              + " through",
+      throw limitExceeded(
+          "it took more than %,d steps; simplify it, or let it iterate over fewer elements",
           ExpressionLimits.MAX_STEPS);
     }
-    if (--untilAsked == 0) {
-      untilAsked = ASK_EVERY;
+    if (--untilInterruptCheck == 0) {
+      untilInterruptCheck = STEPS_PER_INTERRUPT_CHECK;
       if (Thread.currentThread().isInterrupted()) {
         throw new Stopped("the evaluation was interrupted", true);
       }
     }
   }
 
-  private static void limit(int length, String what) {
+  private static void checkLength(int length, String what) {
     if (length > ExpressionLimits.MAX_LENGTH) {
       throw new Stopped(
-          String.format(Locale.ROOT, "it makes " + what, length)
+          String.format(Locale.ROOT, "it creates " + what, length)
               + String.format(Locale.ROOT, "; at most %,d", ExpressionLimits.MAX_LENGTH)
               + " are allowed",
           false);
@@ -147,7 +151,7 @@ final class StepMeter implements CelEvaluationListener {
   }
 
   @FormatMethod
-  private static Stopped stopped(String format, Object... numbers) {
+  private static Stopped limitExceeded(String format, Object... numbers) {
     return new Stopped(String.format(Locale.ROOT, format, numbers), false);
   }
 }

@@ -9,8 +9,8 @@ import org.sitaf.core.description.DataType;
 import org.sitaf.core.model.Value;
 
 /**
- * Literals of sequences, structs and nestings of them, such as {@code [1.0, 2.5]} and {@code {x:
- * 1.0, name: "a, b"}}, as CEL has them: lists and maps.
+ * Parses literals of sequences and structs, such as {@code [1.0, 2.5]} and {@code {x: 1.0, name:
+ * "a, b"}}, into lists and maps for CEL.
  */
 final class StructuredLiteral {
   private static final int MAX_DEPTH = 64;
@@ -27,10 +27,10 @@ final class StructuredLiteral {
   }
 
   /**
-   * The value of a literal.
+   * Parses a literal.
    *
-   * @param type what the literal is of; where that is unknown, its spelling decides
-   * @throws IllegalArgumentException when it is not spelled so
+   * @param type type of the literal; if unknown, it is inferred from the text
+   * @throws IllegalArgumentException if it is not a valid literal
    */
   static Object plain(String literal, DataType type) {
     if (type instanceof DataType.Scalar || type instanceof DataType.Enumeration) {
@@ -44,17 +44,17 @@ final class StructuredLiteral {
     StructuredLiteral reading = new StructuredLiteral(stripped);
     Object value = reading.value(type);
     if (reading.at != stripped.length()) {
-      throw reading.problem("nothing more");
+      throw reading.expected("the end");
     }
     return value;
   }
 
   private Object value(DataType type) {
-    blanks();
+    skipBlanks();
     char first = at < text.length() ? text.charAt(at) : ' ';
     if (first == '[' || first == '{') {
       if (++depth > MAX_DEPTH) {
-        throw problem("less nesting");
+        throw expected("at most " + MAX_DEPTH + " nested levels");
       }
       Object nested = first == '[' ? list(type) : map(type);
       depth--;
@@ -79,10 +79,10 @@ final class StructuredLiteral {
                 : new DataType.Unknown("");
     List<Object> values = new ArrayList<>();
     at++;
-    if (!ends(']')) {
+    if (!takeClosing(']')) {
       do {
         values.add(value(element));
-      } while (goesOn(']'));
+      } while (hasNext(']'));
     }
     return values;
   }
@@ -90,17 +90,17 @@ final class StructuredLiteral {
   private Map<String, Object> map(DataType type) {
     Map<String, Object> values = new LinkedHashMap<>();
     at++;
-    if (!ends('}')) {
+    if (!takeClosing('}')) {
       do {
-        blanks();
+        skipBlanks();
         int colon = text.indexOf(':', at);
         if (colon < 0) {
-          throw problem("a member, such as x: 1.0");
+          throw expected("a member, such as x: 1.0");
         }
         String name = text.substring(at, colon).strip();
         at = colon + 1;
         values.put(name, value(type.member(name)));
-      } while (goesOn('}'));
+      } while (hasNext('}'));
     }
     return values;
   }
@@ -114,7 +114,7 @@ final class StructuredLiteral {
       value.append(text.charAt(at));
     }
     if (at == text.length()) {
-      throw problem("a quote that ends");
+      throw expected("a closing quote");
     }
     at++;
     return value.toString();
@@ -141,37 +141,37 @@ final class StructuredLiteral {
     };
   }
 
-  private boolean ends(char close) {
-    blanks();
+  private boolean takeClosing(char close) {
+    skipBlanks();
     boolean ends = at < text.length() && text.charAt(at) == close;
     at += ends ? 1 : 0;
     return ends;
   }
 
-  private boolean goesOn(char close) {
-    if (ends(close)) {
+  private boolean hasNext(char close) {
+    if (takeClosing(close)) {
       return false;
     }
     if (at >= text.length() || text.charAt(at) != ',') {
-      throw problem("',' or '" + close + "'");
+      throw expected("',' or '" + close + "'");
     }
     at++;
     return true;
   }
 
-  private void blanks() {
+  private void skipBlanks() {
     while (at < text.length() && Character.isWhitespace(text.charAt(at))) {
       at++;
     }
   }
 
-  private IllegalArgumentException problem(String wanted) {
+  private IllegalArgumentException expected(String expected) {
     return new IllegalArgumentException(
         "'"
             + text
             + "' is not a value such as [1.0, 2.5] or {x: 1.0}: at character "
             + (at + 1)
-            + " there should be "
-            + wanted);
+            + " expected "
+            + expected);
   }
 }

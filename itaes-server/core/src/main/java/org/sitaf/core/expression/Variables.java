@@ -15,14 +15,14 @@ import org.sitaf.core.description.DataType;
 import org.sitaf.core.model.Value;
 
 /**
- * What an expression sees of a case: each input under its name, members such as {@code pose.x} and
- * {@code path[0]} as parts.
+ * The variables of a test case for an expression: each input by name. Paths such as {@code pose.x}
+ * and {@code path[0]} become members and elements.
  */
 public final class Variables {
-  /** True in a case without an invalid value. */
+  /** True if the case has no invalid value. */
   public static final String VALID = "valid";
 
-  /** The calls of required interfaces: lists by {@code Interface.Method}. */
+  /** The calls of required interfaces: a map of {@code Interface.Method} to a list. */
   public static final String CALLS = "calls";
 
   private static final Pattern STEP =
@@ -33,8 +33,8 @@ public final class Variables {
   private final Map<String, Object> values = new HashMap<>();
 
   /**
-   * The variables that inputs of these names give; a name that is no path, such as one with {@code
-   * #2}, gives none.
+   * The variable names for inputs. A name that is not a path, such as one with {@code #2}, has no
+   * variable.
    */
   public static Set<String> roots(Collection<String> names) {
     Set<String> roots = new TreeSet<>();
@@ -47,12 +47,12 @@ public final class Variables {
     return roots;
   }
 
-  /** Adds the value of an input of a type; sequences and structs have their parts. */
+  /** Adds the value of an input. */
   public Variables put(String name, Value value, DataType type) {
     return put(name, value.literal(), type);
   }
 
-  /** Adds a value by its literal; members and elements are reached through the whole. */
+  /** Adds the value of an input by its literal. */
   public Variables put(String name, String literal, DataType type) {
     List<Object> path = path(name);
     if (!path.isEmpty()) {
@@ -67,12 +67,12 @@ public final class Variables {
     return this;
   }
 
-  /** The variables, for an evaluation. */
+  /** The variables for an evaluation. */
   public Map<String, Object> map() {
     return values;
   }
 
-  /** A value as CEL has it: Long, UnsignedLong, Double, Boolean or String. */
+  /** Converts a value for CEL: Long, UnsignedLong, Double, Boolean or String. */
   public static Object plain(Value value) {
     if (value instanceof Value.Whole whole) {
       BigInteger number = whole.number();
@@ -83,14 +83,14 @@ public final class Variables {
     if (value instanceof Value.Real real) {
       return real.number();
     }
-    return value instanceof Value.Truth truth ? (Object) truth.value() : value.literal();
+    return value instanceof Value.Bool bool ? (Object) bool.value() : value.literal();
   }
 
   /**
-   * A literal as CEL has it: as {@link #plain(Value)}, and List or Map for a sequence or a struct.
-   * The name of an error, where a value of the type should be, stays a text.
+   * Converts a literal for CEL: as {@link #plain(Value)}, and List or Map for a sequence or struct.
+   * An error or a delay remains a String.
    *
-   * @throws IllegalArgumentException when the type cannot hold it
+   * @throws IllegalArgumentException if it is not a value of the type
    */
   public static Object plain(String literal, DataType type) {
     return Value.isErrorOrDelay(literal) ? literal : StructuredLiteral.plain(literal, type);
@@ -134,7 +134,7 @@ public final class Variables {
         String key = (String) path.get(i);
         Object held = map.get(key);
         if (!last && held != null && !(held instanceof Map || held instanceof List)) {
-          // What a stub returns stands before an out-parameter of the same method.
+          // The return value of a stub takes precedence over an out-parameter of the same method.
           return;
         }
         if (last || held == null) {

@@ -1,4 +1,6 @@
-/** Conditions and expected values in CEL, over the inputs and outputs of a case by name. */
+/**
+ * Compiles and evaluates CEL: conditions and expected values over the inputs and outputs of a case.
+ */
 @NullMarked
 package org.sitaf.core.expression;
 

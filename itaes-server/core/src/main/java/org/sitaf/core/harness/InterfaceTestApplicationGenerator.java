@@ -17,18 +17,16 @@ import org.sitaf.core.model.TestModel;
 import org.sitaf.core.suite.TestSuite;
 
 /**
- * Interface Test Application Generator (ITAG): makes the sources of a test application out of an
- * activity, a test model and its cases (paper, section 3.2 and Fig. 10).
+ * Interface Test Application Generator (ITAG): generates the sources of a test application from an activity, a test model and its cases (paper, section 3.2 and Fig. 10).
  */
 public final class InterfaceTestApplicationGenerator {
   private InterfaceTestApplicationGenerator() {}
 
   /**
-   * Generates the test application of a model. The same documents give the same sources, byte by
-   * byte. A concrete test driver that the activity keeps is taken as it is.
+   * Generates the test application of a model. The same documents give the same bytes. A concrete test driver in the activity replaces the generated one.
    *
-   * @throws InvalidInputException with everything in the documents that cannot be tested, or that
-   *     the harness's language cannot express
+   * @throws InvalidInputException with everything that cannot be tested or expressed in the language
+   *     of the harness
    */
   public static TestApplication generate(Activity activity, TestModel model, TestSuite suite) {
     HarnessWriter writer = writer(activity);
@@ -43,10 +41,9 @@ public final class InterfaceTestApplicationGenerator {
   }
 
   /**
-   * Generates the sources alone, with the generated concrete test driver even where the activity
-   * keeps one.
+   * Generates only the sources. The concrete test driver is always the generated one.
    *
-   * @throws InvalidInputException as {@link #generate} does
+   * @throws InvalidInputException as {@link #generate}
    */
   public static FileTree sources(Activity activity, TestModel model, TestSuite suite) {
     Diagnostics diagnostics = new Diagnostics();
@@ -57,34 +54,31 @@ public final class InterfaceTestApplicationGenerator {
   }
 
   /**
-   * Where an activity keeps the concrete test driver that its user has edited: {@code
-   * harness/MODEL/} and the name of the {@link #editableFile}.
+   * The path of the user's concrete test driver in an activity: {@code harness/MODEL/} and the name of the {@link #editableFile}.
    */
   public static String keptDriver(Activity activity, TestModel model) {
     String editable = editableFile(activity, model);
     return "harness/" + model.name() + "/" + editable.substring(editable.lastIndexOf('/') + 1);
   }
 
-  /** Which file of the harness the user may edit: the one that {@link #keptDriver} replaces. */
+  /** The path of the generated file that the user may replace by {@link #keptDriver}. */
   public static String editableFile(Activity activity, TestModel model) {
     return writer(activity).editableFile(model.name());
   }
 
   /**
-   * Generates the beginning of the adapter between a component and the interfaces of its test, in
-   * the component's language: a class with every method, for the user to pass the calls on.
+   * Generates the skeleton of an adapter between a component and the interfaces of its test, in the component's language: a class with all methods, which the user completes.
    *
-   * @return the sources by path within the activity
-   * @throws InvalidInputException when the activity names no adapter, or one that the language
-   *     cannot express
+   * @return the sources by path in the activity
+   * @throws InvalidInputException if the activity has no adapter or the language cannot express it
    */
   public static FileTree adapter(Activity activity) {
     Component component = activity.profile().component();
     if (component.adapter() == null) {
       throw InvalidInputException.of(
           HarnessPlanner.PROFILE,
-          "component.adapter names no folder; name one, such as adapter: adapter/, and the"
-              + " adapter's class as class:");
+          "component.adapter is missing; set it to a folder, such as adapter: adapter/, and set"
+              + " class: to the class of the adapter");
     }
     Diagnostics diagnostics = new Diagnostics();
     HarnessPlan.Adapter plan = HarnessPlanner.adapter(activity, diagnostics);

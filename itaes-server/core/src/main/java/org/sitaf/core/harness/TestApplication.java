@@ -7,22 +7,21 @@ import org.sitaf.core.model.TestModel;
 import org.sitaf.core.suite.TestSuite;
 
 /**
- * Everything that an agent needs to compile and execute a test: what the server sends, and what
- * {@code sitaf run} hands over directly.
+ * Everything that an agent needs to compile and execute a test. The server sends it to the agent; {@code sitaf run} passes it directly.
  *
  * <p>As files:
  *
  * <pre>
- * activity/...   the activity, as the user keeps it
+ * activity/...   the user's activity
  * harness/...    the generated sources
  * model.xml      the test model, for the post-conditions
  * suite.xml      the test cases
- * entry-point    what to start, one line
+ * entry-point    the program to start, one line
  * </pre>
  *
- * @param harness the sources of the test application, paths relative to {@code harness/}
- * @param entryPoint what to start: the qualified name of the main class (Java) or of the module
- *     (Python), the name of the executable (C++)
+ * @param harness the sources of the test application, with paths relative to {@code harness/}
+ * @param entryPoint the program to start: the qualified name of the main class (Java) or module
+ *     (Python), or the name of the executable (C++)
  */
 public record TestApplication(
     Activity activity, TestModel model, TestSuite suite, FileTree harness, String entryPoint) {
@@ -40,9 +39,9 @@ public record TestApplication(
   }
 
   /**
-   * Reads an application back from its files.
+   * Reads an application from its files.
    *
-   * @throws org.sitaf.core.diagnostic.InvalidInputException with every problem of every document
+   * @throws org.sitaf.core.diagnostic.InvalidInputException with all problems of all documents
    */
   public static TestApplication read(FileTree files) {
     return TestApplicationFiles.read(files);

@@ -12,7 +12,7 @@ import org.sitaf.core.model.TestModelXml;
 import org.sitaf.core.suite.TestSuite;
 import org.sitaf.core.suite.document.TestSuiteXml;
 
-/** The layout of a test application as files. */
+/** Reads and writes the files of a test application. */
 final class TestApplicationFiles {
   private static final String ACTIVITY = "activity";
   private static final String HARNESS = "harness";

@@ -1,4 +1,4 @@
-/** Interface Test Application Generator (ITAG): the sources of a test application. */
+/** Interface Test Application Generator (ITAG): generates the sources of a test application. */
 @NullMarked
 package org.sitaf.core.harness;
 

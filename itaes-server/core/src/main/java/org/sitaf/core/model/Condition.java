@@ -5,7 +5,7 @@ import java.util.Objects;
 /**
  * A pre- or post-condition in CEL.
  *
- * @param line where it stands in the model, from 1; 0 where that is unknown
+ * @param line line in the model, from 1; 0 if unknown
  */
 public record Condition(String expression, int line) {
   public Condition {

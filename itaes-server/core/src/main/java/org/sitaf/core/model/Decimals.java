@@ -2,20 +2,20 @@ package org.sitaf.core.model;
 
 import java.math.BigDecimal;
 
-/** Decimal numbers as documents write them. */
+/** Parses decimal numbers of documents. */
 final class Decimals {
   /**
-   * No number of a robot has more digits before or after the point; larger ones would only exhaust
-   * memory.
+   * Maximum number of digits before and after the point, so hostile input such as 1e999999999
+   * cannot exhaust memory.
    */
   private static final int MAX_DIGITS = 400;
 
   private Decimals() {}
 
   /**
-   * Reads a finite number exactly.
+   * Parses a finite number exactly.
    *
-   * @throws IllegalArgumentException when it is none
+   * @throws IllegalArgumentException if the text is not a number or has too many digits
    */
   static BigDecimal parse(String text) {
     try {
@@ -27,7 +27,7 @@ final class Decimals {
         return number;
       }
     } catch (NumberFormatException e) {
-      // Told below, with every other text that is not a usable number.
+      // Reported below.
     }
     throw new IllegalArgumentException("'" + text + "' is not a number");
   }

@@ -4,7 +4,7 @@ import java.math.BigDecimal;
 import java.util.List;
 import java.util.Objects;
 
-/** The class of values that a specification declares valid (paper, Table 1). */
+/** The equivalence class of valid values (paper, Table 1). */
 public sealed interface EquivalenceClass {
 
   /** Whether a number belongs to the class. */
@@ -13,7 +13,7 @@ public sealed interface EquivalenceClass {
   /**
    * NEC_NUMERIC_ONE_BOUNDARY.
    *
-   * @param lower whether the class lies above the boundary ({@code min}) or below it ({@code max})
+   * @param lower whether the boundary is the minimum; otherwise it is the maximum
    */
   record OneBoundary(BigDecimal boundary, boolean lower, boolean inclusive)
       implements EquivalenceClass {

@@ -6,13 +6,13 @@ import org.jspecify.annotations.Nullable;
 import org.sitaf.core.description.DataType;
 
 /**
- * A test element of {@code input_spec_list}: something that the test varies.
+ * A test element of {@code input_spec_list}: an input that the test varies.
  *
- * @param realType the type as the model spells it
- * @param type the type that the spelling means
- * @param spec how values are generated; null where only the user's values are tried
- * @param userValues specific candidate values
- * @param line where it stands in the model, from 1; 0 where that is unknown
+ * @param realType type as written in the model
+ * @param type resolved type
+ * @param spec how values are generated; null if only user values are used
+ * @param userValues values that the user lists
+ * @param line line in the model, from 1; 0 if unknown
  */
 public record InputElement(
     String name,
@@ -32,7 +32,7 @@ public record InputElement(
     userValues = List.copyOf(userValues);
   }
 
-  /** The same element with the type that an interface gives it. */
+  /** A copy with another resolved type. */
   public InputElement withType(DataType resolved) {
     return new InputElement(name, kind, realType, resolved, description, spec, userValues, line);
   }

@@ -1,14 +1,14 @@
 package org.sitaf.core.model;
 
-/** How values outside the declared class take part in cases. */
+/** How test cases combine values outside the equivalence class. */
 public enum InvalidValues {
-  /** Never two invalid values in one case, so that one error cannot mask another. */
+  /** At most one invalid value per case, so one error cannot mask another. */
   ISOLATE,
-  /** All values alike. */
+  /** Invalid values are combined like valid ones. */
   COMBINE;
 
-  /** As documents spell it. */
-  public String spelling() {
+  /** The value in documents. */
+  public String text() {
     return this == ISOLATE ? "isolate" : "combine";
   }
 }

@@ -3,11 +3,11 @@ package org.sitaf.core.model;
 import java.util.List;
 
 /**
- * A case that the user wants to keep.
+ * A test case that the user wants to keep.
  *
- * @param no its number, from 1; 0 where it has none yet
- * @param values one for each input element, in their order
- * @param line where it stands in its document, from 1; 0 where that is unknown
+ * @param no case number, from 1; 0 if not numbered yet
+ * @param values one value per input element, in order
+ * @param line line in the document, from 1; 0 if unknown
  */
 public record KeptCase(int no, List<Value> values, int line) {
   public KeptCase {

@@ -3,7 +3,7 @@ package org.sitaf.core.model;
 import java.util.List;
 import java.util.Objects;
 
-/** A strength of its own for some parameters among each other. */
+/** A separate strength for combinations of the given parameters. */
 public record MixedStrength(Strength strength, List<String> parameters) {
   public MixedStrength {
     Objects.requireNonNull(strength);

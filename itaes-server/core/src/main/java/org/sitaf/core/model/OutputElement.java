@@ -5,12 +5,12 @@ import org.jspecify.annotations.Nullable;
 import org.sitaf.core.description.DataType;
 
 /**
- * A test element of {@code output_spec_list}: something that the test looks at.
+ * A test element of {@code output_spec_list}: an output that the test checks.
  *
- * @param realType the type as the model spells it
- * @param type the type that the spelling means
- * @param expected CEL expression over the inputs and {@code valid}; null where nothing is expected
- * @param line where it stands in the model, from 1; 0 where that is unknown
+ * @param realType type as written in the model
+ * @param type resolved type
+ * @param expected CEL expression over the inputs and {@code valid}; null if nothing is expected
+ * @param line line in the model, from 1; 0 if unknown
  */
 public record OutputElement(
     String name,
@@ -33,7 +33,7 @@ public record OutputElement(
     Objects.requireNonNull(tolerance);
   }
 
-  /** The same element with the type that an interface gives it. */
+  /** A copy with another resolved type. */
   public OutputElement withType(DataType resolved) {
     return new OutputElement(
         name, kind, realType, resolved, description, expected, tolerance, line);

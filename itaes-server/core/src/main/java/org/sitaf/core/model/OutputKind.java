@@ -1,6 +1,6 @@
 package org.sitaf.core.model;
 
-/** Where a test looks for an outcome. */
+/** The source of an output value. */
 public enum OutputKind {
   /** The return value of the method under test. */
   RETURN,

@@ -1,8 +1,8 @@
 package org.sitaf.core.model;
 
-/** Interaction strength t of a combination: every t-tuple of values occurs in a case. */
+/** Interaction strength t of a combination: every t-tuple of values occurs in at least one case. */
 public record Strength(int t) {
-  /** The largest t that a document may name. */
+  /** Maximum t in a document. */
   public static final int MAX = 6;
 
   /** Every combination of all values. */
@@ -14,30 +14,30 @@ public record Strength(int t) {
     }
   }
 
-  /** Whether every combination is wanted. */
+  /** Whether all combinations are generated. */
   public boolean isAll() {
     return t == Integer.MAX_VALUE;
   }
 
-  /** As documents spell it: the number, or {@code all}. */
-  public String spelling() {
+  /** The value in documents: a number, or {@code all}. */
+  public String text() {
     return isAll() ? "all" : Integer.toString(t);
   }
 
   /**
-   * Reads the spelling of a document.
+   * Parses the value in a document.
    *
-   * @throws IllegalArgumentException when it is neither 1 to 6 nor {@code all}
+   * @throws IllegalArgumentException if it is neither 1 to 6 nor {@code all}
    */
-  public static Strength parse(String spelling) {
-    if (spelling.equals("all")) {
+  public static Strength parse(String text) {
+    if (text.equals("all")) {
       return ALL;
     }
     try {
-      return new Strength(Integer.parseInt(spelling));
+      return new Strength(Integer.parseInt(text));
     } catch (NumberFormatException e) {
       throw new IllegalArgumentException(
-          "strength must be 1 to " + MAX + " or all, not '" + spelling + "'", e);
+          "strength must be 1 to " + MAX + " or all, not '" + text + "'", e);
     }
   }
 }

@@ -7,12 +7,12 @@ import org.jspecify.annotations.Nullable;
 /**
  * The method under test.
  *
- * @param interfaceName null where any provided interface may hold the method
- * @param method name of the method; the model's name where the model has no target
- * @param signature parameter types of an overload, such as {@code int,int}; null where the name
- *     alone decides
- * @param settle simulation time that passes before the call
- * @param runFor simulation time that passes after the call
+ * @param interfaceName null if the method is searched in all provided interfaces
+ * @param method name of the method; the model's name if the model has no target
+ * @param signature parameter types that select an overload, such as {@code int,int}; null if not
+ *     overloaded
+ * @param settle simulation time between set-up and the call
+ * @param runFor simulation time after the call
  */
 public record Target(
     @Nullable String interfaceName,

@@ -5,9 +5,9 @@ import java.util.Objects;
 import java.util.Optional;
 
 /**
- * A set of test specifications for one method (paper, Fig. 4).
+ * The test specifications of one method (paper, Fig. 4).
  *
- * @param source name of the document it was read from
+ * @param source name of the document
  */
 public record TestModel(
     String name,
@@ -37,7 +37,7 @@ public record TestModel(
     keptCases = List.copyOf(keptCases);
   }
 
-  /** The same model with other input elements. */
+  /** A copy with other input elements. */
   public TestModel withInputs(List<InputElement> replaced) {
     return new TestModel(
         name,
@@ -54,7 +54,7 @@ public record TestModel(
         source);
   }
 
-  /** The same model with other output elements. */
+  /** A copy with other output elements. */
   public TestModel withOutputs(List<OutputElement> replaced) {
     return new TestModel(
         name,
@@ -71,7 +71,7 @@ public record TestModel(
         source);
   }
 
-  /** The output of a name; an empty name means the only one. */
+  /** Finds an output by name. An empty name selects the only output. */
   public Optional<OutputElement> output(String outputName) {
     if (outputName.isEmpty()) {
       return outputs.size() == 1 ? Optional.of(outputs.get(0)) : Optional.empty();

@@ -25,11 +25,9 @@ import org.sitaf.schemas.TargetType;
 import org.sitaf.schemas.TestElementType;
 import org.sitaf.schemas.TestModelDocument;
 
-/**
- * From the wire's shape of a test model to the domain's; collects every contradiction on the way.
- */
+/** Converts the parsed document to a {@link TestModel} and reports all contradictions. */
 final class TestModelReader {
-  /** TDS is how the paper's Table 2 spells it. */
+  /** The paper's Table 2 writes TDS for TDSD. */
   private static final Map<String, InputKind> INPUT_KINDS =
       Map.of(
           "TDI", InputKind.TDI,
@@ -65,7 +63,7 @@ final class TestModelReader {
           line,
           "name",
           (name.isEmpty() ? "is missing" : "'" + name + "' is not a name")
-              + "; letters, digits, '.', '_' and '-', at most 100");
+              + "; use letters, digits, '.', '_' and '-', at most 100 characters");
     }
     if (root.getInputSpecList() == null) {
       diagnostics.error(file, line, "input_spec_list", "is missing");
@@ -78,10 +76,10 @@ final class TestModelReader {
     if (root.getOutputSpecList() != null) {
       root.getOutputSpecList().getTestElement().forEach(e -> output(e).ifPresent(outputs::add));
     }
-    noNameTwice(
+    checkUniqueNames(
         inputs.stream().map(InputElement::name).toList(),
         inputs.stream().map(InputElement::line).toList());
-    noNameTwice(
+    checkUniqueNames(
         outputs.stream().map(OutputElement::name).toList(),
         outputs.stream().map(OutputElement::line).toList());
     return new TestModel(
@@ -103,7 +101,7 @@ final class TestModelReader {
         invalidValues(root.getInvalidValues(), line),
         strength(root.getOrderOfCombinations(), "order_of_combinations", line),
         root.getStrength().stream().map(s -> mixed(s, inputs)).toList(),
-        root.getCaseList() == null ? List.of() : kept(root.getCaseList().getCases(), inputs),
+        root.getCaseList() == null ? List.of() : keptCases(root.getCaseList().getCases(), inputs),
         file);
   }
 
@@ -137,10 +135,9 @@ final class TestModelReader {
     }
     boolean noUserValues =
         element.getUserValueList() == null || element.getUserValueList().getValue().isEmpty();
-    boolean listsItself = isBoolean(type) || "ENUM".equals(abstractType(element));
-    if (element.getTestSpec() == null && noUserValues && !listsItself) {
-      diagnostics.error(
-          file, line, where, "gives no values; it needs a test_spec or a user_value_list");
+    boolean hasImpliedValues = isBoolean(type) || "ENUM".equals(abstractType(element));
+    if (element.getTestSpec() == null && noUserValues && !hasImpliedValues) {
+      diagnostics.error(file, line, where, "has no values; add a test_spec or a user_value_list");
     }
     if (name(element).isEmpty() || kind.isEmpty()) {
       return Optional.empty();
@@ -295,24 +292,24 @@ final class TestModelReader {
     return found;
   }
 
-  private InvalidValues invalidValues(@Nullable String spelling, int line) {
-    return switch (spelling == null || spelling.isEmpty() ? "isolate" : spelling) {
+  private InvalidValues invalidValues(@Nullable String text, int line) {
+    return switch (text == null || text.isEmpty() ? "isolate" : text) {
       case "isolate" -> InvalidValues.ISOLATE;
       case "combine" -> InvalidValues.COMBINE;
       default -> {
         diagnostics.error(
-            file, line, "invalid_values", "must be isolate or combine, not '" + spelling + "'");
+            file, line, "invalid_values", "must be isolate or combine, not '" + text + "'");
         yield InvalidValues.ISOLATE;
       }
     };
   }
 
-  private Strength strength(@Nullable String spelling, String where, int line) {
-    if (spelling == null) {
-      diagnostics.error(file, line, where, "is missing; 1 to 6, or all");
+  private Strength strength(@Nullable String text, String where, int line) {
+    if (text == null) {
+      diagnostics.error(file, line, where, "is missing; write 1 to 6, or all");
       return new Strength(1);
     }
-    return attempt(line, where, () -> Strength.parse(spelling)).orElse(new Strength(1));
+    return attempt(line, where, () -> Strength.parse(text)).orElse(new Strength(1));
   }
 
   private MixedStrength mixed(StrengthType strength, List<InputElement> inputs) {
@@ -327,23 +324,27 @@ final class TestModelReader {
     return new MixedStrength(strength(strength.getT(), "strength", line), strength.getParam());
   }
 
-  private List<KeptCase> kept(List<CaseType> cases, List<InputElement> inputs) {
+  private List<KeptCase> keptCases(List<CaseType> cases, List<InputElement> inputs) {
     List<KeptCase> kept = new ArrayList<>();
-    for (CaseType kase : cases) {
-      int line = XmlDocuments.line(kase);
-      String where = "case_list/case " + (kase.getNo() == null ? "" : kase.getNo());
-      if (kase.getValues().size() != inputs.size()) {
+    for (CaseType testCase : cases) {
+      int line = XmlDocuments.line(testCase);
+      String where = "case_list/case " + (testCase.getNo() == null ? "" : testCase.getNo());
+      if (testCase.getValues().size() != inputs.size()) {
         diagnostics.error(
             file,
             line,
             where,
-            "has " + kase.getValues().size() + " values for " + inputs.size() + " input elements");
+            "has "
+                + testCase.getValues().size()
+                + " values for "
+                + inputs.size()
+                + " input elements");
         continue;
       }
       List<Value> values = new ArrayList<>();
       for (int i = 0; i < inputs.size(); i++) {
         InputElement element = inputs.get(i);
-        String literal = kase.getValues().get(i);
+        String literal = testCase.getValues().get(i);
         attempt(
                 line,
                 where + "/" + element.name(),
@@ -353,12 +354,12 @@ final class TestModelReader {
                         : Value.parse(literal, element.type()))
             .ifPresent(values::add);
       }
-      kept.add(new KeptCase(kase.getNo() == null ? 0 : kase.getNo(), values, line));
+      kept.add(new KeptCase(testCase.getNo() == null ? 0 : testCase.getNo(), values, line));
     }
     return kept;
   }
 
-  private void noNameTwice(List<String> names, List<Integer> lines) {
+  private void checkUniqueNames(List<String> names, List<Integer> lines) {
     Set<String> seen = new HashSet<>();
     for (int i = 0; i < names.size(); i++) {
       if (!seen.add(names.get(i))) {

@@ -6,15 +6,15 @@ import org.sitaf.core.document.ElementLines;
 import org.sitaf.core.document.XmlDocuments;
 import org.sitaf.schemas.TestModelDocument;
 
-/** The document of a test model (schemas/test_model.xsd). */
+/** Reads test model documents (schemas/test_model.xsd). */
 public final class TestModelXml {
   private TestModelXml() {}
 
   /**
-   * Reads a test model and verifies that it does not contradict itself.
+   * Reads a test model and checks that it is consistent.
    *
    * @param file name of the document, for diagnostics
-   * @throws org.sitaf.core.diagnostic.InvalidInputException with every problem of the document
+   * @throws org.sitaf.core.diagnostic.InvalidInputException with all problems of the document
    */
   public static TestModel read(InputStream document, String file) {
     Diagnostics diagnostics = new Diagnostics();
@@ -24,7 +24,7 @@ public final class TestModelXml {
         XmlDocuments.read(
             document, file, "test_model", TestModelDocument.class, diagnostics, lines);
     TestModel model = new TestModelReader(file, diagnostics, lines).read(root);
-    // A model has few elements and each has a meaning: one that is passed over is a mistake.
+    // Warnings are errors here: an unknown element of a test model is most likely a typo.
     Diagnostics strict = new Diagnostics();
     diagnostics.all().forEach(d -> strict.error(d.file(), d.line(), d.element(), d.message()));
     strict.throwIfErrors();

@@ -7,14 +7,14 @@ import java.util.Objects;
 /** How the values of a test element are generated. */
 public sealed interface TestSpec {
 
-  /** As documents spell the scheme. */
+  /** The name of the scheme in documents. */
   String scheme();
 
   /**
    * Equivalence class partitioning (Fig. 5).
    *
-   * @param representatives values from each class, at least 1
-   * @param offset distance of a representative from the boundary of an open class, above 0
+   * @param representatives number of values per class, at least 1
+   * @param offset distance of a representative from the boundary of an open class, greater than 0
    */
   record EquivalencePartitioning(
       EquivalenceClass equivalenceClass, int representatives, BigDecimal offset)
@@ -34,8 +34,8 @@ public sealed interface TestSpec {
   /**
    * Boundary value analysis (Figs. 6 and 7) of a class with one or two boundaries.
    *
-   * @param offset distance from a boundary, above 0
-   * @param special whether the values that robot code breaks on are added
+   * @param offset distance from a boundary, greater than 0
+   * @param special whether values that often break robot code are added
    */
   record BoundaryValues(EquivalenceClass equivalenceClass, BigDecimal offset, boolean special)
       implements TestSpec {
@@ -71,11 +71,11 @@ public sealed interface TestSpec {
   }
 
   /**
-   * Random strings at the boundaries of length (Fig. 8).
+   * Random strings with boundary lengths (Fig. 8).
    *
    * @param minLength in characters, not negative
    * @param maxLength in characters, inclusive
-   * @param negativeCharacters characters that no valid string holds
+   * @param negativeCharacters characters that make a string invalid
    */
   record RandomStrings(
       int minLength,
@@ -112,19 +112,19 @@ public sealed interface TestSpec {
 
   /** How random numbers are distributed. */
   sealed interface Distribution {
-    /** Equally likely everywhere. */
+    /** Uniform over the range. */
     record Uniform() implements Distribution {}
 
     /** Normal, truncated to the range. */
     record Normal(double mean, double standardDeviation) implements Distribution {
       public Normal {
         if (!(standardDeviation > 0)) {
-          throw new IllegalArgumentException("standard_deviation must be above 0");
+          throw new IllegalArgumentException("standard_deviation must be greater than 0");
         }
       }
     }
 
-    /** An operational profile: ranges by weight. */
+    /** An operational profile: weighted ranges. */
     record Weighted(List<WeightedRange> ranges) implements Distribution {
       public Weighted {
         ranges = List.copyOf(ranges);
@@ -142,14 +142,14 @@ public sealed interface TestSpec {
         throw new IllegalArgumentException("min " + min + " is above max " + max);
       }
       if (!(weight > 0) || Double.isInfinite(weight)) {
-        throw new IllegalArgumentException("a weight must be above 0 and finite");
+        throw new IllegalArgumentException("a weight must be greater than 0 and finite");
       }
     }
   }
 
   private static void requirePositive(int number, String what) {
     if (number <= 0) {
-      throw new IllegalArgumentException(what + " must be above 0");
+      throw new IllegalArgumentException(what + " must be greater than 0");
     }
   }
 }

@@ -18,8 +18,7 @@ import org.sitaf.schemas.TestSpecType;
 import org.sitaf.schemas.WeightedRangeType;
 
 /**
- * Reads one {@code test_spec}. Its problems are told with the element's name, the scheme and the
- * entry.
+ * Reads one {@code test_spec}. Problems are reported with the name of the element and of the entry.
  */
 final class TestSpecReader {
   private static final int MAX_COUNT = 1_000_000;
@@ -36,8 +35,8 @@ final class TestSpecReader {
   }
 
   /**
-   * Empty where a problem was told; every entry is looked at, so that all its problems are told at
-   * once.
+   * Returns empty if a problem was reported. All entries are checked, so all problems are reported
+   * at once.
    */
   Optional<TestSpec> read(TestSpecType spec, DataType type) {
     line = XmlDocuments.line(spec);
@@ -66,7 +65,7 @@ final class TestSpecReader {
                 whole(first(spec.getRepresentatives(), spec.getRepresentativesElement(), "1"), 1));
     var offset =
         attempt(
-            "offset", () -> above0(first(spec.getOffset(), spec.getOffsetElement(), "1"), type));
+            "offset", () -> positive(first(spec.getOffset(), spec.getOffsetElement(), "1"), type));
     return declared.isEmpty() || representatives.isEmpty() || offset.isEmpty()
         ? Optional.empty()
         : Optional.of(
@@ -91,12 +90,12 @@ final class TestSpecReader {
         attempt(
             "offset",
             () ->
-                above0(
+                positive(
                     required(
                         first(spec.getOffset(), spec.getOffsetElement()),
-                        "is missing; BVA needs an offset above 0"),
+                        "is missing; BVA needs an offset greater than 0"),
                     type));
-    var special = attempt("special", () -> truth(spec.getSpecial(), false));
+    var special = attempt("special", () -> parseBoolean(spec.getSpecial(), false));
     return declared.isEmpty() || offset.isEmpty() || special.isEmpty()
         ? Optional.empty()
         : Optional.of(new TestSpec.BoundaryValues(declared.get(), offset.get(), special.get()));
@@ -123,7 +122,7 @@ final class TestSpecReader {
         () -> new TestSpec.RandomNumbers(count.get(), min.get(), max.get(), distribution.get()));
   }
 
-  /** An end of the range of random numbers; an operational profile implies it. */
+  /** The minimum or maximum of random numbers. By default, an operational profile determines it. */
   private static BigDecimal end(
       @Nullable String text, Optional<Distribution> distribution, boolean lower, DataType type) {
     requireNumeric(type);
@@ -193,7 +192,10 @@ final class TestSpecReader {
         && scalar.type() != ScalarType.STRING
         && scalar.type() != ScalarType.CHAR) {
       diagnostics.error(
-          file, line, where, "RANDOM_STRING gives strings; the real_type is " + scalar.spelling());
+          file,
+          line,
+          where,
+          "RANDOM_STRING generates strings, but the real_type is " + scalar.typeName());
     }
     var min =
         attempt("min_length", () -> length(first(spec.getMinLength(), spec.getMinLengthElement())));
@@ -201,15 +203,17 @@ final class TestSpecReader {
         attempt("max_length", () -> length(first(spec.getMaxLength(), spec.getMaxLengthElement())));
     var alphabet =
         attempt(
-            "alphabet", () -> truth(first(spec.getAlphabet(), spec.getAlphabetElement()), false));
+            "alphabet",
+            () -> parseBoolean(first(spec.getAlphabet(), spec.getAlphabetElement()), false));
     var digits =
-        attempt("number", () -> truth(first(spec.getNumber(), spec.getNumberElement()), false));
+        attempt(
+            "number", () -> parseBoolean(first(spec.getNumber(), spec.getNumberElement()), false));
     var special =
         attempt(
             "special_char",
-            () -> truth(first(spec.getSpecialChar(), spec.getSpecialCharElement()), false));
+            () -> parseBoolean(first(spec.getSpecialChar(), spec.getSpecialCharElement()), false));
     var space =
-        attempt("space", () -> truth(first(spec.getSpace(), spec.getSpaceElement()), false));
+        attempt("space", () -> parseBoolean(first(spec.getSpace(), spec.getSpaceElement()), false));
     String negative = first(spec.getNegativeCharList(), spec.getNegativeCharListElement(), "");
     if (min.isEmpty()
         || max.isEmpty()
@@ -252,9 +256,10 @@ final class TestSpecReader {
           new EquivalenceClass.TwoBoundary(
               number(required(given.getMin(), kind + " needs min and max"), type),
               number(required(given.getMax(), kind + " needs min and max"), type),
-              truth(given.getMinInclusive(), true),
-              truth(given.getMaxInclusive(), true));
-      case "NEC_BOOLEAN" -> new EquivalenceClass.BooleanClass(truth(given.getValueOnly(), false));
+              parseBoolean(given.getMinInclusive(), true),
+              parseBoolean(given.getMaxInclusive(), true));
+      case "NEC_BOOLEAN" ->
+          new EquivalenceClass.BooleanClass(parseBoolean(given.getValueOnly(), false));
       case "NEC_NUMERIC_CONSTANT" ->
           new EquivalenceClass.Constant(
               number(required(given.getValue(), kind + " needs a value"), type));
@@ -263,8 +268,8 @@ final class TestSpecReader {
               given.getValues().stream().map(v -> number(v, type)).toList());
       default ->
           throw new IllegalArgumentException(
-              "equiv_class type must be one of the five of Table 1, such as"
-                  + " NEC_NUMERIC_TWO_BOUNDARY, not '"
+              "equiv_class type must be NEC_NUMERIC_ONE_BOUNDARY, NEC_NUMERIC_TWO_BOUNDARY, NEC_BOOLEAN,"
+                  + " NEC_NUMERIC_CONSTANT or NEC_NUMERIC_SET, not '"
                   + given.getType()
                   + "'");
     };
@@ -278,14 +283,17 @@ final class TestSpecReader {
     return new EquivalenceClass.OneBoundary(
         number(lower ? given.getMin() : given.getMax(), type),
         lower,
-        lower ? truth(given.getMinInclusive(), true) : truth(given.getMaxInclusive(), true));
+        lower
+            ? parseBoolean(given.getMinInclusive(), true)
+            : parseBoolean(given.getMaxInclusive(), true));
   }
 
   private static void requireNumeric(DataType type) {
     if (type instanceof DataType.Scalar scalar
         && !scalar.type().isNumeric()
         && scalar.type() != ScalarType.BOOLEAN) {
-      throw new IllegalArgumentException("gives numbers; the real_type is " + scalar.spelling());
+      throw new IllegalArgumentException(
+          "generates numbers, but the real_type is " + scalar.typeName());
     }
   }
 
@@ -294,15 +302,15 @@ final class TestSpecReader {
     boolean whole = type instanceof DataType.Scalar scalar && scalar.type().isInteger();
     if (whole && number.stripTrailingZeros().scale() > 0) {
       throw new IllegalArgumentException(
-          text + " is not a whole number, but the real_type is " + type.spelling());
+          text + " is not a whole number, but the real_type is " + type.typeName());
     }
     return number;
   }
 
-  private static BigDecimal above0(String text, DataType type) {
+  private static BigDecimal positive(String text, DataType type) {
     BigDecimal number = number(text, type);
     if (number.signum() <= 0) {
-      throw new IllegalArgumentException("must be above 0, not " + text);
+      throw new IllegalArgumentException("must be greater than 0, not " + text);
     }
     return number;
   }
@@ -314,13 +322,13 @@ final class TestSpecReader {
         return number;
       }
     } catch (ArithmeticException e) {
-      // Told below, with every other number that does not count.
+      // Reported below.
     }
     throw new IllegalArgumentException(
         "must be a whole number from " + least + " to " + MAX_COUNT + ", not '" + text + "'");
   }
 
-  private static boolean truth(@Nullable String text, boolean otherwise) {
+  private static boolean parseBoolean(@Nullable String text, boolean otherwise) {
     if (text == null || text.isEmpty()) {
       return otherwise;
     }

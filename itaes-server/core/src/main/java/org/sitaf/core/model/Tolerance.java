@@ -1,15 +1,16 @@
 package org.sitaf.core.model;
 
 /**
- * How far an actual number may lie from the expected one: {@code |actual - expected| <= absolute +
- * relative * |expected| + ulp * u}, with u the distance from the expected number to the next.
+ * The allowed difference between an actual and an expected number: {@code |actual - expected| <=
+ * absolute + relative * |expected| + ulp * u}, where u is the distance from the expected number to
+ * the next floating-point number.
  *
  * @param absolute in the unit of the output, not negative
- * @param relative a fraction, not negative
- * @param ulp units in the last place, not negative; a whole number has none
+ * @param relative fraction of the expected number, not negative
+ * @param ulp units in the last place, not negative; ignored for integers
  */
 public record Tolerance(double absolute, double relative, double ulp) {
-  /** Equal, as numbers. */
+  /** The numbers must be equal. */
   public static final Tolerance EXACT = new Tolerance(0, 0, 0);
 
   public Tolerance {

@@ -6,19 +6,21 @@ import java.util.Objects;
 import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.ScalarType;
 
-/** A value of a test element; its literal is what documents hold. */
+/** A value of a test element. */
 public sealed interface Value {
 
-  /** Begins an error that is thrown or expected where a value could be: {@code !error:NoEcho}. */
-  String MARK_OF_ERROR = "!error:";
+  /** Prefix of an error that is thrown or expected instead of a value: {@code !error:NoEcho}. */
+  String ERROR_PREFIX = "!error:";
 
-  /** Begins a delay of an answer of the test stub: {@code !delay:0.5}, in seconds. */
-  String MARK_OF_DELAY = "!delay:";
+  /** Prefix of a delay of a test stub's answer, in seconds: {@code !delay:0.5}. */
+  String DELAY_PREFIX = "!delay:";
 
-  /** The spelling in documents: {@code 7}, {@code 9.5}, {@code true}, or the text itself. */
+  /**
+   * The value as written in documents: {@code 7}, {@code 9.5}, {@code true}, or the text itself.
+   */
   String literal();
 
-  /** A whole number. */
+  /** An integer. */
   record Whole(BigInteger number) implements Value {
     public Whole {
       Objects.requireNonNull(number);
@@ -30,7 +32,7 @@ public sealed interface Value {
     }
   }
 
-  /** A floating-point number, NaN and infinities among them. */
+  /** A floating-point number, possibly NaN or infinite. */
   record Real(double number) implements Value {
     @Override
     public String literal() {
@@ -39,7 +41,7 @@ public sealed interface Value {
   }
 
   /** A boolean. */
-  record Truth(boolean value) implements Value {
+  record Bool(boolean value) implements Value {
     @Override
     public String literal() {
       return Boolean.toString(value);
@@ -47,8 +49,8 @@ public sealed interface Value {
   }
 
   /**
-   * A string, a character, the literal of an enumeration, or the spelling of a value whose type is
-   * unknown.
+   * A string, a character, an enumeration literal, or the literal of a value of a structured or
+   * unknown type.
    */
   record Text(String text) implements Value {
     public Text {
@@ -62,24 +64,23 @@ public sealed interface Value {
   }
 
   /**
-   * Reads an answer of the test stub: a value of its type, an error or a delay.
+   * Parses an answer of a test stub: a value of the type, an error or a delay.
    *
-   * @throws IllegalArgumentException when it is neither; the message says what was expected
+   * @throws IllegalArgumentException if it is none of these
    */
   static Value parseAnswer(String literal, DataType type) {
     return isErrorOrDelay(literal) ? new Text(literal) : parse(literal, type);
   }
 
-  /** Whether an answer of the test stub is more than a value of its type. */
+  /** Whether a literal is an error or a delay instead of a value. */
   static boolean isErrorOrDelay(String literal) {
-    return literal.startsWith(MARK_OF_ERROR) || literal.startsWith(MARK_OF_DELAY);
+    return literal.startsWith(ERROR_PREFIX) || literal.startsWith(DELAY_PREFIX);
   }
 
   /**
-   * Reads a literal as a value of a type.
+   * Parses a literal.
    *
-   * @throws IllegalArgumentException when the type cannot hold it; the message says what was
-   *     expected
+   * @throws IllegalArgumentException if it is not a value of the type
    */
   static Value parse(String literal, DataType type) {
     if (!(type instanceof DataType.Scalar scalar)) {
@@ -94,8 +95,8 @@ public sealed interface Value {
     }
     if (kind == ScalarType.BOOLEAN) {
       return switch (literal.strip()) {
-        case "true", "1" -> new Truth(true);
-        case "false", "0" -> new Truth(false);
+        case "true", "1" -> new Bool(true);
+        case "false", "0" -> new Bool(false);
         default -> throw new IllegalArgumentException("'" + literal + "' is not true or false");
       };
     }
@@ -114,7 +115,7 @@ public sealed interface Value {
       throw new IllegalArgumentException(
           literal
               + " does not fit into "
-              + kind.spelling()
+              + kind.typeName()
               + " ("
               + kind.minimum()
               + " to "
@@ -139,7 +140,7 @@ public sealed interface Value {
     double number = decimal.doubleValue();
     double narrowed = kind == ScalarType.FLOAT ? decimal.floatValue() : number;
     if (Double.isInfinite(narrowed)) {
-      throw new IllegalArgumentException(decimal + " does not fit into " + kind.spelling());
+      throw new IllegalArgumentException(decimal + " does not fit into " + kind.typeName());
     }
     return number;
   }

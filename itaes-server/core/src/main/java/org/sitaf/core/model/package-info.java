@@ -1,4 +1,4 @@
-/** What varies in a test: test elements, specifications, conditions, and their verification. */
+/** Test models: test elements, specifications and conditions, and their validation. */
 @NullMarked
 package org.sitaf.core.model;
 

@@ -33,11 +33,11 @@ import org.sitaf.core.value.TestData;
 import org.sitaf.core.value.TestValue;
 
 /**
- * Poses the values of a model as problems for the Test Data Combinator (TDC), and reads its rows
- * back as values.
+ * Converts a test model to problems of the Test Data Combinator (TDC), and the resulting rows to
+ * test values.
  */
 final class CaseCombination {
-  /** The most cases of a suite. */
+  /** Maximum number of cases of a suite. */
   private static final int MAX_CASES = 1_000_000;
 
   private final TestModel model;
@@ -50,12 +50,12 @@ final class CaseCombination {
   private final List<KeptCases.Kept> keptCases;
   private final List<List<TestValue>> kept;
   private final ImpossibleCombinations impossible;
-  private final PosedConditions posed;
+  private final ConditionConstraints constraints;
 
-  /** For each parameter that was held, the kept cases by its value. */
+  /** For each fixed parameter, the kept cases by its value. */
   private final Map<Integer, Map<Value, List<KeptCases.Kept>>> keptByValue = new HashMap<>();
 
-  /** Where each value of some candidates stands; made only for cases to keep. */
+  /** The index of each value in a list of candidates. Only used for kept cases. */
   private final Map<List<TestValue>, Map<Value, Integer>> indices = new IdentityHashMap<>();
 
   CaseCombination(
@@ -75,24 +75,24 @@ final class CaseCombination {
     this.diagnostics = diagnostics;
     this.progress = progress;
     this.impossible = new ImpossibleCombinations(model);
-    this.posed = new PosedConditions(model, conditions.pre());
+    this.constraints = new ConditionConstraints(model, conditions.pre());
     this.keptCases = keptCases.all().stream().filter(this::isAllowed).toList();
     this.kept =
         this.keptCases.stream().filter(KeptCases.Kept::isComplete).map(this::keptRow).toList();
   }
 
-  /** All values alike. */
+  /** Combines valid and invalid values alike. */
   List<List<TestValue>> mixed() {
     List<List<TestValue>> candidates = data.stream().map(TestData::values).toList();
     Set<List<TestValue>> rows = new LinkedHashSet<>(kept);
     rows.addAll(combine(candidates, -1, null));
-    impossible.tell(diagnostics);
+    impossible.report(diagnostics);
     return List.copyOf(rows);
   }
 
   /**
-   * First all t-tuples of valid values in wholly valid cases; then each invalid value with all
-   * (t-1)-tuples of the others' valid values, so that one error cannot mask another.
+   * Combines all t-tuples of valid values in valid cases, and each invalid value with all
+   * (t-1)-tuples of valid values of the other parameters. One error can then not mask another.
    */
   List<List<TestValue>> isolated() {
     List<List<TestValue>> valid =
@@ -103,12 +103,12 @@ final class CaseCombination {
             model.source(),
             model.inputs().get(p).line(),
             "test_element " + model.inputs().get(p).name(),
-            "has no valid value; every case would be invalid. Declare one, or set invalid_values to"
-                + " combine");
+            "has no valid value, so every case would be invalid; add a valid value or set"
+                + " invalid_values to combine");
       }
     }
     diagnostics.throwIfErrors();
-    refuseExplosion(valid);
+    checkSize(valid);
     Set<List<TestValue>> rows = new LinkedHashSet<>(kept);
     rows.addAll(combine(valid, -1, true));
     for (int p = 0; p < data.size(); p++) {
@@ -123,12 +123,15 @@ final class CaseCombination {
         }
       }
     }
-    impossible.tell(diagnostics);
+    impossible.report(diagnostics);
     return List.copyOf(rows);
   }
 
-  /** Refuses what needs too many cases, where no condition lets it need fewer. */
-  private void refuseExplosion(List<List<TestValue>> valid) {
+  /**
+   * Rejects models that need too many cases. Models with pre-conditions may need fewer cases and
+   * are not checked here.
+   */
+  private void checkSize(List<List<TestValue>> valid) {
     if (!conditions.pre().isEmpty()) {
       return;
     }
@@ -143,7 +146,7 @@ final class CaseCombination {
     }
   }
 
-  /** The product of the largest levels but that of one parameter. */
+  /** The product of the largest levels, without those of one parameter. */
   private static BigInteger atLeast(int[] levels, int strength, int but) {
     return IntStream.range(0, levels.length)
         .filter(p -> p != but)
@@ -163,20 +166,20 @@ final class CaseCombination {
                 "order_of_combinations",
                 String.format(
                     Locale.ROOT,
-                    "gives %s cases, of which at most %,d can be generated; lower the strength,"
-                        + " or give the parameters fewer values",
+                    "results in %s cases, but at most %,d can be generated; reduce the strength or the"
+                        + " number of values",
                     count,
                     MAX_CASES))));
   }
 
-  /** The condition that a constraint comes from, as it was written. */
+  /** The source text of the condition of a constraint. */
   String text(Constraint constraint) {
-    return posed.text(constraint);
+    return constraints.text(constraint);
   }
 
   /**
-   * What to cover; around a parameter that is held at one invalid value, one strength less among
-   * the others.
+   * The interactions to cover. If a parameter is fixed to an invalid value, the strength among the
+   * other parameters is one less.
    */
   private List<Interaction> interactions(int held) {
     List<Interaction> all = new ArrayList<>();
@@ -203,10 +206,10 @@ final class CaseCombination {
   }
 
   /**
-   * The rows of one array.
+   * Generates the rows of one covering array.
    *
-   * @param held the parameter that is held at its only, invalid, value; -1 where none is
-   * @param valid whether all its cases are; null where they differ
+   * @param held index of the parameter that is fixed to an invalid value; -1 if there is none
+   * @param valid whether all cases are valid or invalid; null if they differ
    */
   private List<List<TestValue>> combine(
       List<List<TestValue>> candidates, int held, @Nullable Boolean valid) {
@@ -214,14 +217,14 @@ final class CaseCombination {
     List<Interaction> interactions = interactions(held);
     List<int[]> seeds = seeds(candidates, held);
     if ((seeds.isEmpty() && IntStream.of(levels).allMatch(l -> l == 1)) || interactions.isEmpty()) {
-      // Nothing varies, or no tuple is asked for: one case, whichever the conditions allow.
+      // Nothing varies or no tuples are required: generate any one allowed case.
       seeds.add(IntStream.of(levels).map(l -> CombinationProblem.FREE).toArray());
     }
-    List<Constraint> constraints = posed.constraints(candidates, valid);
+    List<Constraint> conditionConstraints = constraints.constraints(candidates, valid);
     CoveringArray array =
         new TestDataCombinator()
             .combine(
-                new CombinationProblem(levels, interactions, constraints, seeds),
+                new CombinationProblem(levels, interactions, conditionConstraints, seeds),
                 options.effort(),
                 options.seed(),
                 progress);
@@ -230,7 +233,7 @@ final class CaseCombination {
       impossible.addValue(held, candidates);
     }
     for (int refused : array.refusedSeeds()) {
-      tellRefused(seeds.get(refused), candidates);
+      reportDropped(seeds.get(refused), candidates);
     }
     List<List<TestValue>> rows = new ArrayList<>();
     for (int[] row : array.rows()) {
@@ -240,10 +243,7 @@ final class CaseCombination {
     return rows;
   }
 
-  /**
-   * The cases to keep that fit these candidates, as rows of indices; free where a case has no
-   * value.
-   */
+  /** The kept cases that match the candidates, as rows of indices; free if a case has no value. */
   private List<int[]> seeds(List<List<TestValue>> candidates, int held) {
     List<int[]> seeds = new ArrayList<>();
     for (KeptCases.Kept keptCase : keptCases(candidates, held)) {
@@ -251,7 +251,7 @@ final class CaseCombination {
       boolean fits = true;
       for (int p = 0; p < seed.length; p++) {
         Value value = keptCase.values().get(p);
-        // Where one invalid value is held, a case that does not name it belongs elsewhere.
+        // With a fixed invalid value, a case must contain this value.
         boolean mustBeNamed = candidates.get(p).size() == 1 && !candidates.get(p).get(0).valid();
         seed[p] = value == null ? CombinationProblem.FREE : indexOf(candidates.get(p), value);
         fits &= value == null ? !mustBeNamed : seed[p] >= 0;
@@ -263,7 +263,7 @@ final class CaseCombination {
     return seeds;
   }
 
-  /** Those that can fit: where a parameter is held, those that have its value. */
+  /** The kept cases that can match: with a fixed parameter, those with its value. */
   private List<KeptCases.Kept> keptCases(List<List<TestValue>> candidates, int held) {
     if (held < 0 || keptCases.isEmpty()) {
       return keptCases;
@@ -294,7 +294,7 @@ final class CaseCombination {
     return index;
   }
 
-  private void tellRefused(int[] seed, List<List<TestValue>> candidates) {
+  private void reportDropped(int[] seed, List<List<TestValue>> candidates) {
     String values =
         IntStream.range(0, seed.length)
             .filter(p -> seed[p] != CombinationProblem.FREE)
@@ -309,11 +309,14 @@ final class CaseCombination {
           model.source(),
           0,
           "pre_condition_spec_list",
-          "the case with " + values + " that was to be kept is in no allowed case and is left out");
+          "the kept case with " + values + " violates the conditions and is dropped");
     }
   }
 
-  /** Whether a kept case still keeps the conditions; one that lacks values may yet be completed. */
+  /**
+   * Whether a kept case satisfies the conditions. Incomplete cases are checked when they are
+   * completed.
+   */
   private boolean isAllowed(KeptCases.Kept keptCase) {
     if (!keptCase.isComplete()) {
       return true;
@@ -325,7 +328,7 @@ final class CaseCombination {
     }
     variables.put(Variables.VALID, row.stream().allMatch(TestValue::valid));
     Optional<Expression> broken =
-        conditions.pre().stream().filter(c -> !posed.holds(c, variables)).findFirst();
+        conditions.pre().stream().filter(c -> !constraints.holds(c, variables)).findFirst();
     broken.ifPresent(
         c ->
             diagnostics.warning(
@@ -334,13 +337,15 @@ final class CaseCombination {
                 "pre_condition_spec_list",
                 "case "
                     + keptCase.no()
-                    + " that was to be kept breaks '"
+                    + " violates '"
                     + c.text()
-                    + "' and is left out; its number is not used again"));
+                    + "' and is dropped; its number is not reused"));
     return broken.isEmpty();
   }
 
-  /** A kept case stays as it is; a value that the model no longer gives does not count as valid. */
+  /**
+   * The values of a kept case. Values that the model no longer generates are treated as invalid.
+   */
   private List<TestValue> keptRow(KeptCases.Kept keptCase) {
     return IntStream.range(0, data.size())
         .mapToObj(

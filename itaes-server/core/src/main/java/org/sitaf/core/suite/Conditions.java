@@ -21,18 +21,18 @@ import org.sitaf.core.model.TestModel;
 import org.sitaf.core.model.Value;
 
 /**
- * What a model says in CEL, compiled.
+ * The compiled CEL expressions of a model.
  *
- * @param pre in the order of the model
- * @param expected by the name of the output
- * @param post in the order of the model
+ * @param pre pre-conditions in the order of the model
+ * @param expected expected values by output name
+ * @param post post-conditions in the order of the model
  */
 record Conditions(List<Expression> pre, Map<String, Expression> expected, List<Expression> post) {
-  private static final Pattern ERROR = Pattern.compile(Pattern.quote(Value.MARK_OF_ERROR) + "\\w+");
+  private static final Pattern ERROR = Pattern.compile(Pattern.quote(Value.ERROR_PREFIX) + "\\w+");
 
   private static final Pattern QUOTED_ERROR = Pattern.compile("(['\"])" + ERROR + "\\1");
 
-  /** Characters of all expressions of a model: a few seconds of compiling. */
+  /** Maximum length of all expressions of a model; takes a few seconds to compile. */
   private static final int MAX_CHARACTERS = 500_000;
 
   Conditions {
@@ -41,7 +41,7 @@ record Conditions(List<Expression> pre, Map<String, Expression> expected, List<E
     post = List.copyOf(post);
   }
 
-  /** Compiles everything; what is not usable is told and left out. */
+  /** Compiles all expressions. Invalid expressions are reported and omitted. */
   static Conditions compile(TestModel model, Diagnostics diagnostics) {
     long characters =
         Stream.of(
@@ -58,8 +58,8 @@ record Conditions(List<Expression> pre, Map<String, Expression> expected, List<E
           "test_model",
           String.format(
               Locale.ROOT,
-              "its conditions and expected values have %,d characters in all; at most %,d are"
-                  + " allowed: simplify them",
+              "conditions and expected values have %,d characters in total, but at most %,d are"
+                  + " allowed; simplify them",
               characters,
               MAX_CHARACTERS));
       return new Conditions(List.of(), Map.of(), List.of());
@@ -97,8 +97,8 @@ record Conditions(List<Expression> pre, Map<String, Expression> expected, List<E
   }
 
   /**
-   * The name of an error stands for itself; beside values of another type CEL must be told that the
-   * type of both shows later.
+   * Quotes an unquoted error, such as {@code !error:NoEcho}. Quoted errors are converted to {@code
+   * dyn}, so CEL accepts them next to values of other types.
    */
   private static String expression(String expected) {
     String stripped = expected.strip();

@@ -10,7 +10,7 @@ import org.sitaf.core.model.InputElement;
 import org.sitaf.core.model.OutputElement;
 import org.sitaf.core.model.TestModel;
 
-/** A CEL expression that works out what an output should be, case by case. */
+/** A CEL expression that computes the expected value of an output for each case. */
 public final class ExpectedFormula {
   private final TestModel model;
   private final OutputElement output;
@@ -25,9 +25,8 @@ public final class ExpectedFormula {
   /**
    * Compiles an expression over the inputs of a model and {@code valid}.
    *
-   * @param outputName name of the output; empty where the model has only one
-   * @throws IllegalArgumentException when the model has no such output, or the expression is not
-   *     usable
+   * @param outputName name of the output; empty selects the only output
+   * @throws IllegalArgumentException if the model has no such output or the expression is invalid
    */
   public static ExpectedFormula compile(TestModel model, String outputName, String text) {
     OutputElement output =
@@ -47,10 +46,10 @@ public final class ExpectedFormula {
   }
 
   /**
-   * What the output should be in a case of the model.
+   * Computes the expected value of a case.
    *
-   * @throws EvaluationException when the expression has no value there
-   * @throws IllegalArgumentException when the output's type cannot hold the value
+   * @throws EvaluationException if the evaluation fails
+   * @throws IllegalArgumentException if the result is not a value of the output's type
    */
   public ExpectedValue expect(TestCase testCase) throws EvaluationException {
     Variables variables = new Variables().put(Variables.VALID, testCase.valid());

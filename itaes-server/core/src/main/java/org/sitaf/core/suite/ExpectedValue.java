@@ -3,9 +3,9 @@ package org.sitaf.core.suite;
 import java.util.Objects;
 
 /**
- * What an output should be.
+ * The expected value of an output.
  *
- * @param output name of the output; empty where the model has only one
+ * @param output name of the output; empty if the model has only one
  * @param literal as in {@link org.sitaf.core.model.Value#literal()}
  */
 public record ExpectedValue(String output, String literal) {

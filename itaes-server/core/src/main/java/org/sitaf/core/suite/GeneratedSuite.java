@@ -5,10 +5,10 @@ import java.util.Objects;
 import org.sitaf.core.diagnostic.Diagnostic;
 
 /**
- * A suite, and what its reader should know of its making.
+ * A generated suite with warnings.
  *
- * @param notes values that a type cannot hold, combinations that no allowed case can hold, expected
- *     values that have no value
+ * @param notes skipped values, impossible combinations, and expected values that could not be
+ *     computed
  */
 public record GeneratedSuite(TestSuite suite, List<Diagnostic> notes) {
   public GeneratedSuite {

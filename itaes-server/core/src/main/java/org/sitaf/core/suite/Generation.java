@@ -5,10 +5,10 @@ import org.sitaf.core.model.InvalidValues;
 import org.sitaf.core.model.Strength;
 
 /**
- * How cases were made; the same model and the same settings give the same cases.
+ * The settings of a generation. The same model and settings give the same cases.
  *
  * @param effort fast, default or best
- * @param generator program and version
+ * @param generator name and version of the generator
  */
 public record Generation(
     Strength strength, InvalidValues invalidValues, long seed, String effort, String generator) {

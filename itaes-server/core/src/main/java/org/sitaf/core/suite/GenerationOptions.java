@@ -7,12 +7,12 @@ import org.sitaf.core.model.InvalidValues;
 import org.sitaf.core.model.Strength;
 
 /**
- * What a person may choose beside the model.
+ * Options of a generation.
  *
- * @param strength null to take the model's
- * @param invalidValues null to take the model's
- * @param seed of everything random
- * @param earlier a suite whose cases stay, so that only what is missing is added; null for none
+ * @param strength null for the model's strength
+ * @param invalidValues null for the model's setting
+ * @param seed seed of random values
+ * @param earlier a suite whose cases are kept, so only missing cases are added; null for none
  */
 public record GenerationOptions(
     @Nullable Strength strength,
@@ -20,7 +20,7 @@ public record GenerationOptions(
     long seed,
     Effort effort,
     @Nullable TestSuite earlier) {
-  /** As the model says, with the seed 1. */
+  /** The settings of the model, with seed 1. */
   public static final GenerationOptions DEFAULT =
       new GenerationOptions(null, null, 1, Effort.DEFAULT, null);
 
@@ -28,7 +28,7 @@ public record GenerationOptions(
     Objects.requireNonNull(effort);
   }
 
-  /** Choices without an earlier suite. */
+  /** Options without an earlier suite. */
   public GenerationOptions(
       @Nullable Strength strength,
       @Nullable InvalidValues invalidValues,
@@ -37,7 +37,7 @@ public record GenerationOptions(
     this(strength, invalidValues, seed, effort, null);
   }
 
-  /** The same choices with another seed. */
+  /** A copy with another seed. */
   public GenerationOptions withSeed(long other) {
     return new GenerationOptions(strength, invalidValues, other, effort, earlier);
   }

@@ -6,11 +6,11 @@ import java.io.UncheckedIOException;
 import java.util.Objects;
 import java.util.Properties;
 
-/** What suites name as their generator. */
+/** The generator name in suites. */
 final class GeneratorVersion {
   private GeneratorVersion() {}
 
-  /** Program and version, such as {@code sitaf 1.0.0}. */
+  /** Name and version, such as {@code sitaf 1.0.0}. */
   static String current() {
     Properties properties = new Properties();
     try (InputStream in = GeneratorVersion.class.getResourceAsStream("version.properties")) {

@@ -11,7 +11,10 @@ import org.sitaf.core.model.InputElement;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.value.TestValue;
 
-/** Combinations of values that were asked for and that no allowed case can hold: told, not lost. */
+/**
+ * Collects required combinations of values that the pre-conditions exclude, to report them as a
+ * warning.
+ */
 final class ImpossibleCombinations {
   private static final int EXAMPLES = 3;
 
@@ -24,9 +27,9 @@ final class ImpossibleCombinations {
   }
 
   /**
-   * Notes what one array could not hold.
+   * Adds the impossible tuples of one covering array.
    *
-   * @param held the parameter that is held at its only value; -1 where none is
+   * @param held index of the parameter that is fixed to one value; -1 if there is none
    */
   void add(TupleReport tuples, List<List<TestValue>> candidates, int held) {
     count += tuples.impossible();
@@ -38,7 +41,7 @@ final class ImpossibleCombinations {
     }
   }
 
-  /** No allowed case holds this value of a parameter. */
+  /** Adds a value that no allowed case contains. */
   void addValue(int parameter, List<List<TestValue>> candidates) {
     count++;
     if (examples.size() < EXAMPLES) {
@@ -46,8 +49,8 @@ final class ImpossibleCombinations {
     }
   }
 
-  /** Says what was noted, if anything. */
-  void tell(Diagnostics diagnostics) {
+  /** Reports the collected combinations, if there are any. */
+  void report(Diagnostics diagnostics) {
     if (count > 0) {
       diagnostics.warning(
           model.source(),
@@ -55,7 +58,7 @@ final class ImpossibleCombinations {
           "pre_condition_spec_list",
           count
               + (count == 1 ? " combination" : " combinations")
-              + " of values that no allowed case can hold, such as "
+              + " of values excluded by the pre-conditions, such as "
               + String.join("; ", examples));
     }
   }

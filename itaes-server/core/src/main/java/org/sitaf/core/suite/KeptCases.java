@@ -17,9 +17,9 @@ import org.sitaf.core.model.TestModel;
 import org.sitaf.core.model.Value;
 
 /**
- * The cases that a user already has: those of the model's {@code case_list} and those of an earlier
- * suite. A case that still has a value for every element stays under its number; one that lacks
- * some is completed and gets a new number, since it means something else now.
+ * The cases to keep: those of the model's {@code case_list} and those of an earlier suite. A case
+ * with a value for every element keeps its number. A case that lacks a value is completed and gets
+ * a new number, since it is a different case now.
  */
 final class KeptCases {
   private final List<Kept> cases;
@@ -29,9 +29,9 @@ final class KeptCases {
   /**
    * A case to keep.
    *
-   * @param no 0 where it has no number yet
-   * @param values in the order of the model's inputs; null where it has none for an element
-   * @param expected of the earlier suite
+   * @param no case number; 0 if it has none
+   * @param values values in the order of the model's inputs; null if a value is missing
+   * @param expected expected values of the earlier suite
    */
   record Kept(int no, List<@Nullable Value> values, List<ExpectedValue> expected) {
     Kept {
@@ -54,7 +54,10 @@ final class KeptCases {
     }
   }
 
-  /** All cases to keep of a model and of an earlier suite of it; what does not fit is told. */
+  /**
+   * Collects the cases of a model and an earlier suite. Cases that do not match the model are
+   * reported.
+   */
   static KeptCases of(TestModel model, @Nullable TestSuite earlier, Diagnostics diagnostics) {
     List<Kept> cases = new ArrayList<>();
     int highest = 0;
@@ -89,7 +92,7 @@ final class KeptCases {
             0,
             "case_list",
             completed
-                + " case(s) lack a value for a new element; they are completed and numbered anew");
+                + " case(s) lack a value for a new element; they are completed and get new numbers");
       }
     }
     return new KeptCases(cases, highest);
@@ -99,17 +102,17 @@ final class KeptCases {
     return cases;
   }
 
-  /** The case of these values that keeps its number. */
+  /** The kept case with these values and a number. */
   Optional<Kept> numbered(List<Value> values) {
     return Optional.ofNullable(byValues.get(values)).filter(k -> k.no() > 0);
   }
 
-  /** No case that is new may get a number up to this one. */
+  /** New cases must have higher numbers. */
   int highestNumber() {
     return highestNumber;
   }
 
-  /** Where the values of each input stand in the cases of a suite; -1 where they do not. */
+  /** The position of each input in the cases of a suite; -1 if missing. */
   private static int[] positions(TestModel model, TestSuite earlier, Diagnostics diagnostics) {
     List<String> names = earlier.parameters().stream().map(CaseParameter::name).toList();
     for (String name : names) {
@@ -118,7 +121,7 @@ final class KeptCases {
             earlier.name(),
             0,
             "param " + name,
-            "is no element of the model any more; its values are dropped");
+            "is no longer an element of the model; its values are dropped");
       }
     }
     return model.inputs().stream().mapToInt(i -> names.indexOf(i.name())).toArray();

@@ -16,21 +16,21 @@ import org.sitaf.core.model.OutputElement;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.model.Value;
 
-/** Works out what each case expects, from the expressions of the model. */
+/** Computes the expected values of test cases from the expressions of the model. */
 final class Oracle {
   /**
-   * Begins an expected value that could not be worked out: the driver makes an ERROR of such a
-   * case.
+   * Prefix of an expected value that could not be computed. The test driver reports such a case as
+   * ERROR.
    */
   private static final String UNEVALUATED = "!unevaluated:";
 
-  /** What a call is expected to return that returns nothing. */
+  /** The expected value of a method that returns nothing. */
   private static final String NOTHING = "null";
 
-  /** Further cases without a value are counted only. */
+  /** Maximum number of listed cases without an expected value; more are only counted. */
   private static final int MAX_WARNINGS = 1_000;
 
-  /** Characters of a value in a message. */
+  /** Maximum length of a value in a message. */
   private static final int MAX_SHOWN = 200;
 
   private final TestModel model;
@@ -61,14 +61,14 @@ final class Oracle {
     return expected;
   }
 
-  /** Says what was counted and not listed. */
-  void tell() {
+  /** Reports the number of cases that were not listed. */
+  void report() {
     if (unevaluated > MAX_WARNINGS) {
       diagnostics.warning(
           model.source(),
           0,
           "output_spec_list",
-          "has no value in " + (unevaluated - MAX_WARNINGS) + " cases more");
+          "cannot be evaluated in " + (unevaluated - MAX_WARNINGS) + " more cases");
     }
   }
 
@@ -82,7 +82,7 @@ final class Oracle {
       return literal(expression.evaluate(variables.map()), output.type());
     } catch (EvaluationException | IllegalArgumentException e) {
       if (e instanceof EvaluationException evaluation && evaluation.tooCostly()) {
-        // It would take as much in each of the other cases.
+        // The other cases would most likely exceed the limit, too.
         diagnostics.error(
             model.source(),
             output.line(),
@@ -97,7 +97,7 @@ final class Oracle {
           model.source(),
           output.line(),
           "test_element " + output.name() + "/expected",
-          "has no value in case " + no + " (" + inputs(values) + "): " + e.getMessage());
+          "cannot be evaluated in case " + no + " (" + inputs(values) + "): " + e.getMessage());
       return UNEVALUATED + " " + e.getMessage();
     }
   }
@@ -113,18 +113,17 @@ final class Oracle {
   }
 
   /**
-   * The literal of a result in the type of its output, so that {@code -1} for a double is {@code
+   * Converts a result to a literal of the output's type: {@code -1} for a double becomes {@code
    * -1.0}.
    */
   static String literal(Object result, DataType type) {
-    if (result instanceof String text && text.startsWith(Value.MARK_OF_ERROR)) {
+    if (result instanceof String text && text.startsWith(Value.ERROR_PREFIX)) {
       return text;
     }
     if (type.equals(new DataType.Scalar(ScalarType.VOID))) {
       if (!(result instanceof NullValue)) {
         throw new IllegalArgumentException(
-            "nothing is returned: only null or an error such as \"!error:NAME\" can be expected,"
-                + " not "
+            "the method returns nothing; expect null or an error such as \"!error:NAME\", not "
                 + result);
       }
       return NOTHING;
@@ -146,7 +145,7 @@ final class Oracle {
     return Value.parse(String.valueOf(result), type).literal();
   }
 
-  /** Texts within a list or a map are quoted, so that a comma in them separates nothing. */
+  /** Quotes strings in a list or a map, since they may contain commas. */
   private static String nested(Object result, DataType type) {
     return result instanceof String text && !(type instanceof DataType.Enumeration)
         ? '"' + text.replace("\\", "\\\\").replace("\"", "\\\"") + '"'

@@ -5,14 +5,14 @@ import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.expression.Expression;
 import org.sitaf.core.model.TestModel;
 
-/** What a model wants of every case after the call. */
+/** The post-conditions of a model. */
 public final class PostConditions {
   private PostConditions() {}
 
   /**
-   * The post-conditions of a model, compiled.
+   * Compiles the post-conditions of a model.
    *
-   * @throws org.sitaf.core.diagnostic.InvalidInputException when one is not usable
+   * @throws org.sitaf.core.diagnostic.InvalidInputException if a condition is invalid
    */
   public static List<Expression> of(TestModel model) {
     if (model.postConditions().isEmpty()) {

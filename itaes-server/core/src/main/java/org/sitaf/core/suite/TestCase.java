@@ -3,17 +3,17 @@ package org.sitaf.core.suite;
 import java.util.List;
 
 /**
- * One test case: an input vector and what is expected of it.
+ * A test case: input values and expected values.
  *
- * @param no from 1, unique in the suite
- * @param valid whether it holds no invalid value
+ * @param no case number from 1, unique in the suite
+ * @param valid whether all values are valid
  * @param values literals in the order of the suite's parameters
- * @param expected empty where nothing is expected
+ * @param expected expected values; may be empty
  */
 public record TestCase(int no, boolean valid, List<String> values, List<ExpectedValue> expected) {
   public TestCase {
     if (no < 1) {
-      throw new IllegalArgumentException("case numbers begin at 1, not " + no);
+      throw new IllegalArgumentException("case numbers start at 1, not " + no);
     }
     values = List.copyOf(values);
     expected = List.copyOf(expected);

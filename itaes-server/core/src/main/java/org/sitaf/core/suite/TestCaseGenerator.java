@@ -24,14 +24,14 @@ import org.sitaf.core.value.TestDataGenerator;
 import org.sitaf.core.value.TestValue;
 
 /**
- * Interface Test Case Generator (ITCG): values for each element, combined, with what is expected of
- * them.
+ * Interface Test Case Generator (ITCG): generates values of each element, combines them to test
+ * cases, and computes the expected values.
  */
 public final class TestCaseGenerator {
-  /** The most values of one element. */
+  /** Maximum number of values of one element. */
   private static final int MAX_VALUES = 200_000;
 
-  /** The most characters of all values of a suite. */
+  /** Maximum number of characters of all values of a suite. */
   private static final long MAX_CHARACTERS = 200_000_000;
 
   private TestCaseGenerator() {}
@@ -39,19 +39,19 @@ public final class TestCaseGenerator {
   /**
    * Generates the cases of a model. The same model and options give the same cases.
    *
-   * @throws InvalidInputException when a condition is not usable, no case is allowed, or there
-   *     would be too many
+   * @throws InvalidInputException if a condition is invalid, no case is allowed, or there are too
+   *     many cases
    */
   public static GeneratedSuite generate(TestModel model, GenerationOptions options) {
     return generate(model, options, Progress.NONE);
   }
 
   /**
-   * Generates the cases of a model, and says how far it is.
+   * Generates the cases of a model and reports the progress.
    *
-   * @throws InvalidInputException when a condition is not usable, no case is allowed, or there
-   *     would be too many
-   * @throws java.util.concurrent.CancellationException when the thread is interrupted
+   * @throws InvalidInputException if a condition is invalid, no case is allowed, or there are too
+   *     many cases
+   * @throws java.util.concurrent.CancellationException if the thread is interrupted
    */
   public static GeneratedSuite generate(
       TestModel model, GenerationOptions options, Progress progress) {
@@ -72,7 +72,7 @@ public final class TestCaseGenerator {
             invalidValues);
     if (rows.isEmpty()) {
       diagnostics.error(
-          model.source(), 0, "pre_condition_spec_list", "the conditions allow no case at all");
+          model.source(), 0, "pre_condition_spec_list", "no case satisfies the conditions");
     }
     diagnostics.throwIfErrors();
     Oracle oracle = new Oracle(model, conditions, diagnostics);
@@ -96,9 +96,7 @@ public final class TestCaseGenerator {
     return new GeneratedSuite(suite, diagnostics.all());
   }
 
-  /**
-   * Whether the conditions and expected values of a model are usable; every problem that is found.
-   */
+  /** Compiles the conditions and expected values of a model and returns all problems. */
   public static List<Diagnostic> verifyConditions(TestModel model) {
     Diagnostics diagnostics = new Diagnostics();
     Conditions.compile(model, diagnostics);
@@ -111,20 +109,20 @@ public final class TestCaseGenerator {
       Interruption.check();
       TestData data = TestDataGenerator.generate(input, seed);
       String where = "test_element " + input.name();
-      for (String leftOut : data.leftOut()) {
+      for (String literal : data.unrepresentable()) {
         diagnostics.warning(
             model.source(),
             input.line(),
             where,
-            "the value " + leftOut + " is left out: " + input.realType() + " cannot hold it");
+            "the value " + literal + " is skipped: " + input.realType() + " cannot represent it");
       }
       if (data.values().isEmpty()) {
         diagnostics.error(
             model.source(),
             input.line(),
             where,
-            "gives no value; the literals of an enumeration come from the interface of an activity, or"
-                + " from a user_value_list");
+            "has no values; the literals of an enumeration are defined by an interface of the activity or"
+                + " by a user_value_list");
       }
       if (data.values().size() > MAX_VALUES) {
         diagnostics.error(
@@ -133,7 +131,7 @@ public final class TestCaseGenerator {
             where,
             String.format(
                 Locale.ROOT,
-                "gives %,d values; at most %,d can be combined: let it give fewer",
+                "has %,d values, but at most %,d can be combined; reduce the number of values",
                 data.values().size(),
                 MAX_VALUES));
       }
@@ -163,7 +161,7 @@ public final class TestCaseGenerator {
     }
   }
 
-  /** Valid cases first; a kept case keeps its number, and no other case ever gets it. */
+  /** Numbers the cases, valid ones first. Kept cases keep their numbers, which are never reused. */
   private static List<TestCase> number(
       TestModel model, List<List<TestValue>> rows, KeptCases kept, Oracle oracle) {
     List<List<TestValue>> ordered = new ArrayList<>(rows);
@@ -189,8 +187,8 @@ public final class TestCaseGenerator {
                     "input_spec_list",
                     String.format(
                         Locale.ROOT,
-                        "the first %,d of %,d cases have %,d characters; at most %,d are allowed:"
-                            + " use shorter values, or fewer of them",
+                        "the first %,d of %,d cases have %,d characters, but at most %,d are allowed;"
+                            + " use shorter or fewer values",
                         cases.size(),
                         rows.size(),
                         characters,
@@ -201,10 +199,10 @@ public final class TestCaseGenerator {
               no,
               valid,
               values.stream().map(v -> literals.computeIfAbsent(v, Value::literal)).toList(),
-              // What a person filled in by hand stays where the model itself expects nothing.
+              // Expected values that a user entered are kept if the model defines none.
               expected.isEmpty() && numbered.isPresent() ? numbered.get().expected() : expected));
     }
-    oracle.tell();
+    oracle.report();
     return cases;
   }
 

@@ -39,22 +39,22 @@ public record TestSuite(
   }
 
   /**
-   * The same suite with other cases.
+   * A copy with other cases.
    *
-   * @throws IllegalArgumentException when a case does not have a value for each parameter, or a
-   *     number is used twice
+   * @throws IllegalArgumentException if a case does not have one value per parameter, or a number
+   *     is used twice
    */
   public TestSuite withCases(List<TestCase> others) {
     return new TestSuite(name, description, modelName, generation, parameters, others);
   }
 
-  /** The same suite without expected values, as test applications need it. */
+  /** A copy without expected values, for test applications. */
   public TestSuite withoutExpected() {
     return withCases(
         cases.stream().map(c -> new TestCase(c.no(), c.valid(), c.values(), List.of())).toList());
   }
 
-  /** How many cases hold no invalid value. */
+  /** The number of valid cases. */
   public long validCount() {
     return cases.stream().filter(TestCase::valid).count();
   }

@@ -1,4 +1,4 @@
-/** Test cases: values combined, and expected values from the oracle. */
+/** Interface Test Case Generator (ITCG): generates test suites from test models. */
 @NullMarked
 package org.sitaf.core.suite;
 

@@ -14,12 +14,9 @@ import org.sitaf.core.model.EquivalenceClass;
 import org.sitaf.core.model.TestSpec;
 import org.sitaf.core.model.Value;
 
-/**
- * Numbers from a specification: ECP, BVA and RANDOM. Arithmetic is decimal, so that 0.1 + 0.2 is
- * 0.3.
- */
+/** Generates numbers for ECP, BVA and RANDOM. Arithmetic is decimal, so 0.1 + 0.2 is 0.3. */
 final class NumberValues {
-  /** Order of numbers, false before true; NaN after them, what is no number last. */
+  /** Ascending numbers, false before true, then NaN, then values that are not numbers. */
   static final Comparator<Value> ASCENDING =
       Comparator.<Value, Boolean>comparing(Value.Text.class::isInstance)
           .thenComparing(
@@ -30,27 +27,27 @@ final class NumberValues {
 
   private static final BigDecimal TWO = BigDecimal.valueOf(2);
 
-  /** How far from its boundary a further representative of an open class may lie, in offsets. */
+  /** Maximum distance of a representative of an open class from its boundary, in offsets. */
   private static final BigDecimal OPEN_SPAN = BigDecimal.valueOf(100);
 
-  /** Draws for a value that is not there yet, before a range counts as used up. */
+  /** Maximum draws for one new value, before the range is considered exhausted. */
   private static final int DRAWS = 1000;
 
-  /** Draws for all values of a range. */
+  /** Maximum draws for all values of a range. */
   private static final long MAX_DRAWS = 4_000_000;
 
   private final DataType type;
-  private final SeededRandom random;
-  private final List<String> leftOut = new ArrayList<>();
+  private final ElementRandom random;
+  private final List<String> unrepresentable = new ArrayList<>();
 
-  NumberValues(DataType type, SeededRandom random) {
+  NumberValues(DataType type, ElementRandom random) {
     this.type = type;
     this.random = random;
   }
 
-  /** Spellings of the values that the type cannot hold. */
-  List<String> leftOut() {
-    return leftOut;
+  /** Literals of generated numbers that the type cannot represent. */
+  List<String> unrepresentable() {
+    return unrepresentable;
   }
 
   List<TestValue> generate(TestSpec spec) {
@@ -67,11 +64,11 @@ final class NumberValues {
       try {
         Value value =
             isBoolean()
-                ? new Value.Truth(number.signum() != 0)
+                ? new Value.Bool(number.signum() != 0)
                 : Value.parse(number.toPlainString(), type);
         values.add(new TestValue(value, isValid(number, spec)));
       } catch (IllegalArgumentException e) {
-        leftOut.add(number.toPlainString());
+        unrepresentable.add(number.toPlainString());
       }
     }
     if (spec instanceof TestSpec.BoundaryValues bva && bva.special()) {
@@ -106,7 +103,7 @@ final class NumberValues {
         || (number.compareTo(draw.min()) >= 0 && number.compareTo(draw.max()) <= 0);
   }
 
-  /** Fig. 6: around each boundary, and the middle of a closed class. */
+  /** Fig. 6: values around each boundary, and the middle of a closed class. */
   private List<BigDecimal> boundaries(EquivalenceClass declared, BigDecimal offset) {
     if (declared instanceof EquivalenceClass.OneBoundary one) {
       BigDecimal b = one.boundary();
@@ -149,9 +146,7 @@ final class NumberValues {
     return all;
   }
 
-  /**
-   * An open class beyond a boundary: first the boundary and the offset, further ones from the seed.
-   */
+  /** Representatives of an open class: first the boundary plus offset, then random numbers. */
   private List<BigDecimal> open(BigDecimal boundary, BigDecimal offset, int count) {
     BigDecimal nearest = boundary.add(offset);
     BigDecimal farthest = boundary.add(offset.multiply(OPEN_SPAN));
@@ -222,14 +217,14 @@ final class NumberValues {
   private BigDecimal uniform(BigDecimal min, BigDecimal max) {
     if (isWhole()) {
       return new BigDecimal(
-          random.nextWhole(
+          random.nextInteger(
               min.setScale(0, RoundingMode.CEILING).toBigInteger(),
               max.setScale(0, RoundingMode.FLOOR).toBigInteger()));
     }
     return real(random.nextReal(min, max));
   }
 
-  /** The shortest decimal of the nearest number that the type holds. */
+  /** The shortest decimal of the nearest number that the type can represent. */
   private BigDecimal real(double number) {
     boolean single = type instanceof DataType.Scalar scalar && scalar.type() == ScalarType.FLOAT;
     return new BigDecimal(
@@ -258,6 +253,6 @@ final class NumberValues {
     if (value instanceof Value.Real real) {
       return real.number();
     }
-    return value instanceof Value.Truth truth && truth.value() ? 1 : 0;
+    return value instanceof Value.Bool bool && bool.value() ? 1 : 0;
   }
 }

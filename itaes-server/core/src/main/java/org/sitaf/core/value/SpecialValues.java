@@ -8,7 +8,7 @@ import org.sitaf.core.model.EquivalenceClass;
 import org.sitaf.core.model.Value;
 
 /**
- * What robot code breaks on: not-a-number, infinities, signed zero, neighbours of the bounds,
+ * Values that often break robot code: NaN, infinities, signed zero, neighbors of the boundaries,
  * limits of the type, right angles.
  */
 final class SpecialValues {

@@ -6,7 +6,7 @@ import java.util.TreeSet;
 import org.sitaf.core.model.TestSpec;
 import org.sitaf.core.model.Value;
 
-/** Random strings at the boundaries of length (paper, Fig. 8). */
+/** Generates random strings with boundary lengths (paper, Fig. 8). */
 final class StringValues {
   private static final String ALPHABET = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz";
   private static final String DIGITS = "0123456789";
@@ -14,7 +14,7 @@ final class StringValues {
 
   private StringValues() {}
 
-  static List<TestValue> generate(TestSpec.RandomStrings spec, SeededRandom random) {
+  static List<TestValue> generate(TestSpec.RandomStrings spec, ElementRandom random) {
     String characters = characters(spec);
     int min = spec.minLength();
     int max = spec.maxLength();
@@ -40,9 +40,9 @@ final class StringValues {
         && text.chars().allMatch(c -> characters.indexOf(c) >= 0);
   }
 
-  /** Allowed characters with every negative one among them, at random places. */
+  /** Allowed characters with all negative characters inserted at random positions. */
   private static String negative(
-      TestSpec.RandomStrings spec, String characters, int length, SeededRandom random) {
+      TestSpec.RandomStrings spec, String characters, int length, ElementRandom random) {
     StringBuilder text =
         new StringBuilder(
             random(characters, Math.max(0, length - spec.negativeCharacters().length()), random));
@@ -52,7 +52,7 @@ final class StringValues {
     return text.toString();
   }
 
-  private static String random(String characters, int length, SeededRandom random) {
+  private static String random(String characters, int length, ElementRandom random) {
     StringBuilder text = new StringBuilder(length);
     for (int i = 0; i < length && !characters.isEmpty(); i++) {
       text.append(characters.charAt(random.nextInt(characters.length())));

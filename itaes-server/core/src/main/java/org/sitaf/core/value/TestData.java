@@ -5,12 +5,12 @@ import java.util.List;
 /**
  * The values of one test element.
  *
- * @param values each once, numbers in ascending order
- * @param leftOut spellings of values that the scheme gives and the type cannot hold
+ * @param values without duplicates, numbers in ascending order
+ * @param unrepresentable literals of generated values that the type cannot represent
  */
-public record TestData(List<TestValue> values, List<String> leftOut) {
+public record TestData(List<TestValue> values, List<String> unrepresentable) {
   public TestData {
     values = List.copyOf(values);
-    leftOut = List.copyOf(leftOut);
+    unrepresentable = List.copyOf(unrepresentable);
   }
 }

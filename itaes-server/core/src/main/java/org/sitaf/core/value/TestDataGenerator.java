@@ -13,8 +13,8 @@ import org.sitaf.core.model.TestSpec;
 import org.sitaf.core.model.Value;
 
 /**
- * Test Data Generator (TDG, paper section 3.1.2): the values that the specification of a test
- * element gives.
+ * Test Data Generator (TDG, paper section 3.1.2): generates the values of a test element from its
+ * specification.
  */
 public final class TestDataGenerator {
   private TestDataGenerator() {}
@@ -22,30 +22,30 @@ public final class TestDataGenerator {
   /**
    * Generates the values of an element.
    *
-   * @param seed of everything random; the same seed gives the same values
-   * @return each value once, numbers in ascending order, valid and invalid marked
+   * @param seed seed of random values; the same seed gives the same values
+   * @return values without duplicates, numbers in ascending order, marked as valid or invalid
    */
   public static TestData generate(InputElement element, long seed) {
     Collected collected = new Collected();
-    SeededRandom random = new SeededRandom(seed, element.name());
+    ElementRandom random = new ElementRandom(seed, element.name());
     TestSpec spec = element.spec();
     if (spec instanceof TestSpec.RandomStrings strings) {
       StringValues.generate(strings, random).forEach(collected::add);
     } else if (spec != null) {
       NumberValues numbers = new NumberValues(element.type(), random);
       numbers.generate(spec).forEach(collected::add);
-      collected.leftOut.addAll(numbers.leftOut());
+      collected.unrepresentable.addAll(numbers.unrepresentable());
     } else if (element.type() instanceof DataType.Enumeration enumeration
         && element.userValues().isEmpty()) {
       enumeration
           .literals()
           .forEach(literal -> collected.add(new TestValue(new Value.Text(literal), true)));
     } else if (isBoolean(element.type()) && element.userValues().isEmpty()) {
-      collected.add(new TestValue(new Value.Truth(false), true));
-      collected.add(new TestValue(new Value.Truth(true), true));
+      collected.add(new TestValue(new Value.Bool(false), true));
+      collected.add(new TestValue(new Value.Bool(true), true));
     }
     for (Value value : element.userValues()) {
-      // An error or a delay of the test stub is no value that the specification speaks of.
+      // Errors and delays of a test stub are always valid: the specification covers only values.
       boolean special = element.kind() == InputKind.TDTS && Value.isErrorOrDelay(value.literal());
       collected.add(new TestValue(value, spec == null || special || isValid(value, spec)));
     }
@@ -53,7 +53,7 @@ public final class TestDataGenerator {
     if (isNumber(element.type())) {
       values.sort(Comparator.comparing(TestValue::value, NumberValues.ASCENDING));
     }
-    return new TestData(values, collected.leftOut);
+    return new TestData(values, collected.unrepresentable);
   }
 
   private static boolean isValid(Value value, TestSpec spec) {
@@ -70,10 +70,10 @@ public final class TestDataGenerator {
     return type instanceof DataType.Scalar scalar && scalar.type() == ScalarType.BOOLEAN;
   }
 
-  /** Equal values are listed once: what stands first stays. */
+  /** Removes duplicates. The first of several equal values is kept. */
   private static final class Collected {
     private final Map<String, TestValue> byLiteral = new LinkedHashMap<>();
-    private final List<String> leftOut = new ArrayList<>();
+    private final List<String> unrepresentable = new ArrayList<>();
 
     void add(TestValue value) {
       byLiteral.putIfAbsent(value.value().literal(), value);

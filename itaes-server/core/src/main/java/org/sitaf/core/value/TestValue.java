@@ -3,7 +3,7 @@ package org.sitaf.core.value;
 import java.util.Objects;
 import org.sitaf.core.model.Value;
 
-/** A value that a test tries, and whether the specification declares it valid. */
+/** A test value, and whether it is valid by the specification. */
 public record TestValue(Value value, boolean valid) {
   public TestValue {
     Objects.requireNonNull(value);

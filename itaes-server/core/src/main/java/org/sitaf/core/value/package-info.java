@@ -1,4 +1,4 @@
-/** Test Data Generator (TDG): the values of one test element. */
+/** Test Data Generator (TDG): generates the values of a test element. */
 @NullMarked
 package org.sitaf.core.value;
 

@@ -102,8 +102,7 @@ class ActivityTest {
     replace("service.xml", "GetInfraredData", "GetData");
     assertThat(problems())
         .containsExactly(
-            "GetInfraredData.xml: error: target: no method GetInfraredData; there are"
-                + " InfraredSensorService.GetData");
+            "GetInfraredData.xml: error: target: no method GetInfraredData; known methods: InfraredSensorService.GetData");
   }
 
   @Test
@@ -118,9 +117,7 @@ class ActivityTest {
   @Test
   void aValueOutsideTheWorldsRangeIsTold() {
     replace("world/ir.world.yaml", "[-1, 20]", "[0, 10]");
-    assertThat(problems())
-        .hasSize(2)
-        .allMatch(p -> p.contains("lies outside the range [0.0, 10.0]"));
+    assertThat(problems()).hasSize(2).allMatch(p -> p.contains("is outside the range [0.0, 10.0]"));
   }
 
   @Test
@@ -133,8 +130,7 @@ class ActivityTest {
         .singleElement()
         .asString()
         .contains(
-            "test_element IndexOfSensor: real_type int does not fit the interface, which has"
-                + " string");
+            "test_element IndexOfSensor: real_type int does not match the interface, which declares string");
   }
 
   @Test
@@ -194,7 +190,7 @@ class ActivityTest {
     assertThat(problems())
         .hasSize(3)
         .anyMatch(
-            p -> p.contains("test_element mode: 'WARP' is no literal of Mode; it has [SLOW, FAST]"))
+            p -> p.contains("test_element mode: 'WARP' is not a literal of Mode; known literals: [SLOW, FAST]"))
         .anyMatch(p -> p.contains("test_element pose.z: Pose has no such member or element"))
         .anyMatch(p -> p.contains("test_element pose.path[2]: Pose has no such member or element"));
   }
@@ -229,7 +225,7 @@ class ActivityTest {
         .anyMatch(p -> p.startsWith("activity.yaml:3: error: component.language: must be java"))
         .anyMatch(p -> p.startsWith("activity.yaml:5: error: component.libary: unknown entry"))
         .anyMatch(p -> p.contains("component.period_ms: execution: periodic needs a period"))
-        .anyMatch(p -> p.contains("provided: 'missing.xml' is not among the files"))
+        .anyMatch(p -> p.contains("provided: 'missing.xml' does not exist in the activity"))
         .as("models may come later")
         .noneMatch(p -> p.contains("models"));
   }
@@ -268,7 +264,7 @@ class ActivityTest {
       assertThatThrownBy(
               () -> ActivityArchive.read(new ByteArrayInputStream(zip.toByteArray()), "a.zip"))
           .isInstanceOf(InvalidInputException.class)
-          .hasMessageContaining("is refused");
+          .hasMessageContaining("is rejected");
     }
   }
 
@@ -279,6 +275,6 @@ class ActivityTest {
                 ActivityArchive.read(
                     new ByteArrayInputStream("hello".getBytes(StandardCharsets.UTF_8)), "a.zip"))
         .isInstanceOf(InvalidInputException.class)
-        .hasMessage("a.zip: error: is not a zip archive, or holds no file");
+        .hasMessage("a.zip: error: is not a ZIP archive or contains no file");
   }
 }

@@ -114,7 +114,7 @@ class ObservedOutputsTest {
     replace("Limit.xml", ": null", ": 3");
     var generated = TestCaseGenerator.generate(read().models().get(0), GenerationOptions.DEFAULT);
     assertThat(expected(generated.suite(), "return").get(0))
-        .startsWith("!unevaluated: nothing is returned: only null or an error");
+        .startsWith("!unevaluated: the method returns nothing; expect null or an error");
   }
 
   @Test
@@ -126,13 +126,13 @@ class ObservedOutputsTest {
     assertThat(problems())
         .singleElement()
         .asString()
-        .contains("Limit returns nothing; an element named return, with abstract_type VOID");
+        .contains("Limit returns nothing; use an element named return with abstract_type VOID");
   }
 
   @Test
   void theReturnOfAMethodThatReturnsSomethingIsNotVoid() {
     replace("service.xml", "return_type=\"void\"", "return_type=\"double\"");
-    assertThat(problems()).singleElement().asString().contains("does not fit the interface");
+    assertThat(problems()).singleElement().asString().contains("does not match the interface");
   }
 
   @Test
@@ -141,7 +141,7 @@ class ObservedOutputsTest {
     assertThat(problems())
         .singleElement()
         .asString()
-        .contains("nor an output data port of a component_profile, which are [state]");
+        .contains("nor one of the output data ports [state]");
     replace("Limit.xml", "<name>command</name>", "<name>state.speed</name>");
     assertThat(problems())
         .singleElement()

@@ -65,7 +65,7 @@ class TargetMethodTest {
     assertThatThrownBy(() -> find("<target method='Move'/>"))
         .hasMessageContaining("Drive.Move(int32,int32), Drive.Move(double)");
     assertThatThrownBy(() -> find(""))
-        .hasMessageContaining("several methods fit")
+        .hasMessageContaining("several methods match")
         .hasMessageContaining("Drive.Stop(), Arm.Stop()");
   }
 

@@ -83,7 +83,7 @@ class AdapterTest {
     FileTree files = activity(language, className);
     assertThatThrownBy(() -> Activity.read(files))
         .isInstanceOf(InvalidInputException.class)
-        .hasMessageContaining("there is no file below 'adapter/'")
+        .hasMessageContaining("the activity has no file below 'adapter/'")
         .hasMessageContaining("./sitaf harness ACTIVITY_DIR --adapter");
     FileTree other = files.with("adapter/notes.txt", new byte[] {'\n'});
     assertThatThrownBy(

@@ -80,7 +80,7 @@ class TestModelXmlTest {
               assertThat(d.line()).isEqualTo(6);
               assertThat(d.toString())
                   .isEqualTo(
-                      "model.xml:6: error: test_element A/test_spec/offset: must be above 0, not 0");
+                      "model.xml:6: error: test_element A/test_spec/offset: must be greater than 0, not 0");
             });
   }
 
@@ -91,7 +91,7 @@ class TestModelXmlTest {
             + "<test_model><name>&x;</name></test_model>";
     assertThatThrownBy(() -> read(hostile))
         .isInstanceOf(InvalidInputException.class)
-        .hasMessageContaining("document type declarations and entities are refused");
+        .hasMessageContaining("document type declarations and entities are not allowed");
   }
 
   @Test

@@ -113,7 +113,7 @@ class GenerationLimitsTest {
     assertThatThrownBy(() -> generate(text + listed("b", 300), "", "2"))
         .hasMessageContaining("characters; at most 200,000,000 are allowed");
     assertThatThrownBy(() -> generate(listed("a", 2), "a in [" + "1, ".repeat(200_000) + "1]", "1"))
-        .hasMessageContaining("characters in all; at most 500,000");
+        .hasMessageContaining("characters in total, but at most 500,000");
   }
 
   @ParameterizedTest

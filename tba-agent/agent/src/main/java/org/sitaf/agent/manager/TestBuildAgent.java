@@ -157,7 +157,7 @@ public final class TestBuildAgent implements AutoCloseable {
             toolchain ->
                 register.addToolchains(
                     Toolchain.newBuilder()
-                        .setLanguage(toolchain.language().spelling())
+                        .setLanguage(toolchain.language().id())
                         .setVersion(toolchain.version())));
     return register.build();
   }

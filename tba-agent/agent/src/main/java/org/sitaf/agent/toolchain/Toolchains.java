@@ -93,7 +93,7 @@ public final class Toolchains {
     List<String> sentences = new ArrayList<>();
     for (Language language : Language.values()) {
       if (lookup(language) instanceof Missing missing) {
-        sentences.add(language.spelling() + ": " + missing.reason() + "; " + missing.remedy());
+        sentences.add(language.id() + ": " + missing.reason() + "; " + missing.remedy());
       }
     }
     return List.copyOf(sentences);
@@ -107,10 +107,10 @@ public final class Toolchains {
             : "";
     String offered =
         found().stream()
-            .map(toolchain -> toolchain.language().spelling() + " (" + toolchain.version() + ")")
+            .map(toolchain -> toolchain.language().id() + " (" + toolchain.version() + ")")
             .collect(Collectors.joining(", "));
     return "no toolchain for "
-        + language.spelling()
+        + language.id()
         + why
         + "; this agent offers "
         + (offered.isEmpty() ? "none at all" : offered);

@@ -29,14 +29,14 @@ public record Requirements(List<Requirement> all) {
   public static Requirements of(TestApplication application, AgentConstraints constraints) {
     ActivityProfile profile = application.activity().profile();
     List<Requirement> requirements = new ArrayList<>();
-    requirements.add(new Language(profile.harness().spelling()));
-    requirements.add(new Language(profile.component().language().spelling()));
+    requirements.add(new Language(profile.harness().id()));
+    requirements.add(new Language(profile.component().language().id()));
     if (profile.world() != null) {
       requirements.add(new Simulation());
     }
     if (!constraints.toolchain().isEmpty()) {
       requirements.add(
-          new Version(profile.component().language().spelling(), constraints.toolchain()));
+          new Version(profile.component().language().id(), constraints.toolchain()));
     }
     constraints.labels().forEach(label -> requirements.add(new Label(label)));
     return new Requirements(requirements);

@@ -4,32 +4,38 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import org.sitaf.core.combine.coverage.Dice;
+import org.sitaf.core.combine.SeededRandom;
 import org.sitaf.core.combine.search.Budget;
 
-/** Chooses a construction for columns with these levels. */
+/** Selects an algebraic construction for given levels. */
 public final class Constructions {
   private static final int MAX_ORDER = 64;
   private static final long MAX_ROWS = 200_000;
 
-  /** A construction with more rows than this many times the bound is no better than growth. */
+  /**
+   * A construction with more rows than this multiple of the lower bound is not better than greedy
+   * growth.
+   */
   private static final double NEAR = 3;
 
   private static final int MAX_VALUES = 16;
   private static final double MAX_TUPLES = 20_000;
 
-  /** With a smaller share of columns that have all values, folding wastes too much. */
+  /**
+   * Minimum share of columns with the maximum number of values; below, folding wastes too many
+   * rows.
+   */
   private static final double ALIKE = 0.75;
 
   private Constructions() {}
 
   /**
-   * An array of the strength that algebra gives at once, when one is known that comes near the
-   * product of the largest levels; rows may repeat, and a caller checks what they cover.
+   * Constructs an array directly if a construction close to the lower bound is known. Rows may
+   * repeat; callers must check the coverage.
    *
-   * @param levels of each column, at least 2
+   * @param levels number of values per column, at least 2
    */
-  public static Optional<List<int[]>> atOnce(int strength, int[] levels) {
+  public static Optional<List<int[]>> direct(int strength, int[] levels) {
     int most = Arrays.stream(levels).max().orElse(0);
     if (strength < 2 || most > MAX_ORDER) {
       return Optional.empty();
@@ -53,9 +59,10 @@ public final class Constructions {
   }
 
   /**
-   * Twice the columns at strength three (M. Chateauneuf, D. Kreher, On the state of strength-three
-   * covering arrays, 2002): each row of an array of strength three beside itself, and each row of
-   * one of strength two beside itself shifted by every value but zero.
+   * Doubles the number of columns at strength three (M. Chateauneuf, D. Kreher, On the state of
+   * strength-three covering arrays, 2002): concatenates each row of an array of strength three with
+   * itself, and each row of an array of strength two with itself, shifted by every value except
+   * zero.
    */
   private static Optional<int[][]> doubled(int values, int columns, double limit) {
     int half = (columns + 1) / 2;
@@ -68,17 +75,17 @@ public final class Constructions {
     Arrays.fill(halves, values);
     List<int[]> rows = new ArrayList<>();
     for (int[] row : fold(triples.get(), halves)) {
-      rows.add(beside(row, 0, values, columns));
+      rows.add(concatenate(row, 0, values, columns));
     }
     for (int[] row : fold(pairs.get(), halves)) {
       for (int shift = 1; shift < values; shift++) {
-        rows.add(beside(row, shift, values, columns));
+        rows.add(concatenate(row, shift, values, columns));
       }
     }
     return rows.size() > limit ? Optional.empty() : Optional.of(rows.toArray(int[][]::new));
   }
 
-  private static int[] beside(int[] row, int shift, int values, int columns) {
+  private static int[] concatenate(int[] row, int shift, int values, int columns) {
     int[] whole = Arrays.copyOf(row, columns);
     for (int c = row.length; c < columns; c++) {
       whole[c] = (row[c - row.length] + shift) % values;
@@ -87,34 +94,34 @@ public final class Constructions {
   }
 
   /**
-   * What groups develop.
+   * The result of a search over groups.
    *
-   * @param array a complete array with fewer rows than asked for, if one was found
-   * @param nearMiss an array with fewer rows still which misses some tuples
+   * @param array a complete array with fewer rows than requested, if one was found
+   * @param nearMiss an array with even fewer rows that misses some tuples
    */
-  public record Development(Optional<List<int[]>> array, Optional<List<int[]>> nearMiss) {}
+  public record SearchResult(Optional<List<int[]>> array, Optional<List<int[]>> nearMiss) {}
 
   /**
-   * Searches an array of the strength with fewer rows than {@code size}, developed from a group.
+   * Searches an array with fewer rows than {@code size} that is developed from a group.
    *
-   * @param levels of each column, at least 2; mostly alike, else there is no hope
+   * @param levels number of values per column, at least 2; must be mostly equal
    */
-  public static Development developed(
-      int strength, int[] levels, int size, Dice dice, Budget budget) {
+  public static SearchResult develop(
+      int strength, int[] levels, int size, SeededRandom random, Budget budget) {
     int most = Arrays.stream(levels).max().orElse(0);
     long alike = Arrays.stream(levels).filter(n -> n == most).count();
     boolean fits = strength >= 2 && most <= MAX_VALUES && Math.pow(most, strength) <= MAX_TUPLES;
     if (!fits || levels.length <= strength || alike < ALIKE * levels.length) {
-      return new Development(Optional.empty(), Optional.empty());
+      return new SearchResult(Optional.empty(), Optional.empty());
     }
-    Developed search = new Developed(strength, most, levels.length, dice);
+    GroupDevelopment search = new GroupDevelopment(strength, most, levels.length, random);
     int[][] rows = search.below(size, budget);
-    return new Development(
+    return new SearchResult(
         Optional.ofNullable(rows).map(array -> fold(array, levels)),
         Optional.ofNullable(search.nearest()).map(array -> fold(array, levels)));
   }
 
-  /** The product of the largest levels, which no array can go below. */
+  /** The product of the largest levels: a lower bound of the number of rows. */
   private static double product(int[] levels, int strength) {
     int[] sorted = levels.clone();
     Arrays.sort(sorted);
@@ -125,7 +132,7 @@ public final class Constructions {
     return product;
   }
 
-  /** Fewer values: what is too large becomes something that is not. */
+  /** Replaces values that exceed the number of values of their column. */
   private static List<int[]> fold(int[][] rows, int[] levels) {
     for (int r = 0; r < rows.length; r++) {
       for (int c = 0; c < levels.length; c++) {

@@ -2,7 +2,7 @@ package org.sitaf.core.combine.construction;
 
 import java.util.Optional;
 
-/** The field of {@code q} elements, written as the numbers {@code 0 .. q-1}. */
+/** The finite field with {@code q} elements, represented as the numbers {@code 0 .. q-1}. */
 final class GaloisField {
   private final int order;
   private final int[][] sum;
@@ -25,7 +25,7 @@ final class GaloisField {
     }
   }
 
-  /** The field of this order; empty when the order is not the power of a prime. */
+  /** The field of an order; empty if the order is not a prime power. */
   static Optional<GaloisField> of(int order) {
     for (int p = 2; p <= order; p++) {
       if (order % p == 0) {
@@ -41,7 +41,7 @@ final class GaloisField {
     return Optional.empty();
   }
 
-  /** The smallest order of a field that is at least this. */
+  /** The smallest order of a field that is at least {@code least}. */
   static int orderFrom(int least) {
     int q = Math.max(2, least);
     while (!isPrimePower(q)) {
@@ -80,10 +80,10 @@ final class GaloisField {
         return x;
       }
     }
-    throw new IllegalStateException("a field without differences");
+    throw new IllegalStateException("not a field: missing difference");
   }
 
-  /** The inverse of what is not zero. */
+  /** The multiplicative inverse of an element other than zero. */
   int inverse(int a) {
     for (int x = 1; x < order; x++) {
       if (product[x][a] == 1) {
@@ -102,7 +102,10 @@ final class GaloisField {
     return false;
   }
 
-  /** Elements are polynomials, written in base {@code p} by their coefficients. */
+  /**
+   * Adds two elements. Elements are polynomials; their coefficients are the digits in base {@code
+   * p}.
+   */
   private static int add(int a, int b, int p) {
     int result = 0;
     int place = 1;
@@ -135,7 +138,7 @@ final class GaloisField {
     return result;
   }
 
-  /** The first monic polynomial of the degree without a zero divisor, by trial. */
+  /** The first monic irreducible polynomial of a degree, found by trial. */
   private static int[] modulus(int p, int degree) {
     int q = (int) Math.round(Math.pow(p, degree));
     for (int code = 0; code < q; code++) {

@@ -3,14 +3,14 @@ package org.sitaf.core.combine.construction;
 import java.util.Optional;
 
 /**
- * Orthogonal arrays of index one (K. A. Bush, Orthogonal arrays of index unity, 1952): rows are the
- * polynomials of degree below {@code t} over a field of {@code q} elements, columns their values at
- * the elements, and one more the leading coefficient.
+ * Orthogonal arrays of index one (K. A. Bush, Orthogonal arrays of index unity, 1952): each row is
+ * a polynomial of degree less than {@code t} over a field with {@code q} elements. The columns are
+ * its values at the elements, followed by the leading coefficient.
  */
 final class OrthogonalArray {
   private OrthogonalArray() {}
 
-  /** How many columns there are at most. */
+  /** Maximum number of columns. */
   static int columns(int strength, int order) {
     if (strength == 3 && order % 2 == 0) {
       return order + 2;
@@ -19,7 +19,7 @@ final class OrthogonalArray {
   }
 
   /**
-   * The array of {@code order^strength} rows; empty when there is no such field or it has fewer
+   * The array with {@code order^strength} rows; empty if there is no such field or not enough
    * columns.
    */
   static Optional<int[][]> of(int strength, int order, int columns) {
@@ -51,7 +51,8 @@ final class OrthogonalArray {
 
   private static int value(GaloisField field, int[] coefficients, int strength, int column) {
     if (column >= field.order()) {
-      // The points at infinity: the leading coefficient, and for q even and t = 3 the middle one.
+      // The points at infinity: the leading coefficient, and for even q and t = 3 also the middle
+      // one.
       return coefficients[strength - 1 - (column - field.order())];
     }
     int value = 0;
@@ -61,7 +62,7 @@ final class OrthogonalArray {
     return value;
   }
 
-  /** Small fields: the coefficients themselves, and their sum. */
+  /** For small fields: the coefficients and their sum. */
   private static int parity(GaloisField field, int[] coefficients, int column) {
     if (column < coefficients.length) {
       return coefficients[column];

@@ -3,18 +3,18 @@ package org.sitaf.core.combine.construction;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import org.sitaf.core.combine.coverage.Dice;
+import org.sitaf.core.combine.SeededRandom;
 import org.sitaf.core.combine.search.Budget;
 
 /**
  * Searches starter rows that a group of symbol permutations develops into a covering array: each
- * set of columns must meet every orbit of the group on tuples. The group's order divides what there
- * is to search (M. Chateauneuf, C. Colbourn, D. Kreher: Covering arrays of strength three, 1999; K.
- * Meagher, B. Stevens: Group construction of covering arrays, 2005).
+ * set of columns must cover every orbit of the group on tuples. The search space shrinks by the
+ * order of the group (M. Chateauneuf, C. Colbourn, D. Kreher: Covering arrays of strength three,
+ * 1999; K. Meagher, B. Stevens: Group construction of covering arrays, 2005).
  */
 final class StarterSearch {
   private static final int TENURE = 3;
-  private static final int LOOSE_EVERY = 300;
+  private static final int RANDOM_MOVE_INTERVAL = 300;
 
   private final int values;
   private final int columns;
@@ -23,7 +23,10 @@ final class StarterSearch {
   private final int orbits;
   private final int[][] sets;
 
-  /** For each column, for each set through it: the set, the column's stride, then the others. */
+  /**
+   * For each column and each set that contains it: the set, the stride of the column, then column
+   * and stride of the other columns.
+   */
   private final int[][] through;
 
   private final int[][] rows;
@@ -35,12 +38,12 @@ final class StarterSearch {
   private final int[][] nearest;
   private int nearestOpen = Integer.MAX_VALUE;
   private long step = TENURE + 1;
-  private final Dice dice;
+  private final SeededRandom random;
 
   /**
-   * A search for {@code size} starter rows.
+   * Starts a search for {@code size} starter rows.
    *
-   * @param covered orbits that need no starter row
+   * @param covered orbits that are already covered
    */
   StarterSearch(
       int strength,
@@ -49,13 +52,13 @@ final class StarterSearch {
       int[] orbitOf,
       boolean[] covered,
       int size,
-      Dice dice) {
+      SeededRandom random) {
     this.strength = strength;
     this.columns = columns;
     this.values = values;
     this.orbitOf = orbitOf;
     this.orbits = covered.length;
-    this.dice = dice;
+    this.random = random;
     this.sets = sets();
     this.through = new int[columns][];
     for (int c = 0; c < columns; c++) {
@@ -77,7 +80,7 @@ final class StarterSearch {
     this.touched = new long[size][columns];
     for (int[] row : rows) {
       for (int c = 0; c < columns; c++) {
-        row[c] = dice.below(values);
+        row[c] = random.nextInt(values);
       }
       for (int s = 0; s < sets.length; s++) {
         count(s * orbits + orbitOf[code(row, sets[s])], 1);
@@ -155,17 +158,17 @@ final class StarterSearch {
     }
   }
 
-  /** Searches; whether the rows cover all. */
+  /** Runs the search. Returns whether the rows cover all orbits. */
   boolean run(Budget budget) {
     nearestOpen = Integer.MAX_VALUE;
-    while (openSize > 0 && !budget.spent()) {
+    while (openSize > 0 && !budget.isExhausted()) {
       if (openSize < nearestOpen) {
         nearestOpen = openSize;
         for (int r = 0; r < rows.length; r++) {
           nearest[r] = rows[r].clone();
         }
       }
-      force(open[dice.below(openSize)], budget);
+      force(open[random.nextInt(openSize)], budget);
     }
     return openSize == 0;
   }
@@ -174,12 +177,12 @@ final class StarterSearch {
     return rows;
   }
 
-  /** The rows that missed least in {@link #run}. */
+  /** The rows that missed the fewest orbits in {@link #run}. */
   int[][] nearest() {
     return nearest;
   }
 
-  /** How many orbits the nearest rows missed. */
+  /** The number of orbits that the nearest rows missed. */
   int nearestOpen() {
     return nearestOpen;
   }
@@ -194,8 +197,8 @@ final class StarterSearch {
     int most = Integer.MIN_VALUE;
     long oldest = Long.MAX_VALUE;
     int evaluated = 0;
-    boolean loose = dice.below(LOOSE_EVERY) == 0;
-    for (int r = 0; r < rows.length && !loose; r++) {
+    boolean randomMove = random.nextInt(RANDOM_MOVE_INTERVAL) == 0;
+    for (int r = 0; r < rows.length && !randomMove; r++) {
       int code = code(rows[r], set);
       for (int i = 0, stride = 1; i < strength; i++, stride *= values) {
         int c = set[i];
@@ -228,8 +231,8 @@ final class StarterSearch {
   }
 
   private void forceAnywhere(int[] set, int orbit) {
-    int row = dice.below(rows.length);
-    int code = dice.below(orbitOf.length);
+    int row = random.nextInt(rows.length);
+    int code = random.nextInt(orbitOf.length);
     while (orbitOf[code] != orbit) {
       code = code + 1 == orbitOf.length ? 0 : code + 1;
     }

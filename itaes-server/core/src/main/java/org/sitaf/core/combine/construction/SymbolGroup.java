@@ -5,15 +5,15 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * A group of permutations of the values {@code 0 .. v-1}.
+ * A permutation group of the values {@code 0 .. v-1}.
  *
- * @param name for people
- * @param elements each a permutation; the identity is among them
+ * @param name name for debugging
+ * @param elements permutations, including the identity
  */
-@SuppressWarnings("ArrayRecordComponent") // never handed on
+@SuppressWarnings("ArrayRecordComponent") // internal
 record SymbolGroup(String name, int[][] elements) {
 
-  /** The groups worth trying for {@code v} values, large ones first. */
+  /** The groups to try for {@code v} values, in descending order of size. */
   static List<SymbolGroup> of(int v) {
     List<SymbolGroup> groups = new ArrayList<>();
     GaloisField.of(v - 1).ifPresent(field -> groups.addAll(projective(field)));
@@ -36,7 +36,9 @@ record SymbolGroup(String name, int[][] elements) {
     return elements.length;
   }
 
-  /** Sets of constant rows that may be added beside starters: none, the fixed values, all. */
+  /**
+   * The sets of constant rows to try in addition to starter rows: none, those of fixed values, all.
+   */
   List<List<Integer>> constantRows() {
     List<Integer> all = new ArrayList<>();
     List<Integer> fixed = new ArrayList<>();
@@ -50,7 +52,7 @@ record SymbolGroup(String name, int[][] elements) {
     return List.of(List.<Integer>of(), fixed, all).stream().distinct().toList();
   }
 
-  /** Rotates blocks of {@code n} values side by side; the values left over stay. */
+  /** Rotates consecutive blocks of {@code n} values; the remaining values are fixed. */
   private static SymbolGroup cyclic(int n, int blocks, int v) {
     int[][] elements = new int[n][v];
     for (int shift = 0; shift < n; shift++) {
@@ -133,7 +135,7 @@ record SymbolGroup(String name, int[][] elements) {
         return g;
       }
     }
-    throw new IllegalStateException("a field without a generator");
+    throw new IllegalStateException("not a field: no generator");
   }
 
   private static int power(GaloisField field, int base, int exponent) {
@@ -144,7 +146,7 @@ record SymbolGroup(String name, int[][] elements) {
     return power;
   }
 
-  /** Numbers the orbits of the group on tuples; tuples are read as numbers to the base v. */
+  /** Numbers the orbits of the group on tuples. A tuple is encoded as a number in base v. */
   int[] orbits(int strength) {
     int v = elements[0].length;
     int size = 1;

@@ -1,4 +1,7 @@
-/** Covering arrays that algebra gives: smaller than any search finds, where the levels fit. */
+/**
+ * Algebraic constructions of covering arrays. For suitable levels, they are smaller than arrays
+ * found by search.
+ */
 @NullMarked
 package org.sitaf.core.combine.construction;
 

@@ -7,16 +7,16 @@ import java.util.List;
 import org.sitaf.core.combine.Interaction;
 
 /**
- * The sets of columns whose tuples must be covered. A set that lies in a larger required set is
- * implied, and left out.
+ * The sets of columns whose tuples must be covered. A subset of another required set is implied and
+ * omitted.
  */
 public final class ColumnSets {
   private final Symbols symbols;
   private final List<Interaction> interactions;
 
   /**
-   * The sets for these interactions. Columns of a single value take no part: their tuples are
-   * covered when those of the other columns are.
+   * Creates the sets of interactions. Columns with a single value are ignored: their tuples are
+   * covered whenever the tuples of the other columns are covered.
    */
   public ColumnSets(Symbols symbols, List<Interaction> interactions) {
     this.symbols = symbols;
@@ -31,7 +31,7 @@ public final class ColumnSets {
     }
   }
 
-  /** How many tuples there are, counting twice what several interactions ask for. */
+  /** The number of tuples. Tuples of several interactions are counted several times. */
   public BigInteger tuples() {
     BigInteger sum = BigInteger.ZERO;
     for (Interaction interaction : interactions) {
@@ -50,7 +50,7 @@ public final class ColumnSets {
     return sum;
   }
 
-  /** How many sets {@link #list} gives at most. */
+  /** An upper bound of the size of {@link #list}. */
   public BigInteger count() {
     BigInteger sum = BigInteger.ZERO;
     for (Interaction interaction : interactions) {
@@ -66,7 +66,7 @@ public final class ColumnSets {
     return sum;
   }
 
-  /** Whether every combination of all varied columns is asked for. */
+  /** Whether all combinations of all columns are required. */
   public boolean isProduct() {
     int varied = 0;
     for (int c = 0; c < symbols.columns(); c++) {
@@ -124,7 +124,7 @@ public final class ColumnSets {
     return true;
   }
 
-  /** A fresh coverage of these sets. */
+  /** Creates a coverage of column sets. */
   public static Coverage coverage(Symbols symbols, List<int[]> sets) {
     List<int[]> pairs = new ArrayList<>();
     List<int[]> triples = new ArrayList<>();
@@ -153,7 +153,7 @@ public final class ColumnSets {
     return parts.size() == 1 ? parts.get(0) : new JointCoverage(parts);
   }
 
-  /** A few triples among many columns are cheaper one by one. */
+  /** For few triples among many columns, {@link GeneralCoverage} is cheaper. */
   private static boolean worthCube(Symbols symbols, List<int[]> triples) {
     return triples.size() > symbols.columns() * symbols.columns() / 4;
   }

@@ -1,65 +1,67 @@
 package org.sitaf.core.combine.coverage;
 
+import org.sitaf.core.combine.SeededRandom;
+
 /**
- * How often each required tuple occurs in the rows added so far. Tuples are required from the
- * start; those that are impossible are excluded before the first row is added.
+ * Counts how often each required tuple occurs in the added rows. Impossible tuples are excluded
+ * before the first row is added.
  */
 public interface Coverage {
-  /** Required tuples. */
+  /** The number of required tuples. */
   long required();
 
-  /** Required tuples that no row covers. */
+  /** The number of uncovered tuples. */
   int uncovered();
 
   /**
-   * How many uncovered tuples would be covered that hold this value and otherwise cells of this
-   * row. The row's own cell in this column does not matter, and free cells cover nothing.
+   * The number of uncovered tuples that consist of this value and other cells of the row. The
+   * current value of the column is ignored; tuples with free cells are not counted.
    */
   int gain(Row row, int column, int value);
 
-  /** How many tuples only this row covers and which hold its cell of this column. */
+  /** The number of tuples with this cell that only this row covers. */
   int loss(Row row, int column);
 
-  /** Fills {@code out[v]} with {@link #gain} for every value {@code v} of the column. */
+  /** Sets {@code out[v]} to {@link #gain} for each value {@code v} of the column. */
   void gains(Row row, int column, int[] out);
 
-  /** Counts a complete row. */
+  /** Adds a complete row. */
   void add(Row row);
 
-  /** Takes back a complete row that was counted. */
+  /** Removes an added row. */
   void remove(Row row);
 
-  /** Changes one cell of a counted row, in the row and in the counts. */
+  /** Changes one cell of an added row and updates the counts. */
   void change(Row row, int column, int value);
 
-  /** Finds an uncovered tuple, by chance; there must be one. */
-  Tuple pick(Dice dice);
+  /** Selects a random uncovered tuple; there must be at least one. */
+  Tuple pick(SeededRandom random);
 
   /**
-   * Requires this tuple no longer, if it was required.
+   * Makes a tuple no longer required.
    *
-   * @param columns in ascending order
-   * @param values one for each column
+   * @param columns columns in ascending order
+   * @param values one value per column
    */
   void exclude(int[] columns, int[] values);
 
-  /** What one call of {@link #gain} or {@link #loss} costs, in operations of about 1 ns. */
+  /** The cost of {@link #gain} or {@link #loss} in operations of about 1 ns. */
   int cost();
 
-  /** What one call of {@link #gains} costs, in the same operations. */
+  /** The cost of {@link #gains} in operations. */
   default int gainsCost(int levels) {
     return levels * cost();
   }
 
-  /** What one {@link #change} costs, in the same operations. */
+  /** The cost of {@link #change} in operations. */
   int changeCost();
 
   /**
-   * Values that stand together.
+   * A combination of values.
    *
-   * @param columns in ascending order
-   * @param values one for each column
+   * @param columns columns in ascending order
+   * @param values one value per column
    */
-  @SuppressWarnings("ArrayRecordComponent") // made anew for each pick
+  @SuppressWarnings("ArrayRecordComponent") // a new instance for each pick
   record Tuple(int[] columns, int[] values) {}
 }

@@ -3,8 +3,11 @@ package org.sitaf.core.combine.coverage;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import org.sitaf.core.combine.SeededRandom;
 
-/** Coverage of tuples of any strength, by one counter each; column sets may differ in size. */
+/**
+ * Coverage of tuples of any strength, with one counter per tuple. Column sets may differ in size.
+ */
 final class GeneralCoverage implements Coverage {
   private static final int NOT_REQUIRED = 1 << 29;
 
@@ -16,7 +19,10 @@ final class GeneralCoverage implements Coverage {
   private final long[] open;
   private final long[] openWords;
 
-  /** For each column and each of its sets: length, base, own stride, then column and stride. */
+  /**
+   * For each column and each set that contains it: length, base, stride of the column, then column
+   * and stride of the other columns.
+   */
   private final int[][] through;
 
   private final int cost;
@@ -24,7 +30,10 @@ final class GeneralCoverage implements Coverage {
   private long required;
   private int uncovered;
 
-  /** Exclusions come set by set: where the last one was, the next one is near. */
+  /**
+   * Index of the last set with an exclusion. Exclusions are grouped by set, so the next one is
+   * near.
+   */
   private int lastExcluded;
 
   GeneralCoverage(Symbols symbols, List<int[]> columnSets) {
@@ -232,8 +241,8 @@ final class GeneralCoverage implements Coverage {
   }
 
   @Override
-  public Tuple pick(Dice dice) {
-    int at = nextOpen(dice.below(counts.length));
+  public Tuple pick(SeededRandom random) {
+    int at = nextOpen(random.nextInt(counts.length));
     int set = Arrays.binarySearch(bases, at);
     if (set < 0) {
       set = -set - 2;
@@ -247,7 +256,7 @@ final class GeneralCoverage implements Coverage {
     return new Tuple(sets[set], values);
   }
 
-  /** The first open tuple at or after this one, around the end. */
+  /** The first uncovered tuple from an index on, with wrap-around. */
   private int nextOpen(int from) {
     int word = from >>> 6;
     long here = open[word] & (-1L << from);

@@ -1,8 +1,9 @@
 package org.sitaf.core.combine.coverage;
 
 import java.util.List;
+import org.sitaf.core.combine.SeededRandom;
 
-/** Several coverages at once, one for each strength. */
+/** Combines several coverages, one per strength. */
 final class JointCoverage implements Coverage {
   private final Coverage[] parts;
   private int[] scratch = new int[16];
@@ -87,13 +88,13 @@ final class JointCoverage implements Coverage {
   }
 
   @Override
-  public Tuple pick(Dice dice) {
-    int left = dice.below(uncovered());
+  public Tuple pick(SeededRandom random) {
+    int left = random.nextInt(uncovered());
     int i = 0;
     while (left >= parts[i].uncovered()) {
       left -= parts[i++].uncovered();
     }
-    return parts[i].pick(dice);
+    return parts[i].pick(random);
   }
 
   @Override

@@ -1,33 +1,21 @@
 package org.sitaf.core.combine.coverage;
 
 import java.util.List;
+import org.sitaf.core.combine.SeededRandom;
 
-/**
- * Coverage of pairs. A symmetric matrix of counts, and for each symbol the set of partners with
- * which it is uncovered, and the set with which it is covered once: a gain or a loss is a handful
- * of bit counts.
- */
-final class PairCoverage implements Coverage {
-  /** A count that never comes back to one: this pair is not required. */
+/** Coverage of pairs: a symmetric matrix of counts, and sets of partners for each symbol. */
+final class PairCoverage extends BitSetCoverage {
+  /** The count of a pair that is not required; too large to ever return to one. */
   private static final int NOT_REQUIRED = 1 << 29;
 
-  private final Symbols symbols;
-  private final int size;
-  private final int words;
   private final int[] counts;
-  private final long[] never;
-  private final long[] once;
+
+  /** The number of uncovered pairs of each symbol. */
   private final int[] open;
-  private long required;
-  private int uncovered;
 
   PairCoverage(Symbols symbols, List<int[]> columnPairs) {
-    this.symbols = symbols;
-    this.size = symbols.count();
-    this.words = symbols.words();
+    super(symbols, symbols.count());
     this.counts = new int[size * size];
-    this.never = new long[size * words];
-    this.once = new long[size * words];
     this.open = new int[size];
     java.util.Arrays.fill(counts, NOT_REQUIRED);
     for (int[] pair : columnPairs) {
@@ -51,39 +39,8 @@ final class PairCoverage implements Coverage {
   }
 
   @Override
-  public long required() {
-    return required;
-  }
-
-  @Override
-  public int uncovered() {
-    return uncovered;
-  }
-
-  @Override
-  public int gain(Row row, int column, int value) {
-    return common(never, symbols.symbol(column, value), row.bits);
-  }
-
-  @Override
-  public int loss(Row row, int column) {
-    return common(once, row.chosen[column], row.bits);
-  }
-
-  private int common(long[] set, int symbol, long[] bits) {
-    int sum = 0;
-    int base = symbol * words;
-    for (int w = 0; w < words; w++) {
-      sum += Long.bitCount(set[base + w] & bits[w]);
-    }
-    return sum;
-  }
-
-  @Override
-  public void gains(Row row, int column, int[] out) {
-    for (int v = 0; v < symbols.levels(column); v++) {
-      out[v] = gain(row, column, v);
-    }
+  int count(long[] set, int symbol, Row row, int column) {
+    return common(set, symbol * words, row, 0);
   }
 
   @Override
@@ -148,8 +105,8 @@ final class PairCoverage implements Coverage {
   }
 
   @Override
-  public Tuple pick(Dice dice) {
-    int left = dice.below(2 * uncovered);
+  public Tuple pick(SeededRandom random) {
+    int left = random.nextInt(2 * uncovered);
     int a = 0;
     while (left >= open[a]) {
       left -= open[a++];
@@ -160,20 +117,6 @@ final class PairCoverage implements Coverage {
     return new Tuple(
         new int[] {symbols.column(first), symbols.column(second)},
         new int[] {symbols.value(first), symbols.value(second)});
-  }
-
-  /** The {@code n}-th member (from 0) of the set whose words start at {@code base}. */
-  static int nth(long[] set, int base, int n) {
-    int left = n;
-    int w = base;
-    while (left >= Long.bitCount(set[w])) {
-      left -= Long.bitCount(set[w++]);
-    }
-    long word = set[w];
-    while (left-- > 0) {
-      word &= word - 1;
-    }
-    return ((w - base) << 6) + Long.numberOfTrailingZeros(word);
   }
 
   @Override

@@ -2,15 +2,15 @@ package org.sitaf.core.combine.coverage;
 
 import java.util.Arrays;
 
-/** A row of values, some perhaps not yet chosen, which is also a set of symbols. */
+/** A row of values, some of which may be free. Also available as a set of symbols. */
 public final class Row {
-  /** No value chosen yet. */
+  /** The value is not chosen yet. */
   public static final int FREE = -1;
 
   final int[] values;
   final int[] chosen;
 
-  /** The set of its symbols; empty where there are too many symbols for sets of them. */
+  /** The set of symbols; empty if there are too many symbols for bit sets. */
   final long[] bits;
 
   private final boolean[] fixed;
@@ -18,7 +18,7 @@ public final class Row {
   private final Symbols symbols;
   private boolean kept;
 
-  /** A row without any value. */
+  /** Creates a row of free cells. */
   public Row(Symbols symbols) {
     this.symbols = symbols;
     this.values = new int[symbols.columns()];
@@ -30,7 +30,7 @@ public final class Row {
     Arrays.fill(chosen, FREE);
   }
 
-  /** A row of these values. */
+  /** Creates a row of values. */
   public Row(Symbols symbols, int[] values) {
     this(symbols);
     for (int c = 0; c < values.length; c++) {
@@ -38,7 +38,7 @@ public final class Row {
     }
   }
 
-  /** The value of this column, or {@link #FREE}. */
+  /** The value of a column, or {@link #FREE}. */
   public int value(int column) {
     return values[column];
   }
@@ -48,7 +48,10 @@ public final class Row {
     return values.clone();
   }
 
-  /** Changes one cell; rows that a {@link Coverage} counts are changed through it. */
+  /**
+   * Changes one cell. A row that was added to a {@link Coverage} must be changed by {@link
+   * Coverage#change}.
+   */
   public void set(int column, int value) {
     int old = chosen[column];
     if (old >= 0 && bits.length > 0) {
@@ -66,7 +69,7 @@ public final class Row {
     }
   }
 
-  /** Keeps this row in the array, with the cells that are chosen in {@code seed} as they are. */
+  /** Keeps this row in the array, and its cells that are chosen in {@code seed}. */
   public void keep(int[] seed) {
     kept = true;
     for (int c = 0; c < values.length; c++) {
@@ -74,22 +77,22 @@ public final class Row {
     }
   }
 
-  /** Whether this row must stay. */
+  /** Whether this row must not be removed. */
   public boolean kept() {
     return kept;
   }
 
-  /** Whether this cell must stay. */
+  /** Whether a cell must not be changed. */
   public boolean fixed(int column) {
     return fixed[column];
   }
 
-  /** The step at which a search last changed this cell. */
+  /** The search step of the last change of a cell. */
   public long touched(int column) {
     return touched[column];
   }
 
-  /** Notes the step at which a search changed this cell. */
+  /** Records the search step of a change. */
   public void touch(int column, long step) {
     touched[column] = step;
   }

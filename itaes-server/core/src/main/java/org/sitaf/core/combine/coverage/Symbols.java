@@ -1,8 +1,8 @@
 package org.sitaf.core.combine.coverage;
 
 /**
- * Numbers all values of all columns densely, column by column, so that a row is a set of symbols
- * and a set of symbols is a few machine words.
+ * Numbers all values of all columns consecutively. A row is then a set of symbols, stored in a few
+ * machine words.
  */
 public final class Symbols {
   private static final int MAX_IN_SETS = 6000;
@@ -11,7 +11,7 @@ public final class Symbols {
   private final int[] offset;
   private final int[] columnOf;
 
-  /** Symbols of columns with these numbers of values. */
+  /** Creates the symbols for columns with the given numbers of values. */
   public Symbols(int... levels) {
     this.levels = levels.clone();
     this.offset = new int[levels.length + 1];
@@ -24,42 +24,42 @@ public final class Symbols {
     }
   }
 
-  /** How many columns there are. */
+  /** The number of columns. */
   public int columns() {
     return levels.length;
   }
 
-  /** How many values this column has. */
+  /** The number of values of a column. */
   public int levels(int column) {
     return levels[column];
   }
 
-  /** A copy of all numbers of values. */
+  /** The number of values of each column. */
   public int[] levels() {
     return levels.clone();
   }
 
-  /** How many symbols there are. */
+  /** The number of symbols. */
   public int count() {
     return offset[levels.length];
   }
 
-  /** Whether a row may hold the set of its symbols: with more, a row for each would be too much. */
+  /** Whether rows store bit sets of their symbols; too much memory if there are many symbols. */
   public boolean hasSets() {
     return count() <= MAX_IN_SETS;
   }
 
-  /** Words of 64 bits that a set of symbols takes. */
+  /** The number of 64-bit words of a bit set. */
   public int words() {
     return (count() + 63) >>> 6;
   }
 
-  /** The symbol of this value of this column. */
+  /** The symbol of a value of a column. */
   public int symbol(int column, int value) {
     return offset[column] + value;
   }
 
-  /** The first symbol of a column; of the column after the last, the number of symbols. */
+  /** The first symbol of a column; the number of symbols for the column after the last. */
   public int first(int column) {
     return offset[column];
   }

@@ -2,39 +2,28 @@ package org.sitaf.core.combine.coverage;
 
 import java.util.Arrays;
 import java.util.List;
+import org.sitaf.core.combine.SeededRandom;
 
 /**
- * Coverage of triples. For a symbol {@code x} and a partner {@code y} the sets of third symbols, of
- * columns after {@code y}'s, with which they are uncovered, or covered once: a gain is a walk over
- * the row's cells with a few bit counts each.
+ * Coverage of triples: a count per triple, and for each symbol and each partner the sets of third
+ * symbols of later columns.
  */
-final class TripleCoverage implements Coverage {
+final class TripleCoverage extends BitSetCoverage {
   private static final short NOT_REQUIRED = 16384;
 
-  /** Above this many symbols the cube of bits is too large. */
+  /** Maximum number of symbols: with more, the bit sets use too much memory. */
   private static final int MAX_SYMBOLS = 700;
 
-  /** Above this many rows the counts might run over. */
+  /** Maximum number of rows: with more, the counts could overflow. */
   private static final int MAX_ROWS = 12_000;
 
-  private final Symbols symbols;
-  private final int size;
-  private final int words;
   private final short[] counts;
   private final int[] countsAt;
-  private final long[] never;
-  private final long[] once;
   private final int[] openOfFirst;
   private final int[] openOfPair;
-  private long required;
-  private int uncovered;
 
   TripleCoverage(Symbols symbols, List<int[]> columnTriples) {
-    this.symbols = symbols;
-    this.size = symbols.count();
-    this.words = symbols.words();
-    this.never = new long[size * size * words];
-    this.once = new long[size * size * words];
+    super(symbols, symbols.count() * symbols.count());
     this.countsAt = new int[size * size];
     this.openOfFirst = new int[size];
     this.openOfPair = new int[size * size];
@@ -53,7 +42,7 @@ final class TripleCoverage implements Coverage {
     required = uncovered;
   }
 
-  /** Whether a problem fits. */
+  /** Whether a problem is small enough. */
   static boolean fits(Symbols symbols) {
     int[] sorted = symbols.levels();
     Arrays.sort(sorted);
@@ -69,7 +58,10 @@ final class TripleCoverage implements Coverage {
     return symbols.count() <= MAX_SYMBOLS && 4 * largest <= MAX_ROWS && counted < (1 << 28);
   }
 
-  /** Gives each pair of symbols of ascending columns a run of counts, one per later symbol. */
+  /**
+   * Assigns each pair of symbols of ascending columns a range of counts, one per symbol of later
+   * columns.
+   */
   private int layOut() {
     int at = 0;
     for (int a = 0; a < size; a++) {
@@ -97,47 +89,17 @@ final class TripleCoverage implements Coverage {
   }
 
   @Override
-  public long required() {
-    return required;
-  }
-
-  @Override
-  public int uncovered() {
-    return uncovered;
-  }
-
-  @Override
-  public int gain(Row row, int column, int value) {
-    return common(never, symbols.symbol(column, value), row, column);
-  }
-
-  @Override
-  public int loss(Row row, int column) {
-    return common(once, row.chosen[column], row, column);
-  }
-
-  private int common(long[] set, int symbol, Row row, int column) {
+  int count(long[] set, int symbol, Row row, int column) {
     int sum = 0;
     int[] chosen = row.chosen;
-    long[] bits = row.bits;
     int slice = symbol * size;
     for (int d = 0; d < chosen.length; d++) {
       int partner = chosen[d];
       if (d != column && partner >= 0) {
-        int base = (slice + partner) * words;
-        for (int w = partner >>> 6; w < words; w++) {
-          sum += Long.bitCount(set[base + w] & bits[w]);
-        }
+        sum += common(set, (slice + partner) * words, row, partner >>> 6);
       }
     }
     return sum;
-  }
-
-  @Override
-  public void gains(Row row, int column, int[] out) {
-    for (int v = 0; v < symbols.levels(column); v++) {
-      out[v] = gain(row, column, v);
-    }
   }
 
   @Override
@@ -210,8 +172,8 @@ final class TripleCoverage implements Coverage {
   }
 
   @Override
-  public Tuple pick(Dice dice) {
-    int left = dice.below(uncovered);
+  public Tuple pick(SeededRandom random) {
+    int left = random.nextInt(uncovered);
     int a = 0;
     while (left >= openOfFirst[a]) {
       left -= openOfFirst[a++];
@@ -220,7 +182,7 @@ final class TripleCoverage implements Coverage {
     while (left >= openOfPair[a * size + b]) {
       left -= openOfPair[a * size + b++];
     }
-    int c = PairCoverage.nth(never, (a * size + b) * words, left);
+    int c = nth(never, (a * size + b) * words, left);
     return new Tuple(
         new int[] {symbols.column(a), symbols.column(b), symbols.column(c)},
         new int[] {symbols.value(a), symbols.value(b), symbols.value(c)});

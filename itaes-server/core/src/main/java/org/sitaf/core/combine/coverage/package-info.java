@@ -1,6 +1,4 @@
-/**
- * Which tuples a set of rows covers, and how often: bit sets and counts that change with a cell.
- */
+/** Counts the tuples that a set of rows covers, with fast updates when a cell changes. */
 @NullMarked
 package org.sitaf.core.combine.coverage;
 

@@ -11,11 +11,11 @@ import org.sitaf.core.combine.coverage.Row;
 import org.sitaf.core.combine.coverage.Symbols;
 
 /**
- * Says whether values can stand together in an allowed row: by a known row that holds them, by
- * propagation, and where neither decides, by the solver.
+ * Decides whether an allowed row can contain given values: first by known rows, then by
+ * propagation, and finally by the solver.
  */
 public final class Feasibility {
-  /** Values of a column that takes part in a constraint. */
+  /** Maximum number of values of a constrained column. */
   private static final int MAX_CONSTRAINED = 10_000;
 
   private final Symbols symbols;
@@ -25,16 +25,15 @@ public final class Feasibility {
   private final List<int[]> forbidden;
   private @Nullable Solver solver;
 
-  /** For each symbol, the set of known allowed rows that hold it. */
+  /** For each symbol, the set of known allowed rows that contain it. */
   private final long[][] witnesses;
 
   private int known;
 
   /**
-   * The judge of these constraints.
+   * Prepares the constraints.
    *
-   * @throws TooManyCombinationsException when a constrained column has more values than can be
-   *     judged one by one
+   * @throws TooManyCombinationsException if a constrained column has too many values
    */
   public Feasibility(Symbols symbols, List<Constraint> constraints) {
     this.symbols = symbols;
@@ -42,7 +41,7 @@ public final class Feasibility {
       for (int column : constraint.parameters()) {
         if (symbols.levels(column) > MAX_CONSTRAINED) {
           throw new TooManyCombinationsException(
-              "values of a parameter that a condition speaks of",
+              "number of values of a parameter in a condition",
               BigInteger.valueOf(symbols.levels(column)),
               MAX_CONSTRAINED);
         }
@@ -52,34 +51,34 @@ public final class Feasibility {
     this.forbidden = rules.forbidden();
     this.propagation = new Propagation(symbols, forbidden);
     this.witnesses = new long[symbols.count()][rules.isEmpty() ? 0 : 4];
-    // Propagation alone overlooks contradictions that take a search to find.
+    // Propagation alone does not find all contradictions.
     this.contradiction = !propagation.start() || solve(new Row(symbols)) == null;
   }
 
-  /** The constraints. */
+  /** The constraints as rules. */
   public Rules rules() {
     return rules;
   }
 
-  /** Unit propagation from what the constraints alone imply; callers undo what they choose. */
+  /** The unit propagation. Callers must undo their choices. */
   public Propagation propagation() {
     return propagation;
   }
 
-  /** Whether the constraints contradict each other: no row is allowed. */
+  /** Whether the constraints are contradictory, so no row is allowed. */
   public boolean contradiction() {
     return contradiction;
   }
 
-  /** Whether propagation knows all constraints. */
+  /** Whether propagation covers all constraints. */
   public boolean propagatesAll() {
     return rules.complete();
   }
 
   /**
-   * An allowed row that agrees with the chosen cells; unconstrained columns stay as they are.
+   * Completes a row. Unconstrained columns are not changed.
    *
-   * @return null where there is none
+   * @return an allowed row with the chosen cells; null if there is none
    */
   public @Nullable Row complete(Row partial) {
     return contradiction ? null : solve(partial);
@@ -99,14 +98,14 @@ public final class Feasibility {
     return row;
   }
 
-  /** Remembers an allowed row, whose unconstrained columns may be free. */
+  /** Remembers an allowed row. Its unconstrained columns may be free. */
   public void witness(Row row) {
     if (rules.isEmpty()) {
       return;
     }
     int word = known >>> 6;
     for (int c = 0; c < symbols.columns(); c++) {
-      if (!rules.touches(c)) {
+      if (!rules.isConstrained(c)) {
         continue;
       }
       int s = symbols.symbol(c, row.value(c));
@@ -118,7 +117,7 @@ public final class Feasibility {
     known++;
   }
 
-  /** Whether an allowed row can hold these values. */
+  /** Whether an allowed row can contain these values. */
   public boolean possible(int[] columns, int[] values) {
     if (contradiction) {
       return false;
@@ -146,7 +145,7 @@ public final class Feasibility {
     List<long[]> sets = new ArrayList<>(columns.length);
     int words = Integer.MAX_VALUE;
     for (int i = 0; i < columns.length; i++) {
-      if (rules.touches(columns[i])) {
+      if (rules.isConstrained(columns[i])) {
         long[] set = witnesses[symbols.symbol(columns[i], values[i])];
         sets.add(set);
         words = Math.min(words, set.length);

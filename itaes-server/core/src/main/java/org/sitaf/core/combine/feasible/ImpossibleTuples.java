@@ -11,7 +11,7 @@ import org.sitaf.core.combine.Interruption;
 import org.sitaf.core.combine.coverage.Coverage;
 import org.sitaf.core.combine.coverage.Symbols;
 
-/** Finds the required tuples that no allowed row can hold, and excludes them from a coverage. */
+/** Finds required tuples that the constraints exclude, and removes them from a coverage. */
 public final class ImpossibleTuples {
   private final Symbols symbols;
   private final Feasibility feasibility;
@@ -19,7 +19,7 @@ public final class ImpossibleTuples {
   private final List<Tuple> examples = new ArrayList<>();
   private long count;
 
-  /** For each set of constrained columns, its impossible tuples. */
+  /** The impossible tuples of each set of constrained columns. */
   private final Map<List<Integer>, List<int[]>> judged = new HashMap<>();
 
   private ImpossibleTuples(Symbols symbols, Feasibility feasibility, Coverage coverage) {
@@ -29,15 +29,16 @@ public final class ImpossibleTuples {
   }
 
   /**
-   * What was found.
+   * The result of the exclusion.
    *
-   * @param report the tuples that are left, and those excluded
-   * @param bound the most tuples left in one set of columns: a row covers only one of them
+   * @param report the remaining and the excluded tuples
+   * @param bound lower bound of the number of rows: the maximum number of remaining tuples of a
+   *     column set, since a row covers only one of them
    */
-  public record Judgement(TupleReport report, int bound) {}
+  public record Exclusion(TupleReport report, int bound) {}
 
-  /** Judges all tuples of these column sets. */
-  public static Judgement exclude(
+  /** Excludes the impossible tuples of column sets. */
+  public static Exclusion exclude(
       Symbols symbols, List<int[]> sets, Feasibility feasibility, Coverage coverage) {
     var judge = new ImpossibleTuples(symbols, feasibility, coverage);
     long bound = 1;
@@ -54,11 +55,11 @@ public final class ImpossibleTuples {
       bound = Math.max(bound, tuples - (judge.count - before));
     }
     TupleReport report = new TupleReport(coverage.required(), judge.count, judge.examples);
-    return new Judgement(report, (int) bound);
+    return new Exclusion(report, (int) bound);
   }
 
   private void judge(int[] set) {
-    int[] constrained = Arrays.stream(set).filter(feasibility.rules()::touches).toArray();
+    int[] constrained = Arrays.stream(set).filter(feasibility.rules()::isConstrained).toArray();
     if (constrained.length == 0 && !feasibility.contradiction()) {
       return;
     }
@@ -98,7 +99,7 @@ public final class ImpossibleTuples {
     }
   }
 
-  /** Excludes the tuple with every value in the places that are still open. */
+  /** Excludes a tuple with all values at the unset positions. */
   private void exclude(int[] set, int[] values, int from) {
     for (int i = from; i < set.length; i++) {
       if (values[i] < 0) {

@@ -4,8 +4,8 @@ import java.util.List;
 import org.sitaf.core.combine.coverage.Symbols;
 
 /**
- * Unit propagation over forbidden sets of symbols: what choosing a value rules out. It never rules
- * out what is possible, but may miss what is not; {@link Solver} is the judge.
+ * Unit propagation over forbidden sets of symbols: excludes values that contradict the chosen ones.
+ * Sound but not complete: {@link Solver} decides in the end.
  */
 public final class Propagation {
   private final Symbols symbols;
@@ -15,7 +15,7 @@ public final class Propagation {
   private final int[] left;
   private final boolean[] chosen;
 
-  /** The chosen symbol of each column, which rules the others out; -1: none. */
+  /** The chosen symbol of each column, which excludes the others; -1 if none. */
   private final int[] choice;
 
   private final int[] trail;
@@ -48,7 +48,7 @@ public final class Propagation {
     this.trail = new int[2 * symbols.count() + 2];
   }
 
-  /** Draws the first conclusions, from the sets of a single symbol; false: nothing is allowed. */
+  /** Propagates the sets with a single symbol. Returns false if nothing is allowed. */
   boolean start() {
     for (int[] set : sets) {
       if (set.length == 0 || (set.length == 1 && !exclude(set[0]))) {
@@ -58,12 +58,12 @@ public final class Propagation {
     return conclude();
   }
 
-  /** A mark to which {@link #undo} comes back. */
+  /** The current state for {@link #undo}. */
   public int mark() {
     return trailSize;
   }
 
-  /** Takes back all that was concluded since the mark. */
+  /** Restores the state of a mark. */
   public void undo(int mark) {
     while (trailSize > mark) {
       int entry = trail[--trailSize];
@@ -79,7 +79,7 @@ public final class Propagation {
     done = trailSize;
   }
 
-  /** Whether this value may still be chosen. */
+  /** Whether a value is not excluded. */
   public boolean open(int column, int value) {
     return !isOut(symbols.symbol(column, value));
   }
@@ -89,7 +89,7 @@ public final class Propagation {
     return out[symbol] || (other >= 0 && other != symbol);
   }
 
-  /** Chooses a value; false: this cannot be, and the caller takes it back. */
+  /** Chooses a value. Returns false after a contradiction; the caller must then undo the choice. */
   public boolean choose(int column, int value) {
     int symbol = symbols.symbol(column, value);
     if (isOut(symbol)) {
@@ -98,7 +98,9 @@ public final class Propagation {
     return accept(symbol) && conclude();
   }
 
-  /** Rules a value out; false: this cannot be, and the caller takes it back. */
+  /**
+   * Excludes a value. Returns false after a contradiction; the caller must then undo the exclusion.
+   */
   public boolean refuse(int column, int value) {
     return exclude(symbols.symbol(column, value)) && conclude();
   }

@@ -12,18 +12,21 @@ import org.sitaf.core.combine.WideConstraintException;
 import org.sitaf.core.combine.coverage.Row;
 import org.sitaf.core.combine.coverage.Symbols;
 
-/** A constraint made ready to be asked often: a table of the allowed tuples where one is small. */
+/**
+ * A constraint prepared for fast evaluation, with a table of the allowed tuples if it is small
+ * enough.
+ */
 final class Rule {
-  /** Up to this many tuples are tabulated. */
+  /** Maximum number of tuples in a table. */
   static final long MAX_TABLE = Constraint.MAX_TABLE;
 
-  /** How often a constraint without a table is asked, before it is refused. */
+  /** Maximum number of evaluations of a constraint without a table. */
   private static final int MAX_ASKED = 3_000_000;
 
-  /** How many forbidden tuples of a constraint without a table are learned one by one. */
+  /** Maximum number of learned forbidden tuples of a constraint without a table. */
   private static final int MAX_LEARNED = 20_000;
 
-  /** Up to this many tuples the answers of a constraint without a table are kept. */
+  /** Maximum number of tuples for which the results of a constraint without a table are cached. */
   private static final BigInteger MAX_ANSWERS = BigInteger.valueOf(16_000_000);
 
   final int[] columns;
@@ -70,18 +73,18 @@ final class Rule {
     return values;
   }
 
-  /** Whether all forbidden tuples can be listed. */
+  /** Whether there is a table, so all forbidden tuples are known. */
   boolean tabulated() {
     return allowed != null;
   }
 
-  /** Whether the row keeps this rule; a row that has not chosen all its columns does. */
-  boolean keeps(Row row) {
-    return keeps(row, -1, 0);
+  /** Whether a row satisfies this rule. A row with free cells in these columns does. */
+  boolean isSatisfied(Row row) {
+    return isSatisfied(row, -1, 0);
   }
 
-  /** Whether the row would keep this rule with this value in this column. */
-  boolean keeps(Row row, int column, int value) {
+  /** Whether a row would satisfy this rule with another value in a column. */
+  boolean isSatisfied(Row row, int column, int value) {
     if (allowed == null) {
       int[] values = new int[columns.length];
       for (int i = 0; i < columns.length; i++) {
@@ -103,7 +106,9 @@ final class Rule {
     return allowed.get(index);
   }
 
-  /** Asks a constraint that has no table, once for each tuple where there are few enough. */
+  /**
+   * Evaluates a constraint without a table. Results are cached if there are not too many tuples.
+   */
   private boolean ask(int[] values) {
     if (combinations.compareTo(MAX_ANSWERS) > 0) {
       return first(values);
@@ -124,26 +129,29 @@ final class Rule {
       throw new WideConstraintException(
           constraint,
           combinations,
-          String.format(Locale.ROOT, "%,d were tried, which is the limit", MAX_ASKED));
+          String.format(Locale.ROOT, "%,d were evaluated, which is the limit", MAX_ASKED));
     }
     return constraint.allowed().test(values);
   }
 
   /**
-   * A forbidden tuple has to be learned by itself.
+   * Counts a learned forbidden tuple.
    *
-   * @throws WideConstraintException when there were too many already
+   * @throws WideConstraintException if the limit is exceeded
    */
   void learn() {
     if (++learned > MAX_LEARNED) {
       throw new WideConstraintException(
           constraint,
           combinations,
-          String.format(Locale.ROOT, "more than %,d are forbidden one by one", MAX_LEARNED));
+          String.format(Locale.ROOT, "more than %,d are forbidden individually", MAX_LEARNED));
     }
   }
 
-  /** The forbidden tuples as sets of symbols, merged where the value of a column is all one. */
+  /**
+   * The forbidden tuples as sets of symbols. Tuples that differ only in the last columns are merged
+   * if all values are forbidden.
+   */
   List<int[]> forbidden(Symbols symbols) {
     List<int[]> out = new ArrayList<>();
     if (allowed != null) {

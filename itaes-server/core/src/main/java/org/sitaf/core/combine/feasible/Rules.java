@@ -7,14 +7,14 @@ import org.sitaf.core.combine.Constraint;
 import org.sitaf.core.combine.coverage.Row;
 import org.sitaf.core.combine.coverage.Symbols;
 
-/** All constraints of a problem. */
+/** All rules of a problem. */
 public final class Rules {
   private final Symbols symbols;
   private final List<Rule> all = new ArrayList<>();
   private final Rule[][] through;
   private final boolean tabulated;
 
-  /** The constraints, tabulated where they are small enough. */
+  /** Creates the rules of constraints. */
   public Rules(Symbols symbols, List<Constraint> constraints) {
     this.symbols = symbols;
     List<List<Rule>> lists = new ArrayList<>();
@@ -32,22 +32,22 @@ public final class Rules {
     this.tabulated = all.stream().allMatch(Rule::tabulated);
   }
 
-  /** Whether there is none. */
+  /** Whether there are no rules. */
   public boolean isEmpty() {
     return all.isEmpty();
   }
 
-  /** Whether this column takes part in any. */
-  public boolean touches(int column) {
+  /** Whether a column is constrained. */
+  public boolean isConstrained(int column) {
     return through[column].length > 0;
   }
 
-  /** Whether every forbidden tuple is in {@link #forbidden}. */
+  /** Whether {@link #forbidden} contains all forbidden tuples. */
   boolean complete() {
     return tabulated;
   }
 
-  /** The forbidden sets of symbols of all constraints that could be tabulated. */
+  /** The forbidden sets of symbols of all tabulated rules. */
   List<int[]> forbidden() {
     List<int[]> sets = new ArrayList<>();
     for (Rule rule : all) {
@@ -56,20 +56,20 @@ public final class Rules {
     return sets;
   }
 
-  /** Whether a row, perhaps with free cells, breaks none of those that it decides. */
+  /** Whether a row violates no rule. Rules with free cells are not violated. */
   public boolean allow(Row row) {
     for (Rule rule : all) {
-      if (!rule.keeps(row)) {
+      if (!rule.isSatisfied(row)) {
         return false;
       }
     }
     return true;
   }
 
-  /** Whether an allowed row stays allowed with this value in this column. */
+  /** Whether an allowed row remains allowed with another value in a column. */
   public boolean allow(Row row, int column, int value) {
     for (Rule rule : through[column]) {
-      if (!rule.keeps(row, column, value)) {
+      if (!rule.isSatisfied(row, column, value)) {
         return false;
       }
     }
@@ -77,14 +77,14 @@ public final class Rules {
   }
 
   /**
-   * For each constraint that a complete row breaks, its cells as a set of symbols.
+   * For each rule that a complete row violates, the cells of the row as a set of symbols.
    *
-   * @throws org.sitaf.core.combine.WideConstraintException when a constraint breaks too often
+   * @throws org.sitaf.core.combine.WideConstraintException if a rule is violated too often
    */
-  List<int[]> broken(Row row) {
+  List<int[]> violations(Row row) {
     List<int[]> sets = new ArrayList<>();
     for (Rule rule : all) {
-      if (!rule.keeps(row)) {
+      if (!rule.isSatisfied(row)) {
         rule.learn();
         sets.add(Arrays.stream(rule.columns).map(c -> symbols.symbol(c, row.value(c))).toArray());
       }

@@ -17,11 +17,11 @@ import org.sitaf.core.combine.coverage.Row;
 import org.sitaf.core.combine.coverage.Symbols;
 
 /**
- * The judge of what is possible: a SAT solver with one variable per symbol of a constrained column.
- * A constraint too large for a table is learned by its broken tuples, as solutions break it.
+ * A SAT solver with one variable per symbol of a constrained column. Rules without a table are
+ * learned: whenever a solution violates one, the violating tuple is added as a clause.
  */
 final class Solver {
-  /** Conflicts of all questions together: some minutes. */
+  /** Maximum number of conflicts in all searches together; takes some minutes. */
   private static final int MAX_CONFLICTS = 2_000_000;
 
   private final Symbols symbols;
@@ -34,8 +34,10 @@ final class Solver {
     this.symbols = symbols;
     this.rules = rules;
     this.constrained =
-        java.util.stream.IntStream.range(0, symbols.columns()).filter(rules::touches).toArray();
-    // By conflicts: by time, Sat4j would start a timer thread for each question.
+        java.util.stream.IntStream.range(0, symbols.columns())
+            .filter(rules::isConstrained)
+            .toArray();
+    // With a timeout in seconds, Sat4j would start a timer thread for each search.
     sat.setTimeoutOnConflicts(Integer.MAX_VALUE);
     sat.setSearchListener(new Watch());
     sat.newVar(symbols.count());
@@ -55,7 +57,7 @@ final class Solver {
     }
   }
 
-  /** Ends a search that takes too long. */
+  /** Stops a search that takes too long. */
   private static final class Watch extends SearchListenerAdapter<ISolverService> {
     private static final long serialVersionUID = 1L;
 
@@ -66,7 +68,7 @@ final class Solver {
       Interruption.check();
       if (++conflicts > MAX_CONFLICTS) {
         throw new TooManyCombinationsException(
-            "conflicts met in the search for cases that keep all conditions",
+            "number of conflicts in the search for cases that satisfy all conditions",
             BigInteger.valueOf(conflicts),
             MAX_CONFLICTS);
       }
@@ -82,9 +84,9 @@ final class Solver {
   }
 
   /**
-   * Finds an allowed row that agrees with the chosen cells; unconstrained columns stay as they are.
+   * Completes a row. Unconstrained columns are not changed.
    *
-   * @return null where there is none
+   * @return an allowed row with the chosen cells; null if there is none
    */
   @Nullable Row complete(Row partial) {
     VecInt assumptions = new VecInt();
@@ -100,23 +102,23 @@ final class Solver {
         for (int literal : model) {
           if (literal > 0 && literal <= symbols.count()) {
             int column = symbols.column(literal - 1);
-            if (rules.touches(column)) {
+            if (rules.isConstrained(column)) {
               row.set(column, symbols.value(literal - 1));
             }
           }
         }
-        List<int[]> broken = rules.broken(row);
-        if (broken.isEmpty()) {
+        List<int[]> violations = rules.violations(row);
+        if (violations.isEmpty()) {
           return row;
         }
-        for (int[] set : broken) {
+        for (int[] set : violations) {
           forbid(set);
         }
       }
     } catch (ContradictionException e) {
       contradiction = true;
     } catch (TimeoutException e) {
-      throw new IllegalStateException("the solver gave up although it has no time limit", e);
+      throw new IllegalStateException("timeout of a solver without time limit", e);
     }
     return null;
   }

@@ -1,4 +1,4 @@
-/** Which rows and tuples the constraints allow. */
+/** Decides which rows and tuples the constraints allow. */
 @NullMarked
 package org.sitaf.core.combine.feasible;
 

@@ -3,26 +3,29 @@ package org.sitaf.core.combine.search;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.combine.Interruption;
 
-/** What a search may still spend, in word operations: a count, never the clock. */
+/** The remaining operations of a search. Counted instead of timed, so results are reproducible. */
 public final class Budget {
-  private final long whole;
+  private final long total;
   private final @Nullable Budget source;
   private long left;
   private long patience = Long.MAX_VALUE / 2;
-  private long goodUntil = Long.MIN_VALUE;
+  private long patienceEnd = Long.MIN_VALUE;
 
-  /** So many word operations. */
+  /** Creates a budget. */
   public Budget(long operations) {
     this(operations, null);
   }
 
   private Budget(long operations, @Nullable Budget source) {
-    this.whole = operations;
+    this.total = operations;
     this.left = operations;
     this.source = source;
   }
 
-  /** Spends some; more than is left is possible once. Ends the search of an interrupted thread. */
+  /**
+   * Spends operations; may exceed the remaining ones. Stops the search if its thread is
+   * interrupted.
+   */
   public void spend(long operations) {
     left -= operations;
     if (source != null) {
@@ -32,41 +35,44 @@ public final class Budget {
     }
   }
 
-  /** Whether nothing is left. */
-  public boolean spent() {
-    return left <= 0 || left < goodUntil;
+  /** Whether the budget is used up or the patience is exhausted. */
+  public boolean isExhausted() {
+    return left <= 0 || left < patienceEnd;
   }
 
-  /** A share of the whole, as far as it is left; spent here when it is spent there. */
+  /** Creates a part of this budget. Its operations are also spent here. */
   public Budget part(double share) {
-    return new Budget(Math.min(left(), (long) (whole * share)), this);
+    return new Budget(Math.min(remaining(), (long) (total * share)), this);
   }
 
-  /** All that is left, but spent as soon as this share of the whole brings no {@link #renew}. */
-  public Budget patient(double share) {
-    Budget patient = new Budget(left(), this);
-    patient.patience = (long) (whole * share);
+  /**
+   * Creates a budget of all remaining operations that ends early if {@link #renew} is not called
+   * within a share of the total.
+   */
+  public Budget withPatience(double share) {
+    Budget patient = new Budget(remaining(), this);
+    patient.patience = (long) (total * share);
     patient.renew();
     return patient;
   }
 
-  /** Something was found: patience begins anew. */
+  /** Resets the patience after progress. */
   public void renew() {
-    goodUntil = left - patience;
+    patienceEnd = left - patience;
   }
 
-  /** What there was to spend. */
-  public long whole() {
-    return whole;
+  /** The initial number of operations. */
+  public long total() {
+    return total;
   }
 
-  /** What is left. */
-  public long left() {
+  /** The remaining number of operations. */
+  public long remaining() {
     return Math.max(0, left);
   }
 
-  /** How much of the whole is spent, 0 to 1. */
+  /** The used share, 0 to 1. */
   public double share() {
-    return whole == 0 ? 1 : Math.min(1, 1 - (double) left / whole);
+    return total == 0 ? 1 : Math.min(1, 1 - (double) left / total);
   }
 }

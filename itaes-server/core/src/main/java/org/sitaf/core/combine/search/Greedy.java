@@ -2,16 +2,16 @@ package org.sitaf.core.combine.search;
 
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.core.combine.SeededRandom;
 import org.sitaf.core.combine.coverage.Coverage;
-import org.sitaf.core.combine.coverage.Dice;
 import org.sitaf.core.combine.coverage.Row;
 import org.sitaf.core.combine.coverage.Symbols;
 import org.sitaf.core.combine.feasible.Feasibility;
 import org.sitaf.core.combine.feasible.Propagation;
 
 /**
- * Grows an array row by row: an uncovered tuple, then column by column the value that covers most,
- * then cell by cell what covers more, as AETG does, with a climb at the end of each row.
+ * Grows an array row by row, as AETG does: starts with an uncovered tuple, then chooses the value
+ * that covers most for each column, and finally improves the row by hill climbing.
  */
 public final class Greedy {
   private static final int MAX_CLIMBS = 6;
@@ -19,18 +19,25 @@ public final class Greedy {
   private final Symbols symbols;
   private final Coverage coverage;
   private final Feasibility feasibility;
-  private final Dice dice;
+  private final SeededRandom random;
   private final Budget budget;
   private final int[] order;
   private final int[][] gains;
 
-  /** Spends from the budget, but never stops for it: a complete array is owed. */
+  /**
+   * Creates a generator. It spends from the budget but does not stop when it is used up, because
+   * the array must be complete.
+   */
   public Greedy(
-      Symbols symbols, Coverage coverage, Feasibility feasibility, Dice dice, Budget budget) {
+      Symbols symbols,
+      Coverage coverage,
+      Feasibility feasibility,
+      SeededRandom random,
+      Budget budget) {
     this.symbols = symbols;
     this.coverage = coverage;
     this.feasibility = feasibility;
-    this.dice = dice;
+    this.random = random;
     this.budget = budget;
     this.order = new int[symbols.columns()];
     this.gains = new int[symbols.columns()][];
@@ -41,11 +48,11 @@ public final class Greedy {
   }
 
   /**
-   * Adds rows until all is covered.
+   * Adds rows until all tuples are covered.
    *
-   * @param tries how many candidates compete for each row
-   * @param limit gives up beyond this many rows
-   * @return whether all is covered
+   * @param tries number of candidates for each row
+   * @param limit maximum number of rows
+   * @return whether all tuples are covered
    */
   public boolean grow(List<Row> rows, int tries, int limit) {
     while (coverage.uncovered() > 0) {
@@ -64,13 +71,13 @@ public final class Greedy {
     int most = -1;
     for (int i = 0; i < tries; i++) {
       Row row = new Row(symbols);
-      Coverage.Tuple tuple = coverage.pick(dice);
+      Coverage.Tuple tuple = coverage.pick(random);
       for (int j = 0; j < tuple.columns().length; j++) {
         row.set(tuple.columns()[j], tuple.values()[j]);
       }
       row = fill(row);
       if (row == null) {
-        throw new IllegalStateException("a tuple judged possible fits no allowed row");
+        throw new IllegalStateException("no allowed row for a possible tuple");
       }
       int covered = worth(row);
       if (covered > most) {
@@ -81,7 +88,7 @@ public final class Greedy {
     return java.util.Objects.requireNonNull(best);
   }
 
-  /** How much a complete row would cover, counted once for each column of each tuple. */
+  /** The number of tuples that a row would newly cover, counted once per column. */
   private int worth(Row row) {
     int sum = 0;
     for (int c = 0; c < order.length; c++) {
@@ -92,9 +99,9 @@ public final class Greedy {
   }
 
   /**
-   * Fills the free cells of a row; those chosen stay.
+   * Fills the free cells of a row.
    *
-   * @return null when no allowed row holds the chosen cells
+   * @return null if no allowed row contains the chosen cells
    */
   public @Nullable Row fill(Row partial) {
     if (feasibility.contradiction()) {
@@ -116,10 +123,9 @@ public final class Greedy {
   }
 
   /**
-   * An allowed row that holds the tuple and otherwise stays as near to this one as propagation
-   * finds.
+   * Inserts a tuple into a row with few other changes.
    *
-   * @return null when propagation finds none, or the kept cells of the row forbid it
+   * @return an allowed row; null if propagation finds none or the fixed cells forbid the tuple
    */
   @Nullable Row repair(Row row, int[] columns, int[] values) {
     Propagation propagation = feasibility.propagation();
@@ -133,10 +139,10 @@ public final class Greedy {
     for (int c = 0; open && c < order.length; c++) {
       open = !row.fixed(c) || propagation.choose(c, row.value(c));
     }
-    dice.shuffle(order);
+    random.shuffle(order);
     for (int i = 0; open && i < order.length; i++) {
       int c = order[i];
-      if (!feasibility.rules().touches(c)) {
+      if (!feasibility.rules().isConstrained(c)) {
         continue;
       }
       int before = propagation.mark();
@@ -163,7 +169,7 @@ public final class Greedy {
     for (int c = 0; open && c < order.length; c++) {
       open = row.value(c) == Row.FREE || propagation.choose(c, row.value(c));
     }
-    dice.shuffle(order);
+    random.shuffle(order);
     for (int i = 0; open && i < order.length; i++) {
       open = row.value(order[i]) != Row.FREE || chooseOpen(row, order[i], propagation);
     }
@@ -177,7 +183,7 @@ public final class Greedy {
     budget.spend(coverage.gainsCost(out.length));
     while (true) {
       int value = -1;
-      int start = dice.below(out.length);
+      int start = random.nextInt(out.length);
       for (int i = 0; i < out.length; i++) {
         int v = start + i < out.length ? start + i : start + i - out.length;
         if (propagation.open(column, v) && (value < 0 || out[v] > out[value])) {
@@ -200,7 +206,7 @@ public final class Greedy {
   }
 
   private void fillFreely(Row row) {
-    dice.shuffle(order);
+    random.shuffle(order);
     for (int c : order) {
       if (row.value(c) == Row.FREE) {
         row.set(c, best(row, c, false));
@@ -216,14 +222,14 @@ public final class Greedy {
     return row;
   }
 
-  /** The allowed value that covers most; among equals by chance. */
+  /** The allowed value that covers most tuples; ties are broken at random. */
   private int best(Row row, int column, boolean constrained) {
     int[] out = gains[column];
     coverage.gains(row, column, out);
     budget.spend(coverage.gainsCost(out.length));
     int value = row.value(column);
     int most = value < 0 ? -1 : out[value];
-    int start = dice.below(out.length);
+    int start = random.nextInt(out.length);
     for (int i = 0; i < out.length; i++) {
       int v = start + i < out.length ? start + i : start + i - out.length;
       if (out[v] > most && (!constrained || feasibility.rules().allow(row, column, v))) {
@@ -238,10 +244,10 @@ public final class Greedy {
     boolean changed = true;
     for (int i = 0; changed && i < MAX_CLIMBS; i++) {
       changed = false;
-      dice.shuffle(order);
+      random.shuffle(order);
       for (int c : order) {
         if (!fixed[c]) {
-          int value = best(row, c, feasibility.rules().touches(c));
+          int value = best(row, c, feasibility.rules().isConstrained(c));
           changed |= value != row.value(c);
           row.set(c, value);
         }

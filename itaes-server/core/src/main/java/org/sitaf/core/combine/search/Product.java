@@ -10,20 +10,20 @@ import org.sitaf.core.combine.coverage.Symbols;
 import org.sitaf.core.combine.feasible.Feasibility;
 import org.sitaf.core.combine.feasible.Propagation;
 
-/** Every allowed combination, in ascending order, with branches that propagation closes cut. */
+/** Enumerates all allowed combinations in ascending order. Propagation prunes branches. */
 public final class Product {
   private final Symbols symbols;
   private final Feasibility feasibility;
   private final Set<List<Integer>> present = new HashSet<>();
   private final List<int[]> rows = new ArrayList<>();
 
-  /** The combinations of these symbols. */
+  /** Creates an enumeration. */
   public Product(Symbols symbols, Feasibility feasibility) {
     this.symbols = symbols;
     this.feasibility = feasibility;
   }
 
-  /** The allowed rows that are not among the seeds. */
+  /** Returns the allowed rows except the seeds. */
   public List<int[]> rows(List<Row> seeds) {
     for (Row seed : seeds) {
       present.add(key(seed.values()));
@@ -47,7 +47,7 @@ public final class Product {
     }
     Interruption.check();
     Propagation propagation = feasibility.propagation();
-    boolean constrained = feasibility.rules().touches(column);
+    boolean constrained = feasibility.rules().isConstrained(column);
     for (int v = 0; v < symbols.levels(column); v++) {
       int mark = propagation.mark();
       row.set(column, v);

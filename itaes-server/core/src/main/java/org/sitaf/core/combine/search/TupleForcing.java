@@ -3,15 +3,15 @@ package org.sitaf.core.combine.search;
 import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.core.combine.SeededRandom;
 import org.sitaf.core.combine.coverage.Coverage;
-import org.sitaf.core.combine.coverage.Dice;
 import org.sitaf.core.combine.coverage.Row;
 import org.sitaf.core.combine.coverage.Symbols;
 import org.sitaf.core.combine.feasible.Feasibility;
 
 /**
- * Tabu search that removes rows: takes the row that is missed least away, then forces uncovered
- * tuples, one at a time, into the row where that costs least, until all are covered again.
+ * Tabu search that removes rows: removes the row with the smallest loss, then forces uncovered
+ * tuples one by one into the row with the least cost, until all tuples are covered again.
  *
  * <p>After J. Lin, C. Luo, S. Cai, K. Su, D. Hao, L. Zhang: TCA, an efficient two-mode
  * meta-heuristic algorithm for combinatorial test generation (ASE 2015).
@@ -19,55 +19,55 @@ import org.sitaf.core.combine.feasible.Feasibility;
 public final class TupleForcing {
   private static final int TENURE = 3;
   private static final int STEP_COST = 150;
-  private static final int MAX_LOOSE_ROWS = 24;
+  private static final int MAX_RANDOM_ROWS = 24;
 
-  /** Of many rows, so many compete for being taken away. */
+  /** Maximum number of rows that are compared for removal. */
   private static final int MAX_COMPARED = 64;
 
   private final Symbols symbols;
   private final Coverage coverage;
   private final Feasibility feasibility;
   private final Greedy greedy;
-  private final Dice dice;
+  private final SeededRandom random;
   private Budget budget = new Budget(0);
   private final List<Row> rows;
   private final boolean constrained;
-  private final int looseEvery;
+  private final int randomMoveInterval;
   private long step;
 
   /**
-   * A search over complete rows that the coverage counts.
+   * Creates a search over rows that were added to the coverage.
    *
-   * @param rows changed in place
+   * @param rows complete rows; modified in place
    */
   public TupleForcing(
       Symbols symbols,
       Coverage coverage,
       Feasibility feasibility,
       Greedy greedy,
-      Dice dice,
+      SeededRandom random,
       List<Row> rows) {
     this.symbols = symbols;
     this.coverage = coverage;
     this.feasibility = feasibility;
     this.greedy = greedy;
-    this.dice = dice;
+    this.random = random;
     this.rows = rows;
     this.constrained = !feasibility.rules().isEmpty();
-    this.looseEvery = constrained ? 50 : 1000;
+    this.randomMoveInterval = constrained ? 50 : 1000;
     this.step = TENURE + 1;
   }
 
-  /** Hears of each smaller array. */
+  /** Receives the progress. */
   public interface Listener {
-    /** So many rows cover everything now, or no fewer yet. */
-    void heard(int rows);
+    /** Called with the number of rows of the smallest complete array so far. */
+    void onProgress(int rows);
   }
 
   /**
-   * Removes rows until there are no more than {@code enough}, or the budget is spent. The present
-   * rows may still miss tuples when they are fewer than those of the complete array; called again,
-   * it goes on where it was.
+   * Removes rows until at most {@code enough} remain or the budget is used up. The current rows may
+   * be incomplete if they are fewer than those of {@code complete}. A further call continues the
+   * search.
    *
    * @param complete the smallest complete array so far
    * @return the smallest complete array found
@@ -75,19 +75,21 @@ public final class TupleForcing {
   public List<int[]> shrink(List<int[]> complete, int enough, Budget spent, Listener listener) {
     budget = spent;
     List<int[]> best = coverage.uncovered() == 0 ? snapshot() : complete;
-    while (best.size() > enough && !budget.spent() && (coverage.uncovered() > 0 || removeOne())) {
+    while (best.size() > enough
+        && !budget.isExhausted()
+        && (coverage.uncovered() > 0 || removeOne())) {
       long next = step + 256;
-      while (coverage.uncovered() > 0 && !budget.spent()) {
-        force(coverage.pick(dice));
+      while (coverage.uncovered() > 0 && !budget.isExhausted()) {
+        force(coverage.pick(random));
         if (step >= next) {
           next = step + 256;
-          listener.heard(best.size());
+          listener.onProgress(best.size());
         }
       }
       if (coverage.uncovered() == 0) {
         best = snapshot();
         budget.renew();
-        listener.heard(best.size());
+        listener.onProgress(best.size());
       }
     }
     return best;
@@ -105,7 +107,7 @@ public final class TupleForcing {
     int least = Integer.MAX_VALUE;
     int at = -1;
     int count = rows.size();
-    int start = dice.below(count);
+    int start = random.nextInt(count);
     int step = count / MAX_COMPARED + 1;
     for (int i = 0; i < count; i += step) {
       int r = (start + i) % count;
@@ -129,7 +131,7 @@ public final class TupleForcing {
     return true;
   }
 
-  /** What only this row covers, counted once for each column of each tuple. */
+  /** The number of tuples that only this row covers, counted once per column. */
   private int missed(Row row) {
     int sum = 0;
     for (int c = 0; c < symbols.columns(); c++) {
@@ -143,7 +145,7 @@ public final class TupleForcing {
     step++;
     int[] columns = tuple.columns();
     int[] values = tuple.values();
-    if (dice.below(looseEvery) == 0) {
+    if (random.nextInt(randomMoveInterval) == 0) {
       forceAnywhere(columns, values);
       return;
     }
@@ -179,7 +181,7 @@ public final class TupleForcing {
     }
   }
 
-  /** The place of the one cell in which a row differs from a tuple; -1: there are several. */
+  /** The index of the only cell in which a row differs from a tuple; -1 if there are several. */
   private static int onlyDifference(Row row, int[] columns, int[] values) {
     int at = -1;
     for (int i = 0; i < columns.length; i++) {
@@ -199,14 +201,14 @@ public final class TupleForcing {
     budget.spend(coverage.changeCost());
   }
 
-  /** Puts a tuple into the best of some rows, changing as many cells as that takes. */
+  /** Forces a tuple into the best of some rows, changing as many cells as necessary. */
   private void forceAnywhere(int[] columns, int[] values) {
     Row best = null;
     Row bestTarget = null;
     int most = Integer.MIN_VALUE;
-    int start = dice.below(rows.size());
+    int start = random.nextInt(rows.size());
     int tried = 0;
-    for (int i = 0; i < rows.size() && tried < MAX_LOOSE_ROWS; i++) {
+    for (int i = 0; i < rows.size() && tried < MAX_RANDOM_ROWS; i++) {
       Row row = rows.get((start + i) % rows.size());
       Row target = target(row, columns, values);
       if (target == null) {
@@ -236,7 +238,7 @@ public final class TupleForcing {
     }
   }
 
-  /** The row with the tuple in it, and with as few other changes as the constraints leave. */
+  /** A copy of the row with the tuple, with as few other changes as the constraints allow. */
   private @Nullable Row target(Row row, int[] columns, int[] values) {
     Row target = new Row(symbols, row.values());
     for (int i = 0; i < columns.length; i++) {

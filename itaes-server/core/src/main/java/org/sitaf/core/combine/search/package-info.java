@@ -1,4 +1,4 @@
-/** Finding rows: greedy growth, then a local search that removes rows one by one. */
+/** Searches rows: greedy growth, then a local search that removes rows one by one. */
 @NullMarked
 package org.sitaf.core.combine.search;
 

@@ -16,7 +16,7 @@ import org.sitaf.core.description.idl.InterfaceDefinitionParser.UnaryContext;
 import org.sitaf.core.description.source.Findings;
 import org.sitaf.core.description.source.Place;
 
-/** Whole numbers that constants and bounds come to. */
+/** Evaluates integer constants and bounds. */
 final class IdlConstants {
   private static final int MAX_LENGTH = 1_000_000;
   private static final int MAX_BITS = 128;
@@ -33,22 +33,22 @@ final class IdlConstants {
   }
 
   /**
-   * Makes a constant known.
+   * Declares a constant.
    *
-   * @return whether the name was free
+   * @return false if the name is already declared
    */
   boolean declare(String qualified, String scope, ExpressionContext expression) {
     return constants.putIfAbsent(qualified, new Constant(scope, expression)) == null;
   }
 
-  /** The length of an array or the bound of a sequence; what is none is reported. */
+  /** The length of an array or the bound of a sequence. An invalid length is reported. */
   OptionalInt length(ExpressionContext expression, String scope, Place place) {
     try {
       BigInteger value = value(expression, scope);
       if (value.signum() > 0 && value.compareTo(BigInteger.valueOf(MAX_LENGTH)) <= 0) {
         return OptionalInt.of(value.intValueExact());
       }
-      findings.error(place, "a length or bound is 1 to " + MAX_LENGTH + ", not " + value);
+      findings.error(place, "a length or bound must be 1 to " + MAX_LENGTH + ", not " + value);
     } catch (NoNumberException e) {
       findings.error(place, String.valueOf(e.getMessage()));
     }
@@ -60,12 +60,12 @@ final class IdlConstants {
       throws NoNumberException {
     Optional<String> qualified = scopes.find(at, scope, constants::containsKey);
     if (qualified.isEmpty()) {
-      throw new NoNumberException("there is no constant '" + name + "'");
+      throw new NoNumberException("unknown constant '" + name + "'");
     }
     Constant constant = constants.get(qualified.get());
     if (constant.value == null) {
       if (constant.isOpen || chain >= MAX_CHAIN) {
-        throw new NoNumberException("the constant '" + name + "' is defined by way of itself");
+        throw new NoNumberException("the constant '" + name + "' is defined in terms of itself");
       }
       constant.isOpen = true;
       chain++;
@@ -79,7 +79,7 @@ final class IdlConstants {
     return constant.value;
   }
 
-  /** Every rule below {@code expression} is operands with operators between them. */
+  /** Every rule below {@code expression} is a list of operands separated by operators. */
   private BigInteger value(ParserRuleContext rule, String scope) throws NoNumberException {
     if (rule instanceof UnaryContext unary) {
       return unary(unary, scope);
@@ -129,7 +129,7 @@ final class IdlConstants {
     boolean octal = !hexadecimal && text.length() > 1 && text.startsWith("0");
     String digits = hexadecimal ? text.substring(2) : text;
     if (digits.length() > MAX_BITS / 3 || (octal && digits.matches(".*[89].*"))) {
-      throw new NoNumberException("'" + digits.substring(0, 1) + "...' is no usable number");
+      throw new NoNumberException("'" + digits.substring(0, 1) + "...' is not a valid number");
     }
     return new BigInteger(digits, hexadecimal ? 16 : octal ? 8 : 10);
   }
@@ -148,7 +148,7 @@ final class IdlConstants {
           case "*" -> left.multiply(right);
           case "/" -> left.divide(divisor(right));
           case "%" -> left.remainder(divisor(right));
-          default -> throw new NoNumberException("'" + operator + "' is no operator");
+          default -> throw new NoNumberException("'" + operator + "' is not an operator");
         };
     if (result.bitLength() > MAX_BITS) {
       throw new NoNumberException("the constant is too large");
@@ -158,7 +158,7 @@ final class IdlConstants {
 
   private static int shift(BigInteger by) throws NoNumberException {
     if (by.signum() < 0 || by.bitLength() > 6) {
-      throw new NoNumberException("a shift is by 0 to 63 bits");
+      throw new NoNumberException("a shift must be by 0 to 63 bits");
     }
     return by.intValueExact();
   }
@@ -182,7 +182,7 @@ final class IdlConstants {
     }
   }
 
-  /** An expression does not come to a whole number. */
+  /** Thrown when an expression is not an integer constant. */
   private static final class NoNumberException extends Exception {
     private static final long serialVersionUID = 1L;
 

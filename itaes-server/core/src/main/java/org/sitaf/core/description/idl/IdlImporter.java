@@ -22,12 +22,12 @@ import org.sitaf.core.description.source.SourceFiles;
 import org.sitaf.core.diagnostic.Diagnostics;
 
 /**
- * Reads OMG IDL. Lines of the preprocessor are passed over; what they would include is found among
- * the files given.
+ * Reads OMG IDL. Preprocessor lines are ignored: included declarations are found in the given
+ * files.
  */
 public final class IdlImporter implements Importer {
   @Override
-  public boolean takes(String path) {
+  public boolean supports(String path) {
     return path.endsWith(".idl");
   }
 
@@ -53,16 +53,16 @@ public final class IdlImporter implements Importer {
     }
 
     void read() {
-      // Asked files first: where something is declared twice, theirs counts.
-      files.asked().forEach(this::declare);
+      // Requested files first: their declarations take precedence over duplicates.
+      files.requested().forEach(this::declare);
       files.files().keySet().stream()
-          .filter(path -> path.endsWith(".idl") && !files.isAsked(path))
+          .filter(path -> path.endsWith(".idl") && !files.isRequested(path))
           .forEach(this::declare);
       IdlInterfaces reader = new IdlInterfaces(scopes, types, exceptions::contains, findings);
       Map<String, Integer> simpleNames = new HashMap<>();
       interfaces.keySet().forEach(name -> simpleNames.merge(simple(name), 1, Integer::sum));
       for (IdlInterfaces.Declared declared : interfaces.values()) {
-        if (files.isAsked(declared.file())) {
+        if (files.isRequested(declared.file())) {
           String simple = simple(declared.qualified());
           String name =
               simpleNames.getOrDefault(simple, 1) == 1
@@ -79,16 +79,16 @@ public final class IdlImporter implements Importer {
           findings.provides(description);
         }
       }
-      types.declaredIn(files::isAsked).forEach(findings::type);
+      types.declaredIn(files::isRequested).forEach(findings::type);
     }
 
     private void declare(String path) {
       Diagnostics problems = new Diagnostics();
       Optional<SpecificationContext> tree = IdlSyntax.parse(files.text(path), path, problems);
-      if (files.isAsked(path)) {
+      if (files.isRequested(path)) {
         findings.addAll(problems.all());
       } else {
-        findings.aside(problems.all());
+        findings.warnUnreadable(problems.all());
       }
       tree.ifPresent(specification -> declare(specification.definition(), "", path));
     }
@@ -96,7 +96,7 @@ public final class IdlImporter implements Importer {
     private void declare(List<DefinitionContext> definitions, String scope, String path) {
       for (DefinitionContext definition : definitions) {
         if (definition.module() != null) {
-          String name = IdlScopes.spelling(definition.module().name());
+          String name = IdlScopes.text(definition.module().name());
           declare(definition.module().definition(), IdlScopes.inside(scope, name), path);
         } else if (definition.interfaceDeclaration() != null) {
           declare(definition.interfaceDeclaration(), scope, path);
@@ -105,24 +105,23 @@ public final class IdlImporter implements Importer {
         } else if (definition.constant() != null) {
           declare(definition.constant(), scope, path);
         } else if (definition.exception() != null) {
-          exceptions.add(
-              IdlScopes.inside(scope, IdlScopes.spelling(definition.exception().name())));
-        } else if (definition.other() != null && files.isAsked(path)) {
+          exceptions.add(IdlScopes.inside(scope, IdlScopes.text(definition.exception().name())));
+        } else if (definition.other() != null && files.isRequested(path)) {
           findings.warning(
               place(path, definition.other(), definition.other().getStart().getText()),
-              "describes no interface, passed over");
+              "is not part of an interface, ignored");
         }
       }
     }
 
     private void declare(InterfaceDeclarationContext body, String scope, String path) {
-      String qualified = IdlScopes.inside(scope, IdlScopes.spelling(body.name()));
+      String qualified = IdlScopes.inside(scope, IdlScopes.text(body.name()));
       Place place = place(path, body, "interface " + qualified);
       IdlInterfaces.Declared first =
           interfaces.putIfAbsent(qualified, new IdlInterfaces.Declared(qualified, body, path));
       if (first != null) {
-        if (files.isAsked(path)) {
-          findings.error(place, "is declared already in " + first.file());
+        if (files.isRequested(path)) {
+          findings.error(place, "is already declared in " + first.file());
         }
         return;
       }
@@ -134,20 +133,19 @@ public final class IdlImporter implements Importer {
         } else if (export.constant() != null) {
           declare(export.constant(), qualified, path);
         } else if (export.exception() != null) {
-          exceptions.add(
-              IdlScopes.inside(qualified, IdlScopes.spelling(export.exception().name())));
+          exceptions.add(IdlScopes.inside(qualified, IdlScopes.text(export.exception().name())));
         }
       }
     }
 
     private void declare(TypeDeclarationContext declaration, String scope, String path) {
-      types.declare(declaration, scope, place(path, declaration, ""), files.isAsked(path));
+      types.declare(declaration, scope, place(path, declaration, ""), files.isRequested(path));
     }
 
     private void declare(ConstantContext constant, String scope, String path) {
-      String qualified = IdlScopes.inside(scope, IdlScopes.spelling(constant.name()));
-      if (!constants.declare(qualified, scope, constant.expression()) && files.isAsked(path)) {
-        findings.error(place(path, constant, "const " + qualified), "is declared already");
+      String qualified = IdlScopes.inside(scope, IdlScopes.text(constant.name()));
+      if (!constants.declare(qualified, scope, constant.expression()) && files.isRequested(path)) {
+        findings.error(place(path, constant, "const " + qualified), "is already declared");
       }
     }
 

@@ -23,7 +23,9 @@ import org.sitaf.core.description.idl.InterfaceDefinitionParser.ScopedNameContex
 import org.sitaf.core.description.source.Findings;
 import org.sitaf.core.description.source.Place;
 
-/** Interfaces of IDL with all that they inherit; attributes become methods to get and set them. */
+/**
+ * Describes IDL interfaces including inherited operations. Attributes become getters and setters.
+ */
 final class IdlInterfaces {
   private static final DataType VOID = new DataType.Scalar(ScalarType.VOID);
 
@@ -40,14 +42,14 @@ final class IdlInterfaces {
     this.findings = findings;
   }
 
-  /** An interface where it is declared. */
+  /** An interface declaration. */
   record Declared(String qualified, InterfaceDeclarationContext body, String file) {}
 
   /**
    * Describes an interface.
    *
-   * @param all every interface by its qualified name
-   * @param name under which it is known to tests
+   * @param all all interfaces by qualified name
+   * @param name name of the interface in tests
    */
   InterfaceDescription describe(Declared declared, Map<String, Declared> all, String name) {
     for (ScopedNameContext base : declared.body().scopedName()) {
@@ -57,8 +59,8 @@ final class IdlInterfaces {
         findings.error(
             place,
             "inherits from '"
-                + IdlScopes.spelling(base)
-                + "', which no file declares; add the file that does");
+                + IdlScopes.text(base)
+                + "', which is not declared in any file; add the file that declares it");
       } else if (scopes.lineage(found.get()).contains(declared.qualified())) {
         findings.error(place, "inherits from itself");
       }
@@ -92,7 +94,7 @@ final class IdlInterfaces {
   }
 
   private Method operation(OperationContext operation, Declared declared) {
-    String name = IdlScopes.spelling(operation.name());
+    String name = IdlScopes.text(operation.name());
     Place place =
         new Place(declared.file(), operation.name().getStart().getLine(), "method " + name);
     DataType returnType =
@@ -107,7 +109,7 @@ final class IdlInterfaces {
     if (oneway
         && (!returnType.equals(VOID)
             || parameters.stream().anyMatch(p -> p.direction() != Direction.IN))) {
-      findings.error(place, "is oneway, and so can bring nothing back");
+      findings.error(place, "is oneway and must not return anything");
     }
     return new Method(
         name,
@@ -119,10 +121,10 @@ final class IdlInterfaces {
   }
 
   private Parameter parameter(ParameterContext context, Declared declared, Place method) {
-    String name = IdlScopes.spelling(context.name());
+    String name = IdlScopes.text(context.name());
     Place place = IdlTypes.at(method, context.name(), method.element() + "/param " + name);
     if (context.IN() == null && context.OUT() == null && context.INOUT() == null) {
-      findings.warning(place, "is neither in, out nor inout; taken as in");
+      findings.warning(place, "has no direction, read as in; write in, out or inout");
     }
     Direction direction =
         context.OUT() != null
@@ -133,19 +135,22 @@ final class IdlInterfaces {
   }
 
   private List<Method> attribute(AttributeContext attribute, NameContext name, Declared declared) {
-    String spelling = IdlScopes.spelling(name);
-    Place place = new Place(declared.file(), name.getStart().getLine(), "attribute " + spelling);
+    String attributeName = IdlScopes.text(name);
+    Place place =
+        new Place(declared.file(), name.getStart().getLine(), "attribute " + attributeName);
     DataType type = types.resolve(attribute.typeSpec(), declared.qualified(), place);
     List<String> raised =
         attribute.raises().stream().flatMap(r -> raises(r, declared, place).stream()).toList();
     Method get =
-        new Method("get_" + spelling, type, List.of(), CallType.BLOCKING, raised, place.line());
+        new Method(
+            "get_" + attributeName, type, List.of(), CallType.BLOCKING, raised, place.line());
     if (attribute.READONLY() != null) {
       return List.of(get);
     }
     List<Parameter> value = List.of(new Parameter("value", type, Direction.IN));
     return List.of(
-        get, new Method("set_" + spelling, VOID, value, CallType.BLOCKING, raised, place.line()));
+        get,
+        new Method("set_" + attributeName, VOID, value, CallType.BLOCKING, raised, place.line()));
   }
 
   private List<String> raises(
@@ -159,9 +164,9 @@ final class IdlInterfaces {
       if (found.isEmpty()) {
         findings.warning(
             IdlTypes.at(place, name, place.element()),
-            "raises the unknown exception '" + IdlScopes.spelling(name) + "', kept by its name");
+            "raises the unknown exception '" + IdlScopes.text(name) + "'");
       }
-      names.add(found.orElse(IdlScopes.spelling(name)));
+      names.add(found.orElse(IdlScopes.text(name)));
     }
     return names;
   }

@@ -14,49 +14,49 @@ import org.sitaf.core.description.idl.InterfaceDefinitionParser.NameContext;
 import org.sitaf.core.description.idl.InterfaceDefinitionParser.ScopedNameContext;
 
 /**
- * Finds names as IDL does: in the scope where they are used, in the interfaces that it inherits
- * from, then in each scope around it. A scope is the qualified name of a module or interface, empty
- * for the outermost.
+ * Resolves names by the rules of IDL: first in the scope where a name is used, then in the
+ * inherited interfaces, then in each enclosing scope. A scope is the qualified name of a module or
+ * interface, empty for the global scope.
  */
 final class IdlScopes {
   private final Map<String, List<ScopedNameContext>> bases = new HashMap<>();
   private final Map<String, List<String>> resolvedBases = new HashMap<>();
   private final Set<String> interfaces = new LinkedHashSet<>();
 
-  /** Greatest number of interfaces that one inherits from, all levels together. */
+  /** Maximum number of direct and indirect base interfaces. */
   static final int MAX_LINEAGE = 100;
 
-  /** Makes an interface known. */
+  /** Declares an interface. */
   void declareInterface(String qualified, List<ScopedNameContext> inherited) {
     interfaces.add(qualified);
     bases.put(qualified, inherited);
   }
 
-  /** Whether an interface of this qualified name is known. */
+  /** Whether an interface is declared. */
   boolean isInterface(String qualified) {
     return interfaces.contains(qualified);
   }
 
-  /** A name within a scope. */
+  /** The qualified name of a name in a scope. */
   static String inside(String scope, String name) {
     return scope.isEmpty() ? name : scope + "::" + name;
   }
 
-  /** A name as it is meant: a leading '_' only tells it apart from a word of the language. */
-  static String spelling(NameContext name) {
+  /** An identifier without the leading '_' that escapes keywords. */
+  static String text(NameContext name) {
     String text = name.getText();
     return text.length() > 1 && text.startsWith("_") ? text.substring(1) : text;
   }
 
-  /** A scoped name as it is meant. */
-  static String spelling(ScopedNameContext name) {
-    List<String> parts = name.name().stream().map(IdlScopes::spelling).toList();
+  /** A scoped name without the '_' that escapes keywords. */
+  static String text(ScopedNameContext name) {
+    List<String> parts = name.name().stream().map(IdlScopes::text).toList();
     return (name.getText().startsWith("::") ? "::" : "") + String.join("::", parts);
   }
 
-  /** The qualified name that a name means, among those that exist. */
+  /** Resolves a name to a qualified name for which {@code exists} holds. */
   Optional<String> find(ScopedNameContext name, String scope, Predicate<String> exists) {
-    return find(spelling(name), scope, exists);
+    return find(text(name), scope, exists);
   }
 
   private Optional<String> find(String name, String scope, Predicate<String> exists) {
@@ -76,14 +76,14 @@ final class IdlScopes {
     }
   }
 
-  /** The interface of a name that another inherits from. */
+  /** Resolves the name of a base interface. */
   Optional<String> base(ScopedNameContext name, String inheriting) {
-    return find(spelling(name), enclosing(inheriting), interfaces::contains);
+    return find(text(name), enclosing(inheriting), interfaces::contains);
   }
 
   /**
-   * An interface and all that it inherits from, bases first, each once; without the interface where
-   * there are more than {@link #MAX_LINEAGE}.
+   * An interface after all its direct and indirect bases, without duplicates. With more than {@link
+   * #MAX_LINEAGE} bases, the list is cut off before the interface itself.
    */
   List<String> lineage(String qualified) {
     Set<String> lineage = new LinkedHashSet<>();

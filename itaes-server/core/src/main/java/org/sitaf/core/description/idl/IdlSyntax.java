@@ -11,23 +11,23 @@ import org.antlr.v4.runtime.misc.ParseCancellationException;
 import org.sitaf.core.description.idl.InterfaceDefinitionParser.SpecificationContext;
 import org.sitaf.core.diagnostic.Diagnostics;
 
-/** Text in OMG IDL to its parse tree. */
+/** Parses OMG IDL. */
 final class IdlSyntax {
-  /** Deepest nesting of brackets; the parser calls itself once for each. */
+  /** Maximum nesting of brackets. The parser recurses once per level. */
   private static final int MAX_DEPTH = 40;
 
   /**
-   * Greatest number of scopes of a name. The parser looks ahead to its end at each of them, so that
-   * its time would grow with the square.
+   * Maximum number of scopes in a name. The parser looks ahead to the end of the name at each
+   * scope, which takes quadratic time.
    */
   private static final int MAX_SCOPES = 40;
 
-  /** After so many errors, the rest is not worth reading. */
+  /** Parsing stops after this number of errors. */
   private static final int MAX_ERRORS = 20;
 
   private IdlSyntax() {}
 
-  /** The parse tree; empty where there are syntax errors, which go to the diagnostics. */
+  /** Returns the parse tree, or empty after syntax errors, which are added to the diagnostics. */
   static Optional<SpecificationContext> parse(String text, String file, Diagnostics diagnostics) {
     var lexer = new InterfaceDefinitionLexer(CharStreams.fromString(text, file));
     lexer.removeErrorListeners();
@@ -68,12 +68,12 @@ final class IdlSyntax {
           depth = Math.max(0, depth - 1);
           angles = 0;
         }
-        // A shift is not closed, but ends with its statement.
+        // A shift operator has no closing bracket; it ends with its statement.
         case ";" -> angles = 0;
         case "<" -> angles++;
         case ">" -> angles = Math.max(0, angles - 1);
         default -> {
-          // Everything else nests nothing.
+          // Other tokens do not change the nesting.
         }
       }
       if (depth + angles > MAX_DEPTH) {

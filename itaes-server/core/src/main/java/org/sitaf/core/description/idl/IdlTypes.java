@@ -28,11 +28,11 @@ import org.sitaf.core.description.source.DeclaredTypes;
 import org.sitaf.core.description.source.Findings;
 import org.sitaf.core.description.source.Place;
 
-/** Data types of IDL. Structs, enumerations and aliases have their qualified name. */
+/** Data types of IDL. Structs, enumerations and aliases are identified by their qualified name. */
 final class IdlTypes {
   private static final int MAX_DIMENSIONS = 16;
 
-  /** By the words, without spaces. */
+  /** By name without spaces. */
   private static final Map<String, ScalarType> SCALARS =
       Map.ofEntries(
           Map.entry("float", ScalarType.FLOAT),
@@ -68,19 +68,19 @@ final class IdlTypes {
     this.declared = new DeclaredTypes(findings);
   }
 
-  /** Makes an interface known as a type, which no value has. */
+  /** Declares an interface, which is not supported as a data type. */
   void declareInterface(String qualified, Place place) {
     declared.declareOpaque(qualified, place, "an interface");
   }
 
-  /** Makes the types of a declaration known, those within it too. */
-  void declare(TypeDeclarationContext declaration, String scope, Place place, boolean asked) {
+  /** Declares the types of a declaration, including nested ones. */
+  void declare(TypeDeclarationContext declaration, String scope, Place place, boolean requested) {
     if (declaration.struct() != null) {
-      declare(declaration.struct(), scope, place, asked);
+      declare(declaration.struct(), scope, place, requested);
     } else if (declaration.enumeration() != null) {
-      declare(declaration.enumeration(), scope, place, asked);
+      declare(declaration.enumeration(), scope, place, requested);
     } else if (declaration.typedef() != null) {
-      declare(declaration.typedef(), scope, place, asked);
+      declare(declaration.typedef(), scope, place, requested);
     } else if (declaration.union() != null) {
       opaque(declaration.union().name(), scope, place, "a union");
     } else if (declaration.bits() != null) {
@@ -88,20 +88,23 @@ final class IdlTypes {
     } else if (declaration.name() != null) {
       opaque(declaration.name(), scope, place, "a native type");
     }
-    // A forward declaration says nothing that the declaration does not.
+    // A forward declaration adds nothing to the declaration.
   }
 
-  /** The structs and enumerations of the files that fit. */
+  /** The structs and enumerations declared in the matching files. */
   List<DataType> declaredIn(Predicate<String> file) {
     return declared.declaredIn(file);
   }
 
-  /** Where a type of this qualified name is declared. */
+  /** The place where a type is declared. */
   Optional<Place> place(String qualified) {
     return declared.place(qualified);
   }
 
-  /** The type of a specification; what nothing defines is kept by its name and reported. */
+  /**
+   * Resolves a type specification. An undefined type is reported and becomes {@link
+   * DataType.Unknown}.
+   */
   DataType resolve(TypeSpecContext spec, String scope, Place place) {
     if (spec.baseType() != null) {
       return base(spec.baseType(), place);
@@ -122,7 +125,7 @@ final class IdlTypes {
     }
     if (spec.scopedName() != null) {
       Optional<String> qualified = scopes.find(spec.scopedName(), scope, declared::contains);
-      String name = qualified.orElse(IdlScopes.spelling(spec.scopedName()));
+      String name = qualified.orElse(IdlScopes.text(spec.scopedName()));
       DataType found = declared.find(name).orElse(new DataType.Unknown(name));
       if (found instanceof DataType.Unknown unknown) {
         findings.unknownType(place, unknown.name(), declared.reason(unknown.name()));
@@ -134,7 +137,7 @@ final class IdlTypes {
     return new DataType.Unknown(name);
   }
 
-  /** A type with the dimensions of a declarator, the last of which counts innermost. */
+  /** Applies the dimensions of a declarator to a type. The last dimension is the innermost. */
   DataType dimensioned(DataType type, DeclaratorContext declarator, String scope, Place place) {
     List<DimensionContext> dimensions = declarator.dimension();
     if (dimensions.size() > MAX_DIMENSIONS) {
@@ -153,20 +156,21 @@ final class IdlTypes {
     return new Place(place.file(), context.getStart().getLine(), element);
   }
 
-  private void declare(StructContext struct, String scope, Place place, boolean asked) {
-    String name = IdlScopes.spelling(struct.name());
+  private void declare(StructContext struct, String scope, Place place, boolean requested) {
+    String name = IdlScopes.text(struct.name());
     String qualified = IdlScopes.inside(scope, name);
     Place named = at(place, struct, "struct " + qualified);
-    struct.member().forEach(m -> declareInner(m.declaredType(), qualified, named, asked));
+    struct.member().forEach(m -> declareInner(m.declaredType(), qualified, named, requested));
     unique(
         declared.declare(qualified, named, () -> struct(struct, scope, qualified, named)),
         qualified,
         named,
-        asked);
+        requested);
   }
 
-  private void declare(EnumerationContext enumeration, String scope, Place place, boolean asked) {
-    String qualified = IdlScopes.inside(scope, IdlScopes.spelling(enumeration.name()));
+  private void declare(
+      EnumerationContext enumeration, String scope, Place place, boolean requested) {
+    String qualified = IdlScopes.inside(scope, IdlScopes.text(enumeration.name()));
     Place named = at(place, enumeration, "enum " + qualified);
     unique(
         declared.declare(
@@ -175,18 +179,16 @@ final class IdlTypes {
             () ->
                 new DataType.Enumeration(
                     qualified,
-                    enumeration.enumerator().stream()
-                        .map(e -> IdlScopes.spelling(e.name()))
-                        .toList())),
+                    enumeration.enumerator().stream().map(e -> IdlScopes.text(e.name())).toList())),
         qualified,
         named,
-        asked);
+        requested);
   }
 
-  private void declare(TypedefContext typedef, String scope, Place place, boolean asked) {
-    declareInner(typedef.declaredType(), scope, place, asked);
+  private void declare(TypedefContext typedef, String scope, Place place, boolean requested) {
+    declareInner(typedef.declaredType(), scope, place, requested);
     for (DeclaratorContext declarator : typedef.declarator()) {
-      String qualified = IdlScopes.inside(scope, IdlScopes.spelling(declarator.name()));
+      String qualified = IdlScopes.inside(scope, IdlScopes.text(declarator.name()));
       Place named = at(place, declarator, "typedef " + qualified);
       unique(
           declared.declare(
@@ -197,23 +199,24 @@ final class IdlTypes {
                       inner(typedef.declaredType(), scope, named), declarator, scope, named)),
           qualified,
           named,
-          asked);
+          requested);
     }
   }
 
-  /** A struct, union or enumeration may be declared where it is used. */
-  private void declareInner(DeclaredTypeContext type, String scope, Place place, boolean asked) {
+  /** Declares a struct, union or enumeration that is defined inline. */
+  private void declareInner(
+      DeclaredTypeContext type, String scope, Place place, boolean requested) {
     if (type.struct() != null) {
-      declare(type.struct(), scope, place, asked);
+      declare(type.struct(), scope, place, requested);
     } else if (type.enumeration() != null) {
-      declare(type.enumeration(), scope, place, asked);
+      declare(type.enumeration(), scope, place, requested);
     } else if (type.union() != null) {
       opaque(type.union().name(), scope, place, "a union");
     }
   }
 
   private void opaque(NameContext name, String scope, Place place, String reason) {
-    String qualified = IdlScopes.inside(scope, IdlScopes.spelling(name));
+    String qualified = IdlScopes.inside(scope, IdlScopes.text(name));
     declared.declareOpaque(qualified, at(place, name, qualified), reason);
   }
 
@@ -225,7 +228,7 @@ final class IdlTypes {
         type.struct() != null
             ? type.struct().name()
             : type.union() != null ? type.union().name() : type.enumeration().name();
-    String qualified = IdlScopes.inside(scope, IdlScopes.spelling(name));
+    String qualified = IdlScopes.inside(scope, IdlScopes.text(name));
     DataType found = declared.find(qualified).orElse(new DataType.Unknown(qualified));
     if (found instanceof DataType.Unknown) {
       findings.unknownType(place, qualified, declared.reason(qualified));
@@ -242,14 +245,14 @@ final class IdlTypes {
       } else {
         findings.error(
             at(place, struct.scopedName(), place.element()),
-            "inherits from '" + IdlScopes.spelling(struct.scopedName()) + "', which is no struct");
+            "inherits from '" + IdlScopes.text(struct.scopedName()) + "', which is not a struct");
       }
     }
     Set<String> names = new HashSet<>();
     members.forEach(m -> names.add(m.name()));
     for (MemberContext member : struct.member()) {
       for (DeclaratorContext declarator : member.declarator()) {
-        String name = IdlScopes.spelling(declarator.name());
+        String name = IdlScopes.text(declarator.name());
         Place at = at(place, declarator, place.element() + "/" + name);
         if (!names.add(name)) {
           findings.error(at, "two members have this name");
@@ -261,7 +264,7 @@ final class IdlTypes {
     return new DataType.Struct(qualified, members);
   }
 
-  /** What a member declares itself lies within the struct; a name is looked up from there too. */
+  /** An inline type is declared in the scope of the struct. */
   private static String scopeOf(MemberContext member, String scope, String qualified) {
     return member.declaredType().typeSpec() == null ? qualified : scope;
   }
@@ -275,14 +278,14 @@ final class IdlTypes {
     return new DataType.Scalar(scalar);
   }
 
-  private void unique(boolean isFirst, String qualified, Place place, boolean asked) {
-    if (!isFirst && asked) {
+  private void unique(boolean isFirst, String qualified, Place place, boolean requested) {
+    if (!isFirst && requested) {
       Place first = declared.place(qualified).orElse(place);
-      findings.error(place, "is declared already in " + first.file() + ", line " + first.line());
+      findings.error(place, "is already declared in " + first.file() + ", line " + first.line());
     }
   }
 
-  /** The words of a type, with spaces between those that would otherwise run together. */
+  /** The source text of a type, with single spaces between words. */
   private static String words(ParserRuleContext context) {
     if (context.getChildCount() == 1 && context.getChild(0) instanceof ParserRuleContext only) {
       return words(only);

@@ -1,4 +1,4 @@
-/** Interfaces in OMG IDL. */
+/** Reads interfaces in OMG IDL. */
 @NullMarked
 package org.sitaf.core.description.idl;
 

@@ -8,8 +8,8 @@ import org.sitaf.core.description.idl.IdlImporter;
 import org.sitaf.core.description.opros.OprosImporter;
 import org.sitaf.core.description.proto.ProtoImporter;
 import org.sitaf.core.description.ros.RosImporter;
-import org.sitaf.core.description.source.Described;
 import org.sitaf.core.description.source.Findings;
+import org.sitaf.core.description.source.ImportResult;
 import org.sitaf.core.description.source.Importer;
 import org.sitaf.core.description.source.Place;
 import org.sitaf.core.description.source.SourceFiles;
@@ -19,7 +19,7 @@ import org.sitaf.core.description.source.SourceFiles;
  * .msg}, {@code .srv}, {@code .action}) and protobuf ({@code .proto}).
  */
 public final class InterfaceFiles {
-  /** Largest file, in bytes; interfaces are far smaller. */
+  /** Maximum size of a file in bytes. Real interface files are far smaller. */
   public static final int MAX_SIZE = 4 << 20;
 
   private static final List<Importer> IMPORTERS =
@@ -33,23 +33,23 @@ public final class InterfaceFiles {
 
   private InterfaceFiles() {}
 
-  /** Whether interfaces may stand in a file of this name. */
-  public static boolean mayBe(String path) {
-    return IMPORTERS.stream().anyMatch(importer -> importer.takes(path));
+  /** Whether a file name has the extension of an interface file. */
+  public static boolean isSupported(String path) {
+    return IMPORTERS.stream().anyMatch(importer -> importer.supports(path));
   }
 
   /**
-   * Reads the files that are asked for; those beside them help to resolve references and types.
+   * Reads the requested files. The other files are used to resolve references and types.
    *
-   * @return what was understood, with a diagnostic for everything that was not
+   * @return the descriptions, with a diagnostic for everything that could not be read
    */
-  public static Described read(SourceFiles files) {
+  public static ImportResult read(SourceFiles files) {
     Findings findings = new Findings();
-    for (String path : files.asked()) {
-      if (!mayBe(path)) {
+    for (String path : files.requested()) {
+      if (!isSupported(path)) {
         findings.error(
             new Place(path, 0, ""),
-            "is no interface file; these end in .xml (OPRoS), .idl, .msg, .srv, .action or .proto");
+            "is not an interface file; use .xml (OPRoS), .idl, .msg, .srv, .action or .proto");
       } else if (files.content(path).length > MAX_SIZE) {
         findings.error(
             new Place(path, 0, ""), "is larger than " + (MAX_SIZE >> 20) + " MiB; split it");
@@ -57,38 +57,38 @@ public final class InterfaceFiles {
     }
     SourceFiles usable = files.without(path -> files.content(path).length > MAX_SIZE);
     for (Importer importer : IMPORTERS) {
-      SourceFiles own = usable.asking(importer::takes);
-      if (!own.asked().isEmpty()) {
+      SourceFiles own = usable.requesting(importer::supports);
+      if (!own.requested().isEmpty()) {
         importer.read(own, findings);
       }
     }
-    return findings.described();
+    return findings.result();
   }
 
   /**
-   * Reads every interface file among others, such as those of a folder or an archive.
+   * Reads all interface files of a folder or an archive. Other files are ignored.
    *
-   * @param name of the whole
+   * @param name name of the folder or archive
    * @param files content by relative path with '/' separators
    */
-  public static Described readAll(String name, Map<String, byte[]> files) {
-    List<String> asked =
+  public static ImportResult readAll(String name, Map<String, byte[]> files) {
+    List<String> requested =
         files.keySet().stream().filter(p -> isInterfaceFile(p, files.get(p))).toList();
-    if (asked.isEmpty()) {
+    if (requested.isEmpty()) {
       Findings findings = new Findings();
       findings.error(
           new Place(name, 0, ""),
-          "holds no interface file; these are OPRoS profiles (.xml), .idl, .msg, .srv, .action and"
+          "contains no interface file; supported are OPRoS profiles (.xml), .idl, .msg, .srv, .action and"
               + " .proto");
-      return findings.described();
+      return findings.result();
     }
-    return read(SourceFiles.of(name, files, asked));
+    return read(SourceFiles.of(name, files, requested));
   }
 
-  /** XML is used for much else, so that there the root element decides. */
+  /** XML files are recognized by their root element, since not every XML file is a profile. */
   private static boolean isInterfaceFile(String path, byte[] content) {
     if (!path.endsWith(".xml")) {
-      return mayBe(path);
+      return isSupported(path);
     }
     String head =
         new String(content, 0, Math.min(content.length, HEAD), StandardCharsets.ISO_8859_1);

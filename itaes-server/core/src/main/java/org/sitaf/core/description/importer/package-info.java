@@ -1,4 +1,4 @@
-/** The way in: interface files of every kind that SITAF reads. */
+/** Selects the importer for an interface file. */
 @NullMarked
 package org.sitaf.core.description.importer;
 

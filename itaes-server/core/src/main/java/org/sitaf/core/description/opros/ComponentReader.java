@@ -37,16 +37,16 @@ final class ComponentReader {
     this.references = references;
   }
 
-  /** Where the references of a profile lead. */
+  /** Resolves the references of a profile. */
   interface References {
-    /** The file in which the interface of a port was found; empty where it is missing. */
+    /** Returns the file that defines the interface of a port; empty if it was not found. */
     String service(ServicePort port);
 
-    /** Looks for a file of data types. */
+    /** Checks a reference to a file of data types. */
     void dataTypes(Place place, String reference);
   }
 
-  /** A service port that is well described; what it refers to is for the caller to find. */
+  /** A valid service port whose reference is not resolved yet. */
   record ServicePort(Place place, String name, String type, boolean provided, String reference) {}
 
   /** Describes a component. */
@@ -69,13 +69,13 @@ final class ComponentReader {
 
   private Execution execution(@Nullable ExecutionSemanticsType semantics, Place profile) {
     if (semantics == null) {
-      return new Execution.Unstated("");
+      return new Execution.Unspecified("");
     }
     String type = OprosTypes.text(semantics.getType());
     return switch (type.toLowerCase(Locale.ROOT)) {
       case "passive", "nonperiodic", "non-periodic" -> new Execution.Passive();
       case "periodic" -> periodic(semantics, profile);
-      default -> new Execution.Unstated(type);
+      default -> new Execution.Unspecified(type);
     };
   }
 
@@ -88,13 +88,13 @@ final class ComponentReader {
         return new Execution.Periodic(milliseconds);
       }
     } catch (ArithmeticException | NumberFormatException e) {
-      // Reported below, together with periods that are out of range.
+      // Reported below.
     }
     int line = XmlDocuments.line(period == null ? semantics : period);
     findings.error(
         new Place(profile.file(), line, "execution_semantics/period"),
-        "must be a whole number of milliseconds above 0, not '" + text + "'");
-    return new Execution.Unstated("periodic");
+        "must be a whole number of milliseconds greater than 0, not '" + text + "'");
+    return new Execution.Unspecified("periodic");
   }
 
   private List<Property> properties(ComponentProfileDocument profile, String file) {
@@ -112,11 +112,11 @@ final class ComponentReader {
     Place place = new Place(file, XmlDocuments.line(entry), "property");
     String name = findings.identifier(entry.getName(), place);
     Place named = new Place(file, place.line(), "property " + name);
-    String spelling = entry.getType() == null ? "" : entry.getType();
-    if (spelling.isEmpty()) {
+    String typeText = entry.getType() == null ? "" : entry.getType();
+    if (typeText.isEmpty()) {
       findings.error(named, "has no type");
     }
-    DataType type = types.resolve(spelling, named).type();
+    DataType type = types.resolve(typeText, named).type();
     String value = entry.getValue() == null ? "" : entry.getValue().strip();
     if (hasDefault && !value.isEmpty() && type instanceof DataType.Scalar scalar) {
       boolean fits =
@@ -126,7 +126,7 @@ final class ComponentReader {
                       ? "[+-]?[0-9]{1,20}"
                       : "[+-]?([0-9]{1,40}[.]?[0-9]{0,40}|[.][0-9]{1,40})([eE][+-]?[0-9]{1,4})?");
       if (!fits) {
-        findings.warning(named, "the value '" + value + "' is no " + scalar.spelling());
+        findings.warning(named, "the value '" + value + "' is not a valid " + scalar.typeName());
       }
     }
     return new Property(name, type, hasDefault ? value : null);
@@ -154,7 +154,7 @@ final class ComponentReader {
       LocatedText type = service.getType();
       String typeName = OprosTypes.text(type);
       if (typeName.isEmpty()) {
-        findings.error(place, "has no <type>, the type_name of its interface");
+        findings.error(place, "has no <type>; write the type_name of its interface");
         return new Port.Service(name, "", provided, "");
       }
       LocatedText located =
@@ -181,7 +181,7 @@ final class ComponentReader {
     return new Port.Data(name, types.resolve(type, place).type(), output);
   }
 
-  /** Whether the first of two words stands there. */
+  /** Reads a usage that must be one of two words. Returns whether it is the first. */
   private boolean usage(ComponentPort port, Place place, String first, String second) {
     String usage = OprosTypes.text(port.getUsage()).toLowerCase(Locale.ROOT);
     if (!usage.equals(first) && !usage.equals(second)) {

@@ -16,7 +16,7 @@ import org.sitaf.schemas.DataTypeDocument;
 import org.sitaf.schemas.ServicePortType;
 import org.sitaf.schemas.ServicePortTypeProfile;
 
-/** One file, by what its root element says it is. */
+/** An OPRoS file; its kind is determined by the root element. */
 sealed interface OprosDocument {
   String file();
 
@@ -43,7 +43,7 @@ sealed interface OprosDocument {
   /**
    * Reads a file.
    *
-   * @throws InvalidInputException when it is not XML
+   * @throws InvalidInputException if the file is not well-formed XML
    */
   static OprosDocument read(byte[] content, String file) {
     return read(new ByteArrayInputStream(content), file);
@@ -52,7 +52,7 @@ sealed interface OprosDocument {
   /**
    * Reads a file.
    *
-   * @throws InvalidInputException when it is not XML
+   * @throws InvalidInputException if the file is not well-formed XML
    */
   static OprosDocument read(InputStream content, String file) {
     XMLStreamReader reader = XmlDocuments.open(content, file);
@@ -74,8 +74,8 @@ sealed interface OprosDocument {
   }
 
   /**
-   * Elements that the schema does not know are usual in profiles and passed over; so is what JAXB
-   * says when there are more than ten of them.
+   * Reads the root element. Real profiles often contain elements that the schema does not define;
+   * these are ignored, as is the message of JAXB about more than ten of them.
    */
   private static <T> T element(XMLStreamReader reader, String file, Class<T> type) {
     Diagnostics found = new Diagnostics();
@@ -101,7 +101,7 @@ sealed interface OprosDocument {
       throw new InvalidInputException(
           List.of(
               Diagnostic.error(
-                  file, line, "", "not well-formed XML: something follows the root element")));
+                  file, line, "", "not well-formed XML: content after the root element")));
     }
   }
 }

@@ -16,8 +16,8 @@ import org.sitaf.core.description.source.SourceFiles;
 import org.sitaf.core.diagnostic.InvalidInputException;
 
 /**
- * Reads OPRoS files: component profiles with the interfaces that they refer to, interfaces alone,
- * and data types.
+ * Reads OPRoS files: component profiles with the interfaces that they reference, service port
+ * types, and data types.
  */
 public final class OprosImporter implements Importer {
   private static final Pattern DATA_TYPE = Pattern.compile("<data_type[\\s>]");
@@ -25,7 +25,7 @@ public final class OprosImporter implements Importer {
   private static final int HEAD = 4096;
 
   @Override
-  public boolean takes(String path) {
+  public boolean supports(String path) {
     return path.endsWith(".xml");
   }
 
@@ -34,7 +34,7 @@ public final class OprosImporter implements Importer {
     new Reading(files, findings).read();
   }
 
-  /** One reading; documents are read when something leads to them. */
+  /** The state of one import. Documents are parsed when they are first referenced. */
   private static final class Reading implements ComponentReader.References {
     private final SourceFiles files;
     private final Findings findings;
@@ -53,18 +53,19 @@ public final class OprosImporter implements Importer {
     }
 
     void read() {
-      // Asked files first: where a struct is declared twice, theirs count.
-      files.asked().forEach(this::declareTypes);
+      // Requested files first: their structs take precedence over duplicates.
+      files.requested().forEach(this::declareTypes);
       files.files().keySet().stream()
-          .filter(path -> path.endsWith(".xml") && !files.isAsked(path) && looksLikeDataTypes(path))
+          .filter(
+              path -> path.endsWith(".xml") && !files.isRequested(path) && looksLikeDataTypes(path))
           .forEach(this::declareTypes);
       ComponentReader reader = new ComponentReader(types, findings, this);
-      for (String path : files.asked()) {
+      for (String path : files.requested()) {
         if (document(path).orElse(null) instanceof OprosDocument.Component component) {
           findings.component(reader.describe(component));
         }
       }
-      for (String path : files.asked()) {
+      for (String path : files.requested()) {
         for (InterfaceDescription description : describe(path)) {
           if (!provided.contains(description) && !required.contains(description)) {
             provided.add(description);
@@ -79,7 +80,7 @@ public final class OprosImporter implements Importer {
       }
       provided.forEach(findings::provides);
       required.forEach(findings::requires);
-      types.declaredIn(files::isAsked).forEach(findings::type);
+      types.declaredIn(files::isRequested).forEach(findings::type);
     }
 
     private void declareTypes(String path) {
@@ -90,9 +91,9 @@ public final class OprosImporter implements Importer {
 
     @Override
     public void dataTypes(Place place, String reference) {
-      if (files.referred(place.file(), reference).isEmpty()) {
+      if (files.resolve(place.file(), reference).isEmpty()) {
         findings.warning(
-            place, "refers to '" + reference + "', which is not among the files given");
+            place, "references '" + reference + "', which is not among the given files");
       }
     }
 
@@ -100,14 +101,14 @@ public final class OprosImporter implements Importer {
     public String service(ComponentReader.ServicePort port) {
       boolean named = !port.reference().isEmpty();
       String reference = named ? port.reference() : port.type() + ".xml";
-      Optional<String> file = files.referred(port.place().file(), reference);
+      Optional<String> file = files.resolve(port.place().file(), reference);
       if (file.isEmpty()) {
         findings.error(
             port.place(),
             (named
-                    ? "refers to '" + reference + "', which"
+                    ? "references '" + reference + "', which"
                     : "has no <reference>, and '" + reference + "'")
-                + " is not among the files given; add it, or correct the reference");
+                + " is not among the given files; add it or correct the reference");
         return "";
       }
       List<InterfaceDescription> all = describe(file.get());
@@ -118,9 +119,9 @@ public final class OprosImporter implements Importer {
             port.place(),
             "'"
                 + file.get()
-                + "' holds no service_port_type "
+                + "' does not define service_port_type "
                 + port.type()
-                + "; it holds "
+                + "; it defines "
                 + all.stream().map(InterfaceDescription::name).toList());
         return "";
       }
@@ -153,10 +154,10 @@ public final class OprosImporter implements Importer {
       try {
         return Optional.of(OprosDocument.read(files.content(path), path));
       } catch (InvalidInputException e) {
-        if (files.isAsked(path)) {
+        if (files.isRequested(path)) {
           findings.addAll(e.diagnostics());
         } else {
-          findings.aside(e.diagnostics());
+          findings.warnUnreadable(e.diagnostics());
         }
         return Optional.empty();
       }

@@ -15,7 +15,7 @@ import org.sitaf.schemas.DataItemType;
 import org.sitaf.schemas.DataStructType;
 import org.sitaf.schemas.LocatedText;
 
-/** Types in C++ spelling, and the structs of {@code data_type} files that they may name. */
+/** Resolves C++ type names and the structs of {@code data_type} files. */
 final class OprosTypes {
   private final Findings findings;
   private final DeclaredTypes declared;
@@ -25,7 +25,7 @@ final class OprosTypes {
     this.declared = new DeclaredTypes(findings);
   }
 
-  /** Makes the structs of a file known. Of several of one name, the first counts. */
+  /** Declares the structs of a file. The first of several declarations is used. */
   void declare(OprosDocument.DataTypes document) {
     for (DataStructType struct : document.structs()) {
       Place place = new Place(document.file(), XmlDocuments.line(struct), "struct");
@@ -33,31 +33,32 @@ final class OprosTypes {
       Place named = new Place(place.file(), place.line(), "struct " + name);
       if (!declared.declare(name, named, () -> body(name, struct, named))) {
         String other = declared.place(name).map(Place::file).orElse("");
-        findings.warning(named, "is declared in " + other + " already; that one counts");
+        findings.warning(
+            named, "is already declared in " + other + "; the first declaration is used");
       }
     }
   }
 
-  /** The structs of the files that fit. */
+  /** The structs declared in the matching files. */
   List<DataType> declaredIn(java.util.function.Predicate<String> file) {
     return declared.declaredIn(file);
   }
 
-  /** The type of a spelling; what nothing defines is kept by its name and reported. */
-  TypeGrammar.Spelled resolve(@Nullable LocatedText text, Place owner) {
-    String spelling = text(text);
+  /** Resolves a type name. An undefined type is reported and becomes {@link DataType.Unknown}. */
+  TypeGrammar.ParsedType resolve(@Nullable LocatedText text, Place owner) {
+    String typeText = text(text);
     Place place = text == null ? owner : at(owner, text);
-    if (spelling.isEmpty()) {
+    if (typeText.isEmpty()) {
       findings.error(place, "has no type");
-      return new TypeGrammar.Spelled(new DataType.Unknown(""), false);
+      return new TypeGrammar.ParsedType(new DataType.Unknown(""), false);
     }
-    return resolve(spelling, place);
+    return resolve(typeText, place);
   }
 
-  /** The type of a spelling; what nothing defines is kept by its name and reported. */
-  TypeGrammar.Spelled resolve(String spelling, Place place) {
-    TypeGrammar.Spelled spelled = TypeGrammar.parse(spelling);
-    return new TypeGrammar.Spelled(known(spelled.type(), place), spelled.byReference());
+  /** Resolves a type name. An undefined type is reported and becomes {@link DataType.Unknown}. */
+  TypeGrammar.ParsedType resolve(String typeText, Place place) {
+    TypeGrammar.ParsedType parsed = TypeGrammar.parse(typeText);
+    return new TypeGrammar.ParsedType(known(parsed.type(), place), parsed.byReference());
   }
 
   private DataType known(DataType type, Place place) {
@@ -92,11 +93,11 @@ final class OprosTypes {
       if (!names.add(itemName)) {
         findings.error(at, "two items have this name");
       }
-      String spelling = item.getType() == null ? "" : item.getType();
-      if (spelling.isEmpty()) {
+      String typeText = item.getType() == null ? "" : item.getType();
+      if (typeText.isEmpty()) {
         findings.error(at, "has no type");
       }
-      members.add(new DataType.Member(itemName, resolve(spelling, at).type()));
+      members.add(new DataType.Member(itemName, resolve(typeText, at).type()));
     }
     return new DataType.Struct(name, members);
   }

@@ -28,12 +28,12 @@ final class ServiceReader {
     this.findings = findings;
   }
 
-  /** The interfaces of a file, in its order. */
+  /** The interfaces of a file, in document order. */
   List<InterfaceDescription> describe(OprosDocument.Services document) {
     if (document.interfaces().isEmpty()) {
       findings.error(
           new Place(document.file(), 0, "service_port_type_profile"),
-          "holds no <service_port_type>");
+          "contains no <service_port_type>");
     }
     return document.interfaces().stream().map(i -> describe(i, document.file())).toList();
   }
@@ -61,7 +61,7 @@ final class ServiceReader {
     Place place = new Place(file, line, "method " + name);
     DataType returnType = new DataType.Scalar(ScalarType.VOID);
     if (methodType.getReturnType() == null || methodType.getReturnType().isEmpty()) {
-      findings.error(place, "has no return_type; write void where it returns nothing");
+      findings.error(place, "has no return_type; write void if it returns nothing");
     } else {
       returnType =
           types
@@ -80,33 +80,33 @@ final class ServiceReader {
     Place place = new Place(method.file(), XmlDocuments.line(param), method.element() + "/param");
     Place namePlace = param.getName() == null ? place : OprosTypes.at(place, param.getName());
     String written = OprosTypes.text(param.getName());
-    // Some profiles put the C++ sign of a pointer or reference before the name.
+    // Some profiles write the C++ pointer or reference sign before the name.
     boolean signed = written.startsWith("*") || written.startsWith("&");
     String name = findings.identifier(signed ? written.substring(1).strip() : written, namePlace);
     Place named = new Place(place.file(), place.line(), place.element() + " " + name);
     if (signed) {
       findings.warning(
           new Place(named.file(), namePlace.line(), named.element()),
-          "'" + written.charAt(0) + "' belongs to the type, and is read as part of it");
+          "'" + written.charAt(0) + "' belongs to the type and is read as part of it");
     }
-    TypeGrammar.Spelled spelled = types.resolve(param.getType(), named);
+    TypeGrammar.ParsedType parsed = types.resolve(param.getType(), named);
     return new Parameter(
-        name, spelled.type(), signed || spelled.byReference() ? Direction.INOUT : Direction.IN);
+        name, parsed.type(), signed || parsed.byReference() ? Direction.INOUT : Direction.IN);
   }
 
   private CallType callType(MethodType methodType, Place place) {
-    String spelling = methodType.getCallType() == null ? "blocking" : methodType.getCallType();
-    return switch (spelling) {
+    String callType = methodType.getCallType() == null ? "blocking" : methodType.getCallType();
+    return switch (callType) {
       case "blocking", "" -> CallType.BLOCKING;
       case "nonblocking" -> CallType.NONBLOCKING;
       default -> {
-        findings.error(place, "call_type must be blocking or nonblocking, not '" + spelling + "'");
+        findings.error(place, "call_type must be blocking or nonblocking, not '" + callType + "'");
         yield CallType.BLOCKING;
       }
     };
   }
 
-  /** Parameters without an index follow those with one. */
+  /** Parameters without an index come last. */
   private int index(ParamType param, Place method) {
     if (param.getIndex() == null || param.getIndex().isEmpty()) {
       return Integer.MAX_VALUE;

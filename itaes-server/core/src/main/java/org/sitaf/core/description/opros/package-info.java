@@ -1,4 +1,4 @@
-/** Interfaces and component profiles of the OPRoS platform (paper, Fig. 3). */
+/** Reads interfaces and component profiles of the OPRoS platform (paper, Fig. 3). */
 @NullMarked
 package org.sitaf.core.description.opros;
 

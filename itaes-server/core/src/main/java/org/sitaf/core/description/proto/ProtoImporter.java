@@ -22,13 +22,13 @@ import org.sitaf.core.description.source.SourceFiles;
 import org.sitaf.core.diagnostic.Diagnostics;
 
 /**
- * Reads protobuf services. A remote procedure is a method from a struct {@code request} to a
- * struct; a stream is a sequence, and its method does not keep the caller waiting.
+ * Reads protobuf services. An rpc becomes a method with a struct parameter {@code request} that
+ * returns a struct. A stream becomes a sequence, and a streaming rpc becomes a non-blocking method.
  */
 public final class ProtoImporter implements Importer {
   private static final String EMPTY = "google.protobuf.Empty";
 
-  /** Types that come with protobuf and not with a user's files. */
+  /** The well-known types of protobuf, which are not part of a user's files. */
   private static final String WELL_KNOWN =
       """
       syntax = "proto3";
@@ -50,7 +50,7 @@ public final class ProtoImporter implements Importer {
       """;
 
   @Override
-  public boolean takes(String path) {
+  public boolean supports(String path) {
     return path.endsWith(".proto");
   }
 
@@ -72,27 +72,28 @@ public final class ProtoImporter implements Importer {
     }
 
     void read() {
-      // Asked files first: where a message is declared twice, theirs counts.
-      files.asked().forEach(this::declare);
+      // Requested files first: their messages take precedence over duplicates.
+      files.requested().forEach(this::declare);
       files.files().keySet().stream()
-          .filter(path -> path.endsWith(".proto") && !files.isAsked(path))
+          .filter(path -> path.endsWith(".proto") && !files.isRequested(path))
           .forEach(this::declare);
       ProtoSyntax.parse(WELL_KNOWN, "google/protobuf", new Diagnostics())
           .ifPresent(file -> declareTypes(file, "google/protobuf", false));
       Map<String, Integer> names = new HashMap<>();
-      asked().forEach(f -> f.getServices().forEach(s -> names.merge(s.getName(), 1, Integer::sum)));
-      for (String path : files.asked()) {
+      requested()
+          .forEach(f -> f.getServices().forEach(s -> names.merge(s.getName(), 1, Integer::sum)));
+      for (String path : files.requested()) {
         ProtoFileElement file = parsed.get(path);
         if (file != null) {
           file.getServices()
               .forEach(s -> describe(s, file, path, names.getOrDefault(s.getName(), 1)));
         }
       }
-      types.declaredIn(files::isAsked).forEach(findings::type);
+      types.declaredIn(files::isRequested).forEach(findings::type);
     }
 
-    private List<ProtoFileElement> asked() {
-      return files.asked().stream()
+    private List<ProtoFileElement> requested() {
+      return files.requested().stream()
           .flatMap(path -> Optional.ofNullable(parsed.get(path)).stream())
           .toList();
     }
@@ -100,19 +101,19 @@ public final class ProtoImporter implements Importer {
     private void declare(String path) {
       Diagnostics problems = new Diagnostics();
       Optional<ProtoFileElement> file = ProtoSyntax.parse(files.text(path), path, problems);
-      if (files.isAsked(path)) {
+      if (files.isRequested(path)) {
         findings.addAll(problems.all());
       } else {
-        findings.aside(problems.all());
+        findings.warnUnreadable(problems.all());
       }
       if (file.isPresent()) {
         parsed.put(path, file.get());
-        declareTypes(file.get(), path, files.isAsked(path));
+        declareTypes(file.get(), path, files.isRequested(path));
       }
     }
 
-    private void declareTypes(ProtoFileElement file, String path, boolean asked) {
-      file.getTypes().forEach(type -> types.declare(type, packageName(file), path, asked));
+    private void declareTypes(ProtoFileElement file, String path, boolean requested) {
+      file.getTypes().forEach(type -> types.declare(type, packageName(file), path, requested));
     }
 
     private void describe(
@@ -139,13 +140,13 @@ public final class ProtoImporter implements Importer {
       if (rpc.getRequestStreaming()) {
         parameters =
             List.of(new Parameter("requests", new DataType.Sequence(request), Direction.IN));
-      } else if (!request.spelling().equals(EMPTY)) {
+      } else if (!request.typeName().equals(EMPTY)) {
         parameters = List.of(new Parameter("request", request, Direction.IN));
       }
       DataType returned = response;
       if (rpc.getResponseStreaming()) {
         returned = new DataType.Sequence(response);
-      } else if (response.spelling().equals(EMPTY)) {
+      } else if (response.typeName().equals(EMPTY)) {
         returned = new DataType.Scalar(ScalarType.VOID);
       }
       return new Method(

@@ -8,19 +8,21 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.sitaf.core.diagnostic.Diagnostics;
 
-/** Text of a {@code .proto} file to its elements. */
+/** Parses {@code .proto} files. */
 final class ProtoSyntax {
-  /** Deepest nesting of brackets; the parser calls itself once for each. */
+  /** Maximum nesting of brackets. The parser recurses once per level. */
   private static final int MAX_DEPTH = 40;
 
-  /** The place is given without the file's name, which may hold anything. */
+  /**
+   * A fixed file name for the parser: a real one could contain anything and break {@link #WHERE}.
+   */
   private static final String PLACE = "file.proto";
 
   private static final Pattern WHERE = Pattern.compile(PLACE + ":(\\d{1,8}):\\d+");
 
   private ProtoSyntax() {}
 
-  /** The elements; empty where there is a syntax error, which goes to the diagnostics. */
+  /** Returns the parsed file, or empty after a syntax error, which is added to the diagnostics. */
   static Optional<ProtoFileElement> parse(String text, String file, Diagnostics diagnostics) {
     int deepLine = firstTooDeepLine(text);
     if (deepLine > 0) {
@@ -30,8 +32,8 @@ final class ProtoSyntax {
     try {
       return Optional.of(ProtoParser.Companion.parse(Location.get("", PLACE), text));
     } catch (RuntimeException e) {
-      // Wire reports syntax errors as IllegalStateException, and hostile text by whatever a number
-      // or an index that is out of range throws.
+      // Wire reports syntax errors as IllegalStateException; hostile text can also cause other
+      // exceptions, such as NumberFormatException.
       String message = String.valueOf(e.getMessage());
       Matcher where = WHERE.matcher(message);
       int line = where.find() ? Integer.parseInt(where.group(1)) : 0;
@@ -50,8 +52,8 @@ final class ProtoSyntax {
   }
 
   /**
-   * The first line that nests too deep; 0 where none does. Brackets in comments and text count
-   * nothing.
+   * The first line with too deep nesting; 0 if there is none. Brackets in comments and strings are
+   * ignored.
    */
   private static int firstTooDeepLine(String text) {
     int depth = 0;
@@ -69,7 +71,7 @@ final class ProtoSyntax {
           }
         }
         default -> {
-          // Everything else nests nothing.
+          // Other characters do not change the nesting.
         }
       }
       if (depth > MAX_DEPTH) {
@@ -79,7 +81,7 @@ final class ProtoSyntax {
     return 0;
   }
 
-  /** Index of the closing quote; text does not go on after its line. */
+  /** Index of the closing quote. A string ends at the end of its line. */
   private static int endOfText(String text, int quote) {
     int i = quote + 1;
     while (i < text.length() && text.charAt(i) != text.charAt(quote) && text.charAt(i) != '\n') {
@@ -88,7 +90,7 @@ final class ProtoSyntax {
     return i < text.length() && text.charAt(i) == '\n' ? i - 1 : i;
   }
 
-  /** Index of the last character of a comment; that of the slash where none begins there. */
+  /** Index of the last character of a comment, or of the slash if no comment begins there. */
   private static int endOfComment(String text, int slash) {
     if (text.startsWith("//", slash)) {
       int end = text.indexOf('\n', slash);

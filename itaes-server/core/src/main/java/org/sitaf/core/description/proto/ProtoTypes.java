@@ -25,9 +25,8 @@ import org.sitaf.core.description.source.Findings;
 import org.sitaf.core.description.source.Place;
 
 /**
- * Types of protobuf, by their full name. A message is a struct; the members of a {@code oneof}
- * stand among the others, at most one of them set; a map is a sequence of structs of key and value,
- * as on the wire.
+ * Protobuf types by full name. A message becomes a struct, which includes the members of each
+ * {@code oneof}. A map becomes a sequence of structs with key and value, as on the wire.
  */
 final class ProtoTypes {
   private static final Pattern MAP =
@@ -59,12 +58,12 @@ final class ProtoTypes {
   }
 
   /**
-   * Makes a message or enumeration known, and those within it.
+   * Declares a message or enumeration, including nested ones.
    *
-   * @param scope full name of the package or message around it, empty for none
-   * @param asked whether it is an error when the name is taken; otherwise the first counts
+   * @param scope full name of the enclosing package or message; may be empty
+   * @param requested whether a duplicate is an error; otherwise the first declaration is used
    */
-  void declare(TypeElement type, String scope, String file, boolean asked) {
+  void declare(TypeElement type, String scope, String file, boolean requested) {
     String kind = type instanceof EnumElement ? "enum " : "message ";
     Place place = place(file, type.getLocation(), kind + type.getName());
     String full = inside(scope, findings.identifier(type.getName(), place));
@@ -72,19 +71,19 @@ final class ProtoTypes {
         type instanceof EnumElement enumeration
             ? declared.declare(full, place, () -> enumeration(enumeration, full))
             : declared.declare(full, place, () -> message((MessageElement) type, full, file));
-    if (!isFirst && asked) {
+    if (!isFirst && requested) {
       Place first = declared.place(full).orElse(place);
-      findings.error(place, "is declared already in " + first.file() + ", line " + first.line());
+      findings.error(place, "is already declared in " + first.file() + ", line " + first.line());
     }
-    type.getNestedTypes().forEach(nested -> declare(nested, full, file, asked));
+    type.getNestedTypes().forEach(nested -> declare(nested, full, file, requested));
   }
 
-  /** The structs and enumerations of the files that fit. */
+  /** The structs and enumerations declared in the matching files. */
   List<DataType> declaredIn(Predicate<String> file) {
     return declared.declaredIn(file);
   }
 
-  /** The type of a name; what nothing defines is kept by its name and reported. */
+  /** Resolves a type name. An undefined type is reported and becomes {@link DataType.Unknown}. */
   DataType resolve(String name, String scope, Place place) {
     ScalarType scalar = SCALARS.get(name);
     if (scalar != null) {
@@ -109,7 +108,7 @@ final class ProtoTypes {
     return new Place(file, Math.max(0, location.getLine()), element);
   }
 
-  /** Looks from the innermost scope outwards, as protoc does. */
+  /** Searches from the innermost scope outwards, as protoc does. */
   private Optional<String> find(String name, String scope) {
     if (name.startsWith(".")) {
       return Optional.of(name.substring(1)).filter(declared::contains);
@@ -137,7 +136,7 @@ final class ProtoTypes {
   private DataType message(MessageElement message, String full, String file) {
     List<FieldElement> fields = new ArrayList<>(message.getFields());
     message.getOneOfs().forEach(oneOf -> fields.addAll(oneOf.getFields()));
-    // Where it stands in the file, so that the members of a oneof do not come last.
+    // In file order, so the members of a oneof do not come last.
     fields.sort(
         Comparator.comparingInt((FieldElement f) -> f.getLocation().getLine())
             .thenComparingInt(f -> f.getLocation().getColumn()));
@@ -154,7 +153,7 @@ final class ProtoTypes {
     for (GroupElement group : message.getGroups()) {
       findings.warning(
           place(file, group.getLocation(), "message " + full + "/" + group.getName()),
-          "is a group, left out");
+          "groups are not supported, ignored");
     }
     return new DataType.Struct(full, members);
   }
@@ -173,7 +172,10 @@ final class ProtoTypes {
     return field.getLabel() == Field.Label.REPEATED ? new DataType.Sequence(type) : type;
   }
 
-  /** As protoc calls the message of a map's entries: {@code joint_limits}, JointLimitsEntry. */
+  /**
+   * The name that protoc gives to the entry message of a map: {@code joint_limits} becomes {@code
+   * JointLimitsEntry}.
+   */
   private static String entryName(String field) {
     StringBuilder name = new StringBuilder();
     for (String word : field.split("_", -1)) {

@@ -1,4 +1,4 @@
-/** Services of protobuf. */
+/** Reads protobuf services. */
 @NullMarked
 package org.sitaf.core.description.proto;
 

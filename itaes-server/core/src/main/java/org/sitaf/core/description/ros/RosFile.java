@@ -10,8 +10,8 @@ import org.sitaf.core.description.source.Findings;
 import org.sitaf.core.description.source.Place;
 
 /**
- * A {@code .msg}, {@code .srv} or {@code .action} file: the fields of its one, two or three
- * sections. Constants are checked and left out, since no message carries them.
+ * A {@code .msg}, {@code .srv} or {@code .action} file with its one, two or three sections of
+ * fields. Constants are checked but not kept, since they are not part of a message.
  */
 record RosFile(RosName name, String path, List<List<Field>> sections) {
   private static final Pattern CONSTANT = Pattern.compile("([A-Za-z]\\w*)\\s*=\\s*(.*)");
@@ -25,11 +25,11 @@ record RosFile(RosName name, String path, List<List<Field>> sections) {
   /**
    * A field.
    *
-   * @param type as it is spelt, such as {@code geometry_msgs/Pose[<=5]}
+   * @param type as written, such as {@code geometry_msgs/Pose[<=5]}
    */
   record Field(String type, String name, int line) {}
 
-  /** Reads a file; what is wrong with it goes to the findings. */
+  /** Reads a file. Problems are added to the findings. */
   static RosFile read(String text, String path, RosName name, Findings findings) {
     List<List<Field>> sections = new ArrayList<>();
     List<Field> section = new ArrayList<>();
@@ -79,7 +79,7 @@ record RosFile(RosName name, String path, List<List<Field>> sections) {
     String[] parts = content.split("\\s+", 2);
     String rest = parts.length < 2 ? "" : parts[1].strip();
     if (rest.isEmpty()) {
-      findings.error(place, "a line holds a type and a name, such as 'float64 x'");
+      findings.error(place, "a line must contain a type and a name, such as 'float64 x'");
       return null;
     }
     Matcher constant = CONSTANT.matcher(rest);
@@ -90,7 +90,7 @@ record RosFile(RosName name, String path, List<List<Field>> sections) {
             isConstant ? constant.group(1) : named.matches() ? named.group(1) : rest, place);
     Place at = new Place(place.file(), place.line(), (isConstant ? "constant " : "field ") + name);
     if (!names.add(name)) {
-      findings.error(at, "stands here twice");
+      findings.error(at, "is defined twice");
       return null;
     }
     if (!isConstant) {
@@ -102,7 +102,7 @@ record RosFile(RosName name, String path, List<List<Field>> sections) {
     return null;
   }
 
-  /** Text in quotes may hold the sign that begins a comment. */
+  /** A '#' in quotes does not begin a comment. */
   private static String withoutComment(String line) {
     char quote = 0;
     for (int i = 0; i < line.length(); i++) {

@@ -25,16 +25,16 @@ import org.sitaf.core.description.source.Place;
 import org.sitaf.core.description.source.SourceFiles;
 
 /**
- * Reads interface files of ROS 2. A package is an interface; each of its services and actions is a
- * method, whose parameters are the fields of the request or goal. A response or result of one field
- * is what the method returns; its fields are out-parameters where there are several. The feedback
- * of an action is an out-parameter too, with one element for each message.
+ * Reads interface files of ROS 2. A package becomes an interface; each service and action becomes a
+ * method whose parameters are the fields of the request or goal. A response or result with a single
+ * field becomes the return value; several fields become out-parameters. The feedback of an action
+ * is an out-parameter with one element per message.
  */
 public final class RosImporter implements Importer {
   private static final Pattern PACKAGE_NAME = Pattern.compile("<name>\\s*([^<>\\s]+)\\s*</name>");
 
   @Override
-  public boolean takes(String path) {
+  public boolean supports(String path) {
     return Kind.of(path).isPresent();
   }
 
@@ -56,27 +56,27 @@ public final class RosImporter implements Importer {
     }
 
     void read() {
-      List<RosFile> asked = new ArrayList<>();
-      for (String path : files.asked()) {
+      List<RosFile> requested = new ArrayList<>();
+      for (String path : files.requested()) {
         RosFile file = RosFile.read(files.text(path), path, name(path), findings);
-        asked.add(file);
+        requested.add(file);
         declareMessage(file);
       }
       for (String path : files.files().keySet()) {
-        if (!files.isAsked(path) && Kind.of(path).orElse(Kind.SRV) == Kind.MSG) {
-          Findings aside = new Findings();
-          declareMessage(RosFile.read(files.text(path), path, name(path), aside));
-          findings.aside(aside.described().diagnostics());
+        if (!files.isRequested(path) && Kind.of(path).orElse(Kind.SRV) == Kind.MSG) {
+          Findings ignored = new Findings();
+          declareMessage(RosFile.read(files.text(path), path, name(path), ignored));
+          findings.warnUnreadable(ignored.result().diagnostics());
         }
       }
       Map<String, List<RosFile>> packages = new TreeMap<>();
-      for (RosFile file : asked) {
+      for (RosFile file : requested) {
         if (file.name().kind() != Kind.MSG) {
           packages.computeIfAbsent(interfaceName(file), p -> new ArrayList<>()).add(file);
         }
       }
       packages.forEach(this::describe);
-      types.declaredIn(files::isAsked).forEach(findings::type);
+      types.declaredIn(files::isRequested).forEach(findings::type);
     }
 
     private void declareMessage(RosFile file) {
@@ -127,7 +127,7 @@ public final class RosImporter implements Importer {
           name, types.resolve(field, file), isResult ? Direction.OUT : Direction.IN);
     }
 
-    /** Request and response may both have a field of a name; a method may not. */
+    /** Request and response may have fields of the same name; parameters must be unique. */
     private static String free(String name, String prefix, Set<String> taken) {
       String free = name;
       while (!taken.add(free)) {
@@ -136,7 +136,7 @@ public final class RosImporter implements Importer {
       return free;
     }
 
-    /** The package's name; a file without a package is an interface of its own. */
+    /** The package name. A file without a package becomes its own interface. */
     private static String interfaceName(RosFile file) {
       return file.name().packageName().isEmpty() ? file.name().name() : file.name().packageName();
     }
@@ -157,7 +157,7 @@ public final class RosImporter implements Importer {
       return new RosName(declaredName(parent).orElse(identifier(packageName)), kind, name);
     }
 
-    /** The name in the {@code package.xml} of a folder. */
+    /** The package name in the {@code package.xml} of a folder. */
     private Optional<String> declaredName(String folder) {
       return packageNames.computeIfAbsent(
           folder,

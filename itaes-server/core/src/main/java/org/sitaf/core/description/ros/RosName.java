@@ -5,10 +5,10 @@ import java.util.Objects;
 import java.util.Optional;
 
 /**
- * What a file of ROS 2 is called there.
+ * The name of a ROS 2 interface file.
  *
- * @param packageName empty where nothing says so
- * @param name of the message, service or action
+ * @param packageName empty if unknown
+ * @param name name of the message, service or action
  */
 record RosName(String packageName, Kind kind, String name) {
   RosName {
@@ -17,7 +17,7 @@ record RosName(String packageName, Kind kind, String name) {
     Objects.requireNonNull(name);
   }
 
-  /** Kinds of files; the folder of each is called as its ending. */
+  /** The kind of a file. Folder and file extension have the same name. */
   enum Kind {
     MSG("msg", 1),
     SRV("srv", 2),
@@ -44,12 +44,12 @@ record RosName(String packageName, Kind kind, String name) {
     }
   }
 
-  /** {@code geometry_msgs/Pose}; only {@code Pose} where the package is unknown. */
+  /** {@code geometry_msgs/Pose}, or only {@code Pose} if the package is unknown. */
   String qualified() {
     return packageName.isEmpty() ? name : packageName + "/" + name;
   }
 
-  /** A type that belongs to this one, such as {@code turtlesim/Spawn_Response}. */
+  /** The name of a derived type, such as {@code turtlesim/Spawn_Response}. */
   String qualified(String suffix) {
     return qualified() + "_" + suffix;
   }

@@ -11,9 +11,9 @@ import org.sitaf.core.description.source.DeclaredTypes;
 import org.sitaf.core.description.source.Findings;
 import org.sitaf.core.description.source.Place;
 
-/** Types of ROS 2. A message is a struct named {@code package/Message}. */
+/** Types of ROS 2. A message becomes a struct named {@code package/Message}. */
 final class RosTypes {
-  private static final Pattern SPELLING =
+  private static final Pattern TYPE =
       Pattern.compile("([A-Za-z][\\w/]{0,300})(?:<=([0-9]{1,9}))?(\\[(?:(<=)?([0-9]{1,9}))?\\])?");
 
   private static final int MAX_LENGTH = 1_000_000;
@@ -22,7 +22,7 @@ final class RosTypes {
       Map.ofEntries(
           Map.entry("bool", ScalarType.BOOLEAN),
           Map.entry("byte", ScalarType.UINT8),
-          // As rosidl maps it: a number without a sign.
+          // As in rosidl: an unsigned number.
           Map.entry("char", ScalarType.UINT8),
           Map.entry("float32", ScalarType.FLOAT),
           Map.entry("float64", ScalarType.DOUBLE),
@@ -45,7 +45,7 @@ final class RosTypes {
     this.declared = new DeclaredTypes(findings);
   }
 
-  /** Makes a message known. Of several of one name, the first counts. */
+  /** Declares a message. The first of several declarations is used. */
   void declare(RosFile message) {
     Place place = new Place(message.path(), 1, message.name().name());
     declared.declare(
@@ -54,22 +54,25 @@ final class RosTypes {
         () -> struct(message.name().qualified(), message.sections().get(0), message));
   }
 
-  /** A struct of fields. */
+  /** Creates a struct from fields. */
   DataType.Struct struct(String name, List<RosFile.Field> fields, RosFile file) {
     return new DataType.Struct(
         name, fields.stream().map(f -> new DataType.Member(f.name(), resolve(f, file))).toList());
   }
 
-  /** The structs of the files that fit. */
+  /** The structs declared in the matching files. */
   List<DataType> declaredIn(Predicate<String> file) {
     return declared.declaredIn(file);
   }
 
-  /** The type of a field; what nothing defines is kept by its name and reported. */
+  /**
+   * Resolves the type of a field. An undefined type is reported and becomes {@link
+   * DataType.Unknown}.
+   */
   DataType resolve(RosFile.Field field, RosFile file) {
     Place place = new Place(file.path(), field.line(), "field " + field.name());
-    Matcher spelling = SPELLING.matcher(field.type());
-    if (!spelling.matches()) {
+    Matcher match = TYPE.matcher(field.type());
+    if (!match.matches()) {
       findings.error(
           place,
           "'"
@@ -78,15 +81,15 @@ final class RosTypes {
               + " geometry_msgs/Pose[<=5]");
       return new DataType.Unknown(field.type());
     }
-    DataType element = element(spelling.group(1), spelling.group(2), file, place);
-    if (spelling.group(3) == null) {
+    DataType element = element(match.group(1), match.group(2), file, place);
+    if (match.group(3) == null) {
       return element;
     }
-    if (spelling.group(5) == null) {
+    if (match.group(5) == null) {
       return new DataType.Sequence(element);
     }
-    int length = length(spelling.group(5), place);
-    return spelling.group(4) == null
+    int length = length(match.group(5), place);
+    return match.group(4) == null
         ? new DataType.FixedArray(element, length)
         : new DataType.Sequence(element, length);
   }
@@ -95,7 +98,7 @@ final class RosTypes {
       String name, @org.jspecify.annotations.Nullable String bound, RosFile file, Place place) {
     ScalarType scalar = SCALARS.get(name);
     if (bound != null && scalar != ScalarType.STRING) {
-      findings.error(place, "only a string has a bound like '<=" + bound + "'");
+      findings.error(place, "only a string can have a bound such as '<=" + bound + "'");
     }
     if (scalar != null) {
       return scalar == ScalarType.STRING && bound != null
@@ -116,7 +119,7 @@ final class RosTypes {
   private int length(String digits, Place place) {
     int length = Integer.parseInt(digits);
     if (length < 1 || length > MAX_LENGTH) {
-      findings.error(place, "a length or bound is 1 to " + MAX_LENGTH + ", not " + digits);
+      findings.error(place, "a length or bound must be 1 to " + MAX_LENGTH + ", not " + digits);
       return 1;
     }
     return length;

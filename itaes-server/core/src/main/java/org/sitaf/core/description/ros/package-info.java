@@ -1,4 +1,4 @@
-/** Messages, services and actions of ROS 2. */
+/** Reads messages, services and actions of ROS 2. */
 @NullMarked
 package org.sitaf.core.description.ros;
 

@@ -7,10 +7,10 @@ import org.jspecify.annotations.Nullable;
 import org.sitaf.core.description.DataType;
 
 /**
- * A component as its profile describes it.
+ * A component profile.
  *
- * @param version empty where the profile has none
- * @param source name of the document it was read from
+ * @param version empty if the profile has none
+ * @param source name of the document
  */
 public record ComponentDescription(
     String name,
@@ -32,34 +32,34 @@ public record ComponentDescription(
 
   /** How a component is executed. */
   public sealed interface Execution {
-    /** It only answers calls. */
+    /** The component only answers calls. */
     record Passive() implements Execution {}
 
     /**
-     * It is executed again and again.
+     * The component is executed periodically.
      *
-     * @param period in milliseconds, above 0
+     * @param period in milliseconds, greater than 0
      */
     record Periodic(long period) implements Execution {
       public Periodic {
         if (period <= 0) {
-          throw new IllegalArgumentException("a period is above 0 ms: " + period);
+          throw new IllegalArgumentException("a period must be greater than 0 ms: " + period);
         }
       }
     }
 
-    /** The profile does not say, or says something else. */
-    record Unstated(String spelling) implements Execution {
-      public Unstated {
-        Objects.requireNonNull(spelling);
+    /** The profile states no execution type or an unknown one. */
+    record Unspecified(String text) implements Execution {
+      public Unspecified {
+        Objects.requireNonNull(text);
       }
     }
   }
 
   /**
-   * A setting of the component.
+   * A property of the component.
    *
-   * @param value its default, as text; null where there is none
+   * @param value default value as text; null if there is none
    */
   public record Property(String name, DataType type, @Nullable String value) {
     public Property {
@@ -67,23 +67,23 @@ public record ComponentDescription(
       Objects.requireNonNull(type);
     }
 
-    /** Its default, as text. */
+    /** The default value as text. */
     public Optional<String> defaultValue() {
       return Optional.ofNullable(value);
     }
   }
 
-  /** Where a component is connected to others. */
+  /** A port that connects a component to others. */
   public sealed interface Port {
-    /** Its name. */
+    /** The name of the port. */
     String name();
 
     /**
-     * An interface.
+     * A service port.
      *
-     * @param interfaceName its {@code type_name}
-     * @param provided whether the component offers it; otherwise it calls it
-     * @param file where the interface was found; empty where it is missing
+     * @param interfaceName {@code type_name} of the interface
+     * @param provided whether the component provides the interface; otherwise it requires it
+     * @param file file that defines the interface; empty if it was not found
      */
     record Service(String name, String interfaceName, boolean provided, String file)
         implements Port {
@@ -95,7 +95,7 @@ public record ComponentDescription(
     }
 
     /**
-     * A stream of values.
+     * A data port.
      *
      * @param output whether the component sends; otherwise it receives
      */
@@ -107,7 +107,7 @@ public record ComponentDescription(
     }
 
     /**
-     * Single events.
+     * An event port.
      *
      * @param output whether the component sends; otherwise it receives
      */

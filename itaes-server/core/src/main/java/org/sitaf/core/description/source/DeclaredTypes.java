@@ -13,16 +13,16 @@ import org.jspecify.annotations.Nullable;
 import org.sitaf.core.description.DataType;
 
 /**
- * The named types of all files, resolved when they are first asked for, in whatever order they are
- * declared. A struct holds its members' types, so that a type within itself has no end, and a few
- * lines can describe one with more members than fit into memory: both are kept by name instead and
- * reported.
+ * The named types of all files. Types are resolved on first use, so the order of declarations does
+ * not matter. Recursive types and types that are too large are reported and become {@link
+ * DataType.Unknown}: a struct contains the types of its members, so a recursive type would be
+ * infinite, and a few lines of nested arrays can describe a type that does not fit into memory.
  */
 public final class DeclaredTypes {
-  /** Greatest nesting of a type. */
+  /** Maximum nesting depth of a type. */
   public static final int MAX_DEPTH = 64;
 
-  /** Greatest number of parts that a type may have, all levels together. */
+  /** Maximum number of parts of a type, on all levels together. */
   public static final int MAX_PARTS = 20_000;
 
   private final Findings findings;
@@ -35,19 +35,19 @@ public final class DeclaredTypes {
   }
 
   /**
-   * Declares a type. Its body is built when it is first asked for.
+   * Declares a type. The body is built on first use.
    *
-   * @param name with all its scopes
-   * @return whether the name was free; the first declaration stays
+   * @param name qualified name
+   * @return false if the name is already declared; the first declaration is kept
    */
   public boolean declare(String name, Place place, Supplier<DataType> body) {
     return declarations.putIfAbsent(name, new Declaration(place, body, "")) == null;
   }
 
   /**
-   * Declares a type that no {@link DataType} can express.
+   * Declares a type that cannot be represented as a {@link DataType}.
    *
-   * @param reason such as {@code a union}
+   * @param reason why, such as {@code a union}
    */
   public boolean declareOpaque(String name, Place place, String reason) {
     return declarations.putIfAbsent(
@@ -55,23 +55,23 @@ public final class DeclaredTypes {
         == null;
   }
 
-  /** Whether a type of this name is declared. */
+  /** Whether a type is declared. */
   public boolean contains(String name) {
     return declarations.containsKey(name);
   }
 
-  /** Where a type is declared. */
+  /** The place of a declaration. */
   public Optional<Place> place(String name) {
     return Optional.ofNullable(declarations.get(name)).map(d -> d.place);
   }
 
-  /** Why a declared type is unknown all the same; empty where nothing is known of it. */
+  /** Why a declared type cannot be represented; empty if there is no known reason. */
   public String reason(String name) {
     Declaration declaration = declarations.get(name);
     return declaration == null ? "" : declaration.reason;
   }
 
-  /** The type of a name; {@link DataType.Unknown} where it cannot be expressed. */
+  /** Resolves a name. The result is {@link DataType.Unknown} if the type cannot be represented. */
   public Optional<DataType> find(String name) {
     Declaration declaration = declarations.get(name);
     if (declaration == null) {
@@ -101,7 +101,7 @@ public final class DeclaredTypes {
     return Optional.of(type);
   }
 
-  /** All types whose declaration stands in a file that fits, in the order of declaration. */
+  /** The structs and enumerations declared in the matching files, in the order of declaration. */
   public List<DataType> declaredIn(java.util.function.Predicate<String> file) {
     List<DataType> types = new ArrayList<>();
     for (String name : List.copyOf(declarations.keySet())) {
@@ -109,7 +109,7 @@ public final class DeclaredTypes {
       if (file.test(place.file())) {
         find(name)
             .filter(t -> t instanceof DataType.Struct || t instanceof DataType.Enumeration)
-            .filter(t -> t.spelling().equals(name))
+            .filter(t -> t.typeName().equals(name))
             .ifPresent(types::add);
       }
     }
@@ -133,7 +133,7 @@ public final class DeclaredTypes {
     return unknown;
   }
 
-  /** Each distinct type is measured once, however often it occurs. */
+  /** Measures each distinct type only once. */
   private Extent extent(DataType type, int level) {
     if (level > MAX_DEPTH) {
       return new Extent(MAX_DEPTH + 1, 1);

@@ -13,7 +13,7 @@ import org.sitaf.core.diagnostic.Diagnostic;
 import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.diagnostic.Severity;
 
-/** Collects what the importers find. */
+/** Collects the results of the importers. */
 public final class Findings {
   private static final Pattern IDENTIFIER = Pattern.compile("[A-Za-z_][A-Za-z0-9_]{0,199}");
 
@@ -28,41 +28,41 @@ public final class Findings {
     components.add(component);
   }
 
-  /** Adds an interface that is offered. */
+  /** Adds a provided interface. */
   public void provides(InterfaceDescription description) {
     provided.add(description);
   }
 
-  /** Adds an interface that is called. */
+  /** Adds a required interface. */
   public void requires(InterfaceDescription description) {
     required.add(description);
   }
 
-  /** Adds a struct or an enumeration that the files declare. */
+  /** Adds a declared struct or enumeration. */
   public void type(DataType type) {
     types.add(type);
   }
 
-  /** Reports what makes an input unusable. */
+  /** Reports an error. */
   public void error(Place place, String message) {
     diagnostics.error(place.file(), place.line(), place.element(), message);
   }
 
-  /** Reports what was left out or is probably a mistake. */
+  /** Reports a warning. */
   public void warning(Place place, String message) {
     diagnostics.warning(place.file(), place.line(), place.element(), message);
   }
 
-  /** Reports what another reading collected. */
+  /** Adds diagnostics that were collected elsewhere. */
   public void addAll(List<Diagnostic> others) {
     diagnostics.addAll(others);
   }
 
   /**
-   * Reports what is wrong with a file that was not asked for: there it is no error, but explains
-   * why its types are unknown.
+   * Reports that a file that was not requested could not be read. This is only a warning, which
+   * explains why types of this file are unknown.
    */
-  public void aside(List<Diagnostic> others) {
+  public void warnUnreadable(List<Diagnostic> others) {
     others.stream()
         .filter(d -> d.severity() == Severity.ERROR)
         .limit(1)
@@ -72,13 +72,13 @@ public final class Findings {
                     d.file(),
                     d.line(),
                     d.element(),
-                    "not read, so that its types are unknown: " + d.message()));
+                    "could not be read, its types are unknown: " + d.message()));
   }
 
   /**
-   * Checks a name, which may reach generated source code.
+   * Checks that a name is an identifier, because it may be used in generated source code.
    *
-   * @return the name, or {@code unnamed} where it is none, which is reported
+   * @return the name, or {@code unnamed} after reporting an invalid name
    */
   public String identifier(@org.jspecify.annotations.Nullable String name, Place place) {
     if (name == null || !IDENTIFIER.matcher(name).matches()) {
@@ -86,19 +86,19 @@ public final class Findings {
       error(
           place,
           (shown == null ? "has no name" : "'" + shown + "' is not a name")
-              + "; letters, digits and '_', not beginning with a digit, at most 200");
+              + "; use letters, digits and '_', not beginning with a digit, at most 200 characters");
       return "unnamed";
     }
     return name;
   }
 
-  /** Checks that no two methods of an interface, and no two parameters of one, are the same. */
+  /** Checks that prototypes and parameter names are unique. */
   public void checkDistinct(InterfaceDescription description) {
     Set<String> prototypes = new HashSet<>();
     for (Method method : description.methods()) {
       Place place = new Place(description.source(), method.line(), "method " + method.name());
       if (!prototypes.add(method.name() + "(" + method.signature() + ")")) {
-        error(place, "stands here twice with the same parameter types; remove one");
+        error(place, "is declared twice with the same parameter types; remove one");
       }
       Set<String> names = new HashSet<>();
       for (Parameter parameter : method.parameters()) {
@@ -111,16 +111,17 @@ public final class Findings {
     }
   }
 
-  /** Says of a type that nothing defines where it is used. */
+  /** Reports the use of an undefined type. */
   public void unknownType(Place place, String name, String reason) {
     warning(
         place,
-        (reason.isEmpty() ? "unknown type '" + name + "'" : "type '" + name + "' is " + reason)
-            + ", kept by its name");
+        reason.isEmpty()
+            ? "unknown type '" + name + "'"
+            : "type '" + name + "' is not supported: " + reason);
   }
 
   /** What was found until now. */
-  public Described described() {
-    return new Described(components, provided, required, types, diagnostics.all());
+  public ImportResult result() {
+    return new ImportResult(components, provided, required, types, diagnostics.all());
   }
 }

@@ -1,14 +1,14 @@
 package org.sitaf.core.description.source;
 
-/** Reads one kind of interface files. */
+/** Reads one format of interface files. */
 public interface Importer {
-  /** Whether a file of this path is of the kind, by its name. */
-  boolean takes(String path);
+  /** Whether the name of a file has this format. */
+  boolean supports(String path);
 
   /**
-   * Reads files of the kind. Whatever is wrong with them becomes a diagnostic; nothing is thrown.
+   * Reads files of this format. Problems become diagnostics; no exception is thrown.
    *
-   * @param files of which it is asked for such that it takes
+   * @param files files of which only supported ones are requested
    */
   void read(SourceFiles files, Findings findings);
 }

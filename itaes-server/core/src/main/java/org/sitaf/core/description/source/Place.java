@@ -3,10 +3,10 @@ package org.sitaf.core.description.source;
 import java.util.Objects;
 
 /**
- * Where something stands.
+ * A place in a file.
  *
- * @param line from 1; 0 where it is unknown
- * @param element such as {@code method Get/param index}
+ * @param line from 1; 0 if unknown
+ * @param element the element at this place, such as {@code method Get/param index}
  */
 public record Place(String file, int line, String element) {
   public Place {

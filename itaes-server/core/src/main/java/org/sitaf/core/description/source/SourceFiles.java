@@ -12,48 +12,48 @@ import java.util.TreeSet;
 import java.util.function.Predicate;
 
 /**
- * Files from which interfaces are read: those that were asked for, and others beside them, where
- * references and types may lead.
+ * The input of the importers: the requested files, and other files that resolve references and
+ * types.
  *
- * @param name of the whole, such as its folder; where a package has no other name
+ * @param name name of the folder or archive; used as package name if there is no other
  * @param files content by relative path with '/' separators
- * @param asked paths of the files whose interfaces are wanted
+ * @param requested paths of the files whose interfaces are imported
  */
 public record SourceFiles(
-    String name, NavigableMap<String, byte[]> files, SortedSet<String> asked) {
+    String name, NavigableMap<String, byte[]> files, SortedSet<String> requested) {
   public SourceFiles {
     Objects.requireNonNull(name);
     files = new TreeMap<>(files);
-    asked = new TreeSet<>(asked);
-    if (!files.keySet().containsAll(asked)) {
-      throw new IllegalArgumentException("asked for a file that is not there: " + asked);
+    requested = new TreeSet<>(requested);
+    if (!files.keySet().containsAll(requested)) {
+      throw new IllegalArgumentException("a requested file does not exist: " + requested);
     }
   }
 
-  /** Files of which only some are asked for. */
-  public static SourceFiles of(String name, Map<String, byte[]> files, List<String> asked) {
-    return new SourceFiles(name, new TreeMap<>(files), new TreeSet<>(asked));
+  /** Creates the input from all files and the requested ones. */
+  public static SourceFiles of(String name, Map<String, byte[]> files, List<String> requested) {
+    return new SourceFiles(name, new TreeMap<>(files), new TreeSet<>(requested));
   }
 
-  /** The same files, of which only those are asked for whose path fits. */
-  public SourceFiles asking(Predicate<String> fits) {
-    SortedSet<String> some = new TreeSet<>(asked);
+  /** The same files, with the request restricted to matching paths. */
+  public SourceFiles requesting(Predicate<String> fits) {
+    SortedSet<String> some = new TreeSet<>(requested);
     some.removeIf(fits.negate());
     return new SourceFiles(name, files, some);
   }
 
-  /** The other files. */
+  /** All files except those with matching paths. */
   public SourceFiles without(Predicate<String> unwanted) {
     NavigableMap<String, byte[]> rest = new TreeMap<>(files);
     rest.keySet().removeIf(unwanted);
-    SortedSet<String> restAsked = new TreeSet<>(asked);
-    restAsked.removeIf(unwanted);
-    return new SourceFiles(name, rest, restAsked);
+    SortedSet<String> restRequested = new TreeSet<>(requested);
+    restRequested.removeIf(unwanted);
+    return new SourceFiles(name, rest, restRequested);
   }
 
-  /** Whether this file's interfaces are wanted; otherwise it only helps to understand others. */
-  public boolean isAsked(String path) {
-    return asked.contains(path);
+  /** Whether the interfaces of a file are imported; otherwise the file only resolves references. */
+  public boolean isRequested(String path) {
+    return requested.contains(path);
   }
 
   /** Content of a file. */
@@ -61,21 +61,21 @@ public record SourceFiles(
     return Objects.requireNonNull(files.get(path), path);
   }
 
-  /** A file as text in UTF-8, a byte order mark left out. */
+  /** The content of a file, decoded as UTF-8 without byte order mark. */
   public String text(String path) {
     String text = new String(content(path), StandardCharsets.UTF_8);
     return text.startsWith("\uFEFF") ? text.substring(1) : text;
   }
 
   /**
-   * The file that a reference in another file means: relative to that file, else the only one of
-   * that name.
+   * Resolves a reference: a path relative to the referencing file, or else the only file with that
+   * name.
    */
-  public Optional<String> referred(String from, String reference) {
+  public Optional<String> resolve(String from, String reference) {
     String plain = reference.strip().replace('\\', '/').replaceFirst("^(\\./)+", "");
-    String beside = from.substring(0, from.lastIndexOf('/') + 1) + plain;
-    if (files.containsKey(beside)) {
-      return Optional.of(beside);
+    String relative = from.substring(0, from.lastIndexOf('/') + 1) + plain;
+    if (files.containsKey(relative)) {
+      return Optional.of(relative);
     }
     String last = plain.substring(plain.lastIndexOf('/') + 1);
     List<String> named =

@@ -1,6 +1,4 @@
-/**
- * What the importers of interface files share: the files, the table of named types, what was found.
- */
+/** Types shared by the importers: input files, declared types and results. */
 @NullMarked
 package org.sitaf.core.description.source;
 

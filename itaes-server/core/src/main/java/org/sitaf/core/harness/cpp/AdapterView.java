@@ -9,12 +9,12 @@ import java.util.stream.Collectors;
 import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.InterfaceDescription;
 import org.sitaf.core.description.Method;
-import org.sitaf.core.harness.cpp.spelling.CppNames;
-import org.sitaf.core.harness.cpp.spelling.CppText;
-import org.sitaf.core.harness.cpp.spelling.CppType;
+import org.sitaf.core.harness.cpp.syntax.CppNames;
+import org.sitaf.core.harness.cpp.syntax.CppText;
+import org.sitaf.core.harness.cpp.syntax.CppType;
 import org.sitaf.core.harness.plan.HarnessPlan;
 
-/** What the templates of an adapter's beginning print. */
+/** The view of an adapter skeleton. */
 record AdapterView(
     String file,
     boolean hasNamespace,
@@ -42,7 +42,7 @@ record AdapterView(
         types.add(method.returnType());
         method.parameters().forEach(p -> types.add(p.type()));
         method.raises().forEach(e -> includes.own("sitaf/interfaces/" + e + ".hpp"));
-        // What two interfaces have in common is one method.
+        // A method of several interfaces is implemented once.
         if (written.add(method.name() + "(" + method.signature())) {
           declarations.add(head(2, "", method, ") override;"));
           definitions.add(definition(name, method));
@@ -85,7 +85,7 @@ record AdapterView(
         definitions);
   }
 
-  /** {@code KdlAdapter} lies in {@code kdl_adapter.hpp}. */
+  /** The file of {@code KdlAdapter} is {@code kdl_adapter.hpp}. */
   private static String fileName(String name) {
     return name.replaceAll("(?<=[a-z0-9])(?=[A-Z])", "_").toLowerCase(Locale.ROOT);
   }
@@ -105,15 +105,15 @@ record AdapterView(
     String errors =
         method.raises().isEmpty()
             ? ""
-            : "\n  // It may throw, of sitaf::interfaces: "
+            : "\n  // May throw exceptions of sitaf::interfaces: "
                 + String.join(", ", method.raises())
                 + ".";
     return head(0, name + "::", method, ") {")
-        + "\n  // Pass the call on to the component"
-        + (HarnessPlan.isVoid(method.returnType()) ? "." : ", and return what it answers.")
+        + "\n  // Delegate the call to the component"
+        + (HarnessPlan.isVoid(method.returnType()) ? "." : " and return its result.")
         + errors
         + "\n  throw std::logic_error("
-        + CppText.string(method.name() + " is not passed on yet")
+        + CppText.string(method.name() + " is not implemented yet")
         + ");\n}";
   }
 }

@@ -3,12 +3,12 @@ package org.sitaf.core.harness.cpp;
 import java.util.ArrayList;
 import java.util.List;
 import org.sitaf.core.description.DataType;
-import org.sitaf.core.harness.cpp.spelling.CppNames;
-import org.sitaf.core.harness.cpp.spelling.CppText;
-import org.sitaf.core.harness.cpp.spelling.CppType;
+import org.sitaf.core.harness.cpp.syntax.CppNames;
+import org.sitaf.core.harness.cpp.syntax.CppText;
+import org.sitaf.core.harness.cpp.syntax.CppType;
 import org.sitaf.core.harness.plan.Words;
 
-/** What the template of the concrete test driver prints. */
+/** The view of the concrete test driver. */
 record ConcreteTestDriverView(
     String namespace,
     List<String> includes,
@@ -40,12 +40,10 @@ record ConcreteTestDriverView(
     return CppText.documentation(
         0,
         List.of(
-            "Concrete test driver: what is particular about testing "
-                + plan.called()
-                + ", to be changed freely.",
-            "Keep a changed version in the activity as harness/"
+            "Concrete test driver of " + plan.called() + ". You may edit this class.",
+            "To keep your changes, save this file in the activity as harness/"
                 + CppText.comment(plan.plan().modelName())
-                + "/ConcreteTestDriver.cpp: it is used from then on, and never generated over."));
+                + "/ConcreteTestDriver.cpp. It then replaces the generated file."));
   }
 
   private static List<String> properties(CppPlan plan) {

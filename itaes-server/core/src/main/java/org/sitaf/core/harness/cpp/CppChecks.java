@@ -10,17 +10,17 @@ import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.InterfaceDescription;
 import org.sitaf.core.description.Method;
 import org.sitaf.core.diagnostic.Diagnostics;
-import org.sitaf.core.harness.cpp.spelling.CppNames;
-import org.sitaf.core.harness.cpp.spelling.CppType;
+import org.sitaf.core.harness.cpp.syntax.CppNames;
+import org.sitaf.core.harness.cpp.syntax.CppType;
 import org.sitaf.core.harness.plan.HarnessPlan;
 import org.sitaf.core.harness.plan.HarnessPlan.Source;
 import org.sitaf.core.harness.plan.HarnessPlanner;
 
-/** Tells what C++ cannot express of a plan. */
+/** Reports everything in a plan that C++ cannot express. */
 final class CppChecks {
   private final Diagnostics diagnostics;
 
-  /** What each name in {@code sitaf::interfaces} stands for. */
+  /** The kind of each name in {@code sitaf::interfaces}. */
   private final Map<String, String> shared = new HashMap<>();
 
   CppChecks(Diagnostics diagnostics) {
@@ -41,7 +41,7 @@ final class CppChecks {
           HarnessPlanner.PROFILE,
           0,
           "component.class",
-          "'" + className + "' is not a class as C++ names it, such as robot::InfraredSensor");
+          "'" + className + "' is not a valid C++ class name, such as robot::InfraredSensor");
     }
   }
 
@@ -68,7 +68,7 @@ final class CppChecks {
             HarnessPlanner.PROFILE,
             0,
             "data_port " + port.port(),
-            "is not a name that a C++ method can have");
+            "is not a valid C++ method name");
       }
     }
     plan.types().forEach(type -> declared(plan, type));
@@ -80,7 +80,7 @@ final class CppChecks {
     for (Method method : methods) {
       method(source, method);
       if (method.name().equals(interfaceName) || method.name().equals(interfaceName + "Stub")) {
-        problem(source, method, "is a constructor in C++, which has the name of its class");
+        problem(source, method, "has the name of its class, which is reserved for constructors in C++");
       }
       String signature =
           method.parameters().stream()
@@ -94,7 +94,7 @@ final class CppChecks {
 
   private void method(String source, Method method) {
     if (!CppNames.isName(method.name())) {
-      problem(source, method, "is not a name that a C++ method can have");
+      problem(source, method, "is not a valid C++ method name");
     }
   }
 
@@ -109,13 +109,13 @@ final class CppChecks {
         diagnostics.error(
             plan.interfaceName(),
             0,
-            "type " + type.spelling(),
-            "'" + name + "' is not a name that C++ can spell");
+            "type " + type.typeName(),
+            "'" + name + "' is not a valid C++ name");
       }
     }
     if (names.isEmpty()) {
       diagnostics.error(
-          plan.interfaceName(), 0, "type " + type.spelling(), "has neither members nor literals");
+          plan.interfaceName(), 0, "type " + type.typeName(), "has neither members nor literals");
     }
   }
 
@@ -125,7 +125,7 @@ final class CppChecks {
           source,
           0,
           kind + " " + name,
-          "is not a name that a C++ class can have, or one that test applications use themselves");
+          "is not a valid C++ class name or is reserved for test applications");
     }
     String other = shared.put(name, kind);
     if (other != null && !(other.equals(kind) && kind.equals("interface"))) {

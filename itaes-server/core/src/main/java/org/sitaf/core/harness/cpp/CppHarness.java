@@ -16,14 +16,13 @@ import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.InterfaceDescription;
 import org.sitaf.core.diagnostic.Diagnostics;
-import org.sitaf.core.harness.cpp.spelling.ComponentHeader;
-import org.sitaf.core.harness.cpp.spelling.CppNames;
+import org.sitaf.core.harness.cpp.syntax.ComponentHeader;
+import org.sitaf.core.harness.cpp.syntax.CppNames;
 import org.sitaf.core.harness.plan.HarnessPlan;
 import org.sitaf.core.harness.plan.HarnessWriter;
 
 /**
- * The C++ sources of a test application: test driver, simulation control, test stub, and the
- * concrete test driver that the user may edit (paper, Figs. 10, 13(e) and 16).
+ * Generates test applications in C++: test driver, simulation control, test stub, and the concrete test driver that the user may edit (paper, Figs. 10, 13(e) and 16).
  */
 public final class CppHarness implements HarnessWriter {
   private static final String CONCRETE = "ConcreteTestDriver.cpp";
@@ -32,7 +31,7 @@ public final class CppHarness implements HarnessWriter {
 
   private final Activity activity;
 
-  /** A writer for tests of a component; which header declares it, its files tell. */
+  /** Creates a writer. The header of the component is searched in the activity. */
   public CppHarness(Activity activity) {
     this.activity = activity;
   }
@@ -44,25 +43,25 @@ public final class CppHarness implements HarnessWriter {
     if (header.isEmpty() || diagnostics.hasErrors()) {
       return FileTree.of(Map.of());
     }
-    CppPlan spelled = CppPlan.of(plan, header.get());
-    String folder = spelled.namespace() + "/";
+    CppPlan planned = CppPlan.of(plan, header.get());
+    String folder = planned.namespace() + "/";
     Map<String, byte[]> files = new HashMap<>();
     for (String extension : new String[] {".hpp", ".cpp"}) {
       files.put(
           folder + "SimulationControl" + extension,
-          print("SimulationControl" + extension, SimulationControlView.of(spelled)));
+          print("SimulationControl" + extension, SimulationControlView.of(planned)));
       files.put(
-          folder + "TestStub" + extension, print("TestStub" + extension, TestStubView.of(spelled)));
+          folder + "TestStub" + extension, print("TestStub" + extension, TestStubView.of(planned)));
       files.put(
           folder + "TestDriver" + extension,
-          print("TestDriver" + extension, TestDriverView.of(spelled)));
+          print("TestDriver" + extension, TestDriverView.of(planned)));
     }
-    files.put(folder + CONCRETE, print(CONCRETE, ConcreteTestDriverView.of(spelled)));
+    files.put(folder + CONCRETE, print(CONCRETE, ConcreteTestDriverView.of(planned)));
     interfaces(plan, files);
     return FileTree.of(files);
   }
 
-  /** What the component and the test share. */
+  /** Generates the interfaces and types that the test shares with the component. */
   private static void interfaces(HarnessPlan plan, Map<String, byte[]> files) {
     if (plan.component().adapter() != null) {
       for (InterfaceDescription provided : plan.provided()) {

@@ -6,19 +6,18 @@ import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.description.Direction;
 import org.sitaf.core.description.Parameter;
-import org.sitaf.core.harness.cpp.spelling.CppNames;
-import org.sitaf.core.harness.cpp.spelling.CppText;
-import org.sitaf.core.harness.cpp.spelling.CppType;
+import org.sitaf.core.harness.cpp.syntax.CppNames;
+import org.sitaf.core.harness.cpp.syntax.CppText;
+import org.sitaf.core.harness.cpp.syntax.CppType;
 import org.sitaf.core.harness.plan.HarnessPlan;
 import org.sitaf.core.harness.plan.Words;
 
 /**
- * A test application with the names that its parts have in C++.
+ * The plan of a test application with its names in C++.
  *
- * @param plan what it holds
- * @param namespace its innermost namespace
- * @param header that declares the component
- * @param answers in the order of the stubs' methods
+ * @param plan language-independent plan
+ * @param namespace innermost namespace
+ * @param header header that declares the component
  */
 record CppPlan(
     HarnessPlan plan,
@@ -28,13 +27,13 @@ record CppPlan(
     List<Setting> settings,
     List<Stub> stubs) {
 
-  /** An argument of the call under test and the local that holds it. */
+  /** An argument of the call under test and its local variable. */
   record Argument(HarnessPlan.Argument argument, String local) {
     Parameter parameter() {
       return argument.parameter();
     }
 
-    /** Whether it is read from the case as a whole, so that nothing changes it before the call. */
+    /** Whether it is read from the case as a whole, so the variable can be const. */
     boolean isConstant() {
       return parameter().direction() == Direction.IN
           && argument.given().size() == 1
@@ -42,21 +41,21 @@ record CppPlan(
     }
   }
 
-  /** A parameter of the world and the local that holds it. */
+  /** A parameter of the world and its local variable. */
   record Setting(HarnessPlan.World.Setting setting, String local) {}
 
   /**
    * A required interface.
    *
-   * @param className of its stub
-   * @param name of the function that gives it, and with {@code _} of the member
+   * @param className class of the stub
+   * @param name name of the getter, and with {@code _} of the member
    */
   record Stub(HarnessPlan.Stub stub, String className, String name, List<StubMethod> methods) {}
 
-  /** A method of it. */
+  /** A method of a required interface. */
   record StubMethod(HarnessPlan.StubMethod method, List<Answers> answers) {
     /**
-     * What answers for the return value, or for delays and errors alone; null where nothing does.
+     * The answers for the return value, delays and errors; null if there are none.
      */
     @Nullable Answers returned() {
       return answers.stream().filter(a -> a.parameter() == null).findFirst().orElse(null);
@@ -64,13 +63,13 @@ record CppPlan(
   }
 
   /**
-   * What the cases answer for the return value or one out-parameter.
+   * The answers for the return value or one out-parameter.
    *
-   * @param member of the stub's class, without its {@code _}
+   * @param member member of the stub's class, without {@code _}
    */
   record Answers(String member, @Nullable Parameter parameter, String type, List<Answer> byCall) {}
 
-  /** An answer and the local that holds it. */
+  /** An answer and its local variable. */
   record Answer(HarnessPlan.Answer answer, String local) {}
 
   static CppPlan of(HarnessPlan plan, String header) {
@@ -96,7 +95,7 @@ record CppPlan(
 
   private static List<StubMethod> stubMethods(HarnessPlan.Stub stub, CppNames locals) {
     CppNames members = new CppNames();
-    // A member is its name and an underscore, and no method.
+    // The name of a member, with its trailing underscore, must differ from all method names.
     stub.methods().stream()
         .map(m -> m.method().name())
         .filter(name -> name.endsWith("_"))
@@ -106,11 +105,11 @@ record CppPlan(
       List<Answers> answers = new ArrayList<>();
       for (HarnessPlan.Answer answer : method.answers()) {
         Parameter parameter = answer.parameter();
-        Answer spelled = new Answer(answer, locals.local(answer.column()));
+        Answer planned = new Answer(answer, locals.local(answer.column()));
         Answers last = answers.isEmpty() ? null : answers.get(answers.size() - 1);
         if (last != null && java.util.Objects.equals(last.parameter(), parameter)) {
           List<Answer> more = new ArrayList<>(last.byCall());
-          more.add(spelled);
+          more.add(planned);
           answers.set(answers.size() - 1, new Answers(last.member(), parameter, last.type(), more));
           continue;
         }
@@ -118,14 +117,14 @@ record CppPlan(
             method.method().name() + (parameter == null ? "" : Words.raised(parameter.name()));
         String type =
             HarnessPlan.isVoid(answer.type()) ? "runtime::Nothing" : CppType.of(answer.type());
-        answers.add(new Answers(members.local(name), parameter, type, List.of(spelled)));
+        answers.add(new Answers(members.local(name), parameter, type, List.of(planned)));
       }
       methods.add(new StubMethod(method, answers));
     }
     return methods;
   }
 
-  /** All that the cases answer, in the order of interfaces, methods, parameters and calls. */
+  /** All answers, in the order of interfaces, methods, parameters and calls. */
   List<Answer> answers() {
     return answerSets().flatMap(a -> a.byCall().stream()).toList();
   }
@@ -157,7 +156,7 @@ record CppPlan(
         .anyMatch(o -> o.source() instanceof HarnessPlan.Source.Observation);
   }
 
-  /** The class under test, from the outermost namespace on. */
+  /** The qualified name of the class under test. */
   String component() {
     return "::" + plan.component().className();
   }
@@ -166,7 +165,7 @@ record CppPlan(
     return CppType.of(plan.method().returnType());
   }
 
-  /** The head of the function that makes the call. */
+  /** The declaration of the function that makes the call. */
   String callHead(int indent, String before, String name, String tail) {
     List<String> parameters = new ArrayList<>();
     parameters.add("Component& component");
@@ -174,7 +173,7 @@ record CppPlan(
     return CppText.list(indent, before + returnType() + " " + name + "(", parameters, ")" + tail);
   }
 
-  /** {@code Interface.Method}, fit for a comment. */
+  /** {@code Interface.Method}, escaped for a comment. */
   String called() {
     return CppText.comment(plan.methodName());
   }

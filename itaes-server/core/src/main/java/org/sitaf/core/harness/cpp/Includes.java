@@ -5,9 +5,9 @@ import java.util.List;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import org.sitaf.core.description.DataType;
-import org.sitaf.core.harness.cpp.spelling.CppType;
+import org.sitaf.core.harness.cpp.syntax.CppType;
 
-/** The headers that a file needs: the standard library's first, then those of the test. */
+/** The includes of a file: first the standard library, then headers of the test. */
 final class Includes {
   private final SortedSet<String> standard = new TreeSet<>();
   private final SortedSet<String> own = new TreeSet<>();
@@ -27,7 +27,7 @@ final class Includes {
     return this;
   }
 
-  /** The lines, with an empty one between the two kinds and behind them. */
+  /** The lines, with an empty line after each of the two groups. */
   List<String> lines() {
     List<String> lines = new ArrayList<>();
     standard.forEach(header -> lines.add("#include <" + header + ">"));

@@ -4,11 +4,11 @@ import java.util.ArrayList;
 import java.util.List;
 import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.Method;
-import org.sitaf.core.harness.cpp.spelling.CppNames;
-import org.sitaf.core.harness.cpp.spelling.CppText;
-import org.sitaf.core.harness.cpp.spelling.CppType;
+import org.sitaf.core.harness.cpp.syntax.CppNames;
+import org.sitaf.core.harness.cpp.syntax.CppText;
+import org.sitaf.core.harness.cpp.syntax.CppType;
 
-/** What the template of an interface prints. */
+/** The view of an interface. */
 record InterfaceView(
     String name, List<String> includes, String documentation, List<String> methods) {
 
@@ -28,9 +28,9 @@ record InterfaceView(
                     + (required ? "required" : "provided")
                     + " interface "
                     + CppText.comment(name)
-                    + ", as "
+                    + ", described in "
                     + CppText.comment(source)
-                    + " describes it.")),
+                    + ".")),
         methods.stream().map(InterfaceView::declaration).toList());
   }
 

@@ -4,10 +4,10 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
-import org.sitaf.core.harness.cpp.spelling.CppText;
+import org.sitaf.core.harness.cpp.syntax.CppText;
 import org.sitaf.core.harness.plan.HarnessPlan.World;
 
-/** What the templates of the simulation control print. */
+/** The view of the simulation control. */
 record SimulationControlView(
     String namespace,
     boolean hasWorld,
@@ -28,7 +28,7 @@ record SimulationControlView(
 
   static SimulationControlView of(CppPlan plan) {
     World world = plan.plan().world();
-    // A component that only reads finds the world as a bulk call has prepared it.
+    // If no simulation time passes during a case, the worlds of several cases are prepared in one call.
     boolean ahead = world != null && !plan.runsOn() && !plan.isPeriodic();
     List<String> parameters = plan.settings().stream().map(s -> "double " + s.local()).toList();
     return new SimulationControlView(
@@ -39,10 +39,10 @@ record SimulationControlView(
             0,
             List.of(
                 world == null
-                    ? "Simulation control (SC): the activity names no world, so that there is nothing to set."
-                    : "Simulation control (SC): sets the virtual environment that "
+                    ? "Simulation control (SC): not used, because the activity has no world."
+                    : "Simulation control (SC): sets up the virtual environment "
                         + CppText.comment(world.path())
-                        + " describes.")),
+                        + ".")),
         prepareDocumentation(plan),
         CppText.list(2, "void prepare(", parameters, ");"),
         CppText.list(0, "void SimulationControl::prepare(", parameters, ") {"),
@@ -76,8 +76,8 @@ record SimulationControlView(
     List<String> paragraphs = new ArrayList<>();
     paragraphs.add(
         plan.isPeriodic()
-            ? "Puts the world into the state of a case, from a clean reset."
-            : "Puts the world into the state of a case, from a clean reset, and lets it settle.");
+            ? "Resets the world and sets the parameters of a case."
+            : "Resets the world, sets the parameters of a case, and lets the world settle.");
     plan.settings()
         .forEach(
             s ->

@@ -10,15 +10,15 @@ import org.sitaf.core.activity.ActivityProfile.LifeCycle;
 import org.sitaf.core.description.CallType;
 import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.MemberPath.Step;
-import org.sitaf.core.harness.cpp.spelling.CppText;
-import org.sitaf.core.harness.cpp.spelling.CppType;
+import org.sitaf.core.harness.cpp.syntax.CppText;
+import org.sitaf.core.harness.cpp.syntax.CppType;
 import org.sitaf.core.harness.plan.HarnessPlan;
 import org.sitaf.core.harness.plan.HarnessPlan.Output;
 import org.sitaf.core.harness.plan.HarnessPlan.Source;
 import org.sitaf.core.harness.plan.Hooks;
 import org.sitaf.core.harness.plan.Words;
 
-/** What the templates of the test driver print: the five steps of Fig. 10. */
+/** The view of the test driver: the five steps of Fig. 10. */
 record TestDriverView(
     String namespace,
     List<String> includes,
@@ -53,7 +53,7 @@ record TestDriverView(
         plan.component(),
         constructor(plan),
         CppText.documentation(
-            2, List.of("The call under test, " + plan.called() + "; nothing else is timed.")),
+            2, List.of("Calls the method under test, " + plan.called() + ". Only this call is timed.")),
         plan.callHead(2, "virtual ", "call", " = 0;"),
         CppText.list(2, "return runtime::createComponent<Component>(", offered(plan), ");"),
         reads(plan),
@@ -129,7 +129,7 @@ record TestDriverView(
     return CppText.documentation(0, paragraphs);
   }
 
-  /** What a constructor may ask for. */
+  /** The objects that are passed to the component's constructor. */
   private static List<String> offered(CppPlan plan) {
     List<String> offered = new ArrayList<>();
     if (plan.hasWorld()) {
@@ -178,7 +178,7 @@ record TestDriverView(
         2, left, "testCase.value<" + type + ">(" + CppText.string(column) + ")");
   }
 
-  /** How long each sequence must be that the cases set elements of, outer ones first. */
+  /** The required length of each sequence whose elements are set individually, outer ones first. */
   private static Map<String, Integer> sizes(CppPlan.Argument argument) {
     Map<String, Integer> sizes = new LinkedHashMap<>();
     for (HarnessPlan.Given given : argument.argument().given()) {
@@ -207,7 +207,7 @@ record TestDriverView(
     return sizes;
   }
 
-  /** A part of a value; where its elements may be missing, an access that says so. */
+  /** The expression of a part of a value, optionally with bounds checks. */
   private static String path(String root, List<Step> steps, boolean checked) {
     StringBuilder path = new StringBuilder(root);
     for (Step step : steps) {
@@ -226,14 +226,14 @@ record TestDriverView(
       return CppText.list(2, "result.recordReturn(", List.of(name), ");");
     }
     List<Step> path = output.source().path();
-    String value = path(looked(plan, output.source()), path, true);
+    String value = path(expression(plan, output.source()), path, true);
     return path.stream().anyMatch(Step.Element.class::isInstance)
         ? CppText.list(
             2, "result.recordPart(", List.of(name, "[&] { return " + value + "; }"), ");")
         : CppText.list(2, "result.record(", List.of(name, value), ");");
   }
 
-  private static String looked(CppPlan plan, Source source) {
+  private static String expression(CppPlan plan, Source source) {
     if (source instanceof Source.OutParameter out) {
       return plan.arguments().stream()
           .filter(a -> a.argument().name().equals(out.parameter()))

@@ -7,12 +7,12 @@ import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.Direction;
 import org.sitaf.core.description.Method;
 import org.sitaf.core.description.Parameter;
-import org.sitaf.core.harness.cpp.spelling.CppNames;
-import org.sitaf.core.harness.cpp.spelling.CppText;
-import org.sitaf.core.harness.cpp.spelling.CppType;
+import org.sitaf.core.harness.cpp.syntax.CppNames;
+import org.sitaf.core.harness.cpp.syntax.CppText;
+import org.sitaf.core.harness.cpp.syntax.CppType;
 import org.sitaf.core.harness.plan.HarnessPlan;
 
-/** What the templates of the test stub print. */
+/** The view of the test stub. */
 record TestStubView(
     String namespace,
     boolean hasStubs,
@@ -25,7 +25,7 @@ record TestStubView(
     String constructor,
     String begin) {
 
-  /** An interface that the stub answers for. */
+  /** A stubbed interface. */
   record Interface(
       String name,
       String className,
@@ -34,10 +34,10 @@ record TestStubView(
       List<Function> functions,
       List<String> members) {}
 
-  /** A method of it, defined. */
+  /** The definition of a stubbed method. */
   record Function(String head, List<String> body) {}
 
-  /** An error that answers raise. */
+  /** An error in answers. */
   record Error(String name, String literal) {}
 
   static TestStubView of(CppPlan plan) {

@@ -2,11 +2,11 @@ package org.sitaf.core.harness.cpp;
 
 import java.util.List;
 import org.sitaf.core.description.DataType;
-import org.sitaf.core.harness.cpp.spelling.CppText;
-import org.sitaf.core.harness.cpp.spelling.CppType;
+import org.sitaf.core.harness.cpp.syntax.CppText;
+import org.sitaf.core.harness.cpp.syntax.CppType;
 import org.sitaf.core.harness.plan.HarnessPlan;
 
-/** What the template of a struct, an enumeration or an error prints. */
+/** The view of a struct, an enumeration or an error. */
 record TypeView(
     String name,
     List<String> includes,
@@ -55,18 +55,18 @@ record TypeView(
         name, new Includes().standard("stdexcept").lines(), false, false, true, List.of());
   }
 
-  /** The enumeration itself. */
+  /** The declaration of the enumeration. */
   String declaration() {
     return CppText.list(
         0, "enum class " + name + " { ", parts.stream().map(Part::name).toList(), " };");
   }
 
-  /** How many literals an enumeration has. */
+  /** The number of literals of an enumeration. */
   int count() {
     return parts.size();
   }
 
-  /** Brackets that a template would take for its own. */
+  /** Double braces, which the template engine would interpret. */
   String open() {
     return "{{";
   }

@@ -1,4 +1,4 @@
-/** Test applications in C++. */
+/** Generates test applications in C++: typed views decide, templates print. */
 @NullMarked
 package org.sitaf.core.harness.cpp;
 

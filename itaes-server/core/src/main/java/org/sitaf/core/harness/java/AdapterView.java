@@ -19,7 +19,7 @@ import org.sitaf.core.harness.java.plan.JavaText;
 import org.sitaf.core.harness.java.plan.JavaType;
 import org.sitaf.core.harness.plan.HarnessPlan;
 
-/** What the template of an adapter's beginning prints. */
+/** The view of an adapter skeleton. */
 record AdapterView(
     String packageName,
     SortedSet<String> imports,
@@ -43,7 +43,7 @@ record AdapterView(
       for (Signature method : provided.methods()) {
         InterfaceView.addTypes(method, imports);
         method.errors().forEach(e -> imports.add(JavaType.INTERFACES + "." + e));
-        // What two interfaces have in common is one method.
+        // A method of several interfaces is implemented once.
         if (written.add(method.name() + method.parameters().stream().map(p -> p.type()).toList())) {
           methods.add(method(method));
         }
@@ -66,7 +66,7 @@ record AdapterView(
         .withoutImportOf(name);
   }
 
-  /** A type with the name of the adapter cannot be imported, and is written in full instead. */
+  /** A type with the name of the adapter cannot be imported; its qualified name is used instead. */
   private AdapterView withoutImportOf(String simpleName) {
     Optional<String> same =
         imports.stream().filter(imported -> imported.endsWith("." + simpleName)).findFirst();
@@ -76,16 +76,16 @@ record AdapterView(
     SortedSet<String> others = new TreeSet<>(imports);
     others.remove(same.get());
     Pattern type = Pattern.compile("(?<![.\\w\"])" + Pattern.quote(simpleName) + "(?![\\w(\"])");
-    UnaryOperator<String> inFull =
+    UnaryOperator<String> qualified =
         text -> type.matcher(text).replaceAll(Matcher.quoteReplacement(same.get()));
     return new AdapterView(
         packageName,
         others,
         documentation,
         name,
-        inFull.apply(interfaces),
-        inFull.apply(constructor),
-        methods.stream().map(inFull).toList());
+        qualified.apply(interfaces),
+        qualified.apply(constructor),
+        methods.stream().map(qualified).toList());
   }
 
   private static String constructor(String name, HarnessPlan.Adapter plan) {
@@ -97,9 +97,9 @@ record AdapterView(
       parameters.add(required + " " + JavaPlanner.local(required));
     }
     return JavaText.declaration(2, "public " + name, parameters, false, " {")
-        + "\n    // Make the component here, and keep it in a field."
-        + (plan.hardware() ? "\n    // Through the hardware it reaches the simulated devices." : "")
-        + (plan.required().isEmpty() ? "" : "\n    // The test stub answers for what it requires.")
+        + "\n    // Create the component here and store it in a field."
+        + (plan.hardware() ? "\n    // The hardware gives access to the simulated devices." : "")
+        + (plan.required().isEmpty() ? "" : "\n    // The required interfaces are implemented by the test stub.")
         + "\n  }";
   }
 
@@ -114,11 +114,11 @@ record AdapterView(
             method.parameters().stream().map(JavaParameter::declaration).toList(),
             false,
             errors + " {")
-        + "\n    // Pass the call on to the component"
-        + (method.returns() == null ? "" : ", and return what it answers")
-        + (outs ? ".\n    // What comes back in a parameter goes there by set()." : ".")
+        + "\n    // Delegate the call to the component"
+        + (method.returns() == null ? "" : " and return its result")
+        + (outs ? ".\n    // Set out-parameters by set()." : ".")
         + "\n    throw new UnsupportedOperationException("
-        + JavaText.string(method.name() + " is not passed on yet")
+        + JavaText.string(method.name() + " is not implemented yet")
         + ");\n  }";
   }
 }

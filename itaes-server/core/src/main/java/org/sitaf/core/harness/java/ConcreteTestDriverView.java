@@ -8,7 +8,7 @@ import org.sitaf.core.harness.java.plan.JavaPlan;
 import org.sitaf.core.harness.java.plan.JavaPlan.Argument;
 import org.sitaf.core.harness.java.plan.JavaText;
 
-/** What the template of the concrete test driver prints. */
+/** The view of the concrete test driver. */
 record ConcreteTestDriverView(
     String packageName,
     SortedSet<String> imports,
@@ -46,12 +46,12 @@ record ConcreteTestDriverView(
     return JavaText.javadoc(
         0,
         List.of(
-            "Concrete test driver: what is particular about testing "
+            "Concrete test driver of "
                 + JavaText.comment(plan.interfaceName() + "." + plan.method())
-                + ", to be changed freely.",
-            "Keep a changed version in the activity as harness/"
+                + ". You may edit this class.",
+            "To keep your changes, save this file in the activity as harness/"
                 + JavaText.comment(plan.modelName())
-                + "/ConcreteTestDriver.java: it is used from then on, and never generated over."),
+                + "/ConcreteTestDriver.java. It then replaces the generated file."),
         List.of());
   }
 

@@ -5,7 +5,7 @@ import java.util.SortedSet;
 import org.sitaf.core.harness.java.plan.JavaDeclaredType;
 import org.sitaf.core.harness.java.plan.JavaText;
 
-/** What the template of a struct or of an enumeration prints. */
+/** The view of a struct or an enumeration. */
 record DeclaredTypeView(
     String name,
     boolean hasImports,
@@ -26,7 +26,7 @@ record DeclaredTypeView(
             0,
             List.of(
                 "The type "
-                    + JavaText.comment(type.spelling())
+                    + JavaText.comment(type.typeName())
                     + " of the component's interfaces."),
             List.of()),
         type.isEnum(),

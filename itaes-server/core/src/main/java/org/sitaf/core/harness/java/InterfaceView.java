@@ -9,7 +9,7 @@ import org.sitaf.core.harness.java.plan.JavaPlan.Signature;
 import org.sitaf.core.harness.java.plan.JavaText;
 import org.sitaf.core.harness.java.plan.JavaType;
 
-/** What the template of an interface prints. */
+/** The view of an interface. */
 record InterfaceView(
     String name,
     boolean hasImports,
@@ -20,7 +20,7 @@ record InterfaceView(
   static InterfaceView of(Interface described) {
     SortedSet<String> imports = new TreeSet<>();
     described.methods().forEach(m -> addTypes(m, imports));
-    // Types of its own package need no import.
+    // Types of the same package need no import.
     imports.removeIf(i -> i.startsWith(JavaType.INTERFACES + "."));
     return new InterfaceView(
         described.name(),
@@ -33,9 +33,9 @@ record InterfaceView(
                     + described.role()
                     + " interface "
                     + JavaText.comment(described.name())
-                    + ", as "
+                    + ", described in "
                     + JavaText.comment(described.source())
-                    + " describes it."),
+                    + "."),
             List.of()),
         described.methods().stream().map(InterfaceView::declaration).toList());
   }
@@ -51,7 +51,7 @@ record InterfaceView(
         errors + ";");
   }
 
-  /** What the types of a method need. */
+  /** Adds the imports of the types of a method. */
   static void addTypes(Signature method, SortedSet<String> imports) {
     if (method.returns() != null) {
       imports.addAll(method.returns().imports());

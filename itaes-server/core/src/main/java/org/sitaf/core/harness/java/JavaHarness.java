@@ -20,8 +20,7 @@ import org.sitaf.core.harness.plan.HarnessPlan;
 import org.sitaf.core.harness.plan.HarnessWriter;
 
 /**
- * The Java sources of a test application: test driver, simulation control, test stub, and the
- * concrete test driver that the user may edit (paper, Figs. 10, 13(e) and 16).
+ * Generates test applications in Java: test driver, simulation control, test stub, and the concrete test driver that the user may edit (paper, Figs. 10, 13(e) and 16).
  */
 public final class JavaHarness implements HarnessWriter {
   private static final String CONCRETE = "ConcreteTestDriver";

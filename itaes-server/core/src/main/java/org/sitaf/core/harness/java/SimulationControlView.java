@@ -6,7 +6,7 @@ import org.sitaf.core.harness.java.plan.JavaPlan;
 import org.sitaf.core.harness.java.plan.JavaPlan.World;
 import org.sitaf.core.harness.java.plan.JavaText;
 
-/** What the template of the simulation control prints. */
+/** The view of the simulation control. */
 record SimulationControlView(
     String packageName,
     boolean hasWorld,
@@ -36,9 +36,9 @@ record SimulationControlView(
         JavaText.javadoc(
             0,
             List.of(
-                "Simulation control (SC): sets the virtual environment that "
+                "Simulation control (SC): sets up the virtual environment "
                     + JavaText.comment(world.path())
-                    + " describes."),
+                    + "."),
             List.of()),
         duration(world.settle()),
         duration(world.runFor()),
@@ -51,8 +51,8 @@ record SimulationControlView(
             2,
             List.of(
                 period == null
-                    ? "Puts the world into the state of a case, from a clean reset, and lets it settle."
-                    : "Puts the world into the state of a case, from a clean reset."),
+                    ? "Resets the world, sets the parameters of a case, and lets the world settle."
+                    : "Resets the world and sets the parameters of a case."),
             settings.stream().map(s -> "@param " + s.local() + " " + s.documentation()).toList()),
         JavaText.declaration(
             2,

@@ -14,7 +14,7 @@ import org.sitaf.core.harness.java.plan.JavaPlan.World;
 import org.sitaf.core.harness.java.plan.JavaText;
 import org.sitaf.core.harness.java.plan.JavaType;
 
-/** What the template of the test driver prints: the five steps of Fig. 10. */
+/** The view of the test driver: the five steps of Fig. 10. */
 record TestDriverView(
     String packageName,
     SortedSet<String> imports,
@@ -57,9 +57,9 @@ record TestDriverView(
         JavaText.javadoc(
             2,
             List.of(
-                "The call under test, "
+                "Calls the method under test, "
                     + JavaText.comment(plan.interfaceName() + "." + plan.method())
-                    + "; nothing else is timed."),
+                    + ". Only this call is timed."),
             List.of()),
         callDeclaration(plan, "abstract ", ";"),
         reads(plan),
@@ -82,8 +82,7 @@ record TestDriverView(
   }
 
   /**
-   * The head of the method that makes the call, which the driver declares and the concrete driver
-   * implements.
+   * The declaration of the method that makes the call; declared by the driver and implemented by the concrete driver.
    */
   static String callDeclaration(JavaPlan plan, String modifiers, String end) {
     List<String> parameters = new ArrayList<>();
@@ -97,7 +96,7 @@ record TestDriverView(
         .toList();
   }
 
-  /** A nonblocking call: begun here, its outcome collected after time has passed. */
+  /** A non-blocking call: started here; its result is collected after time has passed. */
   private static String begin(JavaPlan plan) {
     String call = "call(" + String.join(", ", callArguments(plan)) + ")";
     JavaType returns = plan.returns();
@@ -126,7 +125,7 @@ record TestDriverView(
       imports.add("org.sitaf.runtime.suite.Answers");
     }
     plan.answers().forEach(a -> imports.addAll(a.imports()));
-    // Parts of a struct are made of structs that nothing else names.
+    // Nested structs that are not imported otherwise.
     plan.arguments().stream()
         .filter(a -> !a.reads().isEmpty())
         .forEach(
@@ -137,7 +136,7 @@ record TestDriverView(
     return imports;
   }
 
-  /** What the head of the call needs: the component, out-parameters, types of the interfaces. */
+  /** Adds the imports of the call's declaration. */
   static void addTypesOfCall(JavaPlan plan, SortedSet<String> imports) {
     if (plan.componentImport() != null) {
       imports.add(plan.componentImport());

@@ -14,7 +14,7 @@ import org.sitaf.core.harness.java.plan.JavaPlan.StubOut;
 import org.sitaf.core.harness.java.plan.JavaText;
 import org.sitaf.core.harness.java.plan.JavaType;
 
-/** What the template of the test stub prints. */
+/** The view of the test stub. */
 record TestStubView(
     String packageName,
     boolean hasStubs,
@@ -26,14 +26,14 @@ record TestStubView(
     boolean hasSettings,
     List<String> settings) {
 
-  /** An interface that the stub answers for. */
+  /** A stubbed interface. */
   record Interface(String name, String field, List<Answer> methods) {}
 
   /**
-   * A method of it.
+   * A stubbed method.
    *
-   * @param body the statements inside
-   * @param last whether no method follows
+   * @param body statements of the method
+   * @param last whether it is the last method
    */
   record Answer(String declaration, List<String> body, boolean last) {}
 
@@ -130,7 +130,7 @@ record TestStubView(
     if (method.outs().isEmpty()) {
       body.add(JavaText.call(10, returns ? "return" : "", call, arguments));
     } else {
-      // What an inout-parameter carries in is recorded before the answer replaces it.
+      // The value of an inout-parameter is recorded before the answer replaces it.
       String held = returns ? method.signature().returnName() + " answer =" : "";
       body.add(JavaText.call(10, held, call, arguments));
       for (StubOut out : method.outs()) {
@@ -156,7 +156,7 @@ record TestStubView(
         last);
   }
 
-  /** An array of objects would be taken for all arguments at once. */
+  /** Casts an array, which would otherwise be passed as all varargs at once. */
   private static String boxedArray(JavaParameter parameter) {
     return parameter.type().name().endsWith("[]")
         ? "(Object) " + parameter.local()

@@ -1,4 +1,4 @@
-/** Test applications in Java: typed views decide, templates print. */
+/** Generates test applications in Java: typed views decide, templates print. */
 @NullMarked
 package org.sitaf.core.harness.java;
 

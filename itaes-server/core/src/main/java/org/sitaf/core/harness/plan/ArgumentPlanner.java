@@ -18,11 +18,10 @@ import org.sitaf.core.model.TestModel;
 import org.sitaf.core.suite.CaseParameter;
 import org.sitaf.core.suite.TestSuite;
 
-/** Plans what the method under test is called with. */
+/** Plans the arguments of the method under test. */
 final class ArgumentPlanner {
   /**
-   * Most elements of a sequence that is set element by element: a name such as {@code path[999999]}
-   * must not fill the memory of a test.
+   * Maximum index of an element that is set individually, so a name such as {@code path[999999]} cannot exhaust the memory of a test.
    */
   private static final int MAX_INDEX = 255;
 
@@ -41,7 +40,7 @@ final class ArgumentPlanner {
   List<Argument> plan() {
     Method method = target.method();
     if (!Words.isWord(method.name())) {
-      inMethod("is not a name that a method can have");
+      inMethod("is not a valid method name");
     }
     List<Argument> arguments = new ArrayList<>();
     for (Parameter parameter : method.parameters()) {
@@ -55,16 +54,16 @@ final class ArgumentPlanner {
             model.source(),
             0,
             "input_spec_list",
-            "the test cases hold no value for parameter "
+            "the test cases have no value for parameter "
                 + parameter.name()
                 + " of "
                 + method.name()
-                + ": add a test_element of type TDI");
+                + "; add a test_element of type TDI");
       }
       overlaps(given);
       arguments.add(new Argument(parameter, given));
     }
-    everyValueHasAPlace();
+    checkTargets();
     return arguments;
   }
 
@@ -78,12 +77,12 @@ final class ArgumentPlanner {
       }
       Optional<DataType> type = MemberPath.resolve(parameter.type(), column.name());
       if (type.isEmpty()) {
-        inModel(column, parameter.type().spelling() + " has no such member or element");
+        inModel(column, parameter.type().typeName() + " has no such member or element");
         continue;
       }
       List<Step> path = MemberPath.steps(column.name());
       if (path.stream().anyMatch(s -> s instanceof Step.Element e && e.index() > MAX_INDEX)) {
-        inModel(column, "sets an element after the " + MAX_INDEX + "th");
+        inModel(column, "sets an element with an index greater than " + MAX_INDEX);
         continue;
       }
       given.add(new Given(column.name(), path, type.get()));
@@ -91,7 +90,7 @@ final class ArgumentPlanner {
     return given;
   }
 
-  /** Which of two values counts must not depend on their order. */
+  /** Overlapping values are an error: their order must not matter. */
   private void overlaps(List<Given> given) {
     for (Given outer : given) {
       for (Given inner : given) {
@@ -103,14 +102,14 @@ final class ArgumentPlanner {
               model.source(),
               0,
               "test_element " + inner.column(),
-              "is a part of " + outer.column() + ", which is set too; set either of them");
+              "is a part of " + outer.column() + ", which is also set; remove one of them");
         }
       }
     }
   }
 
-  /** Every value of a case must have a place to go to. */
-  private void everyValueHasAPlace() {
+  /** Checks that every value is passed to a parameter. */
+  private void checkTargets() {
     for (CaseParameter column : suite.parameters()) {
       if (column.kind() == InputKind.TDI
           && target.method().parameters().stream()

@@ -14,14 +14,14 @@ import org.sitaf.core.harness.plan.HarnessPlan.Call;
 import org.sitaf.core.model.Value;
 
 /**
- * Reads the {@code before} calls of a test profile, such as {@code Enable()} or {@code SetGain(0.5,
+ * Parses the {@code before} calls of a test profile, such as {@code Enable()} or {@code SetGain(0.5,
  * "left")}.
  */
 final class BeforeCalls {
   private static final Pattern CALL =
       Pattern.compile("\\s*([^\\s(]+)\\s*\\((.*)\\)\\s*", Pattern.DOTALL);
 
-  /** An argument: a text in double quotes, or anything without a comma. */
+  /** An argument: a string in double quotes, or any text without a comma. */
   private static final Pattern ARGUMENT =
       Pattern.compile("\\s*(?:\"((?:[^\"\\\\]|\\\\.)*+)\"|([^,\"]*+))\\s*(,|$)", Pattern.DOTALL);
 
@@ -62,14 +62,14 @@ final class BeforeCalls {
               + parts.group(1)
               + " with "
               + literals.size()
-              + " parameters; provided are "
+              + " parameters; known methods: "
               + provided.stream()
                   .flatMap(i -> i.methods().stream())
                   .map(Method::name)
                   .distinct()
                   .toList());
     }
-    IllegalArgumentException lastProblem = new IllegalArgumentException("no method fits");
+    IllegalArgumentException lastProblem = new IllegalArgumentException("no method matches");
     for (Method candidate : candidates) {
       try {
         return new Call(candidate, arguments(candidate, literals));
@@ -92,9 +92,9 @@ final class BeforeCalls {
             "parameter "
                 + parameter.name()
                 + " is of type "
-                + parameter.type().spelling()
-                + ", which cannot be written here; call it in the concrete test driver, where the"
-                + " component is made");
+                + parameter.type().typeName()
+                + ", which is not supported here; call it in the concrete test driver, where the"
+                + " component is created");
       }
       Value value = Value.parse(literals.get(i), parameter.type());
       if (parameter.type() instanceof DataType.Enumeration enumeration
@@ -102,13 +102,13 @@ final class BeforeCalls {
         throw new IllegalArgumentException(
             "'"
                 + value.literal()
-                + "' is no literal of "
+                + "' is not a literal of "
                 + enumeration.name()
-                + "; it has "
+                + "; known literals: "
                 + enumeration.literals());
       }
-      if (parameter.type().spelling().equals("char") && value.literal().length() != 1) {
-        throw new IllegalArgumentException("'" + value.literal() + "' is not one character");
+      if (parameter.type().typeName().equals("char") && value.literal().length() != 1) {
+        throw new IllegalArgumentException("'" + value.literal() + "' is not a single character");
       }
       arguments.add(value);
     }
@@ -125,7 +125,7 @@ final class BeforeCalls {
     boolean more = true;
     while (more) {
       if (!argument.find(at) || argument.start() != at) {
-        throw new IllegalArgumentException("has an argument that cannot be read");
+        throw new IllegalArgumentException("has an invalid argument");
       }
       literals.add(
           argument.group(1) != null
@@ -135,7 +135,7 @@ final class BeforeCalls {
       at = argument.end();
     }
     if (at != text.length()) {
-      throw new IllegalArgumentException("has an argument that cannot be read");
+      throw new IllegalArgumentException("has an invalid argument");
     }
     return literals;
   }

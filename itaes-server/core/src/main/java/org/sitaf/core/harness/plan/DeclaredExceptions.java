@@ -9,8 +9,7 @@ import org.sitaf.core.description.Method;
 import org.sitaf.core.diagnostic.Diagnostics;
 
 /**
- * Drops the scopes of the exceptions that methods declare, as languages drop those of types: {@code
- * NoEcho} of {@code hw::NoEcho}.
+ * Removes the scopes of declared exceptions: {@code hw::NoEcho} becomes {@code NoEcho}.
  */
 final class DeclaredExceptions {
   private final Diagnostics diagnostics;
@@ -20,7 +19,7 @@ final class DeclaredExceptions {
     this.diagnostics = diagnostics;
   }
 
-  /** The same interfaces; two exceptions that no scope tells apart any more are a problem. */
+  /** Returns the interfaces with simple exception names. Different exceptions with the same simple name are reported. */
   List<InterfaceDescription> withSimpleNames(List<InterfaceDescription> interfaces) {
     return interfaces.stream()
         .map(
@@ -32,7 +31,7 @@ final class DeclaredExceptions {
         .toList();
   }
 
-  /** The names of all exceptions so far. */
+  /** The simple names of all exceptions so far. */
   Set<String> names() {
     return scopedBySimple.keySet();
   }

@@ -12,25 +12,25 @@ import org.sitaf.core.description.source.ComponentDescription.Port;
 import org.sitaf.core.description.source.Place;
 import org.sitaf.core.diagnostic.Diagnostics;
 
-/** Collects the structs and enumerations that interfaces reach, each after those it is made of. */
+/** Collects the structs and enumerations that interfaces use, in the order of their dependencies. */
 final class DeclaredTypes {
   private final Diagnostics diagnostics;
   private final Map<String, DataType> byName = new HashMap<>();
-  private final Map<String, DataType> inScopes = new HashMap<>();
+  private final Map<String, DataType> bySimpleName = new HashMap<>();
   private final List<DataType> inOrder = new ArrayList<>();
 
   DeclaredTypes(Diagnostics diagnostics) {
     this.diagnostics = diagnostics;
   }
 
-  /** Adds what a method of a document reaches. */
+  /** Adds the types of a method. */
   void reach(String source, Method method) {
     Place place = new Place(source, method.line(), "method " + method.name());
     reach(place, method.returnType());
     method.parameters().forEach(p -> reach(place, p.type()));
   }
 
-  /** Adds what is sent through a data port. */
+  /** Adds the type of a data port. */
   void reach(String source, Port.Data port) {
     reach(new Place(source, 0, "data_port " + port.name()), port.type());
   }
@@ -41,18 +41,18 @@ final class DeclaredTypes {
 
   private void reach(Place place, DataType type) {
     if (type instanceof DataType.Unknown) {
-      problem(place, type.spelling() + " is a type that no document of the activity defines");
+      problem(place, type.typeName() + " is not defined in any document of the activity");
       return;
     }
     boolean declared = type instanceof DataType.Struct || type instanceof DataType.Enumeration;
-    if (declared && byName.containsKey(type.spelling())) {
-      if (!byName.get(type.spelling()).equals(type)) {
-        problem(place, "two different types are named " + type.spelling());
+    if (declared && byName.containsKey(type.typeName())) {
+      if (!byName.get(type.typeName()).equals(type)) {
+        problem(place, "two different types are named " + type.typeName());
       }
       return;
     }
     if (declared) {
-      byName.put(type.spelling(), type);
+      byName.put(type.typeName(), type);
       name(place, type);
       words(place, type);
     }
@@ -62,17 +62,17 @@ final class DeclaredTypes {
     }
   }
 
-  /** Languages drop the scope of a name, so that what is left must be a word, and the only one. */
+  /** Checks the simple name of a type: it must be an identifier and unique, since generated code has no scopes. */
   private void name(Place place, DataType type) {
     String simple = HarnessPlan.simpleName(type);
     if (!Words.isWord(simple)) {
-      problem(place, "the type " + type.spelling() + " has no name that is an identifier");
-    } else if (inScopes.putIfAbsent(simple, type) != null) {
+      problem(place, "the type " + type.typeName() + " has a name that is not an identifier");
+    } else if (bySimpleName.putIfAbsent(simple, type) != null) {
       problem(
           place,
-          type.spelling()
+          type.typeName()
               + " and "
-              + inScopes.get(simple).spelling()
+              + bySimpleName.get(simple).typeName()
               + " have the same name in a test");
     }
   }
@@ -85,9 +85,9 @@ final class DeclaredTypes {
     Set<String> seen = new HashSet<>();
     for (String name : names) {
       if (!Words.isWord(name)) {
-        problem(place, type.spelling() + ": '" + name + "' is not an identifier");
+        problem(place, type.typeName() + ": '" + name + "' is not an identifier");
       } else if (!seen.add(name)) {
-        problem(place, type.spelling() + ": '" + name + "' is declared twice");
+        problem(place, type.typeName() + ": '" + name + "' is declared twice");
       }
     }
   }

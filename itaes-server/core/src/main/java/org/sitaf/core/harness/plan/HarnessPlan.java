@@ -15,25 +15,21 @@ import org.sitaf.core.description.ScalarType;
 import org.sitaf.core.model.Value;
 
 /**
- * A test application, decided: what is set, called, answered and looked at. Nothing in it is
- * spelled in a language yet; what a language cannot spell, its {@link HarnessWriter} says.
+ * The language-independent plan of a test application: what is set, called, answered and checked. A {@link HarnessWriter} turns it into sources and reports what its language cannot express.
  *
- * <p>Names of methods, parameters, members and literals are words in some alphabet, so that no
- * other character of a user's reaches a source as a name; whether one is a keyword is for the
- * language to know. All other texts are the user's, and untrusted.
+ * <p>Names of methods, parameters, members and literals are identifiers ({@link Words#isWord}), so they can be safely written to a source; a writer must check for keywords. All other texts are untrusted.
  *
- * @param description what the model says of itself
+ * @param description description of the model
  * @param interfaceName the interface that declares the method under test
  * @param component class, properties, life cycle and period of the component under test
- * @param arguments in the order of the method's parameters
- * @param outputs what is looked at after the call, in the order of the results
- * @param world what the simulation sets; null where the activity names no world
- * @param stubs of the required interfaces
- * @param before calls that set the component up
- * @param provided the interfaces of the component, for what binds it to them
- * @param types structs and enumerations that the interfaces reach; what one is made of stands
- *     before it
- * @param errors names of exceptions that the interfaces declare or an answer raises, in order
+ * @param arguments arguments in the order of the method's parameters
+ * @param outputs outputs in the order of the results
+ * @param world null if the activity has no world
+ * @param stubs stubs of the required interfaces
+ * @param before calls that set up the component
+ * @param provided interfaces of the component
+ * @param types structs and enumerations of the interfaces, in the order of their dependencies
+ * @param errors names of exceptions that the interfaces declare or an answer raises, sorted
  */
 public record HarnessPlan(
     String modelName,
@@ -69,9 +65,9 @@ public record HarnessPlan(
   /**
    * A parameter of the method under test.
    *
-   * @param given what the cases set in it: one {@link Given} without a path for the whole of it,
-   *     several with paths for parts, none for an out-parameter that they leave alone. No path
-   *     begins with another.
+   * @param given the values that the cases set: one {@link Given} without a path for the whole
+   *     parameter, several with paths for parts, none for an out-parameter without a value. No path is
+   *     a prefix of another.
    */
   public record Argument(Parameter parameter, List<Given> given) {
     public Argument {
@@ -79,7 +75,7 @@ public record HarnessPlan(
       given = List.copyOf(given);
     }
 
-    /** Its name in the interface. */
+    /** The name of the parameter in the interface. */
     public String name() {
       return parameter.name();
     }
@@ -88,9 +84,9 @@ public record HarnessPlan(
   /**
    * A value of the cases (TDI).
    *
-   * @param column what the suite calls it
-   * @param path where it goes within the parameter; empty for the whole
-   * @param type that the interface has there
+   * @param column name of the suite's parameter
+   * @param path path in the parameter; empty for the whole parameter
+   * @param type type of this path in the interface
    */
   public record Given(String column, List<Step> path, DataType type) {
     public Given {
@@ -101,11 +97,12 @@ public record HarnessPlan(
   }
 
   /**
-   * The world of the activity and what the suite sets in it.
+   * The world of the activity.
    *
-   * @param path of its description, within the activity
+   * @param path path of the world description in the activity
+   * @param settings parameters that the suite sets
    * @param settle simulation time before the call
-   * @param runFor simulation time after it
+   * @param runFor simulation time after the call
    */
   public record World(String path, List<Setting> settings, Duration settle, Duration runFor) {
     public World {
@@ -116,9 +113,9 @@ public record HarnessPlan(
     }
 
     /**
-     * A parameter of the world that the suite sets (TDSD), a number; the bounds are inclusive.
+     * A parameter of the world that the suite sets (TDSD), with inclusive bounds.
      *
-     * @param name in the world, and what the suite calls it
+     * @param name name in the world and in the suite
      */
     public record Setting(String name, String unit, double min, double max) {
       public Setting {
@@ -131,7 +128,7 @@ public record HarnessPlan(
   /**
    * A required interface.
    *
-   * @param source name of the document that describes it
+   * @param source name of the document
    */
   public record Stub(String name, String source, List<StubMethod> methods) {
     public Stub {
@@ -144,8 +141,7 @@ public record HarnessPlan(
   /**
    * A method of a required interface.
    *
-   * @param answers what the suite sets, by parameter, then by call; what it does not set has the
-   *     zero of its type
+   * @param answers answers that the suite sets, by parameter, then by call; everything else is zero
    */
   public record StubMethod(Method method, List<Answer> answers) {
     public StubMethod {
@@ -155,13 +151,13 @@ public record HarnessPlan(
   }
 
   /**
-   * An answer (TDTS), from one call on to the next that has its own.
+   * An answer (TDTS). It is used from a call on until the next answer.
    *
-   * @param column what the suite calls it
-   * @param parameter the out-parameter that it goes to; null for the return value
-   * @param fromCall number of the first call that gets it, from 1
-   * @param type that the interface has there
-   * @param plain whether every value in the suite is one of the type: no {@code !error:NAME}, no
+   * @param column name of the suite's parameter
+   * @param parameter out-parameter that is set; null for the return value
+   * @param fromCall number of the first call with this answer, from 1
+   * @param type type of the out-parameter or return value
+   * @param plain whether all values in the suite are values of the type, not {@code !error:NAME} or
    *     {@code !delay:SECONDS}
    */
   public record Answer(
@@ -170,15 +166,15 @@ public record HarnessPlan(
       Objects.requireNonNull(column);
       Objects.requireNonNull(type);
       if (fromCall < 1) {
-        throw new IllegalArgumentException("calls are counted from 1: " + fromCall);
+        throw new IllegalArgumentException("call numbers start at 1: " + fromCall);
       }
     }
   }
 
   /**
-   * Something that is looked at after the call.
+   * An output that is read after the call.
    *
-   * @param name in the result
+   * @param name name in the result
    */
   public record Output(String name, Source source, DataType type) {
     public Output {
@@ -188,16 +184,16 @@ public record HarnessPlan(
     }
   }
 
-  /** Where an output comes from. */
+  /** The source of an output. */
   public sealed interface Source {
-    /** The return value, or the part of it that the path leads to. */
+    /** The return value or a part of it. */
     record Returned(List<Step> path) implements Source {
       public Returned {
         path = List.copyOf(path);
       }
     }
 
-    /** An out-parameter, or the part of it that the path leads to. */
+    /** An out-parameter or a part of it. */
     record OutParameter(String parameter, List<Step> path) implements Source {
       public OutParameter {
         Objects.requireNonNull(parameter);
@@ -205,10 +201,10 @@ public record HarnessPlan(
       }
     }
 
-    /** What the world shows, a number. */
+    /** An observation of the world, a number. */
     record Observation(String name) implements Source {}
 
-    /** What the component last sent through an output data port, or the part the path leads to. */
+    /** The last value that the component sent through an output data port, or a part of it. */
     record DataPort(String port, List<Step> path) implements Source {
       public DataPort {
         Objects.requireNonNull(port);
@@ -216,13 +212,13 @@ public record HarnessPlan(
       }
     }
 
-    /** The way into what is looked at; none for the whole of it. */
+    /** The path in the output; empty for the whole output. */
     default List<Step> path() {
       return List.of();
     }
   }
 
-  /** A call of the component that sets it up; the values fit the types of the parameters. */
+  /** A call that sets up the component. The values match the types of the parameters. */
   public record Call(Method method, List<Value> arguments) {
     public Call {
       Objects.requireNonNull(method);
@@ -231,12 +227,12 @@ public record HarnessPlan(
   }
 
   /**
-   * What an adapter between a component and the interfaces of its test has to be.
+   * The plan of an adapter between a component and the interfaces of its test.
    *
-   * @param className as its language qualifies it
-   * @param provided the interfaces that it implements
-   * @param required names of the interfaces that it is given
-   * @param hardware whether there is a world, the devices of which it is given
+   * @param className qualified class name in the syntax of the language
+   * @param provided interfaces that the adapter implements
+   * @param required names of interfaces that are passed to the adapter
+   * @param hardware whether the devices of the world are passed to the adapter
    */
   public record Adapter(
       String className,
@@ -250,7 +246,7 @@ public record HarnessPlan(
     }
   }
 
-  /** The method under test as documents name it. */
+  /** The method under test, such as {@code Interface.Method}. */
   public String methodName() {
     return interfaceName + "." + method.name();
   }
@@ -265,7 +261,7 @@ public record HarnessPlan(
    * {@code geometry_msgs/Pose} and of {@code geometry.Pose}. No two {@link #types} share one.
    */
   public static String simpleName(DataType type) {
-    return simpleName(type.spelling());
+    return simpleName(type.typeName());
   }
 
   /** A name without its scope. */

@@ -26,11 +26,10 @@ import org.sitaf.core.suite.CaseParameter;
 import org.sitaf.core.suite.TestSuite;
 
 /**
- * Decides about a test application before a language spells it, and says everything that holds in
- * no language.
+ * Plans a test application independent of its language, and reports everything that no language can express.
  */
 public final class HarnessPlanner {
-  /** The document that problems with the profile are told of. */
+  /** The document of the test profile, for diagnostics. */
   public static final String PROFILE = "activity.yaml";
 
   private final Activity activity;
@@ -49,9 +48,8 @@ public final class HarnessPlanner {
   /**
    * Plans a test application.
    *
-   * @param diagnostics gets everything that cannot be tested so; when there is an error among it,
-   *     the plan lacks what the error is about
-   * @throws InvalidInputException when the method under test is not found
+   * @param diagnostics receives problems; parts of the plan with errors are missing
+   * @throws InvalidInputException if the method under test is not found
    */
   public static HarnessPlan plan(
       Activity activity, TestModel model, TestSuite suite, Diagnostics diagnostics) {
@@ -59,9 +57,9 @@ public final class HarnessPlanner {
   }
 
   /**
-   * Plans the adapter to a component.
+   * Plans the adapter of a component.
    *
-   * @param diagnostics gets everything that no language can spell
+   * @param diagnostics receives problems
    */
   public static HarnessPlan.Adapter adapter(Activity activity, Diagnostics diagnostics) {
     List<InterfaceDescription> provided =
@@ -69,13 +67,13 @@ public final class HarnessPlanner {
     DeclaredTypes types = new DeclaredTypes(diagnostics);
     for (InterfaceDescription description : provided) {
       for (Method method : description.methods()) {
-        if (StubPlanner.isSpelled(description, method, diagnostics)) {
+        if (StubPlanner.checkNames(description, method, diagnostics)) {
           types.reach(description.source(), method);
         }
       }
     }
     if (provided.isEmpty()) {
-      diagnostics.error(PROFILE, 0, "provided", "names no interface that an adapter could have");
+      diagnostics.error(PROFILE, 0, "provided", "contains no interface that an adapter could implement");
     }
     return new HarnessPlan.Adapter(
         activity.profile().component().className(),
@@ -101,7 +99,7 @@ public final class HarnessPlanner {
           PROFILE,
           0,
           "component.execution",
-          "a periodic component is executed in simulation time: activity.yaml must name a world");
+          "a periodic component is executed in simulation time; add a world to activity.yaml");
     }
     List<Argument> arguments = new ArgumentPlanner(target, model, suite, diagnostics).plan();
     World world = world();
@@ -115,13 +113,13 @@ public final class HarnessPlanner {
       description.methods().forEach(m -> types.reach(description.source(), m));
     }
     before.forEach(call -> types.reach(PROFILE, call.method()));
-    // The component names the types of all its methods; an adapter implements all of them.
+    // The component uses the types of all its methods; an adapter implements all of them.
     for (InterfaceDescription description : provided) {
       description.methods().stream()
           .filter(m -> component.adapter() != null || !holdsUnknown(m))
           .forEach(m -> types.reach(description.source(), m));
     }
-    // The component names the types of all its ports, too.
+    // The component also uses the types of all its ports.
     for (Port.Data port : activity.outputPorts()) {
       if (!holdsUnknown(port.type()) || isObserved(port, outputs)) {
         types.reach(PROFILE, port);
@@ -175,7 +173,7 @@ public final class HarnessPlanner {
             0,
             "test_element " + parameter.name(),
             description == null
-                ? "is set through the simulation, but activity.yaml names no world"
+                ? "is a parameter of the world, but activity.yaml has no world"
                 : description.path() + " has no such parameter");
       } else if (!Words.isWord(parameter.name())) {
         diagnostics.error(

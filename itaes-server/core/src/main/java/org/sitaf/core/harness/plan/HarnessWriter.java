@@ -3,23 +3,20 @@ package org.sitaf.core.harness.plan;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.diagnostic.Diagnostics;
 
-/** Spells test applications in one language. */
+/** Generates the sources of test applications in one language. */
 public interface HarnessWriter {
 
   /**
-   * The sources of a test application: test driver, simulation control, test stub, concrete test
-   * driver, and the interfaces and types that the component shares with them. The same plan gives
-   * the same bytes.
+   * Generates the sources of a test application: test driver, simulation control, test stub, concrete test driver, and the interfaces and types that they share with the component. The same plan gives the same bytes.
    *
-   * @param diagnostics gets everything that the language cannot express; when there is an error
-   *     among it, what is returned is not used
-   * @return the sources by path below the source folder, the generated {@link #editableFile} among
-   *     them
+   * @param diagnostics receives everything that the language cannot express; after an error, the
+   *     result is not used
+   * @return the sources by path below the source folder, including {@link #editableFile}
    */
   FileTree write(HarnessPlan plan, Diagnostics diagnostics);
 
   /**
-   * The beginning of an adapter, for its user to go on with.
+   * Generates the skeleton of an adapter.
    *
    * @param diagnostics as for {@link #write}
    * @return the sources by path below the adapter's folder
@@ -27,11 +24,10 @@ public interface HarnessWriter {
   FileTree adapter(HarnessPlan.Adapter plan, Diagnostics diagnostics);
 
   /**
-   * What to start: the qualified name of the main class in Java, of the module in Python, the name
-   * of the executable in C++.
+   * The program to start: the qualified name of the main class (Java) or module (Python), or the name of the executable (C++).
    */
   String entryPoint(String modelName);
 
-  /** The path, among the sources, of the file that the user may edit. */
+  /** The path of the source that the user may edit. */
   String editableFile(String modelName);
 }

@@ -7,7 +7,7 @@ import java.util.stream.Collectors;
 import org.sitaf.core.description.InterfaceDescription;
 import org.sitaf.core.description.Method;
 
-/** Names that runtimes take for steps in the life of a component. */
+/** Method names that the runtimes call as life-cycle hooks of a component. */
 public final class Hooks {
   private static final Set<String> NAMES =
       Set.of(
@@ -27,17 +27,17 @@ public final class Hooks {
   private Hooks() {}
 
   /**
-   * Methods of the component's interfaces that its life must not call, since the test does.
+   * The methods of the component's interfaces that have the name of a hook. The runtime must not call them, because the test does.
    *
-   * @param spelling how else the language lets a component name its methods
+   * @param alternative alternative naming convention of the language
    */
   public static List<String> among(
-      List<InterfaceDescription> provided, UnaryOperator<String> spelling) {
-    Set<String> spelled = NAMES.stream().map(spelling).collect(Collectors.toSet());
+      List<InterfaceDescription> provided, UnaryOperator<String> alternative) {
+    Set<String> names = NAMES.stream().map(alternative).collect(Collectors.toSet());
     return provided.stream()
         .flatMap(i -> i.methods().stream())
         .map(Method::name)
-        .filter(name -> NAMES.contains(name) || spelled.contains(spelling.apply(name)))
+        .filter(name -> NAMES.contains(name) || names.contains(alternative.apply(name)))
         .distinct()
         .toList();
   }

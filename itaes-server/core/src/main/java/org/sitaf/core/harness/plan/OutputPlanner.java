@@ -20,8 +20,7 @@ import org.sitaf.core.model.OutputKind;
 import org.sitaf.core.model.TestModel;
 
 /**
- * Plans what is looked at after the call: the return value and every out-parameter, whether or not
- * the model looks at them, then the parts, the observations and the data ports that it names.
+ * Plans the outputs: the return value and all out-parameters, whether or not the model uses them, then the parts, observations and data ports of the model.
  */
 final class OutputPlanner {
   private static final DataType NUMBER = new DataType.Scalar(ScalarType.DOUBLE);
@@ -109,14 +108,14 @@ final class OutputPlanner {
 
   private void observation(OutputElement element) {
     if (activity.world() == null) {
-      unknown(element, "is observed in the simulation, but activity.yaml names no world");
+      unknown(element, "is an observation of the world, but activity.yaml has no world");
     }
     add(element.name(), new Source.Observation(element.name()), NUMBER, element);
   }
 
   private void port(Port.Data port, OutputElement element) {
     if (!Words.isWord(port.name())) {
-      unknown(element, "is a data port without a name that a method can have");
+      unknown(element, "is a data port whose name is not a valid method name");
       return;
     }
     part(element, port.type())
@@ -136,7 +135,7 @@ final class OutputPlanner {
   private Optional<DataType> part(OutputElement element, DataType whole) {
     Optional<DataType> type = MemberPath.resolve(whole, element.name());
     if (type.isEmpty()) {
-      unknown(element, whole.spelling() + " has no such member or element");
+      unknown(element, whole.typeName() + " has no such member or element");
     }
     return type;
   }

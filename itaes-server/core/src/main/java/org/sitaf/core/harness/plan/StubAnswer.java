@@ -5,13 +5,11 @@ import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a stubbed method does when it is called, as a test case spells it: {@code VALUE}, {@code
- * !error:NAME}, {@code !delay:SECONDS}, or a delay and, after a space, one of the others.
+ * The answer of a stubbed method in a test case: {@code VALUE}, {@code !error:NAME}, {@code !delay:SECONDS}, or a delay followed by a space and one of the others.
  *
  * @param delay in seconds; 0 for none
- * @param error name of what is thrown; null where nothing is
- * @param value the literal that is returned; null where that is the zero of the type, or an error
- *     is thrown
+ * @param error name of the thrown exception; null for none
+ * @param value returned literal; null for zero or if an exception is thrown
  */
 record StubAnswer(double delay, @Nullable String error, @Nullable String value) {
   private static final String DELAY = "!delay:";
@@ -20,9 +18,9 @@ record StubAnswer(double delay, @Nullable String error, @Nullable String value) 
       Pattern.compile("!delay:([0-9]{1,6}(?:\\.[0-9]{1,9})?)(?: (.*))?", Pattern.DOTALL);
 
   /**
-   * Reads an answer.
+   * Parses an answer.
    *
-   * @throws IllegalArgumentException when it is neither a value nor spelled as above
+   * @throws IllegalArgumentException if it is invalid
    */
   static StubAnswer parse(String answer) {
     double delay = 0;
@@ -42,12 +40,12 @@ record StubAnswer(double delay, @Nullable String error, @Nullable String value) 
     String error = rest.substring(ERROR.length());
     if (!Words.isWord(error)) {
       throw new IllegalArgumentException(
-          "'" + rest + "' is not an error such as !error:NoEcho, with the name of an exception");
+          "'" + rest + "' is not an error such as !error:NoEcho");
     }
     return new StubAnswer(delay, error, null);
   }
 
-  /** Whether it is a value and nothing else. */
+  /** Whether the answer is only a value. */
   boolean isPlain() {
     return delay == 0 && error == null && value != null;
   }

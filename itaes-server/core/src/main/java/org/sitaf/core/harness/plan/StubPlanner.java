@@ -24,9 +24,9 @@ import org.sitaf.core.model.TestModel;
 import org.sitaf.core.suite.TestCase;
 import org.sitaf.core.suite.TestSuite;
 
-/** Plans what the test stub answers for the required interfaces. */
+/** Plans the stubs of the required interfaces. */
 final class StubPlanner {
-  /** {@code Interface.Method} or {@code Interface.Method.param}, either with {@code #2}. */
+  /** {@code Interface.Method} or {@code Interface.Method.param}, each optionally followed by {@code #2}. */
   private static final Pattern NAME =
       Pattern.compile("([^.#]+)\\.([^.#]+)(?:\\.([^.#]+))?(?:#([1-9][0-9]{0,3}))?");
 
@@ -37,8 +37,8 @@ final class StubPlanner {
 
   private final Set<String> errors = new TreeSet<>();
 
-  /** Names of methods that the suite answers for. */
-  private final Set<String> placed = new HashSet<>();
+  /** The suite's parameters that belong to a stubbed method. */
+  private final Set<String> usedColumns = new HashSet<>();
 
   StubPlanner(
       List<InterfaceDescription> required,
@@ -59,7 +59,7 @@ final class StubPlanner {
             description.source(),
             0,
             "type_name " + description.name(),
-            "is not a name that an interface can have");
+            "is not a valid interface name");
         continue;
       }
       stubs.add(
@@ -67,23 +67,23 @@ final class StubPlanner {
               description.name(),
               description.source(),
               description.methods().stream()
-                  .filter(m -> isSpelled(description, m, diagnostics))
+                  .filter(m -> checkNames(description, m, diagnostics))
                   .map(m -> new StubMethod(m, answers(description, m)))
                   .toList()));
     }
     for (String column : columns()) {
-      if (!placed.contains(column)) {
+      if (!usedColumns.contains(column)) {
         problem(
             column,
-            "is neither a method of a required interface nor an out-parameter of one; these are"
-                + " named Interface.Method and Interface.Method.param, with #2 for the second call"
-                + " on");
+            "is neither a method of a required interface nor an out-parameter; use"
+                + " Interface.Method or Interface.Method.param, followed by #2 for answers from the"
+                + " second call on");
       }
     }
     return stubs;
   }
 
-  /** Names of errors that answers raise. */
+  /** The names of errors in answers. */
   Set<String> errors() {
     return errors;
   }
@@ -95,12 +95,12 @@ final class StubPlanner {
         .toList();
   }
 
-  /** Whether all names of a method can be names of a program; those that cannot are told. */
-  static boolean isSpelled(
+  /** Checks that all names of a method are identifiers. Other names are reported. */
+  static boolean checkNames(
       InterfaceDescription description, Method method, Diagnostics diagnostics) {
     List<String> problems = new ArrayList<>();
     if (!Words.isWord(method.name())) {
-      problems.add("is not a name that a method can have");
+      problems.add("is not a valid method name");
     }
     for (Parameter parameter : method.parameters()) {
       if (!Words.isWord(parameter.name())) {
@@ -126,10 +126,10 @@ final class StubPlanner {
           || !name.group(2).equals(method.name())) {
         continue;
       }
-      boolean twice = !placed.add(column);
+      boolean twice = !usedColumns.add(column);
       if (twice || description.methodsNamed(method.name()).size() > 1) {
         if (!twice) {
-          problem(column, "is overloaded: which of the methods answers is open");
+          problem(column, "is overloaded; answers of overloaded methods are not supported");
         }
         continue;
       }
@@ -161,7 +161,7 @@ final class StubPlanner {
         problem(
             column,
             method.name()
-                + " returns nothing: its answers can only be !error:NAME and !delay:SECONDS");
+                + " returns nothing; its answers can only be !error:NAME and !delay:SECONDS");
         return Optional.empty();
       }
       return Optional.of(new Answer(column, null, fromCall, method.returnType(), plain));
@@ -175,7 +175,7 @@ final class StubPlanner {
     if (!isPlain(column)) {
       problem(
           column,
-          "errors and delays are answers of a whole call; name it "
+          "errors and delays are answers of a whole call; name the element "
               + name.group(1)
               + "."
               + name.group(2));
@@ -185,7 +185,7 @@ final class StubPlanner {
     return Optional.of(new Answer(column, parameter.get(), fromCall, type, true));
   }
 
-  /** Reads what a column answers; an answer that cannot be understood is a problem. */
+  /** Parses all answers of a column. Returns whether all of them are only values. Invalid answers are reported. */
   private boolean isPlain(String column) {
     int index = suite.parameters().stream().map(p -> p.name()).toList().indexOf(column);
     boolean plain = true;

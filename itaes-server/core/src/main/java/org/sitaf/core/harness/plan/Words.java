@@ -3,7 +3,7 @@ package org.sitaf.core.harness.plan;
 import java.util.Locale;
 import java.util.regex.Pattern;
 
-/** What names in generated sources are made of, whatever the language. */
+/** Identifiers in generated sources, independent of the language. */
 public final class Words {
   private static final Pattern WORD = Pattern.compile("[\\p{L}_$][\\p{L}\\p{Nd}_$]*");
   private static final int MAX_LENGTH = 255;
@@ -11,15 +11,14 @@ public final class Words {
   private Words() {}
 
   /**
-   * Whether a name holds letters, digits, {@code _} and {@code $} only, and begins with no digit.
+   * Whether a name consists of letters, digits, {@code _} and {@code $}, and does not begin with a digit.
    */
   public static boolean isWord(String name) {
     return name.length() <= MAX_LENGTH && WORD.matcher(name).matches();
   }
 
   /**
-   * Words in camel case: {@code IndexOfSensor} gives {@code indexOfSensor}, {@code Finder} and
-   * {@code GetRange} give {@code finderGetRange}.
+   * Joins words in camel case: {@code IndexOfSensor} becomes {@code indexOfSensor}; {@code Finder} and {@code GetRange} become {@code finderGetRange}.
    */
   public static String camelCase(String[] words) {
     StringBuilder joined = new StringBuilder();
@@ -30,8 +29,7 @@ public final class Words {
   }
 
   /**
-   * {@code IndexOfSensor} to {@code indexOfSensor}, {@code IRSensor} to {@code irSensor}, {@code
-   * ID} to {@code id}.
+   * Converts {@code IndexOfSensor} to {@code indexOfSensor}, {@code IRSensor} to {@code irSensor}, {@code ID} to {@code id}.
    */
   private static String lowered(String word) {
     int upper = 0;
@@ -42,7 +40,7 @@ public final class Words {
     return word.substring(0, lowered).toLowerCase(Locale.ROOT) + word.substring(lowered);
   }
 
-  /** {@code pose} to {@code Pose}. */
+  /** Converts {@code pose} to {@code Pose}. */
   public static String raised(String word) {
     return word.isEmpty()
         ? word

@@ -1,6 +1,5 @@
 /**
- * What a test application will do, decided in terms that every language shares, before a language
- * spells it.
+ * Language-independent plans of test applications.
  */
 @NullMarked
 package org.sitaf.core.harness.plan;

@@ -11,7 +11,7 @@ import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.harness.plan.HarnessPlan;
 import org.sitaf.core.harness.python.PythonPlan.StubMethod;
 
-/** What the template of an adapter's beginning prints. */
+/** The view of an adapter skeleton. */
 record AdapterView(
     String module,
     boolean hasImports,
@@ -43,7 +43,7 @@ record AdapterView(
               provided.source(),
               method.line(),
               "method " + method.name(),
-              "is overloaded, and Python has one method of a name only");
+              "is overloaded, which Python does not support");
         }
       }
     }
@@ -59,14 +59,14 @@ record AdapterView(
   private static String constructor(HarnessPlan.Adapter plan) {
     List<String> parameters = new ArrayList<>(List.of("self"));
     List<String> body = new ArrayList<>();
-    body.add("# Make the component here, and keep it in an attribute.");
+    body.add("# Create the component here and store it in an attribute.");
     if (plan.hardware()) {
       parameters.add("hardware: Hardware");
-      body.add("# Through the hardware it reaches the simulated devices.");
+      body.add("# The hardware gives access to the simulated devices.");
       body.add("self._hardware = hardware");
     }
     if (!plan.required().isEmpty()) {
-      body.add("# The test stub answers for what it requires.");
+      body.add("# The required interfaces are implemented by the test stub.");
     }
     PythonNames scope = new PythonNames();
     for (String required : plan.required()) {
@@ -83,7 +83,7 @@ record AdapterView(
 
   private static String method(Method method) {
     PythonNames scope = new PythonNames();
-    StubMethod spelled =
+    StubMethod planned =
         new StubMethod(
             new HarnessPlan.StubMethod(method, List.of()),
             "",
@@ -94,22 +94,22 @@ record AdapterView(
                 .toList(),
             List.of());
     boolean answers =
-        !HarnessPlan.isVoid(method.returnType()) || !spelled.parameters(true).isEmpty();
+        !HarnessPlan.isVoid(method.returnType()) || !planned.parameters(true).isEmpty();
     String errors =
         method.raises().isEmpty()
             ? ""
-            : "\n        # It may raise, of sitaf_interfaces: "
+            : "\n        # May raise exceptions of sitaf_interfaces: "
                 + String.join(", ", method.raises())
                 + ".";
-    return TestStubView.declaration(spelled)
-        + "\n        # Pass the call on to the component"
-        + (answers ? ", and return what it answers." : ".")
+    return TestStubView.declaration(planned)
+        + "\n        # Delegate the call to the component"
+        + (answers ? " and return its result." : ".")
         + errors
         + "\n"
         + new PythonText.Group(
                 "raise NotImplementedError(",
                 ")",
-                PythonText.string(method.name() + " is not passed on yet"))
+                PythonText.string(method.name() + " is not implemented yet"))
             .at(8);
   }
 }

@@ -9,7 +9,7 @@ import org.sitaf.core.harness.plan.HarnessPlan;
 import org.sitaf.core.harness.python.PythonPlan.Argument;
 import org.sitaf.core.harness.python.PythonText.Group;
 
-/** What the template of the concrete test driver prints. */
+/** The view of the concrete test driver. */
 record ConcreteTestDriverView(
     String documentation,
     String imports,
@@ -27,11 +27,10 @@ record ConcreteTestDriverView(
             0,
             List.of(
                 "Concrete test driver of " + PythonText.plain(neutral.methodName()) + ".",
-                "What is particular about the test, to be changed freely. Keep a changed version in"
-                    + " the activity as harness/"
+                "You may edit this class. To keep your changes, save this file in the activity as"
+                    + " harness/"
                     + PythonText.plain(neutral.modelName())
-                    + "/concrete_test_driver.py: it is used from then on, and never generated"
-                    + " over.")),
+                    + "/concrete_test_driver.py. It then replaces the generated file.")),
         imports(plan),
         plan.component(),
         setUp(neutral),

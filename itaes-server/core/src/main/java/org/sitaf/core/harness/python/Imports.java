@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.TreeMap;
 import java.util.TreeSet;
 
-/** The imports of a module, in the order that linters want: the standard library's first. */
+/** The imports of a module in the order of isort: first the standard library. */
 final class Imports {
   private static final List<String> STANDARD =
       List.of("abc", "collections.abc", "dataclasses", "enum", "typing");
@@ -34,7 +34,7 @@ final class Imports {
     return Character.isUpperCase(name.charAt(0)) ? 1 : 2;
   }
 
-  /** The lines, with those of the standard library apart. */
+  /** The lines, with an empty line after those of the standard library. */
   String text() {
     List<String> blocks = new ArrayList<>();
     for (TreeMap<String, TreeSet<String>> block : List.of(standard, others)) {
@@ -51,7 +51,7 @@ final class Imports {
     return standard.isEmpty() && others.isEmpty();
   }
 
-  /** What a module exports that exports all it imports. */
+  /** The {@code __all__} of a module that exports all its imports. */
   String all() {
     TreeSet<String> names = new TreeSet<>();
     others.values().forEach(names::addAll);

@@ -7,7 +7,7 @@ import org.sitaf.core.harness.plan.HarnessPlan;
 import org.sitaf.core.harness.python.PythonPlan.Stub;
 import org.sitaf.core.harness.python.PythonPlan.StubMethod;
 
-/** What the templates of the package {@code sitaf_interfaces} print. */
+/** The views of the package {@code sitaf_interfaces}. */
 final class InterfacesView {
   private InterfacesView() {}
 
@@ -31,9 +31,9 @@ final class InterfacesView {
       String about =
           "The required interface "
               + PythonText.plain(stub.name())
-              + ", as "
+              + ", described in "
               + PythonText.plain(stub.neutral().source())
-              + " describes it.";
+              + ".";
       return new Interface(
           PythonText.docstring(0, List.of("A required interface of the component.")),
           imports.text(),
@@ -43,7 +43,7 @@ final class InterfacesView {
     }
   }
 
-  /** Imports the types of an interface from where they are, as the package is not complete yet. */
+  /** Imports types from their module, because the package itself is not initialized yet. */
   private static void importDeclared(DataType type, Imports imports) {
     if (type instanceof DataType.Struct || type instanceof DataType.Enumeration) {
       imports.add("sitaf_interfaces.data_types", HarnessPlan.simpleName(type));
@@ -54,7 +54,7 @@ final class InterfacesView {
 
   /** The structs and enumerations. */
   record DataTypes(String imports, List<Declared> types) {
-    /** One of them. */
+    /** A struct or an enumeration. */
     record Declared(String head, String documentation, List<String> lines) {}
 
     static DataTypes of(HarnessPlan plan) {
@@ -104,7 +104,7 @@ final class InterfacesView {
     }
 
     private static String documentation(String what, DataType type) {
-      return PythonText.docstring(4, List.of(what + PythonText.plain(type.spelling()) + "."));
+      return PythonText.docstring(4, List.of(what + PythonText.plain(type.typeName()) + "."));
     }
   }
 }

@@ -17,9 +17,7 @@ import org.sitaf.core.harness.plan.HarnessPlan;
 import org.sitaf.core.harness.plan.HarnessWriter;
 
 /**
- * The Python sources of a test application: test driver, simulation control, test stub, and the
- * concrete test driver that the user may edit; and the package {@code sitaf_interfaces} with the
- * interfaces and types that the component shares with them.
+ * Generates test applications in Python: test driver, simulation control, test stub, the concrete test driver that the user may edit, and the package {@code sitaf_interfaces} with the interfaces and types that they share with the component.
  */
 public final class PythonHarness implements HarnessWriter {
   private static final String CONCRETE = "concrete_test_driver";
@@ -48,7 +46,7 @@ public final class PythonHarness implements HarnessWriter {
     return FileTree.of(files);
   }
 
-  /** What the component shares with the test; nothing where it shares nothing. */
+  /** Generates the interfaces and types that the test shares with the component, if there are any. */
   private static void interfaces(PythonPlan plan, Map<String, byte[]> files) {
     HarnessPlan neutral = plan.neutral();
     StringBuilder exported = new StringBuilder();
@@ -72,7 +70,7 @@ public final class PythonHarness implements HarnessWriter {
     }
     if (!imports.isEmpty()) {
       exported
-          .append("\"\"\"What the component shares with the test.\"\"\"\n\n")
+          .append("\"\"\"Interfaces and types that the component shares with the test.\"\"\"\n\n")
           .append(imports.text())
           .append("\n\n")
           .append(imports.all())

@@ -10,8 +10,7 @@ import java.util.stream.Collectors;
 import org.sitaf.core.harness.plan.Words;
 
 /**
- * Names of users' documents in Python sources. What is called must keep its name and is refused
- * where Python cannot spell it; locals are only named after something, and step aside.
+ * Names in Python sources. Names of methods and types are taken from the user's documents and rejected if invalid in Python; local variables are renamed if necessary.
  */
 final class PythonNames {
   private static final Set<String> KEYWORDS =
@@ -20,7 +19,7 @@ final class PythonNames {
           False None True and as assert async await break class continue def del elif else except finally for from
           global if import in is lambda nonlocal not or pass raise return try while with yield""");
 
-  /** What generated sources mean by a name at the top of a module. */
+  /** Names that generated modules use at the top level. */
   private static final Set<String> USED_TYPES =
       words(
           """
@@ -30,7 +29,7 @@ final class PythonNames {
           bool call_with_outs data_types dataclass dict enumeration errors float int list member method_of object
           part_of port_of sequence set_property start str struct super tuple type""");
 
-  /** Locals of generated methods. */
+  /** Local variables of generated methods. */
   private static final Set<String> USED_LOCALS =
       words("component parameters pending result returned run self test_case");
 
@@ -39,7 +38,7 @@ final class PythonNames {
 
   private final Set<String> taken = new HashSet<>(USED_LOCALS);
 
-  /** Names of one scope. */
+  /** Creates the names of one scope. */
   PythonNames() {
     taken.addAll(USED_TYPES);
   }
@@ -49,8 +48,7 @@ final class PythonNames {
   }
 
   /**
-   * Whether Python spells a name so. Two leading underscores would make it another name within a
-   * class, and Python reads a name in its normal form.
+   * Whether a name is valid. Excludes leading double underscores, which Python mangles in classes, and names that Python would normalize.
    */
   static boolean isName(String name) {
     return Words.isWord(name)
@@ -61,19 +59,18 @@ final class PythonNames {
         && Normalizer.isNormalized(name, Normalizer.Form.NFKC);
   }
 
-  /** Whether a type of that name can stand beside what generated sources use. */
+  /** Whether a name is valid for a type and does not conflict with generated sources. */
   static boolean isTypeName(String name) {
     return isName(name) && !USED_TYPES.contains(name);
   }
 
-  /** Whether generated sources mean something else by a name. */
+  /** Whether a name is used by generated sources. */
   static boolean isUsedType(String name) {
     return USED_TYPES.contains(name);
   }
 
   /**
-   * A package for a model: its name in snake case, with what a module of any file system cannot be
-   * called replaced.
+   * The package of a model: its name in snake case, with invalid characters replaced.
    */
   static String packagePart(String modelName) {
     String part = snakeCase(modelName).replaceAll("[^a-z0-9_]", "_");
@@ -83,12 +80,12 @@ final class PythonNames {
     return KEYWORDS.contains(part) ? part + "_" : part;
   }
 
-  /** {@code IndexOfSensor} gives {@code index_of_sensor}, {@code IRSensor} {@code ir_sensor}. */
+  /** Converts {@code IndexOfSensor} to {@code index_of_sensor} and {@code IRSensor} to {@code ir_sensor}. */
   static String snakeCase(String name) {
     return BORDERS.matcher(name).replaceAll("_").toLowerCase(Locale.ROOT);
   }
 
-  /** A name for a local, after something of a document. */
+  /** A unique name of a local variable for a name in a document. */
   String local(String documentName) {
     String wanted =
         snakeCase(documentName).replaceAll("[^\\p{L}\\p{Nd}_]+", "_").replaceAll("^_+|_+$", "");

@@ -8,12 +8,12 @@ import org.sitaf.core.description.Parameter;
 import org.sitaf.core.harness.plan.HarnessPlan;
 
 /**
- * A test application in Python, decided: every name is one that Python can spell.
+ * The plan of a test application in Python. All names are valid in Python.
  *
- * @param packageName of the model's modules
- * @param component the class under test as modules name it
- * @param componentModule where it is imported from
- * @param componentClass what it is called there
+ * @param packageName package of the model's modules
+ * @param component name of the class under test in generated modules
+ * @param componentModule module of the class under test
+ * @param componentClass name of the class in this module
  */
 record PythonPlan(
     HarnessPlan neutral,
@@ -35,7 +35,7 @@ record PythonPlan(
       return neutral.parameter().direction();
     }
 
-    /** The variable's annotation. */
+    /** The type annotation of the variable. */
     String hint() {
       String hint = PythonType.hint(type());
       return switch (direction()) {
@@ -52,7 +52,7 @@ record PythonPlan(
   /**
    * A required interface.
    *
-   * @param field of the test stub that answers for it
+   * @param field field of the test stub
    */
   record Stub(HarnessPlan.Stub neutral, String field, List<StubMethod> methods) {
     String name() {
@@ -63,8 +63,8 @@ record PythonPlan(
   /**
    * A method of a required interface.
    *
-   * @param field that holds its answers
-   * @param alias its name in snake case; null where the interface has it so
+   * @param field field with the answers
+   * @param alias name in snake case; null if the name is already in snake case
    */
   record StubMethod(
       HarnessPlan.StubMethod neutral,
@@ -99,7 +99,7 @@ record PythonPlan(
     return neutral.world() != null && !neutral.world().runFor().isZero();
   }
 
-  /** Whether the component is called again and again while time passes. */
+  /** Whether the component is executed periodically. */
   boolean isPeriodic() {
     return neutral.component().period() != null;
   }

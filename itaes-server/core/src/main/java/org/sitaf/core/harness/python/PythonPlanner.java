@@ -12,7 +12,7 @@ import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.harness.plan.HarnessPlan;
 import org.sitaf.core.harness.plan.HarnessPlanner;
 
-/** Names everything of a test application in Python, and says what Python cannot spell. */
+/** Plans a test application in Python, and reports everything that Python cannot express. */
 final class PythonPlanner {
   private final HarnessPlan neutral;
   private final Diagnostics diagnostics;
@@ -42,7 +42,7 @@ final class PythonPlanner {
       inProfile(
           diagnostics,
           "component.execution",
-          "a periodic component needs simulation time, but activity.yaml names no world");
+          "a periodic component needs simulation time, but activity.yaml has no world");
     }
     List<PythonPlan.Argument> arguments =
         neutral.arguments().stream()
@@ -65,7 +65,7 @@ final class PythonPlanner {
         neutral.stubs().stream().map(this::stub).toList());
   }
 
-  /** Tells what keeps a class from being named so. */
+  /** Checks the name of the component's class. */
   static void component(String qualified, Diagnostics diagnostics) {
     String[] parts = qualified.split("\\.", -1);
     for (String part : parts) {
@@ -81,14 +81,14 @@ final class PythonPlanner {
       inProfile(
           diagnostics,
           "component.class",
-          qualified + " must name its module, such as sensors." + qualified);
+          qualified + " must include its module, such as sensors." + qualified);
     } else if (parts[0].equals("sitaf_harness")
         || parts[0].equals("sitaf_interfaces")
         || parts[0].equals("sitaf_runtime")) {
       inProfile(
           diagnostics,
           "component.class",
-          "the module " + parts[0] + " is SITAF's own; name it otherwise");
+          "the module " + parts[0] + " is reserved for SITAF; rename the module");
     }
   }
 
@@ -97,7 +97,7 @@ final class PythonPlanner {
         || neutral.stubs().stream().anyMatch(s -> s.name().equals(name));
   }
 
-  /** Names that are the same for whoever calls or implements them. */
+  /** Checks the names of methods and types. */
   private void names() {
     method(neutral.interfaceName(), neutral.method());
     neutral.before().forEach(call -> method(HarnessPlanner.PROFILE, call.method()));
@@ -120,14 +120,14 @@ final class PythonPlanner {
               neutral.interfaceName(),
               0,
               "type " + name,
-              "'" + part + "' is not a name that Python can have there");
+              "'" + part + "' is not a valid Python name");
         }
       }
     }
     for (HarnessPlan.Stub stub : neutral.stubs()) {
       typeName(stub.source(), stub.name());
       if (!types.add(stub.name())) {
-        diagnostics.error(stub.source(), 0, "type_name " + stub.name(), "is also a type's name");
+        diagnostics.error(stub.source(), 0, "type_name " + stub.name(), "is also the name of a type");
       }
     }
     for (HarnessPlan.Stub stub : neutral.stubs()) {
@@ -136,14 +136,14 @@ final class PythonPlanner {
             stub.source(),
             0,
             "type_name " + stub.name(),
-            "its stub would be named as the type " + stub.name() + "Stub is");
+            "the name of its stub, " + stub.name() + "Stub, is also the name of a type");
       }
     }
     for (String error : neutral.errors()) {
       typeName(neutral.interfaceName(), error);
       if (!types.add(error)) {
         diagnostics.error(
-            neutral.interfaceName(), 0, "exception " + error, "is also another type's name");
+            neutral.interfaceName(), 0, "exception " + error, "is also the name of another type");
       }
     }
   }
@@ -152,14 +152,14 @@ final class PythonPlanner {
     method(source, method, diagnostics);
   }
 
-  /** Tells when a method cannot have its name in Python. */
+  /** Checks the name of a method. */
   static void method(String source, Method method, Diagnostics diagnostics) {
     if (!PythonNames.isName(method.name())) {
       diagnostics.error(
           source,
           method.line(),
           "method " + method.name(),
-          "is not a name that a method can have in Python");
+          "is not a valid Python method name");
     }
   }
 
@@ -170,8 +170,8 @@ final class PythonPlanner {
           0,
           "type_name " + name,
           PythonNames.isUsedType(name)
-              ? "is a name that test applications use themselves; rename it"
-              : "is not a name that a class can have in Python");
+              ? "is reserved for test applications; rename it"
+              : "is not a valid Python class name");
     }
   }
 

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * Values and texts of users in Python sources, and lines broken as {@code ruff format} breaks them.
+ * Escapes values and texts of users in Python sources, and breaks lines as {@code ruff format}.
  */
 final class PythonText {
   private static final int WIDTH = 88;
@@ -14,7 +14,7 @@ final class PythonText {
 
   private PythonText() {}
 
-  /** A string literal, in those quotes that need fewer escapes. */
+  /** A string literal, in the quotes that need fewer escapes. */
   static String string(String text) {
     long doubles = text.chars().filter(c -> c == '"').count();
     long singles = text.chars().filter(c -> c == '\'').count();
@@ -42,7 +42,7 @@ final class PythonText {
     }
   }
 
-  /** A float literal, or an expression where there is none. */
+  /** A float literal, or an expression such as {@code float("nan")}. */
   static String real(double number) {
     if (Double.isNaN(number)) {
       return "float(\"nan\")";
@@ -53,7 +53,7 @@ final class PythonText {
     return Double.toString(number).toLowerCase(Locale.ROOT);
   }
 
-  /** A text of a user within a docstring: on one line, with nothing in it that could end it. */
+  /** Escapes a user's text for a docstring: a single line that cannot end the docstring. */
   static String plain(String text) {
     String oneLine =
         text.replaceAll("[\\s\\p{Cntrl}\\p{Cf}\\p{Cs}\\p{Co}\\p{Cn}\\p{Zl}\\p{Zp}]+", " ").strip();
@@ -63,7 +63,7 @@ final class PythonText {
     return oneLine.replace("\\", "\\\\").replace('"', '\'');
   }
 
-  /** A docstring of paragraphs; the first is its summary. */
+  /** A docstring of paragraphs. The first one is the summary. */
   static String docstring(int indent, List<String> paragraphs) {
     String pad = " ".repeat(indent);
     List<String> lines = new ArrayList<>();
@@ -98,9 +98,9 @@ final class PythonText {
   }
 
   /**
-   * Something in brackets, such as a call, broken where it does not fit on one line.
+   * A statement with a list in brackets, such as a call. It is broken if it does not fit on one line.
    *
-   * @param open all before the first part, the bracket included
+   * @param open text up to and including the opening bracket
    */
   record Group(String open, List<String> parts, String close) {
     Group {
@@ -115,7 +115,7 @@ final class PythonText {
       return open + String.join(", ", parts) + close;
     }
 
-    /** The statement, indented. */
+    /** The indented statement. */
     String at(int indent) {
       String pad = " ".repeat(indent);
       String inner = " ".repeat(indent + 4);

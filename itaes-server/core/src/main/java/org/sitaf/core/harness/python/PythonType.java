@@ -7,13 +7,13 @@ import org.sitaf.core.description.ScalarType;
 import org.sitaf.core.harness.plan.HarnessPlan;
 import org.sitaf.core.model.Value;
 
-/** How Python spells a type of an interface. */
+/** The Python types of interface types. */
 final class PythonType {
   private static final String KINDS = "sitaf_runtime.suite.kinds";
 
   private PythonType() {}
 
-  /** In annotations. */
+  /** The type annotation. */
   static String hint(DataType type) {
     if (type instanceof DataType.Scalar scalar) {
       return switch (scalar.type()) {
@@ -33,7 +33,7 @@ final class PythonType {
     return HarnessPlan.simpleName(type);
   }
 
-  /** The runtime's kind of it, which reads and compares its values. */
+  /** The runtime's kind of a type, which reads and compares its values. */
   static String kind(DataType type) {
     if (type instanceof DataType.Scalar scalar) {
       return kind(scalar.type());
@@ -58,7 +58,7 @@ final class PythonType {
     };
   }
 
-  /** Imports what {@link #kind} names. */
+  /** Adds the imports of {@link #kind}. */
   static void importKind(DataType type, Imports imports) {
     for (String word : kind(type).split("\\W+")) {
       if (PythonNames.isUsedType(word)) {
@@ -68,12 +68,12 @@ final class PythonType {
     importHint(type, imports);
   }
 
-  /** Imports what {@link #hint} names. */
+  /** Adds the imports of {@link #hint}. */
   static void importHint(DataType type, Imports imports) {
     declared(type).forEach(name -> imports.add("sitaf_interfaces", name));
   }
 
-  /** Names of the structs and enumerations that a type is spelled with. */
+  /** The structs and enumerations in the annotation of a type. */
   private static Set<String> declared(DataType type) {
     Set<String> names = new TreeSet<>();
     if (type instanceof DataType.Struct || type instanceof DataType.Enumeration) {
@@ -92,8 +92,8 @@ final class PythonType {
     if (value instanceof Value.Real real) {
       return PythonText.real(real.number());
     }
-    if (value instanceof Value.Truth truth) {
-      return truth.value() ? "True" : "False";
+    if (value instanceof Value.Bool bool) {
+      return bool.value() ? "True" : "False";
     }
     return value instanceof Value.Whole ? value.literal() : PythonText.string(value.literal());
   }

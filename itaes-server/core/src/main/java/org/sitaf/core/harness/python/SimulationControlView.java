@@ -7,7 +7,7 @@ import java.util.stream.Stream;
 import org.sitaf.core.harness.plan.HarnessPlan.World;
 import org.sitaf.core.harness.python.PythonText.Group;
 
-/** What the template of the simulation control prints. */
+/** The view of the simulation control. */
 record SimulationControlView(
     boolean hasWorld,
     String documentation,
@@ -37,8 +37,8 @@ record SimulationControlView(
     List<String> documentation = new ArrayList<>();
     documentation.add(
         plan.isPeriodic()
-            ? "Put the world into the state of a case, from a clean reset."
-            : "Put the world into the state of a case and let it settle.");
+            ? "Reset the world and set the parameters of a case."
+            : "Reset the world, set the parameters of a case, and let the world settle.");
     if (!plan.settings().isEmpty()) {
       documentation.add(
           String.join(
@@ -51,9 +51,7 @@ record SimulationControlView(
             0,
             List.of(
                 "Simulation control (SC).",
-                "Sets the virtual environment that "
-                    + PythonText.plain(world.path())
-                    + " describes.")),
+                "Sets up the virtual environment " + PythonText.plain(world.path()) + ".")),
         seconds(world.settle()),
         seconds(world.runFor()),
         plan.runsOn(),

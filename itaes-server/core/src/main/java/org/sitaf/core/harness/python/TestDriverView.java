@@ -16,7 +16,7 @@ import org.sitaf.core.harness.python.PythonPlan.Answer;
 import org.sitaf.core.harness.python.PythonPlan.Argument;
 import org.sitaf.core.harness.python.PythonText.Group;
 
-/** What the template of the test driver prints: the five steps of Fig. 10. */
+/** The view of the test driver: the five steps of Fig. 10. */
 record TestDriverView(
     String documentation,
     String imports,
@@ -66,8 +66,8 @@ record TestDriverView(
         PythonText.docstring(
             8,
             List.of(
-                "The call under test, " + PythonText.plain(neutral.methodName()) + ".",
-                "Nothing else is timed.")),
+                "Call the method under test, " + PythonText.plain(neutral.methodName()) + ".",
+                "Only this call is timed.")),
         new Group(
                 "return self.make(",
                 Stream.concat(
@@ -105,7 +105,7 @@ record TestDriverView(
         .toList();
   }
 
-  /** The head of the method that makes the call. */
+  /** The declaration of the method that makes the call. */
   static String callDeclaration(PythonPlan plan) {
     return new Group(
             "def call(",
@@ -127,7 +127,7 @@ record TestDriverView(
     return paragraphs;
   }
 
-  /** Imports what the head of the call names. */
+  /** Adds the imports of the call's declaration. */
   static void importCall(PythonPlan plan, Imports imports) {
     imports.add(
         plan.componentModule(),
@@ -258,12 +258,12 @@ record TestDriverView(
     if (HarnessPlan.isVoid(output.type())) {
       return new Group("result.record_return(", arguments, ")").at(8);
     }
-    arguments.add(looked(plan, output.source()));
+    arguments.add(expression(plan, output.source()));
     arguments.add(PythonType.kind(output.type()));
     return new Group("result.record(", arguments, ")").at(8);
   }
 
-  private static String looked(PythonPlan plan, Source source) {
+  private static String expression(PythonPlan plan, Source source) {
     if (source instanceof Source.Observation observation) {
       return "self.simulation_control.observe(" + PythonText.string(observation.name()) + ")";
     }

@@ -12,7 +12,7 @@ import org.sitaf.core.harness.python.PythonPlan.Stub;
 import org.sitaf.core.harness.python.PythonPlan.StubMethod;
 import org.sitaf.core.harness.python.PythonText.Group;
 
-/** What the template of the test stub prints. */
+/** The view of the test stub. */
 record TestStubView(
     String imports,
     boolean hasStubs,
@@ -22,7 +22,7 @@ record TestStubView(
     String prepareDeclaration,
     List<String> settings) {
 
-  /** An interface that the stub answers for. */
+  /** A stubbed interface. */
   record Interface(
       String name, String field, String documentation, List<String> fields, List<String> methods) {}
 
@@ -81,7 +81,7 @@ record TestStubView(
     return new Interface(
         stub.name(),
         stub.field(),
-        PythonText.docstring(4, List.of("Answers for " + PythonText.plain(stub.name()) + ".")),
+        PythonText.docstring(4, List.of("Stub of " + PythonText.plain(stub.name()) + ".")),
         stub.methods().stream().map(m -> field(stub, m)).toList(),
         stub.methods().stream().map(TestStubView::method).toList());
   }
@@ -115,7 +115,7 @@ record TestStubView(
     return declaration(method) + "\n" + body + alias;
   }
 
-  /** The head of a method; its out-parameters are returned. */
+  /** The declaration of a method. Out-parameters are returned. */
   static String declaration(StubMethod method) {
     List<Parameter> inputs = method.parameters(false);
     List<String> parameters = new ArrayList<>(List.of("self"));

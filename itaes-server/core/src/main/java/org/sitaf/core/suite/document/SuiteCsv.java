@@ -18,15 +18,15 @@ import org.sitaf.core.suite.TestCase;
 import org.sitaf.core.suite.TestSuite;
 
 /**
- * The cases of a suite as comma-separated values: a header {@code no,class,PARAMETER...,expected
- * OUTPUT...} and a line a case, in {@link CsvCells}.
+ * Reads and writes the cases of a suite as comma-separated values: a header {@code
+ * no,class,PARAMETER...,expected OUTPUT...} and one line per case. See {@link CsvCells}.
  */
 public final class SuiteCsv {
   private static final String EXPECTED = "expected";
 
   private SuiteCsv() {}
 
-  /** Writes all cases; the same suite gives the same bytes. */
+  /** Writes all cases. The same suite gives the same bytes. */
   public static void write(TestSuite suite, OutputStream out) throws IOException {
     Writer writer = new OutputStreamWriter(out, StandardCharsets.UTF_8);
     List<String> outputs =
@@ -50,11 +50,11 @@ public final class SuiteCsv {
   }
 
   /**
-   * Reads cases into the place of a suite's. An empty field of an expected value expects nothing.
+   * Replaces the cases of a suite by those of a document. If the field of an expected value is
+   * empty, nothing is expected.
    *
    * @param file name of the document, for diagnostics
-   * @throws org.sitaf.core.diagnostic.InvalidInputException with every line that is no case of the
-   *     suite
+   * @throws org.sitaf.core.diagnostic.InvalidInputException with all invalid lines
    */
   public static TestSuite read(InputStream csv, String file, TestSuite suite) throws IOException {
     Diagnostics diagnostics = new Diagnostics();
@@ -121,7 +121,7 @@ public final class SuiteCsv {
     }
   }
 
-  /** The fields of a line, and the number of the line on which it begins. */
+  /** The fields of a record, and the number of its first line. */
   private record Line(int number, List<String> fields) {}
 
   private static List<Line> lines(Reader reader) throws IOException {
@@ -146,7 +146,7 @@ public final class SuiteCsv {
         continue;
       }
       if (c == '"') {
-        // A quote that follows a closing one stands for itself.
+        // Two quotes within a quoted field are one literal quote.
         if (closed) {
           field.append('"');
         }

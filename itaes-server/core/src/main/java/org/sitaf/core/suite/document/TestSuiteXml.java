@@ -24,7 +24,7 @@ import org.sitaf.schemas.GenerationType;
 import org.sitaf.schemas.NamedValueType;
 import org.sitaf.schemas.TestSuiteDocument;
 
-/** The document of a test suite (schemas/test_suite_data.xsd). */
+/** Reads and writes test suite documents (schemas/test_suite_data.xsd). */
 public final class TestSuiteXml {
   private static final String ROOT = "test_suite_data";
 
@@ -34,7 +34,7 @@ public final class TestSuiteXml {
    * Reads a suite.
    *
    * @param file name of the document, for diagnostics
-   * @throws org.sitaf.core.diagnostic.InvalidInputException with every problem of the document
+   * @throws org.sitaf.core.diagnostic.InvalidInputException with all problems of the document
    */
   public static TestSuite read(InputStream document, String file) {
     Diagnostics diagnostics = new Diagnostics();
@@ -45,26 +45,26 @@ public final class TestSuiteXml {
     return suite;
   }
 
-  /** Writes a suite; the same suite gives the same bytes. */
+  /** Writes a suite. The same suite gives the same bytes. */
   public static void write(TestSuite suite, OutputStream out) {
     TestSuiteDocument root = new TestSuiteDocument();
     root.setName(suite.name());
     root.setDescription(suite.description());
     root.setTestModelName(suite.modelName());
     GenerationType generation = new GenerationType();
-    generation.setOrderOfCombinations(suite.generation().strength().spelling());
-    generation.setInvalidValues(suite.generation().invalidValues().spelling());
+    generation.setOrderOfCombinations(suite.generation().strength().text());
+    generation.setInvalidValues(suite.generation().invalidValues().text());
     generation.setSeed(suite.generation().seed());
     generation.setEffort(suite.generation().effort());
     generation.setGenerator(suite.generation().generator());
     root.setGeneration(generation);
     root.setCaseParamInfo(write(suite.parameters()));
-    root.setCaseList(new CasesInTurn(suite.cases()));
+    root.setCaseList(new LazyCases(suite.cases()));
     XmlDocuments.write(
         ROOT, TestSuiteDocument.class, root, Set.of("case", "param", "generation"), out);
   }
 
-  /** The parameters in the form of {@code case_param_info}. */
+  /** Converts parameters to {@code case_param_info}. */
   public static CaseParamInfoType write(List<CaseParameter> parameters) {
     CaseParamInfoType info = new CaseParamInfoType();
     for (CaseParameter parameter : parameters) {
@@ -77,7 +77,7 @@ public final class TestSuiteXml {
     return info;
   }
 
-  /** The parameters of a {@code case_param_info}; what is wrong goes to the diagnostics. */
+  /** Reads the parameters of {@code case_param_info}. Problems are added to the diagnostics. */
   public static List<CaseParameter> read(
       @org.jspecify.annotations.Nullable CaseParamInfoType info,
       String file,
@@ -105,9 +105,9 @@ public final class TestSuiteXml {
     return parameters;
   }
 
-  /** The cases, of which each exists as an element only while it is written. */
-  private static final class CasesInTurn extends CaseListType {
-    CasesInTurn(List<TestCase> of) {
+  /** Converts each case to an element only while it is written, to save memory. */
+  private static final class LazyCases extends CaseListType {
+    LazyCases(List<TestCase> of) {
       cases =
           new AbstractList<>() {
             @Override
@@ -124,17 +124,17 @@ public final class TestSuiteXml {
   }
 
   private static CaseType write(TestCase testCase) {
-    CaseType kase = new CaseType();
-    kase.setNo(testCase.no());
-    kase.setCaseClass(testCase.valid() ? "valid" : "invalid");
-    kase.getValues().addAll(testCase.values());
+    CaseType element = new CaseType();
+    element.setNo(testCase.no());
+    element.setCaseClass(testCase.valid() ? "valid" : "invalid");
+    element.getValues().addAll(testCase.values());
     for (ExpectedValue expected : testCase.expected()) {
       NamedValueType value = new NamedValueType();
       value.setName(expected.output().isEmpty() ? null : expected.output());
       value.setValue(expected.literal());
-      kase.getExpected().add(value);
+      element.getExpected().add(value);
     }
-    return kase;
+    return element;
   }
 
   private record Reading(String file, Diagnostics diagnostics) {
@@ -143,8 +143,8 @@ public final class TestSuiteXml {
       List<TestCase> cases = new ArrayList<>();
       Set<Integer> numbers = new java.util.HashSet<>();
       if (root.getCaseList() != null) {
-        for (CaseType kase : root.getCaseList().getCases()) {
-          addCase(kase, parameters.size(), numbers, cases);
+        for (CaseType element : root.getCaseList().getCases()) {
+          addCase(element, parameters.size(), numbers, cases);
         }
       }
       String model = root.getTestModelName() == null ? "" : root.getTestModelName();
@@ -158,25 +158,25 @@ public final class TestSuiteXml {
     }
 
     private void addCase(
-        CaseType kase, int parameters, Set<Integer> numbers, List<TestCase> cases) {
-      int no = kase.getNo() == null ? cases.size() + 1 : kase.getNo();
-      int line = XmlDocuments.line(kase);
+        CaseType element, int parameters, Set<Integer> numbers, List<TestCase> cases) {
+      int no = element.getNo() == null ? cases.size() + 1 : element.getNo();
+      int line = XmlDocuments.line(element);
       String where = "case " + no;
       if (no < 1 || !numbers.add(no)) {
-        diagnostics.error(file, line, where, "case numbers begin at 1, and each is used once");
-      } else if (kase.getValues().size() != parameters) {
+        diagnostics.error(file, line, where, "case numbers must be at least 1 and unique");
+      } else if (element.getValues().size() != parameters) {
         diagnostics.error(
             file,
             line,
             where,
-            "has " + kase.getValues().size() + " values for " + parameters + " parameters");
+            "has " + element.getValues().size() + " values for " + parameters + " parameters");
       } else {
         cases.add(
             new TestCase(
                 no,
-                !"invalid".equals(kase.getCaseClass()),
-                kase.getValues(),
-                kase.getExpected().stream()
+                !"invalid".equals(element.getCaseClass()),
+                element.getValues(),
+                element.getExpected().stream()
                     .map(
                         e ->
                             new ExpectedValue(

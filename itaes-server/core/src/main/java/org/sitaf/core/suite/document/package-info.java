@@ -1,4 +1,4 @@
-/** Suites as documents: the test suite data, and the table that people edit. */
+/** Test suites as XML documents and as CSV tables. */
 @NullMarked
 package org.sitaf.core.suite.document;
 

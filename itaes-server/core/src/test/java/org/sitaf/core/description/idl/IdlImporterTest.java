@@ -12,17 +12,17 @@ import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.InterfaceDescription;
 import org.sitaf.core.description.Method;
 import org.sitaf.core.description.importer.InterfaceText;
-import org.sitaf.core.description.source.Described;
+import org.sitaf.core.description.source.ImportResult;
 
 class IdlImporterTest {
-  private static Described read(String text) {
+  private static ImportResult read(String text) {
     return InterfaceText.read("a.idl", text);
   }
 
   private static List<String> prototypes(String text) {
-    Described described = read(text);
-    assertThat(InterfaceText.lines(described)).isEmpty();
-    return InterfaceText.prototypes(described.provided().get(described.provided().size() - 1));
+    ImportResult result = read(text);
+    assertThat(InterfaceText.lines(result)).isEmpty();
+    return InterfaceText.prototypes(result.provided().get(result.provided().size() - 1));
   }
 
   @ParameterizedTest
@@ -106,20 +106,20 @@ class IdlImporterTest {
 
   @ParameterizedTest
   @CsvSource({
-    "0,'a length or bound is 1 to 1000000, not 0'",
-    "NONE,there is no constant 'NONE'",
+    "0,'a length or bound must be 1 to 1000000, not 0'",
+    "NONE,unknown constant 'NONE'",
     "1 / 0,division by zero",
-    "1 << 99,a shift is by 0 to 63 bits",
-    "LOOP,the constant 'LOOP' is defined by way of itself",
+    "1 << 99,a shift must be by 0 to 63 bits",
+    "LOOP,the constant 'LOOP' is defined in terms of itself",
     "TEXT,'\"four\" is not a whole number'"
   })
   void aLengthThatIsNoneIsToldWithItsLine(String expression, String problem) {
-    Described described =
+    ImportResult result =
         read(
             "const long LOOP = LOOP + 1;\nconst string TEXT = \"four\";\ntypedef long T["
                 + expression
                 + "];\ninterface A { T get(); };");
-    assertThat(InterfaceText.lines(described))
+    assertThat(InterfaceText.lines(result))
         .hasSize(1)
         .allMatch(l -> l.startsWith("a.idl:3: error: typedef T: "))
         .allMatch(l -> l.replace("'", "").contains(problem.replace("'", "")));
@@ -131,7 +131,7 @@ class IdlImporterTest {
         read("interface A { oneway void go(in long x); };").provided().get(0).methods().get(0);
     assertThat(method.callType()).isEqualTo(CallType.NONBLOCKING);
     assertThat(InterfaceText.lines(read("interface A {\noneway long go(); };")))
-        .containsExactly("a.idl:2: error: method go: is oneway, and so can bring nothing back");
+        .containsExactly("a.idl:2: error: method go: is oneway and must not return anything");
   }
 
   @Test
@@ -152,7 +152,7 @@ class IdlImporterTest {
 
   @Test
   void typesAreFoundInFilesBesideTheOneThatIsAskedFor() {
-    Described described =
+    ImportResult result =
         InterfaceText.read(
             Map.of(
                 "a.idl",
@@ -160,10 +160,10 @@ class IdlImporterTest {
                 "t.idl",
                 "module M { struct P { double x; }; };"),
             "a.idl");
-    assertThat(InterfaceText.lines(described)).isEmpty();
-    assertThat(described.provided().get(0).methods().get(0).returnType())
+    assertThat(InterfaceText.lines(result)).isEmpty();
+    assertThat(result.provided().get(0).methods().get(0).returnType())
         .isInstanceOf(DataType.Struct.class);
-    assertThat(described.types()).isEmpty();
+    assertThat(result.types()).isEmpty();
   }
 
   @Test
@@ -197,15 +197,14 @@ class IdlImporterTest {
                     valuetype V { public long x; };
                     """)))
         .containsExactlyInAnyOrder(
-            "a.idl:2: error: struct S: is declared already in a.idl, line 1",
-            "a.idl:6: warning: valuetype: describes no interface, passed over",
-            "a.idl:3: error: interface A: inherits from 'Missing', which no file declares; add the"
-                + " file that does",
+            "a.idl:2: error: struct S: is already declared in a.idl, line 1",
+            "a.idl:6: warning: valuetype: is not part of an interface, ignored",
+            "a.idl:3: error: interface A: inherits from 'Missing', which is not declared in any file; add the file that declares it",
             "a.idl:1: error: struct S/a: two members have this name",
             "a.idl:3: error: method f/param s: two parameters have this name",
             "a.idl:4: error: interface B: inherits from itself",
             "a.idl:5: error: interface C: inherits from itself",
-            "a.idl:5: warning: method g/param b: type 'B' is an interface, kept by its name",
-            "a.idl:5: warning: method g/param b: type 'B' is an interface, kept by its name");
+            "a.idl:5: warning: method g/param b: type 'B' is not supported: an interface",
+            "a.idl:5: warning: method g/param b: type 'B' is not supported: an interface");
   }
 }

@@ -22,7 +22,7 @@ import org.sitaf.core.description.Method;
 import org.sitaf.core.description.Parameter;
 import org.sitaf.core.description.ScalarType;
 import org.sitaf.core.description.importer.InterfaceText;
-import org.sitaf.core.description.source.Described;
+import org.sitaf.core.description.source.ImportResult;
 
 /** An interface that is written in IDL is read as the same interface. */
 class IdlRoundTripTest {
@@ -44,9 +44,9 @@ class IdlRoundTripTest {
 
   @Property(tries = 300)
   void whatIsWrittenIsRead(@ForAll("interfaces") List<Method> methods) {
-    Described described = InterfaceText.read("a.idl", new Writer().write(methods));
-    assertThat(InterfaceText.lines(described)).isEmpty();
-    InterfaceDescription read = described.provided().get(described.provided().size() - 1);
+    ImportResult result = InterfaceText.read("a.idl", new Writer().write(methods));
+    assertThat(InterfaceText.lines(result)).isEmpty();
+    InterfaceDescription read = result.provided().get(result.provided().size() - 1);
     List<Method> withoutLines =
         read.methods().stream()
             .map(

@@ -24,7 +24,7 @@ import net.jqwik.api.Provide;
 import net.jqwik.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.sitaf.core.description.source.Described;
+import org.sitaf.core.description.source.ImportResult;
 import org.sitaf.core.description.source.SourceFiles;
 
 /** No input does more to an importer than to make it report diagnostics, and soon. */
@@ -52,18 +52,18 @@ class ImporterFuzzTest {
     }
   }
 
-  private static Described read(String path, byte[] content) {
+  private static ImportResult read(String path, byte[] content) {
     return assertTimeoutPreemptively(
         SOON,
         () -> InterfaceFiles.read(SourceFiles.of("fuzz", Map.of(path, content), List.of(path))));
   }
 
   private static void survives(String path, byte[] content) {
-    Described described = read(path, content);
-    described.diagnostics().forEach(d -> assertThat(d.file()).isNotNull());
+    ImportResult result = read(path, content);
+    result.diagnostics().forEach(d -> assertThat(d.file()).isNotNull());
     // Whatever was understood can be printed, and has an end.
-    described.provided().forEach(i -> assertThat(InterfaceText.prototypes(i)).isNotNull());
-    assertThat(described.hashCode()).isEqualTo(described.hashCode());
+    result.provided().forEach(i -> assertThat(InterfaceText.prototypes(i)).isNotNull());
+    assertThat(result.hashCode()).isEqualTo(result.hashCode());
   }
 
   @Example
@@ -72,7 +72,7 @@ class ImporterFuzzTest {
       assertThat(read(name, valid(name)).diagnostics())
           .as(name)
           .noneMatch(
-              d -> d.toString().contains(": error: ") && !d.message().startsWith("refers to"));
+              d -> d.toString().contains(": error: ") && !d.message().startsWith("references"));
     }
   }
 
@@ -294,12 +294,12 @@ class ImporterFuzzTest {
               .formatted(i, j, j));
     }
     xml.append("</data_type>");
-    for (Described described :
+    for (ImportResult result :
         List.of(
             InterfaceText.read("a.idl", idl.toString()),
             InterfaceText.read("a.proto", proto.toString()),
             InterfaceText.read("a.xml", xml.toString()))) {
-      assertThat(InterfaceText.lines(described)).anyMatch(l -> l.contains("more than 20000 parts"));
+      assertThat(InterfaceText.lines(result)).anyMatch(l -> l.contains("more than 20000 parts"));
     }
   }
 

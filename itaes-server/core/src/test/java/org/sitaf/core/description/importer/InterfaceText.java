@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import org.sitaf.core.description.InterfaceDescription;
 import org.sitaf.core.description.Method;
-import org.sitaf.core.description.source.Described;
+import org.sitaf.core.description.source.ImportResult;
 import org.sitaf.core.description.source.SourceFiles;
 import org.sitaf.core.diagnostic.Diagnostic;
 
@@ -16,17 +16,17 @@ public final class InterfaceText {
   private InterfaceText() {}
 
   /** Reads one file. */
-  public static Described read(String path, String text) {
+  public static ImportResult read(String path, String text) {
     return InterfaceFiles.read(SourceFiles.of("test", bytes(Map.of(path, text)), List.of(path)));
   }
 
   /** Reads some of several files. */
-  public static Described read(Map<String, String> files, String... asked) {
-    return InterfaceFiles.read(SourceFiles.of("test", bytes(files), List.of(asked)));
+  public static ImportResult read(Map<String, String> files, String... requested) {
+    return InterfaceFiles.read(SourceFiles.of("test", bytes(files), List.of(requested)));
   }
 
   /** Reads every interface file. */
-  public static Described readAll(Map<String, String> files) {
+  public static ImportResult readAll(Map<String, String> files) {
     return InterfaceFiles.readAll("test", bytes(files));
   }
 
@@ -36,16 +36,16 @@ public final class InterfaceText {
   }
 
   /** Diagnostics as compilers print them. */
-  public static List<String> lines(Described described) {
-    return described.diagnostics().stream().map(Diagnostic::toString).toList();
+  public static List<String> lines(ImportResult result) {
+    return result.diagnostics().stream().map(Diagnostic::toString).toList();
   }
 
   private static String prototype(Method method) {
-    return method.returnType().spelling()
+    return method.returnType().typeName()
         + " "
         + method.name()
         + method.parameters().stream()
-            .map(p -> p.direction() + " " + p.type().spelling() + " " + p.name())
+            .map(p -> p.direction() + " " + p.type().typeName() + " " + p.name())
             .collect(Collectors.joining(", ", "(", ")"));
   }
 

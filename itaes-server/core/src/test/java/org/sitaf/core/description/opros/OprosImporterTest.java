@@ -12,7 +12,7 @@ import org.sitaf.core.description.importer.InterfaceText;
 import org.sitaf.core.description.source.ComponentDescription;
 import org.sitaf.core.description.source.ComponentDescription.Execution;
 import org.sitaf.core.description.source.ComponentDescription.Port;
-import org.sitaf.core.description.source.Described;
+import org.sitaf.core.description.source.ImportResult;
 import org.sitaf.core.description.source.SourceFiles;
 
 class OprosImporterTest {
@@ -58,66 +58,61 @@ class OprosImporterTest {
 
   @Test
   void aProfileLeadsToItsInterfaceAndItsTypes() {
-    Described described =
+    ImportResult result =
         InterfaceText.read(
             Map.of(
                 "c/Mover.xml", component(service("provided", "Drive.xml")),
                 "c/Drive.xml", SERVICE,
                 "types/Pose.xml", TYPES),
             "c/Mover.xml");
-    ComponentDescription component = described.components().get(0);
+    ComponentDescription component = result.components().get(0);
     assertThat(component.execution()).isEqualTo(new Execution.Periodic(50));
     assertThat(component.ports())
         .containsExactly(new Port.Service("drive", "Drive", true, "c/Drive.xml"));
-    assertThat(described.provided())
-        .extracting(InterfaceDescription::name)
-        .containsExactly("Drive");
-    assertThat(InterfaceText.prototypes(described.provided().get(0)))
+    assertThat(result.provided()).extracting(InterfaceDescription::name).containsExactly("Drive");
+    assertThat(InterfaceText.prototypes(result.provided().get(0)))
         .containsExactly("boolean Go(IN Pose to)");
-    assertThat(InterfaceText.lines(described))
-        .containsExactly(
-            "types/Pose.xml:3: warning: struct Pose/item path: unknown type 'Point', kept by its"
-                + " name");
+    assertThat(InterfaceText.lines(result))
+        .containsExactly("types/Pose.xml:3: warning: struct Pose/item path: unknown type 'Point'");
   }
 
   @Test
   void whatIsOnlyRequiredIsNotProvided() {
-    Described described =
+    ImportResult result =
         InterfaceText.readAll(
             Map.of("Mover.xml", component(service("required", "Drive.xml")), "Drive.xml", SERVICE));
-    assertThat(described.provided()).isEmpty();
-    assertThat(described.required())
-        .extracting(InterfaceDescription::name)
-        .containsExactly("Drive");
+    assertThat(result.provided()).isEmpty();
+    assertThat(result.required()).extracting(InterfaceDescription::name).containsExactly("Drive");
   }
 
   @Test
   void aDanglingReferenceIsToldWithItsLine() {
-    Described described =
+    ImportResult result =
         InterfaceText.read("Mover.xml", component(service("provided", "Drive.xml")));
-    assertThat(InterfaceText.lines(described))
+    assertThat(InterfaceText.lines(result))
         .containsExactly(
-            "Mover.xml:7: error: service_port drive: refers to 'Drive.xml', which is not among the"
-                + " files given; add it, or correct the reference");
-    assertThat(described.components()).hasSize(1);
+            "Mover.xml:7: error: service_port drive: references 'Drive.xml', which is not among the given files; add it or correct the reference");
+    assertThat(result.components()).hasSize(1);
   }
 
   @Test
   void aReferenceToAFileWithAnotherInterfaceIsToldWithWhatIsThere() {
-    Described described =
+    ImportResult result =
         InterfaceText.read(
             Map.of(
                 "Mover.xml", component(service("provided", "Drive.xml")),
                 "Drive.xml", SERVICE.replace(">Drive<", ">Steer<")),
             "Mover.xml");
-    assertThat(InterfaceText.lines(described))
+    assertThat(InterfaceText.lines(result))
         .anyMatch(
-            l -> l.contains("'Drive.xml' holds no service_port_type Drive; it holds [Steer]"));
+            l ->
+                l.contains(
+                    "'Drive.xml' does not define service_port_type Drive; it defines [Steer]"));
   }
 
   @Test
   void everyProblemOfAProfileIsToldAtItsLine() {
-    Described described =
+    ImportResult result =
         InterfaceText.read(
             "Mover.xml",
             """
@@ -133,38 +128,36 @@ class OprosImporterTest {
             </ports>
             </component_profile>
             """);
-    assertThat(InterfaceText.lines(described))
+    assertThat(InterfaceText.lines(result))
         .containsExactly(
-            "Mover.xml:4: error: execution_semantics/period: must be a whole number of milliseconds"
-                + " above 0, not 'often'",
+            "Mover.xml:4: error: execution_semantics/period: must be a whole number of milliseconds greater than 0, not 'often'",
             "Mover.xml:8: error: data_port out: usage must be output or input, not 'sideways'",
-            "Mover.xml:7: warning: data_port out: unknown type 'vector<int', kept by its name",
-            "Mover.xml:9: error: service_port drive: has no <type>, the type_name of its interface");
+            "Mover.xml:7: warning: data_port out: unknown type 'vector<int'",
+            "Mover.xml:9: error: service_port drive: has no <type>; write the type_name of its interface");
   }
 
   @Test
   void theSignOfAPointerBeforeANameBelongsToTheType() {
-    Described described =
+    ImportResult result =
         InterfaceText.read(
             "Drive.xml", SERVICE.replace("<name>to", "<name>*to").replace("Pose", "double"));
-    assertThat(InterfaceText.prototypes(described.provided().get(0)))
+    assertThat(InterfaceText.prototypes(result.provided().get(0)))
         .containsExactly("boolean Go(INOUT double to)");
-    assertThat(InterfaceText.lines(described))
+    assertThat(InterfaceText.lines(result))
         .containsExactly(
-            "Drive.xml:4: warning: method Go/param to: '*' belongs to the type, and is read as part"
+            "Drive.xml:4: warning: method Go/param to: '*' belongs to the type and is read as part"
                 + " of it");
   }
 
   @Test
   void aStructWithinItselfIsKeptByItsNameThere() {
-    Described described =
+    ImportResult result =
         InterfaceText.readAll(
             Map.of("Types.xml", TYPES.replace("Point", "Pose"), "Drive.xml", SERVICE));
-    assertThat(InterfaceText.lines(described))
+    assertThat(InterfaceText.lines(result))
         .containsExactly(
-            "Types.xml:3: warning: struct Pose/item path: type 'Pose' is part of itself, kept by its"
-                + " name");
-    assertThat(described.types()).hasSize(1);
+            "Types.xml:3: warning: struct Pose/item path: type 'Pose' is not supported: part of itself");
+    assertThat(result.types()).hasSize(1);
   }
 
   @Test
@@ -174,9 +167,9 @@ class OprosImporterTest {
                 + component("")
                     .replace("<name>Mover", "<description>이동 로봇</description><name>Mover"))
             .getBytes(Charset.forName("euc-kr"));
-    Described described =
+    ImportResult result =
         InterfaceFiles.read(
             SourceFiles.of("test", Map.of("Mover.xml", profile), List.of("Mover.xml")));
-    assertThat(described.components().get(0).description()).isEqualTo("이동 로봇");
+    assertThat(result.components().get(0).description()).isEqualTo("이동 로봇");
   }
 }

@@ -19,13 +19,13 @@ import org.sitaf.core.description.InterfaceDescription;
 import org.sitaf.core.description.Method;
 import org.sitaf.core.description.Parameter;
 import org.sitaf.core.description.importer.InterfaceFiles;
-import org.sitaf.core.description.source.Described;
+import org.sitaf.core.description.source.ImportResult;
 import org.sitaf.core.description.source.SourceFiles;
 import org.sitaf.core.diagnostic.Diagnostic;
 import org.sitaf.core.diagnostic.InvalidInputException;
 
 class ServiceProfilesTest {
-  private static Described describe(byte[] document) {
+  private static ImportResult describe(byte[] document) {
     Map<String, byte[]> files = Map.of("service.xml", document);
     return InterfaceFiles.read(SourceFiles.of("test", files, List.of("service.xml")));
   }
@@ -71,13 +71,13 @@ class ServiceProfilesTest {
 
   @Test
   void anUnknownTypeIsKeptByItsNameAndReported() {
-    Described described =
+    ImportResult result =
         describe(
             "<service_port_type><type_name>S</type_name>\n<method name='Get' return_type='Pose2D'/></service_port_type>"
                 .getBytes(StandardCharsets.UTF_8));
-    assertThat(described.provided().get(0).methods().get(0).returnType())
+    assertThat(result.provided().get(0).methods().get(0).returnType())
         .isEqualTo(new DataType.Unknown("Pose2D"));
-    assertThat(described.diagnostics()).extracting(Diagnostic::line).containsExactly(2);
+    assertThat(result.diagnostics()).extracting(Diagnostic::line).containsExactly(2);
   }
 
   @Test

@@ -10,12 +10,12 @@ import org.sitaf.core.description.CallType;
 import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.Method;
 import org.sitaf.core.description.importer.InterfaceText;
-import org.sitaf.core.description.source.Described;
+import org.sitaf.core.description.source.ImportResult;
 
 class ProtoImporterTest {
   private static final String HEAD = "syntax = \"proto3\";\npackage p;\n";
 
-  private static Described read(String text) {
+  private static ImportResult read(String text) {
     return InterfaceText.read("a.proto", HEAD + text);
   }
 
@@ -40,21 +40,21 @@ class ProtoImporterTest {
     "optional E,p.E"
   })
   void typesAreResolvedFromTheInnermostScopeOutwards(String proto, String resolved) {
-    Described described =
+    ImportResult result =
         read(
             "enum E { ZERO = 0; }\nmessage M { message Inner { int32 a = 1; }\n "
                 + proto
                 + " f = 1; }");
-    assertThat(InterfaceText.lines(described)).isEmpty();
-    assertThat(described.types())
-        .filteredOn(t -> t.spelling().equals("p.M"))
-        .extracting(t -> ((DataType.Struct) t).members().get(0).type().spelling())
+    assertThat(InterfaceText.lines(result)).isEmpty();
+    assertThat(result.types())
+        .filteredOn(t -> t.typeName().equals("p.M"))
+        .extracting(t -> ((DataType.Struct) t).members().get(0).type().typeName())
         .containsExactly(resolved);
   }
 
   @Test
   void streamsAreSequencesOfMethodsThatDoNotWait() {
-    Described described =
+    ImportResult result =
         read(
             """
             message M {}
@@ -65,17 +65,17 @@ class ProtoImporterTest {
               rpc Nothing(google.protobuf.Empty) returns (google.protobuf.Empty);
             }
             """);
-    assertThat(InterfaceText.prototypes(described.provided().get(0)))
+    assertThat(InterfaceText.prototypes(result.provided().get(0)))
         .containsExactly(
             "p.M Unary(IN p.M request)",
             "p.M Up(IN sequence<p.M> requests)",
             "sequence<p.M> Down(IN p.M request)",
             "void Nothing()");
-    assertThat(described.provided().get(0).methods())
+    assertThat(result.provided().get(0).methods())
         .extracting(Method::callType)
         .containsExactly(
             CallType.BLOCKING, CallType.NONBLOCKING, CallType.NONBLOCKING, CallType.BLOCKING);
-    assertThat(described.provided().get(0).methods()).extracting(Method::line).contains(5, 8);
+    assertThat(result.provided().get(0).methods()).extracting(Method::line).contains(5, 8);
   }
 
   @Test
@@ -90,8 +90,8 @@ class ProtoImporterTest {
                     }
                     """)))
         .containsExactly(
-            "a.proto:4: warning: message p.M/m: unknown type 'Missing', kept by its name",
-            "a.proto:5: warning: message p.M/self: type 'p.M' is part of itself, kept by its name");
+            "a.proto:4: warning: message p.M/m: unknown type 'Missing'",
+            "a.proto:5: warning: message p.M/self: type 'p.M' is not supported: part of itself");
     assertThat(InterfaceText.lines(read("message M {}\nmessage M {}")))
         .hasSize(1)
         .allMatch(l -> l.startsWith("a.proto:4: error: ") && l.contains("is already defined"));
@@ -99,7 +99,7 @@ class ProtoImporterTest {
             InterfaceText.lines(
                 InterfaceText.readAll(
                     Map.of("a.proto", HEAD + "message M {}", "b.proto", HEAD + "message M {}"))))
-        .containsExactly("b.proto:3: error: message M: is declared already in a.proto, line 3");
+        .containsExactly("b.proto:3: error: message M: is already declared in a.proto, line 3");
     assertThat(InterfaceText.lines(read("message M {\n  int32 = 3;\n}")))
         .hasSize(1)
         .allMatch(l -> l.startsWith("a.proto:4: error: "));
@@ -107,7 +107,7 @@ class ProtoImporterTest {
 
   @Test
   void importedTypesAreFoundAmongTheFilesGiven() {
-    Described described =
+    ImportResult result =
         InterfaceText.read(
             Map.of(
                 "api/a.proto",
@@ -115,8 +115,8 @@ class ProtoImporterTest {
                 "q/b.proto",
                 "syntax = \"proto3\"; package q; message B { double x = 1; }"),
             "api/a.proto");
-    assertThat(InterfaceText.lines(described)).isEmpty();
-    assertThat(described.provided().get(0).methods().get(0).returnType())
+    assertThat(InterfaceText.lines(result)).isEmpty();
+    assertThat(result.provided().get(0).methods().get(0).returnType())
         .isInstanceOf(DataType.Struct.class);
   }
 }

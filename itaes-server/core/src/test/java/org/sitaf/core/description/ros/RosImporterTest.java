@@ -8,7 +8,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.sitaf.core.description.InterfaceDescription;
 import org.sitaf.core.description.importer.InterfaceText;
-import org.sitaf.core.description.source.Described;
+import org.sitaf.core.description.source.ImportResult;
 
 class RosImporterTest {
   @ParameterizedTest
@@ -33,18 +33,18 @@ class RosImporterTest {
     "P[2],p/P[2]"
   })
   void typesAreResolved(String ros, String resolved) {
-    Described described =
+    ImportResult result =
         InterfaceText.read(
             Map.of("p/srv/Get.srv", ros + " x\n---\n", "p/msg/P.msg", "float64 x"),
             "p/srv/Get.srv");
-    assertThat(InterfaceText.lines(described)).isEmpty();
-    assertThat(InterfaceText.prototypes(described.provided().get(0)))
+    assertThat(InterfaceText.lines(result)).isEmpty();
+    assertThat(InterfaceText.prototypes(result.provided().get(0)))
         .containsExactly("void Get(IN " + resolved + " x)");
   }
 
   @Test
   void aPackageIsAnInterfaceAndItsServicesAndActionsAreMethods() {
-    Described described =
+    ImportResult result =
         InterfaceText.readAll(
             Map.of(
                 "arm/package.xml", "<package><name>arm_msgs</name></package>",
@@ -52,20 +52,20 @@ class RosImporterTest {
                 "arm/srv/Two.srv", "int32 id\n---\nint32 id\nstring text \"a # b\"",
                 "arm/action/Move.action", "float64 to\n---\n---\nfloat64 left",
                 "other/srv/None.srv", "---"));
-    assertThat(described.provided())
+    assertThat(result.provided())
         .extracting(InterfaceDescription::name)
         .containsExactly("arm_msgs", "other");
-    assertThat(InterfaceText.prototypes(described.provided().get(0)))
+    assertThat(InterfaceText.prototypes(result.provided().get(0)))
         .containsExactly(
             "void Move(IN double to, OUT sequence<arm_msgs/Move_Feedback> feedback)",
             "double One(IN int32 a)",
             "void Two(IN int32 id, OUT int32 result_id, OUT string text)");
-    assertThat(InterfaceText.lines(described)).isEmpty();
+    assertThat(InterfaceText.lines(result)).isEmpty();
   }
 
   @Test
   void everyProblemIsToldWithItsLine() {
-    Described described =
+    ImportResult result =
         InterfaceText.read(
             "srv/Bad.srv",
             """
@@ -81,26 +81,25 @@ class RosImporterTest {
             LIMIT=3
             int32[0] g
             """);
-    assertThat(InterfaceText.lines(described))
+    assertThat(InterfaceText.lines(result))
         .containsExactlyInAnyOrder(
-            "srv/Bad.srv:1: error: a line holds a type and a name, such as 'float64 x'",
-            "srv/Bad.srv:6: error: field b: stands here twice",
-            "srv/Bad.srv:9: error: 'e-f' is not a name; letters, digits and '_', not beginning with"
-                + " a digit, at most 200",
-            "srv/Bad.srv:10: error: a line holds a type and a name, such as 'float64 x'",
+            "srv/Bad.srv:1: error: a line must contain a type and a name, such as 'float64 x'",
+            "srv/Bad.srv:6: error: field b: is defined twice",
+            "srv/Bad.srv:9: error: 'e-f' is not a name; use letters, digits and '_', not beginning with a digit, at most 200 characters",
+            "srv/Bad.srv:10: error: a line must contain a type and a name, such as 'float64 x'",
             "srv/Bad.srv: error: a .srv file has 1 lines '---', not 0",
             "srv/Bad.srv:4: error: field a: 'int32[-1]' is not a type, such as float64, string<=10,"
                 + " Point[3] or geometry_msgs/Pose[<=5]",
-            "srv/Bad.srv:7: error: field c: only a string has a bound like '<=3'",
-            "srv/Bad.srv:8: warning: field d: unknown type 'std_msgs/Header', kept by its name",
-            "srv/Bad.srv:11: error: field g: a length or bound is 1 to 1000000, not 0");
+            "srv/Bad.srv:7: error: field c: only a string can have a bound such as '<=3'",
+            "srv/Bad.srv:8: warning: field d: unknown type 'std_msgs/Header'",
+            "srv/Bad.srv:11: error: field g: a length or bound must be 1 to 1000000, not 0");
   }
 
   @Test
   void aMessageAloneDescribesItsStruct() {
-    Described described = InterfaceText.read("P.msg", "int32 LIMIT=3\nfloat64 x\nfloat64 y 1.5");
-    assertThat(described.provided()).isEmpty();
-    assertThat(described.types().toString()).contains("Struct[name=P").contains("name=y");
-    assertThat(InterfaceText.lines(described)).isEmpty();
+    ImportResult result = InterfaceText.read("P.msg", "int32 LIMIT=3\nfloat64 x\nfloat64 y 1.5");
+    assertThat(result.provided()).isEmpty();
+    assertThat(result.types().toString()).contains("Struct[name=P").contains("name=y");
+    assertThat(InterfaceText.lines(result)).isEmpty();
   }
 }

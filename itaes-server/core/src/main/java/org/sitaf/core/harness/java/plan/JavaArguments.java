@@ -13,7 +13,7 @@ import org.sitaf.core.harness.java.plan.JavaPlan.Read;
 import org.sitaf.core.harness.plan.HarnessPlan;
 import org.sitaf.core.harness.plan.HarnessPlan.Given;
 
-/** Spells what an argument is made of, where the cases set parts of it. */
+/** Creates the expression of an argument whose parts are set by the cases. */
 final class JavaArguments {
   private final JavaNames names;
   private final List<Read> reads = new ArrayList<>();
@@ -23,7 +23,7 @@ final class JavaArguments {
     this.names = names;
   }
 
-  /** An argument with its variable and what it is made of. */
+  /** Plans an argument: its variable and its value. */
   static Argument of(HarnessPlan.Argument argument, JavaType type, JavaNames names) {
     String local = names.local(argument.name());
     JavaArguments parts = new JavaArguments(names);
@@ -48,7 +48,7 @@ final class JavaArguments {
     return made(type.type(), given, 0);
   }
 
-  /** An expression of a type with the given parts in it, all else zero. */
+  /** An expression of a type with the given parts; all other parts are zero. */
   private String made(DataType type, List<Given> given, int depth) {
     if (given.isEmpty()) {
       return JavaType.of(type).orElseThrow().zero();

@@ -10,16 +10,15 @@ import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.harness.plan.HarnessPlan;
 
 /**
- * A struct or an enumeration of the interfaces as a Java source: a record with a constructor that
- * makes all of it zero, or an enum.
+ * A struct or an enumeration of the interfaces in Java: a record with a constructor that sets all members to zero, or an enum.
  *
- * @param members of a record, as {@code double x}; empty for an enum
- * @param zeros of the members
- * @param literals of an enum; empty for a record
+ * @param members members of a record, such as {@code double x}; empty for an enum
+ * @param zeros zero values of the members
+ * @param literals literals of an enum; empty for a record
  */
 public record JavaDeclaredType(
     String name,
-    String spelling,
+    String typeName,
     List<String> members,
     List<String> zeros,
     List<String> literals,
@@ -35,7 +34,7 @@ public record JavaDeclaredType(
     return !literals.isEmpty();
   }
 
-  /** The types, with everything told that Java cannot spell. */
+  /** Plans the types, and reports everything that Java cannot express. */
   static List<JavaDeclaredType> of(List<DataType> types, Diagnostics diagnostics) {
     List<JavaDeclaredType> declared = new ArrayList<>();
     for (DataType type : types) {
@@ -45,18 +44,18 @@ public record JavaDeclaredType(
             diagnostics,
             type,
             JavaNames.isUsedType(name)
-                ? "has a name that test applications use themselves"
-                : "has no name that a Java type can have");
+                ? "has a name that is reserved for test applications"
+                : "is not a valid Java type name");
       } else if (type instanceof DataType.Struct struct) {
         declared.add(struct(name, struct, diagnostics));
       } else if (type instanceof DataType.Enumeration enumeration) {
         enumeration.literals().stream()
             .filter(l -> !JavaNames.isName(l))
-            .forEach(l -> problem(diagnostics, type, l + " is not a name in Java"));
+            .forEach(l -> problem(diagnostics, type, l + " is not a valid Java name"));
         declared.add(
             new JavaDeclaredType(
                 name,
-                type.spelling(),
+                type.typeName(),
                 List.of(),
                 List.of(),
                 enumeration.literals(),
@@ -77,12 +76,12 @@ public record JavaDeclaredType(
         problem(
             diagnostics,
             struct,
-            member.name() + " is not a name that a member of a record can have");
+            member.name() + " is not a valid name of a record component");
       } else if (type.isEmpty()) {
         problem(
             diagnostics,
             struct,
-            member.name() + " is " + member.type().spelling() + "; " + JavaType.SUPPORTED);
+            member.name() + " is " + member.type().typeName() + "; " + JavaType.SUPPORTED);
       } else {
         members.add(type.get().name() + " " + member.name());
         zeros.add(type.get().zero());
@@ -91,10 +90,10 @@ public record JavaDeclaredType(
             .forEach(imports::add);
       }
     }
-    return new JavaDeclaredType(name, struct.spelling(), members, zeros, List.of(), imports);
+    return new JavaDeclaredType(name, struct.typeName(), members, zeros, List.of(), imports);
   }
 
   private static void problem(Diagnostics diagnostics, DataType type, String problem) {
-    diagnostics.error("interfaces", 0, "type " + type.spelling(), problem);
+    diagnostics.error("interfaces", 0, "type " + type.typeName(), problem);
   }
 }

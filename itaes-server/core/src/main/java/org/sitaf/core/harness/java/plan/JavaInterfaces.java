@@ -14,7 +14,7 @@ import org.sitaf.core.harness.java.plan.JavaPlan.JavaParameter;
 import org.sitaf.core.harness.java.plan.JavaPlan.Signature;
 import org.sitaf.core.harness.plan.HarnessPlan;
 
-/** Spells interfaces in Java. */
+/** Plans interfaces in Java. */
 final class JavaInterfaces {
   private final Diagnostics diagnostics;
 
@@ -22,7 +22,7 @@ final class JavaInterfaces {
     this.diagnostics = diagnostics;
   }
 
-  /** The interface; without those of its methods that Java cannot spell, which are told. */
+  /** Plans an interface. Methods that Java cannot express are reported and omitted. */
   Optional<Interface> of(String name, String source, String role, List<Method> methods) {
     if (!JavaNames.isTypeName(name) || JavaNames.isUsedType(name)) {
       diagnostics.error(
@@ -30,8 +30,8 @@ final class JavaInterfaces {
           0,
           "type_name " + name,
           JavaNames.isUsedType(name)
-              ? "is a name that test applications use themselves; rename the interface"
-              : "is not a name that a Java interface can have");
+              ? "is reserved for test applications; rename the interface"
+              : "is not a valid Java interface name");
       return Optional.empty();
     }
     List<Signature> signatures = new ArrayList<>();
@@ -44,7 +44,7 @@ final class JavaInterfaces {
 
   private Optional<Signature> signature(String source, Method method, Set<String> overloads) {
     if (!JavaNames.isName(method.name()) || JavaNames.isObjectMethod(method.name())) {
-      inMethod(source, method, "is not a name that a method of a Java interface can have");
+      inMethod(source, method, "is not a valid Java method name");
       return Optional.empty();
     }
     List<JavaParameter> parameters = parameters(source, method);
@@ -54,7 +54,7 @@ final class JavaInterfaces {
       unknown(source, method, "its return type", method.returnType());
       return Optional.empty();
     }
-    // Java tells overloads apart by erased types: what Out holds does not count.
+    // Java distinguishes overloads by erased types, which ignore the type argument of Out.
     List<String> erased =
         parameters.stream().map(p -> p.declaration().split("[ <]", 2)[0]).toList();
     if (!overloads.add(method.name() + erased)) {
@@ -85,7 +85,7 @@ final class JavaInterfaces {
   }
 
   private void unknown(String source, Method method, String what, DataType type) {
-    inMethod(source, method, what + " is " + type.spelling() + "; " + JavaType.SUPPORTED);
+    inMethod(source, method, what + " is " + type.typeName() + "; " + JavaType.SUPPORTED);
   }
 
   private void inMethod(String source, Method method, String problem) {

@@ -8,8 +8,7 @@ import java.util.stream.Collectors;
 import org.sitaf.core.harness.plan.Words;
 
 /**
- * Names of users' documents in Java sources. What is called must keep its name and is refused where
- * Java cannot spell it; locals are only named after something, and step aside.
+ * Names in Java sources. Names of methods and types are taken from the user's documents and rejected if invalid in Java; local variables are renamed if necessary.
  */
 final class JavaNames {
   private static final Set<String> KEYWORDS =
@@ -20,10 +19,10 @@ final class JavaNames {
           private protected public return short static strictfp super switch synchronized this throw throws transient
           true try void volatile while _""");
 
-  /** Cannot name a type, though it is no keyword. */
+  /** Not keywords, but not allowed as type names. */
   private static final Set<String> RESTRICTED = words("var yield record sealed permits");
 
-  /** Types that generated sources use by their simple name. */
+  /** Types that generated sources use by simple name. */
   private static final Set<String> USED_TYPES =
       words(
           """
@@ -32,12 +31,12 @@ final class JavaNames {
           Simulation SimulationControl Stopwatch String StubbedMethod StubbedOut Stubbing SuiteDriver TestCase
           TestDriver TestRun TestStub Tick Void""");
 
-  /** Methods that every object has: an interface cannot declare its own. */
+  /** Methods of Object, which an interface cannot redeclare. */
   private static final Set<String> OBJECT_METHODS =
       words("clone equals finalize getClass hashCode notify notifyAll toString wait");
 
   /**
-   * Locals of generated methods, and the first parts of qualified names, which a local would hide.
+   * Local variables of generated methods, and first parts of qualified names, which a local variable would hide.
    */
   private static final Set<String> USED_LOCALS =
       words(
@@ -47,7 +46,7 @@ final class JavaNames {
 
   private final Set<String> taken = new HashSet<>(USED_LOCALS);
 
-  /** Names of one scope. */
+  /** Creates the names of one scope. */
   JavaNames(String... alsoTaken) {
     taken.addAll(Arrays.asList(alsoTaken));
   }
@@ -56,32 +55,30 @@ final class JavaNames {
     return Arrays.stream(text.split("\\s+")).collect(Collectors.toUnmodifiableSet());
   }
 
-  /** Whether Java spells a method or a variable so. */
+  /** Whether a name is valid for a method or a variable. */
   static boolean isName(String name) {
     return Words.isWord(name) && !KEYWORDS.contains(name);
   }
 
-  /** Whether Java spells a type so. */
+  /** Whether a name is valid for a type. */
   static boolean isTypeName(String name) {
     return isName(name) && !RESTRICTED.contains(name);
   }
 
   /**
-   * Whether generated sources mean something else by that simple name of a type; a local of that
-   * name would hide it, too.
+   * Whether a simple type name conflicts with the names in generated sources.
    */
   static boolean isUsedType(String simpleName) {
     return USED_TYPES.contains(simpleName) || USED_LOCALS.contains(simpleName);
   }
 
-  /** Whether every object has a method of that name. */
+  /** Whether Object has a method of this name. */
   static boolean isObjectMethod(String name) {
     return OBJECT_METHODS.contains(name);
   }
 
   /**
-   * A package's last part for a model: its name in lower case, with what Java cannot spell
-   * replaced.
+   * The last part of the package of a model: its name in lower case, with invalid characters replaced.
    */
   static String packagePart(String modelName) {
     String part = modelName.toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9_]", "_");
@@ -92,8 +89,7 @@ final class JavaNames {
   }
 
   /**
-   * A name for a local: {@code IndexOfSensor} gives {@code indexOfSensor}, {@code Finder.GetRange}
-   * gives {@code finderGetRange}.
+   * A unique name of a local variable: {@code IndexOfSensor} becomes {@code indexOfSensor}, {@code Finder.GetRange} becomes {@code finderGetRange}.
    */
   String local(String documentName) {
     String wanted = Words.camelCase(documentName.split("[^\\p{L}\\p{Nd}_$]+"));

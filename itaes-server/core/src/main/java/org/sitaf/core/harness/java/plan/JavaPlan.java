@@ -8,28 +8,27 @@ import org.jspecify.annotations.Nullable;
 import org.sitaf.core.description.Direction;
 
 /**
- * A test application in Java, decided: every name is one that Java can spell, every type has a
- * spelling.
+ * The plan of a test application in Java. All names and types are valid in Java.
  *
- * @param packageName of the driver
+ * @param packageName package of the driver
  * @param method the method under test, as {@code Interface.method}
- * @param description what the model says of itself
- * @param component type of the component, as sources name it
- * @param componentImport what to import for it; null where it is named in full
+ * @param description description of the model
+ * @param component type of the component as written in sources
+ * @param componentImport import of the component; null if the qualified name is used
  * @param suiteLife whether the component lives as long as the suite
- * @param notHooks methods of the component's interfaces that its life must not call
- * @param period of a periodic component; null for a passive one
- * @param beside whether the call is made on a thread of its own
- * @param arguments in the order of the method's parameters
- * @param returns null where the method returns nothing
- * @param world what the simulation sets; null where the activity names no world
- * @param interfaces that are generated beside the test
- * @param stubs of the required interfaces
- * @param outputs what is looked at after the call
- * @param properties of the component, by name
- * @param before calls that set the component up, as statements without the component
- * @param types structs and enumerations that are generated beside the test
- * @param errors exceptions that are generated beside the test
+ * @param notHooks methods of the component's interfaces that are not life-cycle hooks
+ * @param period period of a periodic component; null for a passive one
+ * @param beside whether the call is made on a separate thread
+ * @param arguments arguments in the order of the method's parameters
+ * @param returns null if the method returns nothing
+ * @param world null if the activity has no world
+ * @param interfaces generated interfaces
+ * @param stubs stubs of the required interfaces
+ * @param outputs outputs that are read after the call
+ * @param properties property values of the component by name
+ * @param before calls that set up the component
+ * @param types generated structs and enumerations
+ * @param errors generated exceptions
  */
 public record JavaPlan(
     String modelName,
@@ -57,11 +56,10 @@ public record JavaPlan(
   /**
    * A parameter of the method under test.
    *
-   * @param name as the interface has it
-   * @param local its variable
-   * @param reads what is read of the case for it, in order
-   * @param value what it holds before the call; null for an out-parameter that the cases leave
-   *     alone
+   * @param name name in the interface
+   * @param local name of the variable
+   * @param reads values of parts that are read from the case
+   * @param value value before the call; null for an out-parameter without a value
    */
   public record Argument(
       String name,
@@ -75,27 +73,27 @@ public record JavaPlan(
       return direction == Direction.IN ? type.name() : "Out<" + type.boxed() + ">";
     }
 
-    /** The variable's declaration as a parameter. */
+    /** The declaration of the variable as a parameter. */
     public String parameter() {
       return declared() + " " + local;
     }
   }
 
-  /** A value of the case in a variable of its own. */
+  /** A value of the case in its own variable. */
   public record Read(String local, JavaType type, String column) {}
 
-  /** The world of the activity and what the suite sets in it. */
+  /** The world of the activity and the parameters that the suite sets. */
   public record World(String path, List<Setting> settings, Duration settle, Duration runFor) {
     /**
      * A parameter of the world that the suite sets (TDSD).
      *
-     * @param documentation its unit and range, fit for a comment
+     * @param documentation unit and range, safe for a comment
      */
     public record Setting(String name, String local, String documentation) {}
   }
 
   /**
-   * An interface that is generated.
+   * A generated interface.
    *
    * @param role {@code required} or {@code provided}
    */
@@ -104,8 +102,8 @@ public record JavaPlan(
   /**
    * A method of an interface.
    *
-   * @param returns null where it returns nothing
-   * @param errors that it declares
+   * @param returns null if it returns nothing
+   * @param errors declared exceptions
    */
   public record Signature(
       String name,
@@ -117,31 +115,31 @@ public record JavaPlan(
     }
   }
 
-  /** A parameter of an interface's method. */
+  /** A parameter of an interface method. */
   public record JavaParameter(String name, String local, JavaType type, Direction direction) {
-    /** Its declaration. */
+    /** The declaration of the parameter. */
     public String declaration() {
       return (direction == Direction.IN ? type.name() : "Out<" + type.boxed() + ">") + " " + local;
     }
   }
 
   /**
-   * A required interface, as the test stub implements it.
+   * A required interface that the test stub implements.
    *
-   * @param field of the test stub
+   * @param field field of the test stub
    */
   public record Stub(String name, String field, List<StubMethod> methods) {}
 
   /**
    * A method of a required interface.
    *
-   * @param field of the test stub that answers for it
+   * @param field field of the test stub
    * @param fullName {@code Interface.Method}
    * @param answered whether the suite sets its answers
    */
   public record StubMethod(
       Signature signature, String field, String fullName, boolean answered, List<StubOut> outs) {
-    /** The type argument of what answers for it. */
+    /** The type argument of the stubbed method. */
     public String boxed() {
       return signature.returns() == null ? "Void" : signature.returns().boxed();
     }
@@ -150,40 +148,40 @@ public record JavaPlan(
   /**
    * An out-parameter of a required method.
    *
-   * @param field of the test stub that answers for it
+   * @param field field of the test stub
    * @param fullName {@code Interface.Method.param}
    */
   public record StubOut(JavaParameter parameter, String field, String fullName, boolean answered) {}
 
   /**
-   * What the suite answers with.
+   * An answer that the suite sets.
    *
-   * @param local its variable, and the field of the test stub
+   * @param local name of the variable and of the field of the test stub
    * @param column {@code Interface.Method} or {@code Interface.Method.param}
-   * @param zero what is answered in its stead; {@code null} for a method that returns nothing
+   * @param zero default answer; {@code null} for a method that returns nothing
    */
   public record Answered(
       String local, String column, String boxed, String zero, Set<String> imports) {}
 
   /**
-   * Something that is looked at after the call.
+   * An output that is read after the call.
    *
-   * @param expression that gives it, or the whole that it is part of; null where the method returns
-   *     nothing, and all there is to see is that it returns
-   * @param part whether it is a part of a whole
-   * @param observed whether the world shows it
+   * @param expression expression of the output, or of the whole that it is part of; null if the
+   *     method returns nothing
+   * @param part whether the output is a part of the expression
+   * @param observed whether it is an observation of the world
    */
   public record Output(String name, @Nullable String expression, boolean part, boolean observed) {}
 
-  /** A call of the component, with arguments as expressions. */
+  /** A call of the component with arguments as expressions. */
   public record Call(String method, List<String> arguments, Set<String> imports) {}
 
-  /** The return type as sources spell it. */
+  /** The return type as written in sources. */
   public String returnName() {
     return returns == null ? "void" : returns.name();
   }
 
-  /** Whether anything is observed in the world after the call. */
+  /** Whether there is an observation of the world. */
   public boolean observes() {
     return outputs.stream().anyMatch(Output::observed);
   }

@@ -26,7 +26,7 @@ import org.sitaf.core.harness.plan.HarnessPlanner;
 import org.sitaf.core.harness.plan.Hooks;
 import org.sitaf.core.model.Value;
 
-/** Spells a plan in Java, and says everything that Java cannot express. */
+/** Plans a test application in Java, and reports everything that Java cannot express. */
 public final class JavaPlanner {
   private final HarnessPlan plan;
   private final Diagnostics diagnostics;
@@ -35,7 +35,7 @@ public final class JavaPlanner {
   private JavaPlanner(HarnessPlan plan, Diagnostics diagnostics) {
     this.plan = plan;
     this.diagnostics = diagnostics;
-    // A local would hide a type of its name, and the package that a qualified name begins with.
+    // A local variable must not hide a type or the first part of a qualified name.
     this.names =
         new JavaNames(
             Stream.concat(
@@ -45,10 +45,10 @@ public final class JavaPlanner {
   }
 
   /**
-   * Spells a plan.
+   * Plans a test application.
    *
-   * @param diagnostics gets everything that has no spelling in Java; with an error among it the
-   *     result is not to be printed
+   * @param diagnostics receives everything that Java cannot express; after an error, the result must
+   *     not be used
    */
   public static JavaPlan plan(HarnessPlan plan, Diagnostics diagnostics) {
     return new JavaPlanner(plan, diagnostics).plan();
@@ -59,18 +59,18 @@ public final class JavaPlanner {
     return "sitaf.harness." + JavaNames.packagePart(modelName);
   }
 
-  /** A variable that is named after something of a document. */
+  /** The name of a variable for a name in a document. */
   public static String local(String documentName) {
     return new JavaNames().local(documentName);
   }
 
-  /** The interfaces that an adapter implements; what Java cannot spell is told. */
+  /** Plans the interfaces of an adapter, and reports everything that Java cannot express. */
   public static List<Interface> interfaces(HarnessPlan.Adapter plan, Diagnostics diagnostics) {
     className(plan.className(), diagnostics);
-    JavaInterfaces spelling = new JavaInterfaces(diagnostics);
+    JavaInterfaces planner = new JavaInterfaces(diagnostics);
     List<Interface> interfaces = new ArrayList<>();
     for (InterfaceDescription provided : plan.provided()) {
-      spelling
+      planner
           .of(provided.name(), provided.source(), "provided", provided.methods())
           .ifPresent(interfaces::add);
     }
@@ -141,7 +141,7 @@ public final class JavaPlanner {
           HarnessPlanner.PROFILE,
           0,
           "component.class",
-          className + " must be in a package, so that a test can import it");
+          className + " must be in a package, because the test must import it");
     }
   }
 
@@ -151,7 +151,7 @@ public final class JavaPlanner {
           source,
           method.line(),
           "method " + method.name(),
-          "is not a name that a Java method can have");
+          "is not a valid Java method name");
     }
   }
 
@@ -167,18 +167,18 @@ public final class JavaPlanner {
     return arguments;
   }
 
-  /** Required interfaces, and what an adapter implements. */
+  /** The required interfaces, and the provided ones that an adapter implements. */
   private List<Interface> interfaces() {
-    JavaInterfaces spelling = new JavaInterfaces(diagnostics);
+    JavaInterfaces planner = new JavaInterfaces(diagnostics);
     List<Interface> interfaces = new ArrayList<>();
     for (HarnessPlan.Stub stub : plan.stubs()) {
       List<Method> methods = stub.methods().stream().map(HarnessPlan.StubMethod::method).toList();
-      spelling.of(stub.name(), stub.source(), "required", methods).ifPresent(interfaces::add);
+      planner.of(stub.name(), stub.source(), "required", methods).ifPresent(interfaces::add);
     }
     if (plan.component().adapter() != null) {
       for (InterfaceDescription provided : plan.provided()) {
         if (plan.stubs().stream().noneMatch(s -> s.name().equals(provided.name()))) {
-          spelling
+          planner
               .of(provided.name(), provided.source(), "provided", provided.methods())
               .ifPresent(interfaces::add);
         }
@@ -192,7 +192,7 @@ public final class JavaPlanner {
     plan.types().forEach(t -> taken.add(HarnessPlan.simpleName(t)));
     for (HarnessPlan.Stub stub : plan.stubs()) {
       if (!taken.add(stub.name())) {
-        diagnostics.error(stub.source(), 0, "type_name " + stub.name(), "is also a type's name");
+        diagnostics.error(stub.source(), 0, "type_name " + stub.name(), "is also the name of a type");
       }
     }
     for (String error : plan.errors()) {
@@ -201,7 +201,7 @@ public final class JavaPlanner {
             "interfaces",
             0,
             "exception " + error,
-            "is not a name that an exception of a Java test can have, or another type has it");
+            "is not a valid exception name in a Java test, or another type has this name");
       }
     }
   }
@@ -295,7 +295,7 @@ public final class JavaPlanner {
         sourceOf(method),
         method.line(),
         "method " + method.name(),
-        what + " is " + type.spelling() + "; " + JavaType.SUPPORTED);
+        what + " is " + type.typeName() + "; " + JavaType.SUPPORTED);
   }
 
   private String sourceOf(Method method) {

@@ -12,7 +12,7 @@ import org.sitaf.core.harness.java.plan.JavaPlan.StubMethod;
 import org.sitaf.core.harness.java.plan.JavaPlan.StubOut;
 import org.sitaf.core.harness.plan.HarnessPlan;
 
-/** Names what the test stub answers with: a field for each method and each out-parameter. */
+/** Plans the test stub: a field for each method and each out-parameter. */
 final class JavaStubPlanner {
   private final List<HarnessPlan.Stub> stubs;
   private final JavaNames names;
@@ -25,13 +25,13 @@ final class JavaStubPlanner {
   List<Stub> plan(List<Interface> interfaces) {
     List<Stub> planned = new ArrayList<>();
     for (HarnessPlan.Stub stub : stubs) {
-      Optional<Interface> spelled =
+      Optional<Interface> signatures =
           interfaces.stream().filter(i -> i.name().equals(stub.name())).findFirst();
-      if (spelled.isPresent() && spelled.get().methods().size() == stub.methods().size()) {
+      if (signatures.isPresent() && signatures.get().methods().size() == stub.methods().size()) {
         String field = names.local(stub.name());
         List<StubMethod> methods = new ArrayList<>();
         for (int i = 0; i < stub.methods().size(); i++) {
-          methods.add(method(stub, stub.methods().get(i), spelled.get().methods().get(i)));
+          methods.add(method(stub, stub.methods().get(i), signatures.get().methods().get(i)));
         }
         planned.add(new Stub(stub.name(), field, methods));
       }

@@ -5,8 +5,7 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * Values and texts of users in Java sources. Java reads {@code &#92;u000a} as a line break wherever
- * it stands, even in a comment, so that no backslash of a user's ever reaches a source unescaped.
+ * Escapes values and texts of users in Java sources. Java treats {@code &#92;u000a} as a line break everywhere, even in a comment, so every backslash must be escaped.
  */
 public final class JavaText {
   private static final int WIDTH = 100;
@@ -28,7 +27,7 @@ public final class JavaText {
     return "'" + escaped(c, '\'') + "'";
   }
 
-  /** A double literal, or a constant where there is none. */
+  /** A double literal, or a constant such as {@code Double.NaN}. */
   static String real(double number) {
     if (Double.isNaN(number)) {
       return "Double.NaN";
@@ -49,7 +48,7 @@ public final class JavaText {
       case '\t' -> "\\t";
       default -> {
         if (c < 0x20 || c == 0x7f) {
-          // Octal, with all three digits: a unicode escape would be the control character itself.
+          // Octal with three digits: the compiler would replace a Unicode escape by the control character.
           yield String.format(Locale.ROOT, "\\%03o", (int) c);
         }
         yield c < 0x7f || Character.isLetterOrDigit(c)
@@ -60,8 +59,7 @@ public final class JavaText {
   }
 
   /**
-   * A user's text for a documentation comment: one line, without anything that means something to
-   * javac or to Javadoc.
+   * Escapes a user's text for a documentation comment: a single line without special characters of javac and Javadoc.
    */
   public static String comment(String text) {
     String oneLine =
@@ -70,7 +68,7 @@ public final class JavaText {
       oneLine =
           oneLine.substring(0, oneLine.offsetByCodePoints(0, MAX_COMMENT_LENGTH / 2)) + " ...";
     }
-    // Without an asterisk of the user's, a slash cannot end a comment.
+    // Asterisks are escaped, so a slash cannot end the comment.
     StringBuilder encoded = new StringBuilder();
     oneLine
         .codePoints()
@@ -86,11 +84,10 @@ public final class JavaText {
   }
 
   /**
-   * A documentation comment, wrapped; every part is fit for a comment already.
+   * A wrapped documentation comment of escaped texts.
    *
-   * @param indent columns before it
-   * @param paragraphs its paragraphs
-   * @param tags block tags, such as {@code @param name what it is}
+   * @param indent indentation in columns
+   * @param tags block tags, such as {@code @param name description}
    */
   public static String javadoc(int indent, List<String> paragraphs, List<String> tags) {
     String pad = " ".repeat(indent);
@@ -132,10 +129,9 @@ public final class JavaText {
   }
 
   /**
-   * A statement that calls something, broken as google-java-format breaks it.
+   * A call statement, with line breaks as in google-java-format.
    *
-   * @param left what stands before the call: empty, {@code return} or an assignment with its {@code
-   *     =}
+   * @param left text before the call: empty, {@code return} or an assignment ending with {@code =}
    */
   public static String call(int indent, String left, String callee, List<String> arguments) {
     String pad = " ".repeat(indent);
@@ -151,9 +147,9 @@ public final class JavaText {
   }
 
   /**
-   * The head of a method, broken as google-java-format breaks it.
+   * A method declaration, with line breaks as in google-java-format.
    *
-   * @param end what follows: {@code  {}, {@code  {}} or {@code ;}
+   * @param end text after the declaration, such as {@code ;}
    */
   public static String declaration(
       int indent, String head, List<String> parameters, boolean throwing, String end) {
@@ -173,7 +169,7 @@ public final class JavaText {
   private static String broken(int indent, List<String> parts) {
     String pad = "\n" + " ".repeat(indent + 4);
     String together = String.join(", ", parts);
-    // Two columns are kept for what closes the list.
+    // Two columns are reserved for the end of the list.
     return pad
         + (indent + 4 + together.length() + 2 <= WIDTH ? together : String.join("," + pad, parts));
   }

@@ -11,33 +11,31 @@ import org.sitaf.core.harness.plan.HarnessPlan;
 import org.sitaf.core.model.Value;
 
 /**
- * How Java spells a type of an interface: integers by width, unsigned ones in the next wider type
- * (the widest in {@code BigInteger}), sequences and arrays as Java arrays, structs as generated
- * records, enumerations as generated enums.
+ * The Java type of an interface type: unsigned integers are mapped to the next wider type (64 bits to {@code BigInteger}), sequences and arrays to Java arrays, structs to generated records, enumerations to generated enums.
  *
- * @param name in declarations
- * @param boxed as a type argument
- * @param accessor of the runtime's {@code TestCase} that reads it
- * @param zero the value that nobody has set
- * @param type that it spells
- * @param imports what a source needs that names it
+ * @param name name in declarations
+ * @param boxed name as a type argument
+ * @param accessor method of the runtime's {@code TestCase} that reads a value
+ * @param zero expression of the default value
+ * @param type type of the interface
+ * @param imports imports of the type
  */
 public record JavaType(
     String name, String boxed, String accessor, String zero, DataType type, Set<String> imports) {
-  /** Where generated interfaces and types lie. */
+  /** The package of generated interfaces and types. */
   public static final String INTERFACES = "sitaf.interfaces";
 
-  /** What is said where a type has no spelling. */
-  static final String SUPPORTED = "a Java test application knows no such type";
+  /** The message for unsupported types. */
+  static final String SUPPORTED = "this type is not supported in Java";
 
-  /** Elements of a fixed array that are written out one by one. */
+  /** Maximum length of an array of objects, whose elements are written individually. */
   private static final int MAX_WRITTEN = 64;
 
   public JavaType {
     imports = Set.copyOf(imports);
   }
 
-  /** The type in Java; empty where there is none. {@code void} is none. */
+  /** The Java type; empty for {@code void} and unsupported types. */
   static Optional<JavaType> of(DataType type) {
     if (type instanceof DataType.Scalar scalar) {
       return Optional.ofNullable(scalar(scalar));
@@ -62,14 +60,14 @@ public record JavaType(
     return Optional.empty();
   }
 
-  /** What a case's value of this type is read with. */
+  /** The arguments of the accessor for a value of the case. */
   public List<String> reading(String column) {
     return accessor.equals("value")
         ? List.of(JavaText.string(column), name + ".class")
         : List.of(JavaText.string(column));
   }
 
-  /** A value as an expression of this type. */
+  /** A value as a Java expression. */
   String expression(Value value) {
     if (type instanceof DataType.Enumeration) {
       return name + "." + value.literal();
@@ -96,7 +94,7 @@ public record JavaType(
 
   private static char single(String literal) {
     if (literal.length() != 1) {
-      throw new IllegalArgumentException("'" + literal + "' is not one character");
+      throw new IllegalArgumentException("'" + literal + "' is not a single character");
     }
     return literal.charAt(0);
   }
@@ -122,7 +120,7 @@ public record JavaType(
   }
 
   /**
-   * An array of zeros: {@code new double[0]}, {@code new double[2][3]}, written out for objects.
+   * An array of zeros: {@code new double[0]}, {@code new double[2][3]}, or with individual elements for objects.
    */
   private static String empty(JavaType element, int length) {
     if (length > 0 && !isPrimitive(element)) {

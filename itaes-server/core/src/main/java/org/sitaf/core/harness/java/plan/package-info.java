@@ -1,6 +1,5 @@
 /**
- * What a test application in Java will hold, decided before anything is printed: names, types,
- * literals, calls.
+ * Plans test applications in Java: names, types, literals and calls.
  */
 @NullMarked
 package org.sitaf.core.harness.java.plan;

@@ -1,4 +1,4 @@
-package org.sitaf.core.harness.cpp.spelling;
+package org.sitaf.core.harness.cpp.syntax;
 
 import java.util.Objects;
 import java.util.SortedSet;
@@ -10,28 +10,27 @@ import org.sitaf.core.harness.plan.HarnessPlan;
 import org.sitaf.core.model.Value;
 
 /**
- * How C++ spells a type of an interface: integers by width, sequences as vectors, arrays as arrays,
- * structs and enumerations by their names in {@code sitaf::interfaces}.
+ * The C++ types of interface types: sequences are vectors, structs and enumerations are declared in {@code sitaf::interfaces}.
  */
 public final class CppType {
   private CppType() {}
 
-  /** The type as test applications write it. */
+  /** The name of a type in test applications. */
   public static String of(DataType type) {
-    return spell(type, "interfaces::");
+    return typeName(type, "interfaces::");
   }
 
-  /** The type as the interfaces themselves write it. */
+  /** The name of a type in the interfaces. */
   public static String within(DataType type) {
-    return spell(type, "");
+    return typeName(type, "");
   }
 
-  /** The type as components write it. */
+  /** The name of a type in components. */
   public static String outside(DataType type) {
-    return spell(type, "sitaf::interfaces::");
+    return typeName(type, "sitaf::interfaces::");
   }
 
-  private static String spell(DataType type, String scope) {
+  private static String typeName(DataType type, String scope) {
     if (type instanceof DataType.Scalar scalar) {
       return switch (scalar.type()) {
         case VOID -> "void";
@@ -40,24 +39,24 @@ public final class CppType {
         case FLOAT -> "float";
         case DOUBLE -> "double";
         case STRING -> "std::string";
-        default -> "std::" + scalar.type().spelling() + "_t";
+        default -> "std::" + scalar.type().typeName() + "_t";
       };
     }
     if (type instanceof DataType.Sequence sequence) {
-      return "std::vector<" + spell(sequence.element(), scope) + ">";
+      return "std::vector<" + typeName(sequence.element(), scope) + ">";
     }
     if (type instanceof DataType.FixedArray array) {
-      return "std::array<" + spell(array.element(), scope) + ", " + array.length() + ">";
+      return "std::array<" + typeName(array.element(), scope) + ", " + array.length() + ">";
     }
     return scope + HarnessPlan.simpleName(type);
   }
 
-  /** A parameter of a function: single values as they are, others by reference. */
+  /** A parameter of a function: simple values are passed by value, others by reference. */
   public static String parameter(Parameter parameter, String name, boolean within) {
     return parameter(parameter, name, within ? within(parameter.type()) : of(parameter.type()));
   }
 
-  /** A parameter of a function, as components write it. */
+  /** A parameter of a function in components. */
   public static String outsideParameter(Parameter parameter, String name) {
     return parameter(parameter, name, outside(parameter.type()));
   }
@@ -69,13 +68,13 @@ public final class CppType {
     return isSingle(parameter.type()) ? type + " " + name : "const " + type + "& " + name;
   }
 
-  /** Whether a value of the type is no dearer than a reference to it. */
+  /** Whether values of the type are passed by value. */
   public static boolean isSingle(DataType type) {
     return type instanceof DataType.Enumeration
         || (type instanceof DataType.Scalar scalar && scalar.type() != ScalarType.STRING);
   }
 
-  /** Adds the headers that a type needs, as they stand between the brackets of an include. */
+  /** Adds the headers of a type. */
   public static void addHeaders(DataType type, SortedSet<String> standard, SortedSet<String> own) {
     if (type instanceof DataType.Scalar scalar) {
       if (scalar.type().isInteger()) {
@@ -97,7 +96,7 @@ public final class CppType {
   /**
    * A value as an expression.
    *
-   * @throws IllegalArgumentException when C++ cannot hold it
+   * @throws IllegalArgumentException if C++ cannot represent it
    */
   public static String expression(Value value, DataType type) {
     if (type instanceof DataType.Enumeration) {

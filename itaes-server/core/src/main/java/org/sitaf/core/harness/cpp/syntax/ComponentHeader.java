@@ -1,4 +1,4 @@
-package org.sitaf.core.harness.cpp.spelling;
+package org.sitaf.core.harness.cpp.syntax;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -20,11 +20,10 @@ public final class ComponentHeader {
   private ComponentHeader() {}
 
   /**
-   * The header as an include names it: what {@code component.header} says, else the one header
-   * among adapter, sources and headers that declares the class.
+   * Returns the include path of the header: {@code component.header}, or the only header in adapter, sources and headers that declares the class.
    *
-   * @param diagnostics gets what keeps it from being found
-   * @return empty where it is not found
+   * @param diagnostics receives the reason if the header is not found
+   * @return empty if the header is not found
    */
   public static Optional<String> find(Activity activity, Diagnostics diagnostics) {
     Component component = activity.profile().component();
@@ -56,7 +55,7 @@ public final class ComponentHeader {
             HarnessPlanner.PROFILE,
             0,
             "component.class",
-            simple + " is declared by several headers, " + declaring + ": name one as header:");
+            simple + " is declared in several headers, " + declaring + "; select one by header:");
         return Optional.empty();
       }
       if (!declaring.isEmpty()) {
@@ -71,10 +70,10 @@ public final class ComponentHeader {
             + (folders.isEmpty() ? "is in the activity" : "in " + String.join(", ", folders))
             + " that declares "
             + className
-            + "; declare it in one, or name the header as the compiler finds it as header:"
+            + "; add such a header, or set header: to its include path"
             + (component.adapter() == null
                 ? ""
-                : "; ./sitaf harness ACTIVITY_DIR --adapter writes the beginning of an adapter"));
+                : "; ./sitaf harness ACTIVITY_DIR --adapter generates a skeleton"));
     return Optional.empty();
   }
 

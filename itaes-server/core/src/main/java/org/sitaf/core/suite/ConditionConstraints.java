@@ -17,13 +17,13 @@ import org.sitaf.core.model.InputElement;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.value.TestValue;
 
-/** Poses the pre-conditions of a model as constraints over candidate values. */
-final class PosedConditions {
+/** Converts the pre-conditions of a model to constraints over candidate values. */
+final class ConditionConstraints {
   private final TestModel model;
   private final List<Expression> conditions;
   private final Map<Constraint, Expression> conditionOf = new IdentityHashMap<>();
 
-  PosedConditions(TestModel model, List<Expression> conditions) {
+  ConditionConstraints(TestModel model, List<Expression> conditions) {
     this.model = model;
     this.conditions = conditions;
   }
@@ -31,23 +31,24 @@ final class PosedConditions {
   /**
    * The constraints of all conditions.
    *
-   * @param valid whether all cases are; null where they differ
+   * @param valid whether all cases are valid or invalid; null if they differ
    */
   List<Constraint> constraints(List<List<TestValue>> candidates, @Nullable Boolean valid) {
     conditionOf.clear();
     return conditions.stream().flatMap(c -> constraints(c, candidates, valid)).toList();
   }
 
-  /** The condition that a constraint comes from, as it was written. */
+  /** The source text of the condition of a constraint. */
   String text(Constraint constraint) {
     Expression condition = conditionOf.get(constraint);
     return condition == null ? "a condition" : condition.text();
   }
 
   /**
-   * A condition over few combinations as it is. One over more, such as {@code a == 1 && b == 2}
-   * over large parameters, also as its parts, since each of them speaks of fewer: the parts say
-   * which rows are not allowed, and the whole is needed only where a part has no value.
+   * Converts a condition. With few combinations of values, it becomes one constraint. With many,
+   * such as {@code a == 1 && b == 2} over large parameters, it is split into its operands, which
+   * have fewer parameters each. The whole condition is then only needed if an operand cannot be
+   * evaluated for some values.
    */
   private Stream<Constraint> constraints(
       Expression condition, List<List<TestValue>> candidates, @Nullable Boolean valid) {
@@ -72,7 +73,7 @@ final class PosedConditions {
     return complete ? constraints.stream() : Stream.concat(constraints.stream(), Stream.of(whole));
   }
 
-  /** Whether a part has a value for all values of its parameters. */
+  /** Whether an operand can be evaluated for all values of its parameters. */
   private static boolean isDecided(
       Constraint part, List<List<TestValue>> candidates, boolean[] undecided) {
     int[] parameters = part.parameters();
@@ -106,10 +107,10 @@ final class PosedConditions {
   }
 
   /**
-   * A condition over the parameters that it speaks of.
+   * Converts a condition to a constraint over the parameters that it uses.
    *
-   * @param undecided becomes true where it has no value, and allows them; null where that is an
-   *     error of the model
+   * @param undecided set to true if the condition cannot be evaluated for some values, which are
+   *     then allowed; null if this is an error
    */
   private Constraint constraint(
       Expression condition,
@@ -154,7 +155,7 @@ final class PosedConditions {
     }
   }
 
-  /** Whether a condition holds; an error of the model where it has no value. */
+  /** Evaluates a condition. A failed evaluation is an error in the model. */
   boolean holds(Expression condition, Variables variables) {
     try {
       return condition.isTrue(variables.map());
@@ -167,7 +168,7 @@ final class PosedConditions {
                   "pre_condition_spec_list",
                   "'"
                       + condition.text()
-                      + "' has no value for "
+                      + "' cannot be evaluated for "
                       + variables.map()
                       + ": "
                       + e.getMessage())));

@@ -7,13 +7,15 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 
-/** Looks for an allowed row with given values by trying all others, for the checker. */
-final class Exhaustion {
+/**
+ * Searches an allowed row that contains given values by trying all values of the other parameters.
+ */
+final class ExhaustiveSearch {
   private final int[] levels;
   private final List<Constraint> constraints;
   private final List<List<Constraint>> through = new ArrayList<>();
 
-  Exhaustion(CombinationProblem problem) {
+  ExhaustiveSearch(CombinationProblem problem) {
     this.levels = problem.levels();
     this.constraints = problem.constraints();
     for (int p = 0; p < levels.length; p++) {
@@ -25,7 +27,7 @@ final class Exhaustion {
     }
   }
 
-  /** Whether an allowed row holds these values of these parameters. */
+  /** Whether an allowed row contains these values. */
   boolean finds(int[] parameters, int[] values) {
     int[] row = new int[levels.length];
     Arrays.fill(row, CombinationProblem.FREE);
@@ -33,14 +35,14 @@ final class Exhaustion {
       row[parameters[i]] = values[i];
     }
     for (Constraint constraint : constraints) {
-      if (!keeps(constraint, row)) {
+      if (!isSatisfied(constraint, row)) {
         return false;
       }
     }
     return finds(row, order(parameters), 0);
   }
 
-  /** Parameters of constraints, those near the given ones first; the others do not matter. */
+  /** The parameters of constraints, beginning with those related to the given ones. */
   private List<Integer> order(int[] from) {
     Set<Integer> order = new LinkedHashSet<>();
     ArrayDeque<Integer> open = new ArrayDeque<>();
@@ -71,7 +73,7 @@ final class Exhaustion {
     }
     for (int v = 0; v < levels[p]; v++) {
       row[p] = v;
-      boolean keeps = through.get(p).stream().allMatch(c -> keeps(c, row));
+      boolean keeps = through.get(p).stream().allMatch(c -> isSatisfied(c, row));
       if (keeps && finds(row, order, depth + 1)) {
         return true;
       }
@@ -80,8 +82,8 @@ final class Exhaustion {
     return false;
   }
 
-  /** Whether a constraint is kept, or not yet decided. */
-  private static boolean keeps(Constraint constraint, int[] row) {
+  /** Whether a constraint is satisfied or undecided. */
+  private static boolean isSatisfied(Constraint constraint, int[] row) {
     int[] values = Arrays.stream(constraint.parameters()).map(q -> row[q]).toArray();
     return Arrays.stream(values).anyMatch(v -> v < 0) || constraint.allowed().test(values);
   }

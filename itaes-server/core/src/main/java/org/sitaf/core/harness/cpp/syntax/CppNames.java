@@ -1,4 +1,4 @@
-package org.sitaf.core.harness.cpp.spelling;
+package org.sitaf.core.harness.cpp.syntax;
 
 import java.util.Arrays;
 import java.util.HashSet;
@@ -9,8 +9,7 @@ import java.util.stream.Collectors;
 import org.sitaf.core.harness.plan.Words;
 
 /**
- * Names of users' documents in C++ sources. What is called must keep its name and is refused where
- * C++ cannot spell it; locals are only named after something, and step aside.
+ * Names in C++ sources. Names of methods and types are taken from the user's documents and rejected if invalid in C++; local variables are renamed if necessary.
  */
 public final class CppNames {
   private static final Pattern NAME = Pattern.compile("[A-Za-z_][A-Za-z0-9_]*");
@@ -35,14 +34,14 @@ public final class CppNames {
           SEEK_SET SITAF_MEMBER SITAF_METHOD SITAF_SETTER SIZE_MAX UINT_MAX assert errno i386 linux major minor makedev offsetof
           setjmp signals slots stderr stdin stdout unix va_arg va_copy va_end va_start""");
 
-  /** Types and namespaces that generated sources use by a simple name. */
+  /** Types and namespaces that generated sources use by simple name. */
   private static final Set<String> USED_TYPES =
       words(
           """
           Component ConcreteTestDriver SimulationControl TestDriver TestStub harness interfaces runtime simulation
           sitaf std suite""");
 
-  /** Locals and members of generated code, and the first parts of qualified names. */
+  /** Local variables and members of generated code, and first parts of qualified names. */
   private static final Set<String> USED_LOCALS =
       words(
           """
@@ -56,31 +55,30 @@ public final class CppNames {
     return Arrays.stream(text.split("\\s+")).collect(Collectors.toUnmodifiableSet());
   }
 
-  /** Whether C++ spells a method, a member or a literal so. */
+  /** Whether a name is valid for a method, a member or a literal. */
   public static boolean isName(String name) {
     return NAME.matcher(name).matches()
         && !KEYWORDS.contains(name)
         && !MACROS.contains(name)
-        // The compiler's own.
+        // Reserved for the compiler.
         && !name.contains("__")
         && !name.matches("_[A-Z].*");
   }
 
   /**
-   * Whether C++ spells a type of an interface so, and generated sources mean nothing else by it.
+   * Whether a name is valid for a type and does not conflict with generated sources.
    */
   public static boolean isTypeName(String name) {
     return isName(name) && !USED_TYPES.contains(name);
   }
 
-  /** Whether a class can be named so: words, joined by {@code ::}. */
+  /** Whether a qualified class name is valid. */
   public static boolean isQualifiedName(String name) {
     return Arrays.stream(name.split("::", -1)).allMatch(CppNames::isName);
   }
 
   /**
-   * The innermost namespace, and the folder, of a model's test application: its name in lower case,
-   * with what C++ cannot spell replaced.
+   * The innermost namespace and the folder of a model's test application: the model's name in lower case, with invalid characters replaced.
    */
   public static String namespace(String modelName) {
     String part = modelName.toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]+", "_");
@@ -91,8 +89,7 @@ public final class CppNames {
   }
 
   /**
-   * A name for a local: {@code IndexOfSensor} gives {@code indexOfSensor}, {@code Finder.GetRange}
-   * gives {@code finderGetRange}.
+   * A unique name of a local variable: {@code IndexOfSensor} becomes {@code indexOfSensor}, {@code Finder.GetRange} becomes {@code finderGetRange}.
    */
   public String local(String documentName) {
     String joined = Words.camelCase(documentName.split("[^A-Za-z0-9]+"));
@@ -105,7 +102,7 @@ public final class CppNames {
     return name;
   }
 
-  /** Keeps a name from being given to a local. */
+  /** Reserves a name, so it is not used for a local variable. */
   public void take(String name) {
     taken.add(name);
   }

@@ -8,21 +8,21 @@ import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.diagnostic.Severity;
 
 /**
- * What interface files say.
+ * The result of importing interface files.
  *
- * @param components component profiles among them
- * @param provided interfaces that a component offers, and those that no component claims
- * @param required interfaces that a component calls
- * @param types structs and enumerations that the files declare
- * @param diagnostics errors and warnings; what an error concerns may be missing above
+ * @param components component profiles
+ * @param provided interfaces that a component provides, or that no component references
+ * @param required interfaces that a component requires
+ * @param types declared structs and enumerations
+ * @param diagnostics errors and warnings; parts with errors may be missing from the other lists
  */
-public record Described(
+public record ImportResult(
     List<ComponentDescription> components,
     List<InterfaceDescription> provided,
     List<InterfaceDescription> required,
     List<DataType> types,
     List<Diagnostic> diagnostics) {
-  public Described {
+  public ImportResult {
     components = List.copyOf(components);
     provided = List.copyOf(provided);
     required = List.copyOf(required);
@@ -30,17 +30,17 @@ public record Described(
     diagnostics = List.copyOf(diagnostics);
   }
 
-  /** Whether a file cannot be used. */
+  /** Whether there is at least one error. */
   public boolean hasErrors() {
     return diagnostics.stream().anyMatch(d -> d.severity() == Severity.ERROR);
   }
 
   /**
-   * This, where nothing is wrong with it.
+   * Returns this result if it has no errors.
    *
-   * @throws InvalidInputException with every diagnostic, where one of them is an error
+   * @throws InvalidInputException with all diagnostics, if one of them is an error
    */
-  public Described orThrow() {
+  public ImportResult orThrow() {
     if (hasErrors()) {
       throw new InvalidInputException(diagnostics);
     }

@@ -6,30 +6,31 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
-import org.sitaf.core.combine.coverage.Dice;
+import org.sitaf.core.combine.SeededRandom;
 import org.sitaf.core.combine.search.Budget;
 
 /**
- * Covering arrays of one number of values in all columns, developed from a few starter rows by a
- * group. Several groups compete, each with ever longer searches for fewer rows than the best.
+ * Searches covering arrays with the same number of values in all columns, developed from a few
+ * starter rows by a permutation group. Several groups compete in increasingly long searches for
+ * fewer rows than the best.
  */
-final class Developed {
-  /** What the first attempt of a plan may spend; each round doubles it. */
+final class GroupDevelopment {
+  /** Operations of the first attempt of each plan; doubled in each round. */
   private static final long FIRST_SLICE = 1_000_000;
 
   private final int strength;
   private final int values;
   private final int columns;
-  private final Dice dice;
+  private final SeededRandom random;
   private int @Nullable [][] nearest;
   private int nearestMissed = Integer.MAX_VALUE;
   private final List<Plan> plans = new ArrayList<>();
 
-  Developed(int strength, int values, int columns, Dice dice) {
+  GroupDevelopment(int strength, int values, int columns, SeededRandom random) {
     this.strength = strength;
     this.values = values;
     this.columns = columns;
-    this.dice = dice;
+    this.random = random;
     for (SymbolGroup group : SymbolGroup.of(values)) {
       int[] orbits = group.orbits(strength);
       for (List<Integer> constants : group.constantRows()) {
@@ -38,19 +39,21 @@ final class Developed {
     }
   }
 
-  /** Searches for fewer than {@code size} rows; null when none was found within the budget. */
+  /**
+   * Searches an array with fewer than {@code size} rows; null if none was found within the budget.
+   */
   int @Nullable [][] below(int size, Budget budget) {
     int best = size;
     int[][] found = null;
     long slice = FIRST_SLICE;
-    while (!budget.spent()) {
+    while (!budget.isExhausted()) {
       boolean anyPlan = false;
       for (Plan plan : plans) {
-        while (!budget.spent() && plan.canBeat(best)) {
+        while (!budget.isExhausted() && plan.canBeat(best)) {
           anyPlan = true;
-          Budget attempt = new Budget(Math.min(slice, budget.left()));
+          Budget attempt = new Budget(Math.min(slice, budget.remaining()));
           int[][] rows = plan.attempt(plan.starters(best), attempt);
-          budget.spend(attempt.whole() - attempt.left());
+          budget.spend(attempt.total() - attempt.remaining());
           if (rows == null) {
             break;
           }
@@ -69,13 +72,13 @@ final class Developed {
   }
 
   /**
-   * After {@link #below}: fewer rows than were found, which miss few tuples; null: there are none.
+   * After {@link #below}: an array with fewer rows that misses few tuples; null if there is none.
    */
   int @Nullable [][] nearest() {
     return nearest;
   }
 
-  /** A group, and the constant rows that are taken for granted beside the starters. */
+  /** A group, and the constant rows that are added to the starter rows. */
   private final class Plan {
     private final SymbolGroup group;
     private final int[] orbits;
@@ -112,7 +115,7 @@ final class Developed {
 
     int @Nullable [][] attempt(int starters, Budget budget) {
       StarterSearch search =
-          new StarterSearch(strength, columns, values, orbits, covered, starters, dice);
+          new StarterSearch(strength, columns, values, orbits, covered, starters, random);
       if (search.run(budget)) {
         return develop(search.rows());
       }

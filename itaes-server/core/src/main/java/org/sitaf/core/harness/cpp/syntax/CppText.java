@@ -1,4 +1,4 @@
-package org.sitaf.core.harness.cpp.spelling;
+package org.sitaf.core.harness.cpp.syntax;
 
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
@@ -7,8 +7,7 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * Values and texts of users in C++ sources, and lines broken as clang-format breaks them in
- * Google's style with 100 columns.
+ * Escapes values and texts of users in C++ sources, and breaks lines as clang-format in Google style with 100 columns.
  */
 public final class CppText {
   private static final int WIDTH = 100;
@@ -16,18 +15,18 @@ public final class CppText {
 
   private CppText() {}
 
-  /** A string literal, in bytes of UTF-8. */
+  /** A string literal in UTF-8. */
   public static String string(String text) {
     StringBuilder literal = new StringBuilder("\"");
     text.codePoints().forEach(c -> literal.append(escaped(c, '"')));
     String quoted = literal.append('"').toString();
-    // The bytes behind a zero would be lost.
+    // Without a length, the string would end at the first zero byte.
     return text.indexOf('\0') >= 0
         ? "std::string(" + quoted + ", " + text.getBytes(StandardCharsets.UTF_8).length + ")"
         : quoted;
   }
 
-  /** A character literal, of one byte. */
+  /** A character literal of one byte. */
   static String character(char c) {
     if (c >= 0x80) {
       throw new IllegalArgumentException("'" + c + "' is not a character of one byte");
@@ -46,7 +45,7 @@ public final class CppText {
     return Double.toString(number).replace("E-", "e-").replace('E', 'e');
   }
 
-  /** A length of time as an expression. */
+  /** A duration as an expression. */
   public static String duration(Duration time) {
     return time.toNanos() % 1_000_000 == 0
         ? "std::chrono::milliseconds(" + time.toMillis() + ")"
@@ -68,7 +67,7 @@ public final class CppText {
         }
         StringBuilder bytes = new StringBuilder();
         for (byte b : Character.toString(c).getBytes(StandardCharsets.UTF_8)) {
-          // With all three digits, so that a digit that follows is not part of it.
+          // Three digits, so a following digit is not part of the escape.
           bytes.append(String.format(Locale.ROOT, "\\%03o", b & 0xff));
         }
         yield bytes.toString();
@@ -77,8 +76,7 @@ public final class CppText {
   }
 
   /**
-   * A user's text for a comment: one line, without anything that means something to the compiler. A
-   * backslash at the end of a line would make the next one part of the comment.
+   * Escapes a user's text for a comment: a single line without special characters. A backslash at the end of a line would continue the comment on the next line.
    */
   public static String comment(String text) {
     String oneLine =
@@ -94,7 +92,7 @@ public final class CppText {
         .replace("??/", "?? /");
   }
 
-  /** A documentation comment, wrapped; every paragraph is fit for a comment already. */
+  /** A wrapped documentation comment of escaped paragraphs. */
   public static String documentation(int indent, List<String> paragraphs) {
     List<String> lines = new ArrayList<>();
     String start = " ".repeat(indent) + "///";
@@ -123,11 +121,10 @@ public final class CppText {
   }
 
   /**
-   * Something with a list in brackets, in as few lines as hold it: a call or the head of a
-   * function.
+   * A call or a declaration with a list in brackets, on as few lines as possible.
    *
-   * @param head up to and with the opening bracket
-   * @param tail from the closing bracket on
+   * @param head text up to and including the opening bracket
+   * @param tail text from the closing bracket on
    */
   public static String list(int indent, String head, List<String> parts, String tail) {
     String pad = " ".repeat(indent);
@@ -169,7 +166,7 @@ public final class CppText {
     return text.toString();
   }
 
-  /** A constructor that only initialises members. */
+  /** A constructor that only initializes members. */
   public static String constructor(String head, List<String> initialisers) {
     String all = String.join(", ", initialisers) + " {}";
     if ((head + " : " + all).length() <= WIDTH) {
@@ -180,7 +177,7 @@ public final class CppText {
         : head + "\n    : " + String.join(",\n      ", initialisers) + " {}";
   }
 
-  /** An assignment or declaration, broken behind its {@code =} where one line does not hold it. */
+  /** An assignment or declaration, with a line break after {@code =} if necessary. */
   public static String assignment(int indent, String left, String right) {
     String whole = " ".repeat(indent) + left + " = " + right + ";";
     return whole.length() <= WIDTH
