@@ -4,7 +4,7 @@ import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.SecureRandom;
 import java.util.Base64;
-import org.sitaf.server.file.StoredFiles;
+import org.sitaf.core.digest.Sha256;
 
 /**
  * Random secrets of 256 bits. They are stored as SHA-256 hashes; a slow hash is only needed for
@@ -29,7 +29,7 @@ public final class Secret {
 
   /** The hash to store, in hexadecimal. */
   public static String hash(String secret) {
-    return StoredFiles.sha256(secret.getBytes(StandardCharsets.UTF_8));
+    return Sha256.hex(secret.getBytes(StandardCharsets.UTF_8));
   }
 
   /** Compares two secrets in constant time. */

@@ -34,7 +34,7 @@ record PreviewView(
           data.values().stream()
               .map(v -> new PreviewValue(v.value().literal(), v.valid()))
               .toList(),
-          data.leftOut());
+          data.unrepresentable());
     }
   }
 

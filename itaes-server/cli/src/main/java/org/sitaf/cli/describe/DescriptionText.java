@@ -123,7 +123,7 @@ public final class DescriptionText {
         new TreeSet<>(
                 types(description)
                     .filter(t -> t instanceof DataType.Unknown)
-                    .map(DataType::spelling)
+                    .map(DataType::typeName)
                     .toList())
             .stream().collect(Collectors.joining(", "));
     if (!unknown.isEmpty()) {
@@ -160,7 +160,7 @@ public final class DescriptionText {
   private static String prototype(Method method) {
     String parameters =
         method.parameters().stream()
-            .map(DescriptionText::spelling)
+            .map(DescriptionText::typeName)
             .collect(Collectors.joining(", ", "(", ")"));
     return method.name()
         + parameters

@@ -74,7 +74,8 @@ public final class FileTree {
               + shown(path)
               + "' is not a relative path of at most "
               + MAX_PATH_LENGTH
-              + " characters with '/' separators, without '.' or '..' parts and control characters");
+              + " characters with '/' separators, without '.' or '..' parts and control"
+              + " characters");
     }
     return path;
   }

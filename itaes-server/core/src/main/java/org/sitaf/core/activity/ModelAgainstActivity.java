@@ -228,8 +228,8 @@ final class ModelAgainstActivity {
                   output.line(),
                   where,
                   method.name()
-                      + " returns nothing; use an element named return with abstract_type VOID and real_type"
-                      + " void, which expects null or an error such as \"!error:NAME\"");
+                      + " returns nothing; use an element named return with abstract_type VOID and"
+                      + " real_type void, which expects null or an error such as \"!error:NAME\"");
             }
           } else {
             Optional<DataType> part = MemberPath.resolve(method.returnType(), output.name());

@@ -19,8 +19,8 @@ public final class WideConstraintException extends RuntimeException {
     super(
         String.format(
             Locale.ROOT,
-            "relates %d parameters with %,d combinations of values, of which %s; split it with && or"
-                + " into several conditions with fewer parameters each",
+            "relates %d parameters with %,d combinations of values, of which %s; split it with &&"
+                + " or into several conditions with fewer parameters each",
             constraint.parameters().length,
             combinations,
             limit));

@@ -77,8 +77,8 @@ final class StepMeter implements CelEvaluationListener {
       long size = PatternSize.of(text);
       if (size > ExpressionLimits.MAX_PATTERN) {
         throw limitExceeded(
-            "a regular expression in it has size %,d with expanded repetitions, more than the limit of"
-                + " %,d; use smaller numbers in {}",
+            "a regular expression in it has size %,d with expanded repetitions, more than the limit"
+                + " of %,d; use smaller numbers in {}",
             size, ExpressionLimits.MAX_PATTERN);
       }
       spend(10 * size);

@@ -17,16 +17,18 @@ import org.sitaf.core.model.TestModel;
 import org.sitaf.core.suite.TestSuite;
 
 /**
- * Interface Test Application Generator (ITAG): generates the sources of a test application from an activity, a test model and its cases (paper, section 3.2 and Fig. 10).
+ * Interface Test Application Generator (ITAG): generates the sources of a test application from an
+ * activity, a test model and its cases (paper, section 3.2 and Fig. 10).
  */
 public final class InterfaceTestApplicationGenerator {
   private InterfaceTestApplicationGenerator() {}
 
   /**
-   * Generates the test application of a model. The same documents give the same bytes. A concrete test driver in the activity replaces the generated one.
+   * Generates the test application of a model. The same documents give the same bytes. A concrete
+   * test driver in the activity replaces the generated one.
    *
-   * @throws InvalidInputException with everything that cannot be tested or expressed in the language
-   *     of the harness
+   * @throws InvalidInputException with everything that cannot be tested or expressed in the
+   *     language of the harness
    */
   public static TestApplication generate(Activity activity, TestModel model, TestSuite suite) {
     HarnessWriter writer = writer(activity);
@@ -54,7 +56,8 @@ public final class InterfaceTestApplicationGenerator {
   }
 
   /**
-   * The path of the user's concrete test driver in an activity: {@code harness/MODEL/} and the name of the {@link #editableFile}.
+   * The path of the user's concrete test driver in an activity: {@code harness/MODEL/} and the name
+   * of the {@link #editableFile}.
    */
   public static String keptDriver(Activity activity, TestModel model) {
     String editable = editableFile(activity, model);
@@ -67,7 +70,8 @@ public final class InterfaceTestApplicationGenerator {
   }
 
   /**
-   * Generates the skeleton of an adapter between a component and the interfaces of its test, in the component's language: a class with all methods, which the user completes.
+   * Generates the skeleton of an adapter between a component and the interfaces of its test, in the
+   * component's language: a class with all methods, which the user completes.
    *
    * @return the sources by path in the activity
    * @throws InvalidInputException if the activity has no adapter or the language cannot express it

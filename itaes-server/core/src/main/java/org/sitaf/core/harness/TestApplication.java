@@ -7,7 +7,8 @@ import org.sitaf.core.model.TestModel;
 import org.sitaf.core.suite.TestSuite;
 
 /**
- * Everything that an agent needs to compile and execute a test. The server sends it to the agent; {@code sitaf run} passes it directly.
+ * Everything that an agent needs to compile and execute a test. The server sends it to the agent;
+ * {@code sitaf run} passes it directly.
  *
  * <p>As files:
  *

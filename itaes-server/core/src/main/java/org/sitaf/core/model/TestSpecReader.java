@@ -268,8 +268,8 @@ final class TestSpecReader {
               given.getValues().stream().map(v -> number(v, type)).toList());
       default ->
           throw new IllegalArgumentException(
-              "equiv_class type must be NEC_NUMERIC_ONE_BOUNDARY, NEC_NUMERIC_TWO_BOUNDARY, NEC_BOOLEAN,"
-                  + " NEC_NUMERIC_CONSTANT or NEC_NUMERIC_SET, not '"
+              "equiv_class type must be NEC_NUMERIC_ONE_BOUNDARY, NEC_NUMERIC_TWO_BOUNDARY,"
+                  + " NEC_BOOLEAN, NEC_NUMERIC_CONSTANT or NEC_NUMERIC_SET, not '"
                   + given.getType()
                   + "'");
     };

@@ -166,10 +166,15 @@ final class CaseCombination {
                 "order_of_combinations",
                 String.format(
                     Locale.ROOT,
-                    "results in %s cases, but at most %,d can be generated; reduce the strength or the"
-                        + " number of values",
+                    "results in %s cases, but at most %,d can be generated; reduce the strength or"
+                        + " the number of values",
                     count,
                     MAX_CASES))));
+  }
+
+  /** The line of the condition of a constraint; 0 if unknown. */
+  int line(Constraint constraint) {
+    return constraints.line(constraint);
   }
 
   /** The source text of the condition of a constraint. */
@@ -333,7 +338,7 @@ final class CaseCombination {
         c ->
             diagnostics.warning(
                 model.source(),
-                0,
+                constraints.line(c),
                 "pre_condition_spec_list",
                 "case "
                     + keptCase.no()

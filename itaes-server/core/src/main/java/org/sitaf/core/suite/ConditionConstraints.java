@@ -13,6 +13,7 @@ import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.expression.EvaluationException;
 import org.sitaf.core.expression.Expression;
 import org.sitaf.core.expression.Variables;
+import org.sitaf.core.model.Condition;
 import org.sitaf.core.model.InputElement;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.value.TestValue;
@@ -164,7 +165,7 @@ final class ConditionConstraints {
           List.of(
               Diagnostic.error(
                   model.source(),
-                  0,
+                  line(condition),
                   "pre_condition_spec_list",
                   "'"
                       + condition.text()
@@ -173,6 +174,23 @@ final class ConditionConstraints {
                       + ": "
                       + e.getMessage())));
     }
+  }
+
+  /** The line of a pre-condition in the model; 0 if unknown. */
+  int line(Expression condition) {
+    // The text of a long expression is shortened.
+    String start = condition.text().replaceFirst("…$", "");
+    return model.preConditions().stream()
+        .filter(c -> c.expression().startsWith(start))
+        .mapToInt(Condition::line)
+        .findFirst()
+        .orElse(0);
+  }
+
+  /** The line of the condition of a constraint in the model; 0 if unknown. */
+  int line(Constraint constraint) {
+    Expression condition = conditionOf.get(constraint);
+    return condition == null ? 0 : line(condition);
   }
 
   private static boolean mentions(Expression condition, String input) {

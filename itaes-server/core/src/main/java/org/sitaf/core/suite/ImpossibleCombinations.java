@@ -58,8 +58,8 @@ final class ImpossibleCombinations {
           "pre_condition_spec_list",
           count
               + (count == 1 ? " combination" : " combinations")
-              + " of values excluded by the pre-conditions, such as "
-              + String.join("; ", examples));
+              + " of values excluded by the pre-conditions"
+              + (examples.isEmpty() ? "" : ", such as " + String.join("; ", examples)));
     }
   }
 

@@ -92,7 +92,8 @@ final class KeptCases {
             0,
             "case_list",
             completed
-                + " case(s) lack a value for a new element; they are completed and get new numbers");
+                + " case(s) lack a value for a new element; they are completed and get new"
+                + " numbers");
       }
     }
     return new KeptCases(cases, highest);

@@ -121,8 +121,8 @@ public final class TestCaseGenerator {
             model.source(),
             input.line(),
             where,
-            "has no values; the literals of an enumeration are defined by an interface of the activity or"
-                + " by a user_value_list");
+            "has no values; the literals of an enumeration are defined by an interface of the"
+                + " activity or by a user_value_list");
       }
       if (data.values().size() > MAX_VALUES) {
         diagnostics.error(
@@ -150,7 +150,7 @@ public final class TestCaseGenerator {
           List.of(
               Diagnostic.error(
                   model.source(),
-                  0,
+                  combination.line(e.constraint()),
                   "pre_condition_spec_list",
                   "'" + combination.text(e.constraint()) + "' " + e.getMessage())));
     } catch (TooManyCombinationsException e) {
@@ -187,8 +187,8 @@ public final class TestCaseGenerator {
                     "input_spec_list",
                     String.format(
                         Locale.ROOT,
-                        "the first %,d of %,d cases have %,d characters, but at most %,d are allowed;"
-                            + " use shorter or fewer values",
+                        "the first %,d of %,d cases have %,d characters, but at most %,d are"
+                            + " allowed; use shorter or fewer values",
                         cases.size(),
                         rows.size(),
                         characters,

@@ -102,7 +102,8 @@ class ActivityTest {
     replace("service.xml", "GetInfraredData", "GetData");
     assertThat(problems())
         .containsExactly(
-            "GetInfraredData.xml: error: target: no method GetInfraredData; known methods: InfraredSensorService.GetData");
+            "GetInfraredData.xml: error: target: no method GetInfraredData; known methods:"
+                + " InfraredSensorService.GetData");
   }
 
   @Test
@@ -130,7 +131,8 @@ class ActivityTest {
         .singleElement()
         .asString()
         .contains(
-            "test_element IndexOfSensor: real_type int does not match the interface, which declares string");
+            "test_element IndexOfSensor: real_type int does not match the interface, which declares"
+                + " string");
   }
 
   @Test
@@ -190,7 +192,10 @@ class ActivityTest {
     assertThat(problems())
         .hasSize(3)
         .anyMatch(
-            p -> p.contains("test_element mode: 'WARP' is not a literal of Mode; known literals: [SLOW, FAST]"))
+            p ->
+                p.contains(
+                    "test_element mode: 'WARP' is not a literal of Mode; known literals: [SLOW,"
+                        + " FAST]"))
         .anyMatch(p -> p.contains("test_element pose.z: Pose has no such member or element"))
         .anyMatch(p -> p.contains("test_element pose.path[2]: Pose has no such member or element"));
   }

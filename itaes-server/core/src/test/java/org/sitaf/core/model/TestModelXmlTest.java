@@ -23,14 +23,14 @@ class TestModelXmlTest {
 
   private static String model(String elements) {
     return """
-        <test_model>
-          <name>M</name>
-          <input_spec_list>
-        %s
-          </input_spec_list>
-          <order_of_combinations>2</order_of_combinations>
-        </test_model>
-        """
+    <test_model>
+      <name>M</name>
+      <input_spec_list>
+    %s
+      </input_spec_list>
+      <order_of_combinations>2</order_of_combinations>
+    </test_model>
+    """
         .formatted(elements);
   }
 
@@ -80,7 +80,8 @@ class TestModelXmlTest {
               assertThat(d.line()).isEqualTo(6);
               assertThat(d.toString())
                   .isEqualTo(
-                      "model.xml:6: error: test_element A/test_spec/offset: must be greater than 0, not 0");
+                      "model.xml:6: error: test_element A/test_spec/offset: must be greater than 0,"
+                          + " not 0");
             });
   }
 

@@ -78,8 +78,8 @@ public final class InterfaceFiles {
       Findings findings = new Findings();
       findings.error(
           new Place(name, 0, ""),
-          "contains no interface file; supported are OPRoS profiles (.xml), .idl, .msg, .srv, .action and"
-              + " .proto");
+          "contains no interface file; supported are OPRoS profiles (.xml), .idl, .msg, .srv,"
+              + " .action and .proto");
       return findings.result();
     }
     return read(SourceFiles.of(name, files, requested));

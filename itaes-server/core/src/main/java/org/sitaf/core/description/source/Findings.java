@@ -86,7 +86,8 @@ public final class Findings {
       error(
           place,
           (shown == null ? "has no name" : "'" + shown + "' is not a name")
-              + "; use letters, digits and '_', not beginning with a digit, at most 200 characters");
+              + "; use letters, digits and '_', not beginning with a digit, at most 200"
+              + " characters");
       return "unnamed";
     }
     return name;

@@ -80,7 +80,8 @@ final class CppChecks {
     for (Method method : methods) {
       method(source, method);
       if (method.name().equals(interfaceName) || method.name().equals(interfaceName + "Stub")) {
-        problem(source, method, "has the name of its class, which is reserved for constructors in C++");
+        problem(
+            source, method, "has the name of its class, which is reserved for constructors in C++");
       }
       String signature =
           method.parameters().stream()

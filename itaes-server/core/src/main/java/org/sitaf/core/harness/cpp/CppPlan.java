@@ -54,9 +54,7 @@ record CppPlan(
 
   /** A method of a required interface. */
   record StubMethod(HarnessPlan.StubMethod method, List<Answers> answers) {
-    /**
-     * The answers for the return value, delays and errors; null if there are none.
-     */
+    /** The answers for the return value, delays and errors; null if there are none. */
     @Nullable Answers returned() {
       return answers.stream().filter(a -> a.parameter() == null).findFirst().orElse(null);
     }

@@ -28,7 +28,8 @@ record SimulationControlView(
 
   static SimulationControlView of(CppPlan plan) {
     World world = plan.plan().world();
-    // If no simulation time passes during a case, the worlds of several cases are prepared in one call.
+    // If no simulation time passes during a case, the worlds of several cases are prepared in one
+    // call.
     boolean ahead = world != null && !plan.runsOn() && !plan.isPeriodic();
     List<String> parameters = plan.settings().stream().map(s -> "double " + s.local()).toList();
     return new SimulationControlView(

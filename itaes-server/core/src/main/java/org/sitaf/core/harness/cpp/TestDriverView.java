@@ -53,7 +53,9 @@ record TestDriverView(
         plan.component(),
         constructor(plan),
         CppText.documentation(
-            2, List.of("Calls the method under test, " + plan.called() + ". Only this call is timed.")),
+            2,
+            List.of(
+                "Calls the method under test, " + plan.called() + ". Only this call is timed.")),
         plan.callHead(2, "virtual ", "call", " = 0;"),
         CppText.list(2, "return runtime::createComponent<Component>(", offered(plan), ");"),
         reads(plan),

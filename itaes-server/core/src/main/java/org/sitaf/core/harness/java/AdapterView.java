@@ -99,7 +99,9 @@ record AdapterView(
     return JavaText.declaration(2, "public " + name, parameters, false, " {")
         + "\n    // Create the component here and store it in a field."
         + (plan.hardware() ? "\n    // The hardware gives access to the simulated devices." : "")
-        + (plan.required().isEmpty() ? "" : "\n    // The required interfaces are implemented by the test stub.")
+        + (plan.required().isEmpty()
+            ? ""
+            : "\n    // The required interfaces are implemented by the test stub.")
         + "\n  }";
   }
 

@@ -20,7 +20,8 @@ import org.sitaf.core.harness.plan.HarnessPlan;
 import org.sitaf.core.harness.plan.HarnessWriter;
 
 /**
- * Generates test applications in Java: test driver, simulation control, test stub, and the concrete test driver that the user may edit (paper, Figs. 10, 13(e) and 16).
+ * Generates test applications in Java: test driver, simulation control, test stub, and the concrete
+ * test driver that the user may edit (paper, Figs. 10, 13(e) and 16).
  */
 public final class JavaHarness implements HarnessWriter {
   private static final String CONCRETE = "ConcreteTestDriver";

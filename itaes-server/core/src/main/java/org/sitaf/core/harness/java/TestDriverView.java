@@ -82,7 +82,8 @@ record TestDriverView(
   }
 
   /**
-   * The declaration of the method that makes the call; declared by the driver and implemented by the concrete driver.
+   * The declaration of the method that makes the call; declared by the driver and implemented by
+   * the concrete driver.
    */
   static String callDeclaration(JavaPlan plan, String modifiers, String end) {
     List<String> parameters = new ArrayList<>();

@@ -21,7 +21,8 @@ import org.sitaf.core.suite.TestSuite;
 /** Plans the arguments of the method under test. */
 final class ArgumentPlanner {
   /**
-   * Maximum index of an element that is set individually, so a name such as {@code path[999999]} cannot exhaust the memory of a test.
+   * Maximum index of an element that is set individually, so a name such as {@code path[999999]}
+   * cannot exhaust the memory of a test.
    */
   private static final int MAX_INDEX = 255;
 

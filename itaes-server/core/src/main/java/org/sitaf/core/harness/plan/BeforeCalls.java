@@ -14,8 +14,8 @@ import org.sitaf.core.harness.plan.HarnessPlan.Call;
 import org.sitaf.core.model.Value;
 
 /**
- * Parses the {@code before} calls of a test profile, such as {@code Enable()} or {@code SetGain(0.5,
- * "left")}.
+ * Parses the {@code before} calls of a test profile, such as {@code Enable()} or {@code
+ * SetGain(0.5, "left")}.
  */
 final class BeforeCalls {
   private static final Pattern CALL =

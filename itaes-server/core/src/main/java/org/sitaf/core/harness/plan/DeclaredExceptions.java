@@ -8,9 +8,7 @@ import org.sitaf.core.description.InterfaceDescription;
 import org.sitaf.core.description.Method;
 import org.sitaf.core.diagnostic.Diagnostics;
 
-/**
- * Removes the scopes of declared exceptions: {@code hw::NoEcho} becomes {@code NoEcho}.
- */
+/** Removes the scopes of declared exceptions: {@code hw::NoEcho} becomes {@code NoEcho}. */
 final class DeclaredExceptions {
   private final Diagnostics diagnostics;
   private final Map<String, String> scopedBySimple = new TreeMap<>();
@@ -19,7 +17,10 @@ final class DeclaredExceptions {
     this.diagnostics = diagnostics;
   }
 
-  /** Returns the interfaces with simple exception names. Different exceptions with the same simple name are reported. */
+  /**
+   * Returns the interfaces with simple exception names. Different exceptions with the same simple
+   * name are reported.
+   */
   List<InterfaceDescription> withSimpleNames(List<InterfaceDescription> interfaces) {
     return interfaces.stream()
         .map(

@@ -12,7 +12,9 @@ import org.sitaf.core.description.source.ComponentDescription.Port;
 import org.sitaf.core.description.source.Place;
 import org.sitaf.core.diagnostic.Diagnostics;
 
-/** Collects the structs and enumerations that interfaces use, in the order of their dependencies. */
+/**
+ * Collects the structs and enumerations that interfaces use, in the order of their dependencies.
+ */
 final class DeclaredTypes {
   private final Diagnostics diagnostics;
   private final Map<String, DataType> byName = new HashMap<>();
@@ -62,7 +64,10 @@ final class DeclaredTypes {
     }
   }
 
-  /** Checks the simple name of a type: it must be an identifier and unique, since generated code has no scopes. */
+  /**
+   * Checks the simple name of a type: it must be an identifier and unique, since generated code has
+   * no scopes.
+   */
   private void name(Place place, DataType type) {
     String simple = HarnessPlan.simpleName(type);
     if (!Words.isWord(simple)) {

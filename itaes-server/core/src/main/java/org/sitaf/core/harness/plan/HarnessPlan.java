@@ -15,9 +15,12 @@ import org.sitaf.core.description.ScalarType;
 import org.sitaf.core.model.Value;
 
 /**
- * The language-independent plan of a test application: what is set, called, answered and checked. A {@link HarnessWriter} turns it into sources and reports what its language cannot express.
+ * The language-independent plan of a test application: what is set, called, answered and checked. A
+ * {@link HarnessWriter} turns it into sources and reports what its language cannot express.
  *
- * <p>Names of methods, parameters, members and literals are identifiers ({@link Words#isWord}), so they can be safely written to a source; a writer must check for keywords. All other texts are untrusted.
+ * <p>Names of methods, parameters, members and literals are identifiers ({@link Words#isWord}), so
+ * they can be safely written to a source; a writer must check for keywords. All other texts are
+ * untrusted.
  *
  * @param description description of the model
  * @param interfaceName the interface that declares the method under test
@@ -66,8 +69,8 @@ public record HarnessPlan(
    * A parameter of the method under test.
    *
    * @param given the values that the cases set: one {@link Given} without a path for the whole
-   *     parameter, several with paths for parts, none for an out-parameter without a value. No path is
-   *     a prefix of another.
+   *     parameter, several with paths for parts, none for an out-parameter without a value. No path
+   *     is a prefix of another.
    */
   public record Argument(Parameter parameter, List<Given> given) {
     public Argument {

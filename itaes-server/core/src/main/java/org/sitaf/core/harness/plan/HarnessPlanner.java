@@ -26,7 +26,8 @@ import org.sitaf.core.suite.CaseParameter;
 import org.sitaf.core.suite.TestSuite;
 
 /**
- * Plans a test application independent of its language, and reports everything that no language can express.
+ * Plans a test application independent of its language, and reports everything that no language can
+ * express.
  */
 public final class HarnessPlanner {
   /** The document of the test profile, for diagnostics. */
@@ -73,7 +74,8 @@ public final class HarnessPlanner {
       }
     }
     if (provided.isEmpty()) {
-      diagnostics.error(PROFILE, 0, "provided", "contains no interface that an adapter could implement");
+      diagnostics.error(
+          PROFILE, 0, "provided", "contains no interface that an adapter could implement");
     }
     return new HarnessPlan.Adapter(
         activity.profile().component().className(),

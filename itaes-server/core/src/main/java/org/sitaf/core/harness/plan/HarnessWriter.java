@@ -7,7 +7,9 @@ import org.sitaf.core.diagnostic.Diagnostics;
 public interface HarnessWriter {
 
   /**
-   * Generates the sources of a test application: test driver, simulation control, test stub, concrete test driver, and the interfaces and types that they share with the component. The same plan gives the same bytes.
+   * Generates the sources of a test application: test driver, simulation control, test stub,
+   * concrete test driver, and the interfaces and types that they share with the component. The same
+   * plan gives the same bytes.
    *
    * @param diagnostics receives everything that the language cannot express; after an error, the
    *     result is not used
@@ -24,7 +26,8 @@ public interface HarnessWriter {
   FileTree adapter(HarnessPlan.Adapter plan, Diagnostics diagnostics);
 
   /**
-   * The program to start: the qualified name of the main class (Java) or module (Python), or the name of the executable (C++).
+   * The program to start: the qualified name of the main class (Java) or module (Python), or the
+   * name of the executable (C++).
    */
   String entryPoint(String modelName);
 

@@ -27,7 +27,8 @@ public final class Hooks {
   private Hooks() {}
 
   /**
-   * The methods of the component's interfaces that have the name of a hook. The runtime must not call them, because the test does.
+   * The methods of the component's interfaces that have the name of a hook. The runtime must not
+   * call them, because the test does.
    *
    * @param alternative alternative naming convention of the language
    */

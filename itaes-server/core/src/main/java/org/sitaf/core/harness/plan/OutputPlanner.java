@@ -20,7 +20,8 @@ import org.sitaf.core.model.OutputKind;
 import org.sitaf.core.model.TestModel;
 
 /**
- * Plans the outputs: the return value and all out-parameters, whether or not the model uses them, then the parts, observations and data ports of the model.
+ * Plans the outputs: the return value and all out-parameters, whether or not the model uses them,
+ * then the parts, observations and data ports of the model.
  */
 final class OutputPlanner {
   private static final DataType NUMBER = new DataType.Scalar(ScalarType.DOUBLE);

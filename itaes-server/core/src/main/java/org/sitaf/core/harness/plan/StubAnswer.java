@@ -5,7 +5,8 @@ import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The answer of a stubbed method in a test case: {@code VALUE}, {@code !error:NAME}, {@code !delay:SECONDS}, or a delay followed by a space and one of the others.
+ * The answer of a stubbed method in a test case: {@code VALUE}, {@code !error:NAME}, {@code
+ * !delay:SECONDS}, or a delay followed by a space and one of the others.
  *
  * @param delay in seconds; 0 for none
  * @param error name of the thrown exception; null for none
@@ -39,8 +40,7 @@ record StubAnswer(double delay, @Nullable String error, @Nullable String value) 
     }
     String error = rest.substring(ERROR.length());
     if (!Words.isWord(error)) {
-      throw new IllegalArgumentException(
-          "'" + rest + "' is not an error such as !error:NoEcho");
+      throw new IllegalArgumentException("'" + rest + "' is not an error such as !error:NoEcho");
     }
     return new StubAnswer(delay, error, null);
   }

@@ -26,7 +26,10 @@ import org.sitaf.core.suite.TestSuite;
 
 /** Plans the stubs of the required interfaces. */
 final class StubPlanner {
-  /** {@code Interface.Method} or {@code Interface.Method.param}, each optionally followed by {@code #2}. */
+  /**
+   * {@code Interface.Method} or {@code Interface.Method.param}, each optionally followed by {@code
+   * #2}.
+   */
   private static final Pattern NAME =
       Pattern.compile("([^.#]+)\\.([^.#]+)(?:\\.([^.#]+))?(?:#([1-9][0-9]{0,3}))?");
 
@@ -185,7 +188,10 @@ final class StubPlanner {
     return Optional.of(new Answer(column, parameter.get(), fromCall, type, true));
   }
 
-  /** Parses all answers of a column. Returns whether all of them are only values. Invalid answers are reported. */
+  /**
+   * Parses all answers of a column. Returns whether all of them are only values. Invalid answers
+   * are reported.
+   */
   private boolean isPlain(String column) {
     int index = suite.parameters().stream().map(p -> p.name()).toList().indexOf(column);
     boolean plain = true;

@@ -11,14 +11,16 @@ public final class Words {
   private Words() {}
 
   /**
-   * Whether a name consists of letters, digits, {@code _} and {@code $}, and does not begin with a digit.
+   * Whether a name consists of letters, digits, {@code _} and {@code $}, and does not begin with a
+   * digit.
    */
   public static boolean isWord(String name) {
     return name.length() <= MAX_LENGTH && WORD.matcher(name).matches();
   }
 
   /**
-   * Joins words in camel case: {@code IndexOfSensor} becomes {@code indexOfSensor}; {@code Finder} and {@code GetRange} become {@code finderGetRange}.
+   * Joins words in camel case: {@code IndexOfSensor} becomes {@code indexOfSensor}; {@code Finder}
+   * and {@code GetRange} become {@code finderGetRange}.
    */
   public static String camelCase(String[] words) {
     StringBuilder joined = new StringBuilder();
@@ -29,7 +31,8 @@ public final class Words {
   }
 
   /**
-   * Converts {@code IndexOfSensor} to {@code indexOfSensor}, {@code IRSensor} to {@code irSensor}, {@code ID} to {@code id}.
+   * Converts {@code IndexOfSensor} to {@code indexOfSensor}, {@code IRSensor} to {@code irSensor},
+   * {@code ID} to {@code id}.
    */
   private static String lowered(String word) {
     int upper = 0;

@@ -1,6 +1,4 @@
-/**
- * Language-independent plans of test applications.
- */
+/** Language-independent plans of test applications. */
 @NullMarked
 package org.sitaf.core.harness.plan;
 

@@ -17,7 +17,9 @@ import org.sitaf.core.harness.plan.HarnessPlan;
 import org.sitaf.core.harness.plan.HarnessWriter;
 
 /**
- * Generates test applications in Python: test driver, simulation control, test stub, the concrete test driver that the user may edit, and the package {@code sitaf_interfaces} with the interfaces and types that they share with the component.
+ * Generates test applications in Python: test driver, simulation control, test stub, the concrete
+ * test driver that the user may edit, and the package {@code sitaf_interfaces} with the interfaces
+ * and types that they share with the component.
  */
 public final class PythonHarness implements HarnessWriter {
   private static final String CONCRETE = "concrete_test_driver";
@@ -46,7 +48,9 @@ public final class PythonHarness implements HarnessWriter {
     return FileTree.of(files);
   }
 
-  /** Generates the interfaces and types that the test shares with the component, if there are any. */
+  /**
+   * Generates the interfaces and types that the test shares with the component, if there are any.
+   */
   private static void interfaces(PythonPlan plan, Map<String, byte[]> files) {
     HarnessPlan neutral = plan.neutral();
     StringBuilder exported = new StringBuilder();

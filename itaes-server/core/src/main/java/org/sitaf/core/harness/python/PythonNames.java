@@ -10,14 +10,16 @@ import java.util.stream.Collectors;
 import org.sitaf.core.harness.plan.Words;
 
 /**
- * Names in Python sources. Names of methods and types are taken from the user's documents and rejected if invalid in Python; local variables are renamed if necessary.
+ * Names in Python sources. Names of methods and types are taken from the user's documents and
+ * rejected if invalid in Python; local variables are renamed if necessary.
  */
 final class PythonNames {
   private static final Set<String> KEYWORDS =
       words(
           """
           False None True and as assert async await break class continue def del elif else except finally for from
-          global if import in is lambda nonlocal not or pass raise return try while with yield""");
+          global if import in is lambda nonlocal not or pass raise return try while with yield\
+          """);
 
   /** Names that generated modules use at the top level. */
   private static final Set<String> USED_TYPES =
@@ -27,7 +29,8 @@ final class PythonNames {
           InOut NotImplementedError Out Protocol RUN_FOR SETTLE STRING Simulation SimulationControl StubbedMethod
           SuiteDriver TestCase TestDriver TestRun TestStub UINT16 UINT32 UINT64 UINT8 abstractmethod answer
           bool call_with_outs data_types dataclass dict enumeration errors float int list member method_of object
-          part_of port_of sequence set_property start str struct super tuple type""");
+          part_of port_of sequence set_property start str struct super tuple type\
+          """);
 
   /** Local variables of generated methods. */
   private static final Set<String> USED_LOCALS =
@@ -48,7 +51,8 @@ final class PythonNames {
   }
 
   /**
-   * Whether a name is valid. Excludes leading double underscores, which Python mangles in classes, and names that Python would normalize.
+   * Whether a name is valid. Excludes leading double underscores, which Python mangles in classes,
+   * and names that Python would normalize.
    */
   static boolean isName(String name) {
     return Words.isWord(name)
@@ -69,9 +73,7 @@ final class PythonNames {
     return USED_TYPES.contains(name);
   }
 
-  /**
-   * The package of a model: its name in snake case, with invalid characters replaced.
-   */
+  /** The package of a model: its name in snake case, with invalid characters replaced. */
   static String packagePart(String modelName) {
     String part = snakeCase(modelName).replaceAll("[^a-z0-9_]", "_");
     if (part.isEmpty() || Character.isDigit(part.charAt(0)) || part.startsWith("__")) {
@@ -80,7 +82,10 @@ final class PythonNames {
     return KEYWORDS.contains(part) ? part + "_" : part;
   }
 
-  /** Converts {@code IndexOfSensor} to {@code index_of_sensor} and {@code IRSensor} to {@code ir_sensor}. */
+  /**
+   * Converts {@code IndexOfSensor} to {@code index_of_sensor} and {@code IRSensor} to {@code
+   * ir_sensor}.
+   */
   static String snakeCase(String name) {
     return BORDERS.matcher(name).replaceAll("_").toLowerCase(Locale.ROOT);
   }

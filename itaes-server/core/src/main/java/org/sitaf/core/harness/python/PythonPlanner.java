@@ -127,7 +127,8 @@ final class PythonPlanner {
     for (HarnessPlan.Stub stub : neutral.stubs()) {
       typeName(stub.source(), stub.name());
       if (!types.add(stub.name())) {
-        diagnostics.error(stub.source(), 0, "type_name " + stub.name(), "is also the name of a type");
+        diagnostics.error(
+            stub.source(), 0, "type_name " + stub.name(), "is also the name of a type");
       }
     }
     for (HarnessPlan.Stub stub : neutral.stubs()) {
@@ -156,10 +157,7 @@ final class PythonPlanner {
   static void method(String source, Method method, Diagnostics diagnostics) {
     if (!PythonNames.isName(method.name())) {
       diagnostics.error(
-          source,
-          method.line(),
-          "method " + method.name(),
-          "is not a valid Python method name");
+          source, method.line(), "method " + method.name(), "is not a valid Python method name");
     }
   }
 

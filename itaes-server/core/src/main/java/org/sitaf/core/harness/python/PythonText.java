@@ -5,9 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 
-/**
- * Escapes values and texts of users in Python sources, and breaks lines as {@code ruff format}.
- */
+/** Escapes values and texts of users in Python sources, and breaks lines as {@code ruff format}. */
 final class PythonText {
   private static final int WIDTH = 88;
   private static final int MAX_DOCUMENTATION = 600;
@@ -98,7 +96,8 @@ final class PythonText {
   }
 
   /**
-   * A statement with a list in brackets, such as a call. It is broken if it does not fit on one line.
+   * A statement with a list in brackets, such as a call. It is broken if it does not fit on one
+   * line.
    *
    * @param open text up to and including the opening bracket
    */

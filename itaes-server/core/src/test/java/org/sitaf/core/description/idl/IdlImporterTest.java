@@ -169,7 +169,8 @@ class IdlImporterTest {
   @Test
   void interfacesOfOneNameInTwoModulesAreToldApart() {
     assertThat(
-            read("module M { interface A { void f(); }; }; module N { interface A { void f(); }; };")
+            read("module M { interface A { void f(); }; }; module N { interface A { void f(); };"
+                     + " };")
                 .provided())
         .extracting(InterfaceDescription::name)
         .containsExactly("M_A", "N_A");
@@ -199,7 +200,8 @@ class IdlImporterTest {
         .containsExactlyInAnyOrder(
             "a.idl:2: error: struct S: is already declared in a.idl, line 1",
             "a.idl:6: warning: valuetype: is not part of an interface, ignored",
-            "a.idl:3: error: interface A: inherits from 'Missing', which is not declared in any file; add the file that declares it",
+            "a.idl:3: error: interface A: inherits from 'Missing', which is not declared in any"
+                + " file; add the file that declares it",
             "a.idl:1: error: struct S/a: two members have this name",
             "a.idl:3: error: method f/param s: two parameters have this name",
             "a.idl:4: error: interface B: inherits from itself",

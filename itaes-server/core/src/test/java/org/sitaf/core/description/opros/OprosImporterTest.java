@@ -37,14 +37,14 @@ class OprosImporterTest {
 
   private static String component(String ports) {
     return """
-        <component_profile>
-        <name>Mover</name>
-        <execution_semantics><type>periodic</type><period>50</period></execution_semantics>
-        <ports>
-        %s
-        </ports>
-        </component_profile>
-        """
+    <component_profile>
+    <name>Mover</name>
+    <execution_semantics><type>periodic</type><period>50</period></execution_semantics>
+    <ports>
+    %s
+    </ports>
+    </component_profile>
+    """
         .formatted(ports);
   }
 
@@ -91,7 +91,8 @@ class OprosImporterTest {
         InterfaceText.read("Mover.xml", component(service("provided", "Drive.xml")));
     assertThat(InterfaceText.lines(result))
         .containsExactly(
-            "Mover.xml:7: error: service_port drive: references 'Drive.xml', which is not among the given files; add it or correct the reference");
+            "Mover.xml:7: error: service_port drive: references 'Drive.xml', which is not among the"
+                + " given files; add it or correct the reference");
     assertThat(result.components()).hasSize(1);
   }
 
@@ -130,10 +131,12 @@ class OprosImporterTest {
             """);
     assertThat(InterfaceText.lines(result))
         .containsExactly(
-            "Mover.xml:4: error: execution_semantics/period: must be a whole number of milliseconds greater than 0, not 'often'",
+            "Mover.xml:4: error: execution_semantics/period: must be a whole number of milliseconds"
+                + " greater than 0, not 'often'",
             "Mover.xml:8: error: data_port out: usage must be output or input, not 'sideways'",
             "Mover.xml:7: warning: data_port out: unknown type 'vector<int'",
-            "Mover.xml:9: error: service_port drive: has no <type>; write the type_name of its interface");
+            "Mover.xml:9: error: service_port drive: has no <type>; write the type_name of its"
+                + " interface");
   }
 
   @Test
@@ -156,7 +159,8 @@ class OprosImporterTest {
             Map.of("Types.xml", TYPES.replace("Point", "Pose"), "Drive.xml", SERVICE));
     assertThat(InterfaceText.lines(result))
         .containsExactly(
-            "Types.xml:3: warning: struct Pose/item path: type 'Pose' is not supported: part of itself");
+            "Types.xml:3: warning: struct Pose/item path: type 'Pose' is not supported: part of"
+                + " itself");
     assertThat(result.types()).hasSize(1);
   }
 

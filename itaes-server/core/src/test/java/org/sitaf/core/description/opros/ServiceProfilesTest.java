@@ -85,7 +85,8 @@ class ServiceProfilesTest {
     assertThatThrownBy(
             () ->
                 read(
-                    "<service_port_type><type_name>S</type_name>\n<method name='Get(); evil' return_type='int'/></service_port_type>"))
+                    "<service_port_type><type_name>S</type_name>\n"
+                        + "<method name='Get(); evil' return_type='int'/></service_port_type>"))
         .isInstanceOf(InvalidInputException.class)
         .hasMessageContaining("service.xml:2: error: method: 'Get(); evil' is not a name");
   }

@@ -85,7 +85,8 @@ class RosImporterTest {
         .containsExactlyInAnyOrder(
             "srv/Bad.srv:1: error: a line must contain a type and a name, such as 'float64 x'",
             "srv/Bad.srv:6: error: field b: is defined twice",
-            "srv/Bad.srv:9: error: 'e-f' is not a name; use letters, digits and '_', not beginning with a digit, at most 200 characters",
+            "srv/Bad.srv:9: error: 'e-f' is not a name; use letters, digits and '_', not beginning"
+                + " with a digit, at most 200 characters",
             "srv/Bad.srv:10: error: a line must contain a type and a name, such as 'float64 x'",
             "srv/Bad.srv: error: a .srv file has 1 lines '---', not 0",
             "srv/Bad.srv:4: error: field a: 'int32[-1]' is not a type, such as float64, string<=10,"

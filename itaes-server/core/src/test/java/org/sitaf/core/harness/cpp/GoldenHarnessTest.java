@@ -62,7 +62,8 @@ class GoldenHarnessTest {
     for (String path : harness.paths()) {
       assertThat(harness.text(path))
           .as(
-              "%s (after a wanted change: run this test with -Dsitaf.golden.renew=true, and review the diff)",
+              "%s (after a wanted change: run this test with -Dsitaf.golden.renew=true, and review"
+                  + " the diff)",
               path)
           .contains(Files.readString(golden.resolve(path)));
     }
@@ -82,11 +83,11 @@ class GoldenHarnessTest {
                 .filter(l -> l.matches("// \\d\\..*|.*(prepare|start|stop|save|call)\\(.*;")))
         .containsExactly(
             "// 1. Read the test case.",
-            "// 2. Simulation control sets the virtual environment (TDSD).",
+            "// 2. The simulation control sets up the virtual environment (TDSD).",
             "simulationControl_.prepare(distance);",
-            "// 3. The test stub gets what the required interfaces answer (TDTS).",
+            "// 3. The test stub gets the answers of the required interfaces (TDTS).",
             "testStub_.prepare();",
-            "// 4. The component is called with the input (TDI), and timed.",
+            "// 4. The component is called with the input (TDI). The call is timed.",
             "stopwatch().start();",
             "const double returned = call(component, indexOfSensor, numOfSensor);",
             "stopwatch().stop();",

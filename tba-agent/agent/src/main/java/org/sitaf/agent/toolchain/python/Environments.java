@@ -23,6 +23,7 @@ import org.sitaf.agent.spool.Sha256;
 import org.sitaf.agent.spool.SharedCache;
 import org.sitaf.agent.toolchain.CompilationException;
 import org.sitaf.agent.toolchain.SourceDiagnostic;
+import org.sitaf.core.digest.Sha256;
 
 /**
  * Virtual environments, cached by their set of packages. Each contains the compiled runtime of test

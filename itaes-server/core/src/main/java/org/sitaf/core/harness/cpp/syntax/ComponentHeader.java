@@ -20,7 +20,8 @@ public final class ComponentHeader {
   private ComponentHeader() {}
 
   /**
-   * Returns the include path of the header: {@code component.header}, or the only header in adapter, sources and headers that declares the class.
+   * Returns the include path of the header: {@code component.header}, or the only header in
+   * adapter, sources and headers that declares the class.
    *
    * @param diagnostics receives the reason if the header is not found
    * @return empty if the header is not found

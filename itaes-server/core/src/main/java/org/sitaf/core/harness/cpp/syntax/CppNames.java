@@ -9,7 +9,8 @@ import java.util.stream.Collectors;
 import org.sitaf.core.harness.plan.Words;
 
 /**
- * Names in C++ sources. Names of methods and types are taken from the user's documents and rejected if invalid in C++; local variables are renamed if necessary.
+ * Names in C++ sources. Names of methods and types are taken from the user's documents and rejected
+ * if invalid in C++; local variables are renamed if necessary.
  */
 public final class CppNames {
   private static final Pattern NAME = Pattern.compile("[A-Za-z_][A-Za-z0-9_]*");
@@ -23,7 +24,8 @@ public final class CppNames {
           extern false float for friend goto if inline int long mutable namespace new noexcept not not_eq nullptr
           operator or or_eq private protected public reflexpr register reinterpret_cast requires return short signed
           sizeof static static_assert static_cast struct switch synchronized template this thread_local throw true try
-          typedef typeid typename union unsigned using virtual void volatile wchar_t while xor xor_eq""");
+          typedef typeid typename union unsigned using virtual void volatile wchar_t while xor xor_eq\
+          """);
 
   /** Macros of the headers that test applications include. */
   private static final Set<String> MACROS =
@@ -32,14 +34,16 @@ public final class CppNames {
           BUFSIZ CHAR_BIT CHAR_MAX CHAR_MIN EDOM EILSEQ EOF ERANGE EXIT_FAILURE EXIT_SUCCESS FLT_MAX FLT_MIN HUGE_VAL
           INFINITY INT_MAX INT_MIN L_tmpnam LONG_MAX LONG_MIN MATH_ERREXCEPT NAN NDEBUG NULL RAND_MAX SEEK_CUR SEEK_END
           SEEK_SET SITAF_MEMBER SITAF_METHOD SITAF_SETTER SIZE_MAX UINT_MAX assert errno i386 linux major minor makedev offsetof
-          setjmp signals slots stderr stdin stdout unix va_arg va_copy va_end va_start""");
+          setjmp signals slots stderr stdin stdout unix va_arg va_copy va_end va_start\
+          """);
 
   /** Types and namespaces that generated sources use by simple name. */
   private static final Set<String> USED_TYPES =
       words(
           """
           Component ConcreteTestDriver SimulationControl TestDriver TestStub harness interfaces runtime simulation
-          sitaf std suite""");
+          sitaf std suite\
+          """);
 
   /** Local variables and members of generated code, and first parts of qualified names. */
   private static final Set<String> USED_LOCALS =
@@ -47,7 +51,8 @@ public final class CppNames {
           """
           actual afterCase argc argv beforeCase begin beside call component execute interfaces main pending prepare
           raise result returned run runtime save simulation simulationControl sitaf std stopwatch stubbing suite
-          testCase testStub value""");
+          testCase testStub value\
+          """);
 
   private final Set<String> taken = new HashSet<>(USED_LOCALS);
 
@@ -65,9 +70,7 @@ public final class CppNames {
         && !name.matches("_[A-Z].*");
   }
 
-  /**
-   * Whether a name is valid for a type and does not conflict with generated sources.
-   */
+  /** Whether a name is valid for a type and does not conflict with generated sources. */
   public static boolean isTypeName(String name) {
     return isName(name) && !USED_TYPES.contains(name);
   }
@@ -78,7 +81,8 @@ public final class CppNames {
   }
 
   /**
-   * The innermost namespace and the folder of a model's test application: the model's name in lower case, with invalid characters replaced.
+   * The innermost namespace and the folder of a model's test application: the model's name in lower
+   * case, with invalid characters replaced.
    */
   public static String namespace(String modelName) {
     String part = modelName.toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]+", "_");
@@ -89,7 +93,8 @@ public final class CppNames {
   }
 
   /**
-   * A unique name of a local variable: {@code IndexOfSensor} becomes {@code indexOfSensor}, {@code Finder.GetRange} becomes {@code finderGetRange}.
+   * A unique name of a local variable: {@code IndexOfSensor} becomes {@code indexOfSensor}, {@code
+   * Finder.GetRange} becomes {@code finderGetRange}.
    */
   public String local(String documentName) {
     String joined = Words.camelCase(documentName.split("[^A-Za-z0-9]+"));

@@ -7,7 +7,8 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * Escapes values and texts of users in C++ sources, and breaks lines as clang-format in Google style with 100 columns.
+ * Escapes values and texts of users in C++ sources, and breaks lines as clang-format in Google
+ * style with 100 columns.
  */
 public final class CppText {
   private static final int WIDTH = 100;
@@ -76,7 +77,8 @@ public final class CppText {
   }
 
   /**
-   * Escapes a user's text for a comment: a single line without special characters. A backslash at the end of a line would continue the comment on the next line.
+   * Escapes a user's text for a comment: a single line without special characters. A backslash at
+   * the end of a line would continue the comment on the next line.
    */
   public static String comment(String text) {
     String oneLine =

@@ -10,7 +10,8 @@ import org.sitaf.core.harness.plan.HarnessPlan;
 import org.sitaf.core.model.Value;
 
 /**
- * The C++ types of interface types: sequences are vectors, structs and enumerations are declared in {@code sitaf::interfaces}.
+ * The C++ types of interface types: sequences are vectors, structs and enumerations are declared in
+ * {@code sitaf::interfaces}.
  */
 public final class CppType {
   private CppType() {}

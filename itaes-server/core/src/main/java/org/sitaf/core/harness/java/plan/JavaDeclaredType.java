@@ -10,7 +10,8 @@ import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.harness.plan.HarnessPlan;
 
 /**
- * A struct or an enumeration of the interfaces in Java: a record with a constructor that sets all members to zero, or an enum.
+ * A struct or an enumeration of the interfaces in Java: a record with a constructor that sets all
+ * members to zero, or an enum.
  *
  * @param members members of a record, such as {@code double x}; empty for an enum
  * @param zeros zero values of the members
@@ -73,10 +74,7 @@ public record JavaDeclaredType(
     for (DataType.Member member : struct.members()) {
       Optional<JavaType> type = JavaType.of(member.type());
       if (!JavaNames.isName(member.name()) || JavaNames.isObjectMethod(member.name())) {
-        problem(
-            diagnostics,
-            struct,
-            member.name() + " is not a valid name of a record component");
+        problem(diagnostics, struct, member.name() + " is not a valid name of a record component");
       } else if (type.isEmpty()) {
         problem(
             diagnostics,

@@ -8,7 +8,8 @@ import java.util.stream.Collectors;
 import org.sitaf.core.harness.plan.Words;
 
 /**
- * Names in Java sources. Names of methods and types are taken from the user's documents and rejected if invalid in Java; local variables are renamed if necessary.
+ * Names in Java sources. Names of methods and types are taken from the user's documents and
+ * rejected if invalid in Java; local variables are renamed if necessary.
  */
 final class JavaNames {
   private static final Set<String> KEYWORDS =
@@ -17,7 +18,8 @@ final class JavaNames {
           abstract assert boolean break byte case catch char class const continue default do double else enum extends
           false final finally float for goto if implements import instanceof int interface long native new null package
           private protected public return short static strictfp super switch synchronized this throw throws transient
-          true try void volatile while _""");
+          true try void volatile while _\
+          """);
 
   /** Not keywords, but not allowed as type names. */
   private static final Set<String> RESTRICTED = words("var yield record sealed permits");
@@ -36,13 +38,15 @@ final class JavaNames {
       words("clone equals finalize getClass hashCode notify notifyAll toString wait");
 
   /**
-   * Local variables of generated methods, and first parts of qualified names, which a local variable would hide.
+   * Local variables of generated methods, and first parts of qualified names, which a local
+   * variable would hide.
    */
   private static final Set<String> USED_LOCALS =
       words(
           """
           answer args component java javax org parameters pending result returned run simulation simulationControl sitaf
-          stopwatch stubbing testCase testStub""");
+          stopwatch stubbing testCase testStub\
+          """);
 
   private final Set<String> taken = new HashSet<>(USED_LOCALS);
 
@@ -65,9 +69,7 @@ final class JavaNames {
     return isName(name) && !RESTRICTED.contains(name);
   }
 
-  /**
-   * Whether a simple type name conflicts with the names in generated sources.
-   */
+  /** Whether a simple type name conflicts with the names in generated sources. */
   static boolean isUsedType(String simpleName) {
     return USED_TYPES.contains(simpleName) || USED_LOCALS.contains(simpleName);
   }
@@ -78,7 +80,8 @@ final class JavaNames {
   }
 
   /**
-   * The last part of the package of a model: its name in lower case, with invalid characters replaced.
+   * The last part of the package of a model: its name in lower case, with invalid characters
+   * replaced.
    */
   static String packagePart(String modelName) {
     String part = modelName.toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9_]", "_");
@@ -89,7 +92,8 @@ final class JavaNames {
   }
 
   /**
-   * A unique name of a local variable: {@code IndexOfSensor} becomes {@code indexOfSensor}, {@code Finder.GetRange} becomes {@code finderGetRange}.
+   * A unique name of a local variable: {@code IndexOfSensor} becomes {@code indexOfSensor}, {@code
+   * Finder.GetRange} becomes {@code finderGetRange}.
    */
   String local(String documentName) {
     String wanted = Words.camelCase(documentName.split("[^\\p{L}\\p{Nd}_$]+"));

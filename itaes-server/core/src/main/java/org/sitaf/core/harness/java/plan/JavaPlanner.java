@@ -47,8 +47,8 @@ public final class JavaPlanner {
   /**
    * Plans a test application.
    *
-   * @param diagnostics receives everything that Java cannot express; after an error, the result must
-   *     not be used
+   * @param diagnostics receives everything that Java cannot express; after an error, the result
+   *     must not be used
    */
   public static JavaPlan plan(HarnessPlan plan, Diagnostics diagnostics) {
     return new JavaPlanner(plan, diagnostics).plan();
@@ -148,10 +148,7 @@ public final class JavaPlanner {
   private void methodName(String source, Method method) {
     if (!JavaNames.isName(method.name())) {
       diagnostics.error(
-          source,
-          method.line(),
-          "method " + method.name(),
-          "is not a valid Java method name");
+          source, method.line(), "method " + method.name(), "is not a valid Java method name");
     }
   }
 
@@ -192,7 +189,8 @@ public final class JavaPlanner {
     plan.types().forEach(t -> taken.add(HarnessPlan.simpleName(t)));
     for (HarnessPlan.Stub stub : plan.stubs()) {
       if (!taken.add(stub.name())) {
-        diagnostics.error(stub.source(), 0, "type_name " + stub.name(), "is also the name of a type");
+        diagnostics.error(
+            stub.source(), 0, "type_name " + stub.name(), "is also the name of a type");
       }
     }
     for (String error : plan.errors()) {

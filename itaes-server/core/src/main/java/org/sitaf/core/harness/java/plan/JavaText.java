@@ -5,7 +5,8 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * Escapes values and texts of users in Java sources. Java treats {@code &#92;u000a} as a line break everywhere, even in a comment, so every backslash must be escaped.
+ * Escapes values and texts of users in Java sources. Java treats {@code &#92;u000a} as a line break
+ * everywhere, even in a comment, so every backslash must be escaped.
  */
 public final class JavaText {
   private static final int WIDTH = 100;
@@ -48,7 +49,8 @@ public final class JavaText {
       case '\t' -> "\\t";
       default -> {
         if (c < 0x20 || c == 0x7f) {
-          // Octal with three digits: the compiler would replace a Unicode escape by the control character.
+          // Octal with three digits: the compiler would replace a Unicode escape by the control
+          // character.
           yield String.format(Locale.ROOT, "\\%03o", (int) c);
         }
         yield c < 0x7f || Character.isLetterOrDigit(c)
@@ -59,7 +61,8 @@ public final class JavaText {
   }
 
   /**
-   * Escapes a user's text for a documentation comment: a single line without special characters of javac and Javadoc.
+   * Escapes a user's text for a documentation comment: a single line without special characters of
+   * javac and Javadoc.
    */
   public static String comment(String text) {
     String oneLine =

@@ -11,7 +11,9 @@ import org.sitaf.core.harness.plan.HarnessPlan;
 import org.sitaf.core.model.Value;
 
 /**
- * The Java type of an interface type: unsigned integers are mapped to the next wider type (64 bits to {@code BigInteger}), sequences and arrays to Java arrays, structs to generated records, enumerations to generated enums.
+ * The Java type of an interface type: unsigned integers are mapped to the next wider type (64 bits
+ * to {@code BigInteger}), sequences and arrays to Java arrays, structs to generated records,
+ * enumerations to generated enums.
  *
  * @param name name in declarations
  * @param boxed name as a type argument
@@ -120,7 +122,8 @@ public record JavaType(
   }
 
   /**
-   * An array of zeros: {@code new double[0]}, {@code new double[2][3]}, or with individual elements for objects.
+   * An array of zeros: {@code new double[0]}, {@code new double[2][3]}, or with individual elements
+   * for objects.
    */
   private static String empty(JavaType element, int length) {
     if (length > 0 && !isPrimitive(element)) {

@@ -1,6 +1,4 @@
-/**
- * Plans test applications in Java: names, types, literals and calls.
- */
+/** Plans test applications in Java: names, types, literals and calls. */
 @NullMarked
 package org.sitaf.core.harness.java.plan;
 

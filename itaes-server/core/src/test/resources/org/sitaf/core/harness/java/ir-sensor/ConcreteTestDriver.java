@@ -5,11 +5,10 @@ import org.sitaf.runtime.TestRun;
 import org.sitaf.runtime.suite.TestCase;
 
 /**
- * Concrete test driver: what is particular about testing InfraredSensorService.GetInfraredData, to
- * be changed freely.
+ * Concrete test driver of InfraredSensorService.GetInfraredData. You may edit this class.
  *
- * <p>Keep a changed version in the activity as harness/GetInfraredData/ConcreteTestDriver.java: it
- * is used from then on, and never generated over.
+ * <p>To keep your changes, save this file in the activity as
+ * harness/GetInfraredData/ConcreteTestDriver.java. It then replaces the generated file.
  */
 public final class ConcreteTestDriver extends TestDriver {
   private ConcreteTestDriver(TestRun run) {
@@ -20,7 +19,7 @@ public final class ConcreteTestDriver extends TestDriver {
     TestRun.start(args, ConcreteTestDriver::new);
   }
 
-  /** Makes the component and sets it up. */
+  /** Creates and sets up the component. */
   @Override
   protected InfraredSensor createComponent() throws Exception {
     InfraredSensor component = newComponent();
@@ -30,15 +29,15 @@ public final class ConcreteTestDriver extends TestDriver {
     return component;
   }
 
-  /** Runs before each call, when the world and the stub are set. */
+  /** Runs before each call, after the world and the stub are prepared. */
   @Override
   protected void beforeCase(InfraredSensor component, TestCase testCase) throws Exception {}
 
-  /** Runs after each call, before its result is judged. */
+  /** Runs after each call, before its result is compared. */
   @Override
   protected void afterCase(InfraredSensor component, TestCase testCase) throws Exception {}
 
-  /** The call under test; nothing else is timed. */
+  /** Calls the method under test. Only this call is timed. */
   @Override
   double call(InfraredSensor component, int indexOfSensor, int numOfSensor) throws Exception {
     return component.GetInfraredData(indexOfSensor, numOfSensor);

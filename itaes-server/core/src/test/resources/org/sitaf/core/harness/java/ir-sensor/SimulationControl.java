@@ -5,9 +5,9 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import org.sitaf.runtime.simulation.Simulation;
 
-/** Simulation control (SC): sets the virtual environment that world/ir.world.yaml describes. */
+/** Simulation control (SC): sets up the virtual environment world/ir.world.yaml. */
 final class SimulationControl {
-  /** Simulation time that passes before the call. */
+  /** Simulation time before the call. */
   private static final Duration SETTLE = Duration.ZERO;
 
   private final Simulation simulation;
@@ -17,7 +17,7 @@ final class SimulationControl {
   }
 
   /**
-   * Puts the world into the state of a case, from a clean reset, and lets it settle.
+   * Resets the world, sets the parameters of a case, and lets the world settle.
    *
    * @param distance Distance in m, from -1.0 to 20.0
    */

@@ -24,11 +24,13 @@ abstract class TestDriver extends SuiteDriver<InfraredSensor> {
     testStub = new TestStub();
   }
 
-  /** The call under test, InfraredSensorService.GetInfraredData; nothing else is timed. */
+  /**
+   * Calls the method under test, InfraredSensorService.GetInfraredData. Only this call is timed.
+   */
   abstract double call(InfraredSensor component, int indexOfSensor, int numOfSensor)
       throws Exception;
 
-  /** Makes the component, with whatever of hardware and stubs its constructor asks for. */
+  /** Creates the component. Passes the hardware and stubs that its constructor requires. */
   final InfraredSensor newComponent() throws Exception {
     return newComponent(InfraredSensor.class);
   }
@@ -40,13 +42,13 @@ abstract class TestDriver extends SuiteDriver<InfraredSensor> {
     int numOfSensor = testCase.intValue("NumOfSensor");
     double distance = testCase.doubleValue("Distance");
 
-    // 2. Simulation control sets the virtual environment (TDSD).
+    // 2. The simulation control sets up the virtual environment (TDSD).
     simulationControl.prepare(distance);
 
-    // 3. The test stub gets what the required interfaces answer (TDTS).
+    // 3. The test stub gets the answers of the required interfaces (TDTS).
     testStub.prepare();
 
-    // 4. The component is called with the input (TDI), and timed.
+    // 4. The component is called with the input (TDI). The call is timed.
     InfraredSensor component = component();
     beforeCase(component, testCase);
     Stopwatch stopwatch = stopwatch();

@@ -1,6 +1,6 @@
 package sitaf.harness.getinfrareddata;
 
-/** Test stub (TS): the component requires no interface, so that there is nothing to answer. */
+/** Test stub (TS): not used, because the component requires no interface. */
 final class TestStub {
   void prepare() {}
 }

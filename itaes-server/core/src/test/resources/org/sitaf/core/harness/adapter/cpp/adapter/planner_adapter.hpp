@@ -13,7 +13,7 @@
 
 namespace robot {
 
-/// Binds the component to the interfaces of its test.
+/// Adapts the component to the interfaces of its test.
 class PlannerAdapter : public sitaf::interfaces::Planner {
  public:
   PlannerAdapter(sitaf::Hardware& hardware, sitaf::interfaces::RangeFinder& rangeFinder);
@@ -27,7 +27,7 @@ class PlannerAdapter : public sitaf::interfaces::Planner {
  private:
   sitaf::Hardware& hardware_;
   sitaf::interfaces::RangeFinder& rangeFinder_;
-  // Keep the component here.
+  // Store the component here.
 };
 
 }  // namespace robot

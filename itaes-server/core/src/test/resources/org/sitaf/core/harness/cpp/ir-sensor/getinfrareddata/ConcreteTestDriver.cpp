@@ -2,17 +2,16 @@
 
 namespace sitaf::harness::getinfrareddata {
 
-/// Concrete test driver: what is particular about testing InfraredSensorService.GetInfraredData, to
-/// be changed freely.
+/// Concrete test driver of InfraredSensorService.GetInfraredData. You may edit this class.
 ///
-/// Keep a changed version in the activity as harness/GetInfraredData/ConcreteTestDriver.cpp: it is
-/// used from then on, and never generated over.
+/// To keep your changes, save this file in the activity as
+/// harness/GetInfraredData/ConcreteTestDriver.cpp. It then replaces the generated file.
 class ConcreteTestDriver final : public TestDriver {
  public:
   using TestDriver::TestDriver;
 
  protected:
-  /// Makes the component and sets it up.
+  /// Creates and sets up the component.
   std::unique_ptr<Component> createComponent() override {
     std::unique_ptr<Component> component = newComponent();
     runtime::setProperty(*component, "Size", "7", SITAF_SETTER(setSize));
@@ -21,13 +20,13 @@ class ConcreteTestDriver final : public TestDriver {
     return component;
   }
 
-  /// Runs before each call, when the world and the stub are set.
+  /// Runs before each call, after the world and the stub are prepared.
   void beforeCase(Component& /*component*/, const suite::TestCase& /*testCase*/) override {}
 
-  /// Runs after each call, before its result is judged.
+  /// Runs after each call, before its result is compared.
   void afterCase(Component& /*component*/, const suite::TestCase& /*testCase*/) override {}
 
-  /// The call under test; nothing else is timed.
+  /// Calls the method under test. Only this call is timed.
   double call(Component& component, std::int32_t indexOfSensor, std::int32_t numOfSensor) override {
     return component.GetInfraredData(indexOfSensor, numOfSensor);
   }

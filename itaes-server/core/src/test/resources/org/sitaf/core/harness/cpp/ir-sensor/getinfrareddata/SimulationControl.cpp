@@ -5,7 +5,7 @@
 namespace sitaf::harness::getinfrareddata {
 namespace {
 
-/// Simulation time that passes before the call.
+/// Simulation time before the call.
 constexpr std::chrono::nanoseconds settleTime = std::chrono::milliseconds(0);
 
 }  // namespace

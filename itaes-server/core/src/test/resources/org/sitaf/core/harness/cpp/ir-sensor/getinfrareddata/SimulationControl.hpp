@@ -4,12 +4,12 @@
 
 namespace sitaf::harness::getinfrareddata {
 
-/// Simulation control (SC): sets the virtual environment that world/ir.world.yaml describes.
+/// Simulation control (SC): sets up the virtual environment world/ir.world.yaml.
 class SimulationControl {
  public:
   explicit SimulationControl(runtime::TestRun& run);
 
-  /// Puts the world into the state of a case, from a clean reset, and lets it settle.
+  /// Resets the world, sets the parameters of a case, and lets the world settle.
   ///
   /// - distance: Distance in m, from -1.0 to 20.0
   void prepare(double distance);

@@ -15,13 +15,13 @@ void TestDriver::runCase(const suite::TestCase& testCase, suite::CaseResult& res
   const auto numOfSensor = testCase.value<std::int32_t>("NumOfSensor");
   const auto distance = testCase.value<double>("Distance");
 
-  // 2. Simulation control sets the virtual environment (TDSD).
+  // 2. The simulation control sets up the virtual environment (TDSD).
   simulationControl_.prepare(distance);
 
-  // 3. The test stub gets what the required interfaces answer (TDTS).
+  // 3. The test stub gets the answers of the required interfaces (TDTS).
   testStub_.prepare();
 
-  // 4. The component is called with the input (TDI), and timed.
+  // 4. The component is called with the input (TDI). The call is timed.
   Component& component = this->component();
   beforeCase(component, testCase);
   stopwatch().start();

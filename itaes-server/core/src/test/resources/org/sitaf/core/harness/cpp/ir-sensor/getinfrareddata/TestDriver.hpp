@@ -22,11 +22,11 @@ class TestDriver : public runtime::SuiteDriver<Component> {
   explicit TestDriver(runtime::TestRun& run);
 
  protected:
-  /// The call under test, InfraredSensorService.GetInfraredData; nothing else is timed.
+  /// Calls the method under test, InfraredSensorService.GetInfraredData. Only this call is timed.
   virtual double call(Component& component, std::int32_t indexOfSensor,
                       std::int32_t numOfSensor) = 0;
 
-  /// Makes the component, with whatever of hardware and stubs its constructor asks for.
+  /// Creates the component. Passes the hardware and stubs that its constructor requires.
   std::unique_ptr<Component> newComponent();
 
   void runCase(const suite::TestCase& testCase, suite::CaseResult& result) final;

@@ -4,7 +4,7 @@
 
 namespace sitaf::harness::getinfrareddata {
 
-/// Test stub (TS): the component requires no interface, so that there is nothing to answer.
+/// Test stub (TS): not used, because the component requires no interface.
 class TestStub {
  public:
   explicit TestStub(runtime::TestRun& /*run*/) {}

@@ -5,16 +5,16 @@
 
 namespace sitaf::harness::plan {
 
-/// Concrete test driver: what is particular about testing Planner.Plan, to be changed freely.
+/// Concrete test driver of Planner.Plan. You may edit this class.
 ///
-/// Keep a changed version in the activity as harness/Plan/ConcreteTestDriver.cpp: it is used from
-/// then on, and never generated over.
+/// To keep your changes, save this file in the activity as harness/Plan/ConcreteTestDriver.cpp. It
+/// then replaces the generated file.
 class ConcreteTestDriver final : public TestDriver {
  public:
   using TestDriver::TestDriver;
 
  protected:
-  /// Makes the component and sets it up.
+  /// Creates and sets up the component.
   std::unique_ptr<Component> createComponent() override {
     std::unique_ptr<Component> component = newComponent();
     runtime::setProperty(*component, "Gain", "0.5", SITAF_SETTER(setGain));
@@ -25,13 +25,13 @@ class ConcreteTestDriver final : public TestDriver {
     return component;
   }
 
-  /// Runs before each call, when the world and the stub are set.
+  /// Runs before each call, after the world and the stub are prepared.
   void beforeCase(Component& /*component*/, const suite::TestCase& /*testCase*/) override {}
 
-  /// Runs after each call, before its result is judged.
+  /// Runs after each call, before its result is compared.
   void afterCase(Component& /*component*/, const suite::TestCase& /*testCase*/) override {}
 
-  /// The call under test; nothing else is timed.
+  /// Calls the method under test. Only this call is timed.
   interfaces::Path call(Component& component, const interfaces::Point& goal,
                         const std::vector<double>& weights, bool& found,
                         std::int32_t& budget) override {

@@ -5,10 +5,10 @@
 namespace sitaf::harness::plan {
 namespace {
 
-/// Simulation time that passes before the call.
+/// Simulation time before the call.
 constexpr std::chrono::nanoseconds settleTime = std::chrono::milliseconds(100);
 
-/// Simulation time that passes after the call.
+/// Simulation time after the call.
 constexpr std::chrono::nanoseconds runTime = std::chrono::milliseconds(250);
 
 /// Simulation time between two executions of the component.

@@ -7,23 +7,23 @@
 
 namespace sitaf::harness::plan {
 
-/// Simulation control (SC): sets the virtual environment that w.world.yaml describes.
+/// Simulation control (SC): sets up the virtual environment w.world.yaml.
 class SimulationControl {
  public:
   explicit SimulationControl(runtime::TestRun& run);
 
-  /// Puts the world into the state of a case, from a clean reset.
+  /// Resets the world and sets the parameters of a case.
   ///
   /// - distance: Distance in m, from 0.0 to 5.0
   void prepare(double distance);
 
-  /// Lets time pass before the call; from now on the component is executed once a period.
+  /// Lets the world settle. From now on, the component is executed periodically.
   void settle(const std::function<void()>& execute);
 
-  /// Lets time pass after the call.
+  /// Advances the simulation time after the call.
   void runOn();
 
-  /// What the world shows, in its own unit.
+  /// Returns an observation of the world in its unit.
   double observe(const std::string& name) const;
 
  private:

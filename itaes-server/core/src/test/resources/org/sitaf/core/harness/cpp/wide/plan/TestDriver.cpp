@@ -25,13 +25,13 @@ void TestDriver::runCase(const suite::TestCase& testCase, suite::CaseResult& res
   const auto rangeFinderRangeQuality =
       runtime::answer<double>(testCase, "RangeFinder.Range.quality");
 
-  // 2. Simulation control sets the virtual environment (TDSD).
+  // 2. The simulation control sets up the virtual environment (TDSD).
   simulationControl_.prepare(distance);
 
-  // 3. The test stub gets what the required interfaces answer (TDTS).
+  // 3. The test stub gets the answers of the required interfaces (TDTS).
   testStub_.prepare(rangeFinderRange, rangeFinderRange2, rangeFinderRangeQuality);
 
-  // 4. The component is called with the input (TDI), and timed.
+  // 4. The component is called with the input (TDI). The call is timed.
   Component& component = this->component();
   simulationControl_.settle([this, &component] { execute(component); });
   beforeCase(component, testCase);

@@ -22,12 +22,12 @@ class TestDriver : public runtime::SuiteDriver<Component> {
   explicit TestDriver(runtime::TestRun& run);
 
  protected:
-  /// The call under test, Planner.Plan; nothing else is timed.
+  /// Calls the method under test, Planner.Plan. Only this call is timed.
   virtual interfaces::Path call(Component& component, const interfaces::Point& goal,
                                 const std::vector<double>& weights, bool& found,
                                 std::int32_t& budget) = 0;
 
-  /// Makes the component, with whatever of hardware and stubs its constructor asks for.
+  /// Creates the component. Passes the hardware and stubs that its constructor requires.
   std::unique_ptr<Component> newComponent();
 
   void runCase(const suite::TestCase& testCase, suite::CaseResult& result) final;

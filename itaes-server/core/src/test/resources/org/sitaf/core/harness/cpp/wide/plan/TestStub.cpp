@@ -8,7 +8,7 @@
 namespace sitaf::harness::plan {
 namespace {
 
-/// Throws the error that an answer names.
+/// Throws the exception of an answer.
 void raise(const std::string& name) {
   if (name == "NoEcho") {
     throw interfaces::NoEcho();

@@ -7,7 +7,7 @@
 
 namespace sitaf::harness::plan {
 
-/// The required interface RangeFinder, as a case answers for it.
+/// Stub of the required interface RangeFinder.
 class RangeFinderStub final : public interfaces::RangeFinder {
  public:
   explicit RangeFinderStub(runtime::Stubbing& stubbing) : stubbing_(stubbing) {}
@@ -23,13 +23,13 @@ class RangeFinderStub final : public interfaces::RangeFinder {
   runtime::Answers<double> rangeQuality_;
 };
 
-/// Test stub (TS): answers for the interfaces that the component requires. What it is asked becomes
+/// Test stub (TS): implements the interfaces that the component requires. Records all calls as
 /// part of the result.
 class TestStub {
  public:
   explicit TestStub(runtime::TestRun& run);
 
-  /// Sets what each method answers in a case.
+  /// Sets the answers of a case.
   void prepare(const runtime::Answer<double>& rangeFinderRange,
                const runtime::Answer<double>& rangeFinderRange2,
                const runtime::Answer<double>& rangeFinderRangeQuality);

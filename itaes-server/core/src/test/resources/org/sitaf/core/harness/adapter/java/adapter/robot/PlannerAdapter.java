@@ -12,27 +12,27 @@ import sitaf.interfaces.RangeFinder;
 /** Binds the component to the interfaces of its test. */
 public final class PlannerAdapter implements Planner {
   public PlannerAdapter(Hardware hardware, RangeFinder rangeFinder) {
-    // Make the component here, and keep it in a field.
-    // Through the hardware it reaches the simulated devices.
-    // The test stub answers for what it requires.
+    // Create the component here and store it in a field.
+    // The hardware gives access to the simulated devices.
+    // The required interfaces are implemented by the test stub.
   }
 
   @Override
   public Path Plan(Point goal, double[] weights, Out<Boolean> found, Out<Integer> budget) {
-    // Pass the call on to the component, and return what it answers.
-    // What comes back in a parameter goes there by set().
-    throw new UnsupportedOperationException("Plan is not passed on yet");
+    // Delegate the call to the component and return its result.
+    // Set out-parameters by set().
+    throw new UnsupportedOperationException("Plan is not implemented yet");
   }
 
   @Override
   public void SetMode(Mode mode) throws Busy {
-    // Pass the call on to the component.
-    throw new UnsupportedOperationException("SetMode is not passed on yet");
+    // Delegate the call to the component.
+    throw new UnsupportedOperationException("SetMode is not implemented yet");
   }
 
   @Override
   public void SetLimit(int limit) {
-    // Pass the call on to the component.
-    throw new UnsupportedOperationException("SetLimit is not passed on yet");
+    // Delegate the call to the component.
+    throw new UnsupportedOperationException("SetLimit is not implemented yet");
   }
 }

@@ -13,7 +13,7 @@ enum class Mode { SLOW, FAST };
 
 }  // namespace sitaf::interfaces
 
-/// How results spell it.
+/// Conversion to text in results.
 template <>
 struct sitaf::suite::Enumeration<sitaf::interfaces::Mode> {
   using Type = sitaf::interfaces::Mode;

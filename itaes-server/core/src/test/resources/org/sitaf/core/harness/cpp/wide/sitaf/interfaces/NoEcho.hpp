@@ -4,7 +4,7 @@
 
 namespace sitaf::interfaces {
 
-/// The error NoEcho of the interfaces.
+/// The exception NoEcho of the interfaces.
 class NoEcho : public std::runtime_error {
  public:
   NoEcho() : std::runtime_error("NoEcho") {}

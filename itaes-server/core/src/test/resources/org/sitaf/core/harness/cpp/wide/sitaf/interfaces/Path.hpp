@@ -16,7 +16,7 @@ struct Path {
 
 }  // namespace sitaf::interfaces
 
-/// How results spell it.
+/// Conversion to text in results.
 template <>
 struct sitaf::suite::Structure<sitaf::interfaces::Path> {
   template <class Value, class Visit>

@@ -12,7 +12,7 @@ struct Point {
 
 }  // namespace sitaf::interfaces
 
-/// How results spell it.
+/// Conversion to text in results.
 template <>
 struct sitaf::suite::Structure<sitaf::interfaces::Point> {
   template <class Value, class Visit>

@@ -4,7 +4,7 @@
 
 namespace sitaf::interfaces {
 
-/// The required interface RangeFinder, as finder.idl describes it.
+/// The required interface RangeFinder, described in finder.idl.
 class RangeFinder {
  public:
   virtual ~RangeFinder() = default;

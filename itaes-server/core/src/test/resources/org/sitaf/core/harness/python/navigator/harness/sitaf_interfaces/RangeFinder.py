@@ -4,7 +4,7 @@ from typing import Protocol
 
 
 class RangeFinder(Protocol):
-    """The required interface RangeFinder, as hardware.idl describes it."""
+    """The required interface RangeFinder, described in hardware.idl."""
 
     def RangeAhead(self, bearing: float) -> float: ...
 

@@ -4,6 +4,6 @@ from typing import Protocol
 
 
 class Wheels(Protocol):
-    """The required interface Wheels, as hardware.idl describes it."""
+    """The required interface Wheels, described in hardware.idl."""
 
     def Drive(self, linear: float, angular: float) -> None: ...

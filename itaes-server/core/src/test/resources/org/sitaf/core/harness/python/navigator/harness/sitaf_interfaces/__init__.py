@@ -1,4 +1,4 @@
-"""What the component shares with the test."""
+"""Interfaces and types that the component shares with the test."""
 
 from sitaf_interfaces.RangeFinder import RangeFinder
 from sitaf_interfaces.Wheels import Wheels

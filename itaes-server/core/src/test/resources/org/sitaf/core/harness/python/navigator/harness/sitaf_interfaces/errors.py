@@ -1,4 +1,4 @@
-"""The exceptions that the interfaces declare, or that an answer of the stub raises."""
+"""The exceptions of the interfaces and of the stub's answers."""
 
 
 class Lost(Exception):

@@ -1,8 +1,7 @@
 """Concrete test driver of InfraredSensorService.GetInfraredData.
 
-What is particular about the test, to be changed freely. Keep a changed version in the
-activity as harness/GetInfraredData/concrete_test_driver.py: it is used from then on,
-and never generated over.
+You may edit this class. To keep your changes, save this file in the activity as
+harness/GetInfraredData/concrete_test_driver.py. It then replaces the generated file.
 """
 
 from infrared_sensor import InfraredSensor
@@ -13,10 +12,10 @@ from sitaf_runtime.suite.test_case import TestCase
 
 
 class ConcreteTestDriver(TestDriver):
-    """Makes the component, sets it up and calls it."""
+    """Creates, sets up and calls the component."""
 
     def create_component(self) -> InfraredSensor:
-        """Make the component and set it up."""
+        """Create and set up the component."""
         component = self.new_component()
         set_property(component, "Size", "7")
         self.begin(component)
@@ -24,15 +23,15 @@ class ConcreteTestDriver(TestDriver):
         return component
 
     def before_case(self, component: InfraredSensor, test_case: TestCase) -> None:
-        """Run before each call, when the world and the stub are set."""
+        """Run before each call, after the world and the stub are prepared."""
 
     def after_case(self, component: InfraredSensor, test_case: TestCase) -> None:
-        """Run after each call, before its result is judged."""
+        """Run after each call, before its result is compared."""
 
     def call(
         self, component: InfraredSensor, index_of_sensor: int, num_of_sensor: int
     ) -> float:
-        """The call under test; nothing else is timed."""
+        """Call the method under test. Only this call is timed."""
         return method_of(component, "GetInfraredData")(index_of_sensor, num_of_sensor)
 
 

@@ -18,7 +18,7 @@ from sitaf_runtime.suite.test_case import TestCase
 
 
 class TestDriver(SuiteDriver[InfraredSensor]):
-    """Runs one case after the other."""
+    """Runs the test cases one by one."""
 
     SUITE_LIFE = False
 
@@ -31,13 +31,13 @@ class TestDriver(SuiteDriver[InfraredSensor]):
     def call(
         self, component: InfraredSensor, index_of_sensor: int, num_of_sensor: int
     ) -> float:
-        """The call under test, InfraredSensorService.GetInfraredData.
+        """Call the method under test, InfraredSensorService.GetInfraredData.
 
-        Nothing else is timed.
+        Only this call is timed.
         """
 
     def new_component(self) -> InfraredSensor:
-        """Make the component, with what its constructor asks for."""
+        """Create the component with the arguments that its constructor requires."""
         return self.make(InfraredSensor)
 
     def run_case(self, test_case: TestCase, result: CaseResult) -> None:
@@ -47,13 +47,13 @@ class TestDriver(SuiteDriver[InfraredSensor]):
         num_of_sensor = test_case.read("NumOfSensor", INT32)
         distance = test_case.read("Distance", FLOAT64)
 
-        # 2. Simulation control sets the virtual environment (TDSD).
+        # 2. The simulation control sets up the virtual environment (TDSD).
         self.simulation_control.prepare(distance)
 
-        # 3. The test stub gets what the required interfaces answer (TDTS).
+        # 3. The test stub gets the answers of the required interfaces (TDTS).
         self.test_stub.prepare()
 
-        # 4. The component is called with the input (TDI), and timed.
+        # 4. The component is called with the input (TDI). The call is timed.
         component = self.component()
         self.before_case(component, test_case)
         self.stopwatch.start()

@@ -1,13 +1,13 @@
-"""Test stub (TS): the component requires no interface."""
+"""Test stub (TS): not used, because the component requires no interface."""
 
 from sitaf_runtime.run import TestRun
 
 
 class TestStub:
-    """Has nothing to answer."""
+    """Does nothing."""
 
     def __init__(self, run: TestRun) -> None:
-        """Need nothing of the run."""
+        """Ignore the run."""
 
     def prepare(self) -> None:
-        """Leave all as it is."""
+        """Do nothing."""

@@ -1,8 +1,7 @@
 """Concrete test driver of Navigator.Step.
 
-What is particular about the test, to be changed freely. Keep a changed version in the
-activity as harness/Step/concrete_test_driver.py: it is used from then on, and never
-generated over.
+You may edit this class. To keep your changes, save this file in the activity as
+harness/Step/concrete_test_driver.py. It then replaces the generated file.
 """
 
 from navigation.navigator import Navigator
@@ -15,10 +14,10 @@ from sitaf_runtime.suite.test_case import TestCase
 
 
 class ConcreteTestDriver(TestDriver):
-    """Makes the component, sets it up and calls it."""
+    """Creates, sets up and calls the component."""
 
     def create_component(self) -> Navigator:
-        """Make the component and set it up."""
+        """Create and set up the component."""
         component = self.new_component()
         set_property(component, "Label", 'a "quoted" one')
         set_property(component, "MaxSpeed", "0.5")
@@ -27,10 +26,10 @@ class ConcreteTestDriver(TestDriver):
         return component
 
     def before_case(self, component: Navigator, test_case: TestCase) -> None:
-        """Run before each call, when the world and the stub are set."""
+        """Run before each call, after the world and the stub are prepared."""
 
     def after_case(self, component: Navigator, test_case: TestCase) -> None:
-        """Run after each call, before its result is judged."""
+        """Run after each call, before its result is compared."""
 
     def call(
         self,
@@ -41,7 +40,7 @@ class ConcreteTestDriver(TestDriver):
         target: Out[Point],
         heading: InOut[float],
     ) -> int:
-        """The call under test; nothing else is timed."""
+        """Call the method under test. Only this call is timed."""
         return call_with_outs(
             method_of(component, "Step"),
             route,

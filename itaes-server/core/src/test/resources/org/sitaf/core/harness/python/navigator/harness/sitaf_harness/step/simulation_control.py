@@ -1,8 +1,8 @@
-"""Simulation control (SC): the activity names no world."""
+"""Simulation control (SC): not used, because the activity has no world."""
 
 
 class SimulationControl:
-    """Has nothing to prepare."""
+    """Does nothing."""
 
     def prepare(self) -> None:
-        """Leave all as it is."""
+        """Do nothing."""

@@ -21,7 +21,7 @@ from sitaf_runtime.suite.test_case import TestCase
 
 
 class TestDriver(SuiteDriver[Navigator]):
-    """Runs one case after the other."""
+    """Runs the test cases one by one."""
 
     SUITE_LIFE = True
 
@@ -40,13 +40,13 @@ class TestDriver(SuiteDriver[Navigator]):
         target: Out[Point],
         heading: InOut[float],
     ) -> int:
-        """The call under test, Navigator.Step.
+        """Call the method under test, Navigator.Step.
 
-        Nothing else is timed.
+        Only this call is timed.
         """
 
     def new_component(self) -> Navigator:
-        """Make the component, with what its constructor asks for."""
+        """Create the component with the arguments that its constructor requires."""
         return self.make(Navigator, self.test_stub.range_finder, self.test_stub.wheels)
 
     def run_case(self, test_case: TestCase, result: CaseResult) -> None:
@@ -64,17 +64,17 @@ class TestDriver(SuiteDriver[Navigator]):
         range_finder_range_ahead_2 = test_case.read("RangeFinder.RangeAhead#2", FLOAT64)
         range_finder_beams_left = test_case.read("RangeFinder.Beams.left", FLOAT64)
 
-        # 2. Simulation control sets the virtual environment (TDSD).
+        # 2. The simulation control sets up the virtual environment (TDSD).
         self.simulation_control.prepare()
 
-        # 3. The test stub gets what the required interfaces answer (TDTS).
+        # 3. The test stub gets the answers of the required interfaces (TDTS).
         self.test_stub.prepare(
             range_finder_range_ahead,
             range_finder_range_ahead_2,
             range_finder_beams_left,
         )
 
-        # 4. The component is called with the input (TDI), and timed.
+        # 4. The component is called with the input (TDI). The call is timed.
         component = self.component()
         self.before_case(component, test_case)
         self.stopwatch.start()

@@ -1,4 +1,4 @@
-"""Test stub (TS): answers for the interfaces that the component requires."""
+"""Test stub (TS): implements the interfaces that the component requires."""
 
 from sitaf_interfaces import RangeFinder, Wheels
 from sitaf_runtime.run import TestRun
@@ -7,7 +7,7 @@ from sitaf_runtime.suite.kinds import BOOLEAN, FLOAT64, INT32
 
 
 class RangeFinderStub(RangeFinder):
-    """Answers for RangeFinder."""
+    """Stub of RangeFinder."""
 
     def __init__(self, run: TestRun) -> None:
         self.on_range_ahead = StubbedMethod(
@@ -33,7 +33,7 @@ class RangeFinderStub(RangeFinder):
 
 
 class WheelsStub(Wheels):
-    """Answers for Wheels."""
+    """Stub of Wheels."""
 
     def __init__(self, run: TestRun) -> None:
         self.on_drive = StubbedMethod(
@@ -50,7 +50,7 @@ class WheelsStub(Wheels):
 
 
 class TestStub:
-    """Sets what each method answers in a case."""
+    """Sets the answers of a case."""
 
     def __init__(self, run: TestRun) -> None:
         self.range_finder = RangeFinderStub(run)
