@@ -160,7 +160,7 @@ public final class DescriptionText {
   private static String prototype(Method method) {
     String parameters =
         method.parameters().stream()
-            .map(DescriptionText::typeName)
+            .map(DescriptionText::spelling)
             .collect(Collectors.joining(", ", "(", ")"));
     return method.name()
         + parameters

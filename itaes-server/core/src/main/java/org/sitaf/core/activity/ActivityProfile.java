@@ -106,8 +106,8 @@ public record ActivityProfile(
    * @param caseWall maximum wall-clock time of a case
    * @param caseSimulation maximum simulation time of a case
    * @param memoryMiB maximum memory of the test application
-   * @param preparation maximum wall-clock time for fetching, building and installing the packages of
-   *     the component
+   * @param preparation maximum wall-clock time for fetching, building and installing the packages
+   *     of the component
    */
   public record Limits(
       Duration caseWall, Duration caseSimulation, int memoryMiB, Duration preparation) {

@@ -13,6 +13,11 @@ public final class Sha256 {
     return HexFormat.of().formatHex(newDigest().digest(content));
   }
 
+  /** The digest of all content so far, in lower-case hexadecimal. Resets the digest. */
+  public static String hex(MessageDigest digest) {
+    return HexFormat.of().formatHex(digest.digest());
+  }
+
   /** Creates a digest for content that is read in parts. */
   public static MessageDigest newDigest() {
     try {

@@ -2,8 +2,8 @@ package org.sitaf.agent.build;
 
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
-import org.sitaf.agent.spool.Sha256;
 import org.sitaf.core.activity.FileTree;
+import org.sitaf.core.digest.Sha256;
 
 /** SHA-256 of files and trees, in hexadecimal. */
 final class Digests {
@@ -18,7 +18,7 @@ final class Digests {
    * format of {@code sha256sum}.
    */
   static String of(FileTree tree) {
-    MessageDigest digest = Sha256.start();
+    MessageDigest digest = Sha256.newDigest();
     for (String path : tree.paths()) {
       String line = of(tree.content(path).orElseThrow()) + "  " + path + "\n";
       digest.update(line.getBytes(StandardCharsets.UTF_8));

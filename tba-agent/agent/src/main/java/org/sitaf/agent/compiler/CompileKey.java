@@ -9,11 +9,11 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
-import org.sitaf.agent.spool.Sha256;
 import org.sitaf.agent.toolchain.Toolchain;
 import org.sitaf.core.activity.ActivityProfile;
 import org.sitaf.core.activity.ActivityProfile.Component;
 import org.sitaf.core.activity.FileTree;
+import org.sitaf.core.digest.Sha256;
 import org.sitaf.core.harness.TestApplication;
 
 /** The cache key of a compilation: a digest of all its inputs. */
@@ -29,7 +29,7 @@ final class CompileKey {
 
   static String of(TestApplication application, Toolchain toolchain, boolean coverage)
       throws IOException, InterruptedException {
-    CompileKey key = new CompileKey(Sha256.start());
+    CompileKey key = new CompileKey(Sha256.newDigest());
     key.add("format", new byte[] {FORMAT});
     key.add("toolchain", toolchain.identity().getBytes(StandardCharsets.UTF_8));
     key.add("coverage", new byte[] {(byte) (coverage ? 1 : 0)});

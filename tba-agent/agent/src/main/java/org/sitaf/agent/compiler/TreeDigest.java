@@ -8,14 +8,14 @@ import java.nio.file.Path;
 import java.security.MessageDigest;
 import java.util.List;
 import java.util.stream.Stream;
-import org.sitaf.agent.spool.Sha256;
+import org.sitaf.core.digest.Sha256;
 
 /** SHA-256 of the files of a folder, with their paths and executable flags. */
 final class TreeDigest {
   private TreeDigest() {}
 
   static String of(Path folder) throws IOException {
-    MessageDigest digest = Sha256.start();
+    MessageDigest digest = Sha256.newDigest();
     List<Path> files;
     try (Stream<Path> all = Files.walk(folder)) {
       files =

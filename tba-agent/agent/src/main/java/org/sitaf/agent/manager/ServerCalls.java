@@ -14,7 +14,6 @@ import java.util.Iterator;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Function;
-import org.sitaf.agent.spool.Sha256;
 import org.sitaf.agent.v1.AgentServiceGrpc;
 import org.sitaf.agent.v1.AppendLogRequest;
 import org.sitaf.agent.v1.AttemptState;
@@ -26,6 +25,7 @@ import org.sitaf.agent.v1.ReportStateRequest;
 import org.sitaf.agent.v1.SubmitResultRequest;
 import org.sitaf.agent.v1.SubmitResultResponse;
 import org.sitaf.agent.v1.UploadRecordingRequest;
+import org.sitaf.core.digest.Sha256;
 
 /**
  * Calls about an attempt, each with a deadline, so that a server that hangs counts as unavailable.

@@ -4,12 +4,12 @@ import com.google.protobuf.ByteString;
 import java.io.ByteArrayOutputStream;
 import java.util.List;
 import org.sitaf.agent.build.BuildOutcome;
-import org.sitaf.agent.spool.Sha256;
 import org.sitaf.agent.toolchain.SourceDiagnostic;
 import org.sitaf.agent.v1.BuildFailure;
 import org.sitaf.agent.v1.BuildFailure.Category;
 import org.sitaf.agent.v1.Diagnostic;
 import org.sitaf.agent.v1.SubmitResultRequest;
+import org.sitaf.core.digest.Sha256;
 import org.sitaf.core.verdict.document.TestResultXml;
 
 /** Creates the messages that submit outcomes to the server. */

@@ -8,7 +8,7 @@ import java.util.Optional;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.sandbox.Sandbox;
-import org.sitaf.agent.spool.Sha256;
+import org.sitaf.core.digest.Sha256;
 
 /** A bridge that serves one build; replaced by a new one if it dies. */
 final class OwnSimulator implements BuildSimulator {

@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.sitaf.core.digest.Sha256;
 
 /** Files by the SHA-256 of their content. Files appear in the cache by an atomic rename. */
 public final class FileCache {
@@ -73,7 +74,7 @@ public final class FileCache {
     Path file = path(sha256);
     Path work = Files.createTempFile(directory, "tmp", "");
     try {
-      MessageDigest digest = Sha256.start();
+      MessageDigest digest = Sha256.newDigest();
       try (OutputStream out = new DigestOutputStream(Files.newOutputStream(work), digest)) {
         source.writeTo(out);
       }

@@ -13,8 +13,8 @@ import java.util.Random;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.sitaf.agent.spool.Sha256;
 import org.sitaf.agent.v1.SubmitResultRequest;
+import org.sitaf.core.digest.Sha256;
 
 /** Large messages are sent in parts if the server supports them. */
 class PartsCallTest {

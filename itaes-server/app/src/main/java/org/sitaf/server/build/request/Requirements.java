@@ -35,8 +35,7 @@ public record Requirements(List<Requirement> all) {
       requirements.add(new Simulation());
     }
     if (!constraints.toolchain().isEmpty()) {
-      requirements.add(
-          new Version(profile.component().language().id(), constraints.toolchain()));
+      requirements.add(new Version(profile.component().language().id(), constraints.toolchain()));
     }
     constraints.labels().forEach(label -> requirements.add(new Label(label)));
     return new Requirements(requirements);

@@ -170,7 +170,7 @@ class IdlImporterTest {
   void interfacesOfOneNameInTwoModulesAreToldApart() {
     assertThat(
             read("module M { interface A { void f(); }; }; module N { interface A { void f(); };"
-                     + " };")
+                    + " };")
                 .provided())
         .extracting(InterfaceDescription::name)
         .containsExactly("M_A", "N_A");

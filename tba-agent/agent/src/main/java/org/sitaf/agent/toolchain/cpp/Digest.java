@@ -7,19 +7,19 @@ import java.nio.file.Path;
 import java.security.MessageDigest;
 import java.util.List;
 import java.util.stream.Stream;
-import org.sitaf.agent.spool.Sha256;
+import org.sitaf.core.digest.Sha256;
 
 /** SHA-256 of a sequence of texts and files, each with its length. */
 final class Digest {
   private final MessageDigest digest;
 
   Digest() {
-    digest = Sha256.start();
+    digest = Sha256.newDigest();
   }
 
   /** SHA-256 of the first bytes of an array. */
   static byte[] sha256(byte[] bytes, int length) {
-    MessageDigest digest = Sha256.start();
+    MessageDigest digest = Sha256.newDigest();
     digest.update(bytes, 0, length);
     return digest.digest();
   }

@@ -11,8 +11,8 @@ import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
-import org.sitaf.agent.spool.Sha256;
 import org.sitaf.core.activity.FileTree;
+import org.sitaf.core.digest.Sha256;
 
 /**
  * Resolves names of include directives among the files of one test application. Paths are relative

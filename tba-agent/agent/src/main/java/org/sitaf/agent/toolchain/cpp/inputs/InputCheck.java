@@ -12,10 +12,10 @@ import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
-import org.sitaf.agent.spool.Sha256;
 import org.sitaf.agent.toolchain.cpp.inputs.AskedNames.Name;
 import org.sitaf.agent.toolchain.cpp.inputs.Inputs.MachineFile;
 import org.sitaf.core.activity.FileTree;
+import org.sitaf.core.digest.Sha256;
 
 /**
  * Records the files that a tool opened for one application, and checks later whether the tool would

@@ -8,7 +8,7 @@ import java.util.NavigableMap;
 import java.util.NavigableSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
-import org.sitaf.agent.spool.Sha256;
+import org.sitaf.core.digest.Sha256;
 
 /**
  * The inputs of a compiled file.

@@ -7,7 +7,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
-import org.sitaf.agent.spool.Sha256;
+import org.sitaf.core.digest.Sha256;
 
 /**
  * Headers and libraries of this machine's packages, which no user can change. An instance sees each
