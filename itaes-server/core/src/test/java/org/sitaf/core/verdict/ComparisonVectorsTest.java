@@ -59,7 +59,7 @@ class ComparisonVectorsTest {
       default ->
           new DataType.Scalar(
               Stream.of(ScalarType.values())
-                  .filter(scalar -> scalar.spelling().equals(name))
+                  .filter(scalar -> scalar.typeName().equals(name))
                   .findFirst()
                   .orElseThrow());
     };
