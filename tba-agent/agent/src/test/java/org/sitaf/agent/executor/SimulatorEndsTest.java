@@ -23,8 +23,7 @@ class SimulatorEndsTest {
     assertThat(ends.after(7, true, KILLED).next()).isEqualTo(Next.TRY_AGAIN);
     SimulatorEnds.Consequence second = ends.after(7, true, KILLED);
     assertThat(second.next()).isEqualTo(Next.BLAME_CASE);
-    assertThat(second.message())
-        .contains("case 7", "exit code 137", "each time in this case");
+    assertThat(second.message()).contains("case 7", "exit code 137", "each time in this case");
   }
 
   @Test

@@ -31,7 +31,8 @@ final class JavaNames {
           Answers BigInteger Boolean Byte CallBeside CaseResult Character ConcreteTestDriver Double Duration
           Exception Float Integer LifeCycle LinkedHashMap Long Map Object Out Override RuntimeException Short
           Simulation SimulationControl Stopwatch String StubbedMethod StubbedOut Stubbing SuiteDriver TestCase
-          TestDriver TestRun TestStub Tick Void""");
+          TestDriver TestRun TestStub Tick Void\
+          """);
 
   /** Methods of Object, which an interface cannot redeclare. */
   private static final Set<String> OBJECT_METHODS =
