@@ -1,11 +1,13 @@
 """The command line, in separate processes."""
 
+import contextlib
 import os
 import re
 import signal
 import subprocess
 import sys
 import time
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -21,10 +23,15 @@ def run(*arguments: str | Path) -> subprocess.CompletedProcess[str]:
     return subprocess.run([*COMMAND, *map(str, arguments)], capture_output=True, text=True, timeout=60)
 
 
-def serve(*options: str) -> subprocess.Popen[str]:
-    return subprocess.Popen(
-        [*COMMAND, "serve", *options], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
-    )
+@contextlib.contextmanager
+def serve(*options: str) -> Iterator[subprocess.Popen[str]]:
+    pipe = subprocess.PIPE
+    with subprocess.Popen([*COMMAND, "serve", *options], stdin=pipe, stdout=pipe, stderr=pipe, text=True) as process:
+        try:
+            yield process
+        finally:
+            # Otherwise a failed assertion would wait for the process forever.
+            process.kill()
 
 
 def first_lines(process: subprocess.Popen[str]) -> tuple[str, str]:
@@ -47,7 +54,7 @@ def test_serve_lists_the_given_worlds(tmp_path: Path) -> None:
         assert process.stdout is not None
         good, bad, count = (process.stdout.readline().rstrip("\n") for _ in range(3))
         assert good == f"world {IR_WORLD}/ir.world.yaml: 1 parameters, 7 devices, 1 observations"
-        assert bad.startswith(f"world {tmp_path}/bad.world.yaml: cannot be served: bad.world.yaml:1: ")
+        assert bad.startswith(f"world {tmp_path}/bad.world.yaml: cannot be loaded: bad.world.yaml:1: ")
         assert count.startswith("2 worlds")
         process.terminate()
 

@@ -170,7 +170,7 @@ class GeneratedHarnessTest {
             import java.math.BigInteger;
             import org.sitaf.runtime.Out;
 
-            /** The required interface RangeFinder, as required.xml describes it. */
+            /** The required interface RangeFinder, described in required.xml. */
             public interface RangeFinder {
               double GetRange(int classValue);
 

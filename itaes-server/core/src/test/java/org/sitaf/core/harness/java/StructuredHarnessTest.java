@@ -211,7 +211,7 @@ class StructuredHarnessTest {
     assertThat(build.run(application))
         .hasSize(2)
         .allMatch(line -> line.contains("outcome=\"THREW\""))
-        .allMatch(line -> line.contains("Plan is not passed on yet"));
+        .allMatch(line -> line.contains("Plan is not implemented yet"));
   }
 
   @Test
@@ -229,7 +229,7 @@ class StructuredHarnessTest {
 
             /** The type Pose of the component's interfaces. */
             public record Pose(Point position, double heading, String label) {
-              /** All of it zero. */
+              /** Sets all members to zero. */
               public Pose() {
                 this(new Point(), 0.0, "");
               }
