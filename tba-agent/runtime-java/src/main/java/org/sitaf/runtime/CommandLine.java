@@ -9,14 +9,14 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How a test application is started.
+ * The command line of a test application.
  *
- * @param results a file, or {@code fd:N} for a descriptor that is open already
- * @param bridge gRPC target of the simulator; null where the component needs no simulation
- * @param world the world description; null exactly where there is no simulator
+ * @param results a file, or {@code fd:N} for a descriptor that is already open
+ * @param bridge gRPC target of the simulator; null when the component needs no simulation
+ * @param world the world description; null when {@code bridge} is null
  * @param from the number of the first case to run; 0 for all
- * @param caseSimulation simulation time that one case may take; null without a bound
- * @param recording where a file of each case goes that shows what moved in it; null for none
+ * @param caseSimulation maximum simulation time of a case; null for no limit
+ * @param recording folder for a recording of the motion in each case; null for none
  */
 record CommandLine(
     Path suite,
@@ -52,14 +52,14 @@ record CommandLine(
     Map<String, String> given = new HashMap<>();
     for (int i = 0; i < arguments.length; i += 2) {
       if (!OPTIONS.contains(arguments[i]) || i + 1 == arguments.length) {
-        throw wrong("'" + arguments[i] + "' is not an option with a value");
+        throw usageError("'" + arguments[i] + "' is not an option with a value");
       }
       if (given.put(arguments[i], arguments[i + 1]) != null) {
-        throw wrong(arguments[i] + " is given twice");
+        throw usageError(arguments[i] + " is given twice");
       }
     }
     if (given.containsKey("--bridge") != given.containsKey("--world")) {
-      throw wrong("--bridge and --world belong together");
+      throw usageError("--bridge and --world belong together");
     }
     String world = given.get("--world");
     return new CommandLine(
@@ -76,7 +76,7 @@ record CommandLine(
   private static String text(Map<String, String> given, String option) {
     String value = given.get(option);
     if (value == null) {
-      throw wrong(option + " is missing");
+      throw usageError(option + " is missing");
     }
     return value;
   }
@@ -90,10 +90,10 @@ record CommandLine(
     }
   }
 
-  private static long number(Map<String, String> given, String option, long otherwise) {
+  private static long number(Map<String, String> given, String option, long defaultValue) {
     String value = given.get(option);
     if (value == null) {
-      return otherwise;
+      return defaultValue;
     }
     try {
       long number = Long.parseLong(value);
@@ -101,9 +101,9 @@ record CommandLine(
         return number;
       }
     } catch (NumberFormatException e) {
-      // Told below, like a negative number.
+      // Reported below, together with negative numbers.
     }
-    throw wrong(option + ": '" + value + "' is not a whole number from 0");
+    throw usageError(option + ": '" + value + "' is not a whole number from 0");
   }
 
   private static Duration seconds(String value) {
@@ -113,12 +113,12 @@ record CommandLine(
         return Duration.ofNanos(Math.round(seconds * 1e9));
       }
     } catch (NumberFormatException e) {
-      // Told below, like a number that is not above 0.
+      // Reported below, together with numbers that are not above 0.
     }
-    throw wrong("--case-sim: '" + value + "' is not a number of seconds above 0");
+    throw usageError("--case-sim: '" + value + "' is not a number of seconds above 0");
   }
 
-  private static CannotRunException wrong(String problem) {
+  private static CannotRunException usageError(String problem) {
     return new CannotRunException(problem + "; usage: " + USAGE);
   }
 }

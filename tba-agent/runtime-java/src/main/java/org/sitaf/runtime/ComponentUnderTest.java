@@ -15,9 +15,9 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
-/** Makes a component and sets its properties, by what its class offers. */
+/** Creates a component and sets its properties by reflection on its class. */
 public final class ComponentUnderTest {
-  /** By name; a component that lives for one case is set up for each case. */
+  /** Setters by name; cached because components may be created for each case. */
   private static final ClassValue<Map<String, List<Method>>> SETTERS =
       new ClassValue<>() {
         @Override
@@ -30,7 +30,7 @@ public final class ComponentUnderTest {
         }
       };
 
-  /** Public ones, those with the most parameters first. */
+  /** Public constructors, those with the most parameters first. */
   private static final ClassValue<List<Constructor<?>>> CONSTRUCTORS =
       new ClassValue<>() {
         @Override
@@ -45,10 +45,10 @@ public final class ComponentUnderTest {
   private ComponentUnderTest() {}
 
   /**
-   * Makes a component. Of its public constructors the one with the most parameters is taken that
-   * asks for nothing but the objects at hand, each by its type.
+   * Creates a component with the public constructor that has the most parameters and whose
+   * parameters are all types of available objects.
    *
-   * @param available what a constructor may ask for: hardware, stubs of required interfaces
+   * @param available objects for the constructor: hardware, stubs of required interfaces
    * @throws CannotRunException when no constructor fits
    * @throws Exception what the constructor throws
    */
@@ -70,8 +70,8 @@ public final class ComponentUnderTest {
   }
 
   /**
-   * Sets a property, by {@code setProperty(String, String)} where the class has it, else by the
-   * setter of the name with the value converted to the type of its parameter.
+   * Sets a property with {@code setProperty(String, String)} if the class has this method,
+   * otherwise with the setter of the property, whose parameter type the value is converted to.
    *
    * @throws CannotRunException when the class has neither, or the value does not fit
    * @throws Exception what the component throws
@@ -118,7 +118,7 @@ public final class ComponentUnderTest {
             + "' of activity.yaml");
   }
 
-  /** What a constructor asks for; empty where not all of it is at hand. */
+  /** The arguments for a constructor; empty when an object that it needs is not available. */
   private static Optional<Object[]> arguments(Constructor<?> constructor, Object[] available) {
     List<Object> arguments = new ArrayList<>();
     for (Class<?> wanted : constructor.getParameterTypes()) {
@@ -151,7 +151,7 @@ public final class ComponentUnderTest {
             + (Modifier.isPublic(type.getModifiers()) ? "" : ", and the class is not public"));
   }
 
-  /** The interfaces that an object stands for. */
+  /** The interfaces that an object implements. */
   private static String roles(Object object) {
     Class<?>[] interfaces = object.getClass().getInterfaces();
     return interfaces.length == 0 ? object.getClass().getName() : typesOf(interfaces);
@@ -185,7 +185,7 @@ public final class ComponentUnderTest {
     return cause instanceof Exception exception ? exception : e;
   }
 
-  /** The value as an object of a type; null when it cannot be one. */
+  /** Converts a value to a type; null when the conversion is not possible. */
   private static @Nullable Object converted(String value, Class<?> type) {
     String text = value.strip();
     try {

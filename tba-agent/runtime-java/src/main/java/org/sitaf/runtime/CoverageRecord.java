@@ -3,11 +3,11 @@ package org.sitaf.runtime;
 import java.lang.reflect.Method;
 
 /**
- * Saves now and then which lines of the component were reached. The recorder itself does so only
- * when the JVM ends in good order, and a component may see to it that it does not.
+ * Saves the coverage of the component periodically. The JaCoCo agent itself saves it only when the
+ * JVM shuts down normally, which a component can prevent.
  */
 final class CoverageRecord implements Runnable {
-  /** Set by the process that started this JVM with the recorder. */
+  /** Set by the process that started this JVM with the JaCoCo agent. */
   private static final String WANTED = "sitaf.coverage";
 
   private static final long FIRST_MS = 50;
@@ -21,7 +21,7 @@ final class CoverageRecord implements Runnable {
     this.dump = dump;
   }
 
-  /** Begins to save, where a recorder is there. */
+  /** Starts the periodic saving if this JVM records coverage. */
   static void begin() {
     if (!Boolean.getBoolean(WANTED)) {
       return;

@@ -2,9 +2,7 @@ package org.sitaf.runtime;
 
 import org.jspecify.annotations.Nullable;
 
-/**
- * Holds what {@link Hardware#current()} answers. A process runs one suite, so one place is enough.
- */
+/** The value of {@link Hardware#current()}. It is static because a process runs a single suite. */
 final class CurrentHardware {
   private static volatile @Nullable Hardware hardware;
 

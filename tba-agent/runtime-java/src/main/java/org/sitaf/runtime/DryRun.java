@@ -11,8 +11,8 @@ import org.sitaf.runtime.suite.CaseResult;
 import org.sitaf.runtime.suite.TestCase;
 
 /**
- * Does everything that a test application does, once per installation. The classes that it loads go
- * into a class-data archive, which halves the start time of test applications.
+ * Runs a small test application once per installation. The classes that it loads are stored in a
+ * class-data archive, which halves the start time of test applications.
  */
 final class DryRun {
   private static final String SUITE =
@@ -39,12 +39,12 @@ final class DryRun {
     private final RangeSensor sensor;
     private int size;
 
-    /** Needs the hardware. */
+    /** Takes the hardware, as components do. */
     public Component(Hardware hardware) {
       sensor = hardware.rangeSensor(DryRunSimulator.SENSOR);
     }
 
-    /** A property of a profile. */
+    /** A property with a setter. */
     public void setSize(int size) {
       this.size = size;
     }
@@ -90,7 +90,7 @@ final class DryRun {
     Path world = Files.writeString(folder.resolve("none.world.yaml"), "mjcf: none.xml\n");
     Path results = Files.createFile(folder.resolve("results"));
     Server simulator = DryRunSimulator.listening();
-    // Once with answers, and once with the kind of address that agents use, without a server.
+    // Once with a server, and once with a Unix socket address as agents use it, without a server.
     for (String target :
         List.of("127.0.0.1:" + simulator.getPort(), "unix:" + folder.resolve("bridge"))) {
       TestRun.execute(

@@ -25,14 +25,14 @@ import org.sitaf.sim.v1.SimulationControlGrpc;
 import org.sitaf.sim.v1.WorldDescription;
 import org.sitaf.sim.v1.WorldState;
 
-/** The part of a simulator that {@link DryRun} needs: one sensor, which reads the set value. */
+/** A minimal simulator for {@link DryRun}: one sensor, which reads the value that was set. */
 final class DryRunSimulator extends SimulationControlGrpc.SimulationControlImplBase {
   /** The one device, of the kind {@code range}. */
   static final String SENSOR = "r";
 
   private static final String OBSERVATION = "o";
 
-  /** Begins to listen, at a port of the loopback that is free. */
+  /** Starts the server on a free port of the loopback interface. */
   static Server listening() throws IOException {
     return Grpc.newServerBuilderForPort(0, InsecureServerCredentials.create())
         .addService(new DryRunSimulator())

@@ -14,7 +14,7 @@ import org.jspecify.annotations.Nullable;
  * the input without a line means that the process is no longer needed.
  */
 public final class EarlyStart {
-  /** The opened run, for the run with the same arguments. */
+  /** The opened run, until the run with the same arguments takes it. */
   private static @Nullable TestRun opened;
 
   private static String[] openedWith = {};
@@ -23,7 +23,7 @@ public final class EarlyStart {
   private EarlyStart() {}
 
   /**
-   * Opens, waits and goes on.
+   * Opens the run, waits for the line, and calls the entry point.
    *
    * @throws Throwable what the entry point throws
    */
@@ -34,14 +34,14 @@ public final class EarlyStart {
       opened = TestRun.open(itsOwn);
       openedWith = itsOwn;
     } catch (IOException | RuntimeException e) {
-      // The run fails in the same way when it begins, and reports it.
+      // The run fails in the same way when it starts, and reports the failure.
     }
     line = StandardInput.line();
     if (line == null) {
       System.exit(TestRun.EXIT_CANNOT_RUN);
     }
     Method main = Class.forName(entryPoint).getMethod("main", String[].class);
-    // As the launcher of Java does, which asks for a public method and not for a public class.
+    // The Java launcher requires a public method, but not a public class.
     main.setAccessible(true);
     try {
       main.invoke(null, (Object) itsOwn);
@@ -50,14 +50,14 @@ public final class EarlyStart {
     }
   }
 
-  /** The line that let the process go on, once; what the input holds where it did not wait. */
+  /** Takes the line that ended the wait; reads standard input if the process did not wait. */
   static synchronized @Nullable String takeLine() {
     String taken = line;
     line = null;
     return taken == null ? StandardInput.line() : taken;
   }
 
-  /** What was opened with these arguments, once; null where nothing was. */
+  /** Takes the run that was opened with these arguments; null when there is none. */
   static synchronized @Nullable TestRun take(String[] arguments) {
     TestRun taken = Arrays.equals(arguments, openedWith) ? opened : null;
     opened = null;

@@ -17,110 +17,110 @@ import org.sitaf.runtime.sensor.Magnetometer;
 import org.sitaf.runtime.sensor.PoseSensor;
 
 /**
- * The robot's hardware, as a component under test sees it. A component gets it by a constructor
- * argument of this type, or by {@link #current()}.
+ * The robot's hardware as a component under test sees it. A component gets it as a constructor
+ * argument of this type, or from {@link #current()}.
  *
- * <p>Only the test driver moves time: between two steps of the simulation every reading stays the
- * same, however often it is read, and reading costs no round trip to the simulator.
+ * <p>Only the test driver advances time. Between two steps of the simulation all readings stay the
+ * same, and reading needs no round trip to the simulator.
  */
 public interface Hardware {
 
   /**
    * A sensor that measures one distance, such as an infrared or an ultrasonic sensor.
    *
-   * @throws IllegalArgumentException when the robot has no range sensor of that name; the message
-   *     lists those that it has
+   * @throws IllegalArgumentException when the robot has no range sensor with that name; the message
+   *     lists the existing ones
    */
   RangeSensor rangeSensor(String name);
 
   /**
    * A laser scanner.
    *
-   * @throws IllegalArgumentException when the robot has none of that name
+   * @throws IllegalArgumentException when the robot has no such device
    */
   LaserScanner laserScanner(String name);
 
   /**
    * An inertial unit.
    *
-   * @throws IllegalArgumentException when the robot has none of that name
+   * @throws IllegalArgumentException when the robot has no such device
    */
   ImuSensor imu(String name);
 
   /**
    * The encoder of a joint.
    *
-   * @throws IllegalArgumentException when the robot has none of that name
+   * @throws IllegalArgumentException when the robot has no such device
    */
   JointEncoder jointEncoder(String name);
 
   /**
    * A sensor of position and orientation.
    *
-   * @throws IllegalArgumentException when the robot has none of that name
+   * @throws IllegalArgumentException when the robot has no such device
    */
   PoseSensor poseSensor(String name);
 
   /**
    * A force and torque sensor.
    *
-   * @throws IllegalArgumentException when the robot has none of that name
+   * @throws IllegalArgumentException when the robot has no such device
    */
   ForceTorqueSensor forceTorqueSensor(String name);
 
   /**
    * A bumper.
    *
-   * @throws IllegalArgumentException when the robot has none of that name
+   * @throws IllegalArgumentException when the robot has no such device
    */
   ContactSensor contactSensor(String name);
 
   /**
    * A camera.
    *
-   * @throws IllegalArgumentException when the robot has none of that name
+   * @throws IllegalArgumentException when the robot has no such device
    */
   Camera camera(String name);
 
   /**
    * A compass.
    *
-   * @throws IllegalArgumentException when the robot has none of that name
+   * @throws IllegalArgumentException when the robot has no such device
    */
   Magnetometer magnetometer(String name);
 
   /**
    * A battery.
    *
-   * @throws IllegalArgumentException when the robot has none of that name
+   * @throws IllegalArgumentException when the robot has no such device
    */
   Battery battery(String name);
 
   /**
    * The motor of a joint.
    *
-   * @throws IllegalArgumentException when the robot has none of that name
+   * @throws IllegalArgumentException when the robot has no such device
    */
   JointMotor jointMotor(String name);
 
   /**
    * A base on two driven wheels.
    *
-   * @throws IllegalArgumentException when the robot has none of that name
+   * @throws IllegalArgumentException when the robot has no such device
    */
   DifferentialDrive differentialDrive(String name);
 
   /**
    * A gripper.
    *
-   * @throws IllegalArgumentException when the robot has none of that name
+   * @throws IllegalArgumentException when the robot has no such device
    */
   Gripper gripper(String name);
 
   /**
    * A digital input or output.
    *
-   * @throws IllegalArgumentException when the robot has none of that name
+   * @throws IllegalArgumentException when the robot has no such device
    */
   DigitalLine digitalLine(String name);
 
@@ -128,7 +128,7 @@ public interface Hardware {
   Duration time();
 
   /**
-   * Waits in simulation time, rounded up to whole steps; other readings are current afterwards.
+   * Waits in simulation time, rounded up to whole steps; then devices have new readings.
    *
    * @throws IllegalArgumentException for a negative duration
    */

@@ -1,9 +1,9 @@
 package org.sitaf.runtime;
 
-/** When a component under test is made and closed. */
+/** How long an instance of the component under test is used. */
 public enum LifeCycle {
-  /** Anew for each case. */
+  /** A new instance for each case. */
   CASE,
-  /** Once for all cases of a process. */
+  /** One instance for all cases of a process. */
   SUITE
 }

@@ -3,26 +3,25 @@ package org.sitaf.runtime;
 import org.jspecify.annotations.Nullable;
 
 /**
- * An out-parameter of a method under test: the component puts the value in, the test driver takes
- * it out.
+ * An out-parameter of a method under test: the component sets the value, the test driver reads it.
  */
 public final class Out<T> {
   private @Nullable T value;
 
-  /** An out-parameter that holds nothing yet. */
+  /** An out-parameter without a value. */
   public Out() {}
 
-  /** A parameter that carries data both ways. */
+  /** An in-out-parameter with its input value. */
   public Out(T value) {
     this.value = value;
   }
 
-  /** What was put in last; null when nothing was. */
+  /** The value that was set last; null when none was set. */
   public @Nullable T get() {
     return value;
   }
 
-  /** Puts a value in. */
+  /** Sets the value. */
   public void set(T newValue) {
     value = newValue;
   }

@@ -6,9 +6,9 @@ package org.sitaf.runtime;
  */
 public interface RangeSensor extends Device {
   /**
-   * The distance at the current step in metres. As REP-117 has it: positive infinity when nothing
-   * is within {@link #maxRange()}, negative infinity when something is nearer than {@link
-   * #minRange()} or around the sensor, NaN when the reading failed.
+   * The distance at the current step in metres. As in REP-117: positive infinity when nothing is
+   * within {@link #maxRange()}, negative infinity when an object is nearer than {@link #minRange()}
+   * or the sensor is inside an object, NaN when the reading is invalid.
    */
   double range();
 

@@ -6,16 +6,16 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import org.jspecify.annotations.Nullable;
 
-/** The one line that the agent writes to a test application. */
+/** Reads the line that the agent writes to the standard input of a test application. */
 final class StandardInput {
   private static final int MAX_LENGTH = 1024;
 
   private StandardInput() {}
 
-  /** The line without its end; null where the input ends without one. */
+  /** The line without its line feed; null when the input ends without one. */
   static @Nullable String line() {
     StringBuilder line = new StringBuilder();
-    // Never closed, and without a buffer: what follows the line is the component's.
+    // Not closed and not buffered: the input after the line belongs to the component.
     FileInputStream input = new FileInputStream(FileDescriptor.in);
     try {
       for (int c = input.read(); c != '\n'; c = input.read()) {

@@ -3,9 +3,9 @@ package org.sitaf.runtime;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Measures one call of the component by the monotonic clock, and apart from it what the call spends
- * in virtual hardware and in stubs. Only the thread that started the watch counts: what other
- * threads of the component do is not part of the call.
+ * Measures one call of the component with the monotonic clock, and separately the time that the
+ * call spends in virtual hardware and in stubs. Only the thread that started the stopwatch is
+ * measured; other threads of the component are not part of the call.
  */
 public final class Stopwatch {
   private static final double NANOS_PER_MICRO = 1000.0;
@@ -17,7 +17,7 @@ public final class Stopwatch {
   private long hardware;
   private long stub;
 
-  /** Starts the measurement; an earlier one is cleared. */
+  /** Starts a new measurement. */
   public void start() {
     total = 0;
     hardware = 0;
@@ -47,17 +47,17 @@ public final class Stopwatch {
     called = false;
   }
 
-  /** Whether a call is being measured: an exception now comes from the component. */
+  /** Whether a call is being measured. Then an exception comes from the component. */
   boolean isRunning() {
     return owner != null;
   }
 
-  /** Whether a call was begun since the last reset. */
+  /** Whether a call was started since the last reset. */
   boolean wasStarted() {
     return called;
   }
 
-  /** The current time, for {@link #leaveHardware} and {@link #leaveStub}. */
+  /** The current time, as the argument of {@link #leaveHardware} and {@link #leaveStub}. */
   public long enter() {
     return System.nanoTime();
   }
@@ -76,7 +76,7 @@ public final class Stopwatch {
     }
   }
 
-  /** The component's own time in microseconds: the call without virtual hardware and stubs. */
+  /** Time of the call in microseconds, without virtual hardware and stubs. */
   public double componentMicros() {
     return Math.max(0, total - hardware - stub) / NANOS_PER_MICRO;
   }

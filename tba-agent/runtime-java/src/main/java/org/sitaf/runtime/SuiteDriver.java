@@ -14,7 +14,7 @@ import org.sitaf.runtime.suite.CaseResult;
 import org.sitaf.runtime.suite.TestCase;
 
 /**
- * Base of the generated test drivers: life cycle of the component and results.
+ * Base class of the generated test drivers: life cycle of the component and results.
  *
  * @param <C> class of the component under test
  */
@@ -28,9 +28,9 @@ public abstract class SuiteDriver<C> {
   private boolean saved;
 
   /**
-   * A driver within a run.
+   * Creates the driver of a run.
    *
-   * @param notHooks methods of the component's interfaces, which its life must not call
+   * @param notHooks methods of the component's interfaces; they are never called as hooks
    */
   protected SuiteDriver(TestRun run, LifeCycle lifeCycle, String... notHooks) {
     this.hooks = new Hooks(notHooks);
@@ -45,18 +45,18 @@ public abstract class SuiteDriver<C> {
    */
   protected abstract void runCase(TestCase testCase, CaseResult result) throws Exception;
 
-  /** Makes the component and sets it up. */
+  /** Creates the component and sets its properties. */
   protected abstract C createComponent() throws Exception;
 
-  /** Runs before each call, when the world and the stubs are set. */
+  /** Called before each call under test, after the world and the stubs are set up. */
   protected void beforeCase(C instance, TestCase testCase) throws Exception {}
 
-  /** Runs after each call, before the result is judged. */
+  /** Called after each call under test, before the result is saved. */
   protected void afterCase(C instance, TestCase testCase) throws Exception {}
 
   /**
-   * The component of this case: made now, or that of the case before where it lives as long as the
-   * suite.
+   * The component of this case: a new one, or that of the previous case when one instance serves
+   * the whole suite.
    */
   protected final C component() throws Exception {
     C current = component;
@@ -68,23 +68,21 @@ public abstract class SuiteDriver<C> {
     return current;
   }
 
-  /**
-   * A component, made with whatever of the hardware and of these stubs its constructor asks for.
-   */
+  /** Creates a component; its constructor gets the hardware and the stubs that it needs. */
   protected final <T extends C> T newComponent(Class<T> type, Object... stubs) throws Exception {
     List<Object> available = new ArrayList<>(Arrays.asList(stubs));
     run.hardware().ifPresent(available::add);
     return ComponentUnderTest.create(type, available.toArray());
   }
 
-  /** Sets a property by {@code setProperty(String, String)} or by the setter of its name. */
+  /** Sets a property with {@code setProperty(String, String)} or with the setter of its name. */
   protected final void setProperty(C instance, String name, String value) throws Exception {
     ComponentUnderTest.setProperty(instance, name, value);
   }
 
   /**
-   * Initialises and starts a component, where its class has methods named so. A component that
-   * begins its life twice does it once.
+   * Initialises and starts a component if its class has the methods. Further calls for the same
+   * component do nothing.
    */
   protected final void begin(C instance) throws Exception {
     if (begun != instance) {
@@ -93,17 +91,17 @@ public abstract class SuiteDriver<C> {
     }
   }
 
-  /** Does the work of one period of a periodic component. */
+  /** Executes one period of a periodic component. */
   protected final void execute(C instance) throws Exception {
     hooks.execute(instance);
   }
 
-  /** What the component last sent through an output data port. */
+  /** The last value that the component sent through an output data port. */
   protected final @Nullable Object dataPort(C instance, String port) throws Exception {
     return DataPort.read(instance, port);
   }
 
-  /** Begins a nonblocking call of the component; it is timed on its own thread. */
+  /** Starts a nonblocking call of the component; it is measured on its own thread. */
   protected final <T> CallBeside<T> beside(Callable<T> call) {
     CallBeside<T> beside = CallBeside.begin(run.stopwatch(), run.simulationIfAny(), call);
     pending = beside;
@@ -115,7 +113,7 @@ public abstract class SuiteDriver<C> {
     return run.stopwatch();
   }
 
-  /** Hands the result of the case, with the time of its call, over to the results file. */
+  /** Writes the result of the case, with the time of its call, to the results file. */
   protected final void save(CaseResult result) throws IOException {
     Stopwatch watch = run.stopwatch();
     result.setTime(watch.componentMicros(), watch.hardwareMicros(), watch.stubMicros());
@@ -123,7 +121,7 @@ public abstract class SuiteDriver<C> {
     saved = true;
   }
 
-  /** Runs a case and says whether it got as far as saving its result. */
+  /** Runs a case and returns whether its result was saved. */
   final boolean runAndSave(TestCase testCase, CaseResult result) throws Exception {
     saved = false;
     pending = null;
@@ -138,7 +136,7 @@ public abstract class SuiteDriver<C> {
     return saved;
   }
 
-  /** Whether the result of the current case is in the file. */
+  /** Whether the result of the current case was saved. */
   final boolean isSaved() {
     return saved;
   }
@@ -149,7 +147,7 @@ public abstract class SuiteDriver<C> {
     }
   }
 
-  /** Ends the life of the component. */
+  /** Stops and closes the component. */
   final void close() throws Exception {
     C last = component;
     component = null;

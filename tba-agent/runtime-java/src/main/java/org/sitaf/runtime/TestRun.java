@@ -20,14 +20,14 @@ import org.sitaf.runtime.suite.SuiteReader;
 import org.sitaf.runtime.suite.TestCase;
 
 /**
- * One process that runs a suite: reads the cases, hands each to the test driver, and writes a
- * record of every case, whatever the component does.
+ * Runs a suite in this process: reads the cases, passes each to the test driver, and writes a
+ * record of every case, even when the component fails.
  */
 public final class TestRun {
   /** Every case has a result. */
   static final int EXIT_DONE = 0;
 
-  /** The suite could not be run, or could not go on. */
+  /** The suite could not be run or could not continue. */
   static final int EXIT_CANNOT_RUN = 3;
 
   private final Stopwatch stopwatch = new Stopwatch();
@@ -59,22 +59,22 @@ public final class TestRun {
   }
 
   /**
-   * What {@code main} of a test application does: runs the suite that the arguments name, then ends
-   * the process, with 0 when every case has a result, with 3 and one line on the error stream when
-   * the suite could not be run.
+   * The {@code main} of a test application: runs the suite that the arguments name, then ends the
+   * process with exit code 0 when every case has a result, or with 3 and one line on the error
+   * stream when the suite could not be run.
    */
   public static void start(String[] arguments, Function<TestRun, ? extends SuiteDriver<?>> driver) {
     CaseStreams.install();
     System.exit(execute(arguments, driver));
   }
 
-  /** Runs a suite and gives the exit code. */
+  /** Runs a suite and returns the exit code. */
   static int execute(String[] arguments, Function<TestRun, ? extends SuiteDriver<?>> driver) {
     try {
       TestRun early = EarlyStart.take(arguments);
       TestRun run = early == null ? open(arguments) : early;
       try (Closeable opened = run::close) {
-        // Before anything of the component is loaded.
+        // Before any code of the component is loaded.
         run.results.authorise(EarlyStart::takeLine);
         run.runAll(driver);
       }
@@ -92,7 +92,7 @@ public final class TestRun {
    * Opens everything that a run needs except the test application itself.
    *
    * @throws CannotRunException when the arguments are wrong
-   * @throws CaseDataException when the suite is none
+   * @throws CaseDataException when the file is not a suite
    * @throws SimulationException when the simulator refuses the world
    */
   static TestRun open(String[] arguments) throws IOException {
@@ -121,7 +121,7 @@ public final class TestRun {
     return simulation;
   }
 
-  /** What the component may be given; empty where there is no simulation. */
+  /** The hardware for the component; empty when there is no simulation. */
   public Optional<Hardware> hardware() {
     return Optional.ofNullable(simulation).map(Simulation::hardware);
   }
@@ -131,7 +131,7 @@ public final class TestRun {
     return stopwatch;
   }
 
-  /** What the stubbed methods of this run share. */
+  /** The state that the stubbed methods of this run share. */
   public Stubbing stubbing() {
     return stubbing;
   }
@@ -213,9 +213,9 @@ public final class TestRun {
   }
 
   /**
-   * Ends the record of a case that did not get to save(result).
+   * Completes the record of a case that did not save its result.
    *
-   * @throws RuntimeException the thrown one when no further case can run
+   * @throws RuntimeException the given exception, when no further case can run
    */
   private void end(CaseResult result, Throwable thrown) {
     // An interrupt that the component leaves behind must not affect the next case.
@@ -254,7 +254,7 @@ public final class TestRun {
   }
 
   /**
-   * Does the work after a case. A failure is printed and does not change the result.
+   * Runs a clean-up step after a case. A failure is printed and does not change the result.
    *
    * @param no of the case; 0 after the last
    */

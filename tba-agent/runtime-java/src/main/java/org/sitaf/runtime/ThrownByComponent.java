@@ -53,7 +53,7 @@ final class ThrownByComponent {
         + (frames.isEmpty() ? "" : " at " + frames);
   }
 
-  /** The exception's own method may fail. */
+  /** {@code getMessage} is code of the component and may throw. */
   private static String messageOf(Throwable thrown) {
     try {
       String message = thrown.getMessage();

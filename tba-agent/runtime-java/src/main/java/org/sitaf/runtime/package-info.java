@@ -1,6 +1,4 @@
-/**
- * What a generated test application is made of, and what a component under test sees of its robot.
- */
+/** Base of the generated test applications, and the robot API of components under test. */
 @NullMarked
 package org.sitaf.runtime;
 

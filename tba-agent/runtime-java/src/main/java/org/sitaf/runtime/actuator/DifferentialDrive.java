@@ -2,23 +2,23 @@ package org.sitaf.runtime.actuator;
 
 import org.sitaf.runtime.Device;
 
-/** A base on two driven wheels. */
+/** A mobile base with two driven wheels. */
 public interface DifferentialDrive extends Device {
-  /** Measured speed in metres per second, forward. */
+  /** Measured linear speed in metres per second, forward. */
   double linear();
 
-  /** Measured turning in radians per second, counterclockwise. */
+  /** Measured angular speed in radians per second, counterclockwise. */
   double angular();
 
-  /** Radians that the left wheel has turned. */
+  /** Rotation of the left wheel in radians. */
   double leftPosition();
 
-  /** Radians that the right wheel has turned. */
+  /** Rotation of the right wheel in radians. */
   double rightPosition();
 
   /**
-   * Commands a speed in m/s and a turning in rad/s; {@link IllegalArgumentException} beyond its
-   * limits.
+   * Commands a linear speed in m/s and an angular speed in rad/s; {@link IllegalArgumentException}
+   * beyond the limits of the drive.
    */
   void drive(double linear, double angular);
 }

@@ -7,9 +7,9 @@ public interface Gripper extends Device {
   /** Measured distance between the fingers in metres. */
   double width();
 
-  /** What the fingers exert, in newtons; closing is negative. */
+  /** Force of the fingers in newtons; closing is negative. */
   double effort();
 
-  /** Goes to a width in metres; {@link IllegalArgumentException} beyond its limits. */
+  /** Moves to a width in metres; {@link IllegalArgumentException} beyond the limits. */
   void move(double width);
 }

@@ -1,4 +1,4 @@
-/** What a component drives; commands hold until the next one, and act when time moves. */
+/** Actuators. A command holds until the next one and takes effect when simulation time advances. */
 @NullMarked
 package org.sitaf.runtime.actuator;
 

@@ -7,7 +7,7 @@ import org.sitaf.runtime.Stopwatch;
 import org.sitaf.runtime.simulation.Simulation;
 
 /**
- * A nonblocking call: runs on its own thread, so that time passes during the call.
+ * A nonblocking call. It runs on its own thread, so that simulation time passes during the call.
  *
  * @param <T> the boxed return type
  */
@@ -19,32 +19,32 @@ public final class CallBeside<T> {
 
   private CallBeside(Stopwatch stopwatch, @Nullable Simulation simulation, Callable<T> call) {
     this.simulation = simulation;
-    this.thread = new Thread(() -> make(stopwatch, call), "call under test");
+    this.thread = new Thread(() -> run(stopwatch, call), "call under test");
     thread.setDaemon(true);
   }
 
   /**
-   * Begins a call.
+   * Starts a call.
    *
-   * @param simulation whose time passes only while the call waits for it; null for none
+   * @param simulation its time passes only while the call waits for it; null for no simulation
    */
   public static <T> CallBeside<T> begin(
       Stopwatch stopwatch, @Nullable Simulation simulation, Callable<T> call) {
-    CallBeside<T> beside = new CallBeside<>(stopwatch, simulation, call);
+    CallBeside<T> nonblocking = new CallBeside<>(stopwatch, simulation, call);
     if (simulation != null) {
-      simulation.time().follow(beside.thread);
+      simulation.time().follow(nonblocking.thread);
     }
-    beside.thread.start();
-    return beside;
+    nonblocking.thread.start();
+    return nonblocking;
   }
 
-  private void make(Stopwatch stopwatch, Callable<T> call) {
+  private void run(Stopwatch stopwatch, Callable<T> call) {
     stopwatch.start();
     try {
       returned = call.call();
       stopwatch.stop();
     } catch (Throwable e) {
-      // The watch goes on: that is how the run knows who threw it.
+      // The stopwatch keeps running, so the run attributes the exception to the component.
       thrown = e;
     } finally {
       if (simulation != null) {
@@ -54,7 +54,7 @@ public final class CallBeside<T> {
   }
 
   /**
-   * What the call returns; until then the simulation time that it waits for passes.
+   * Waits for the call and returns its value; meanwhile simulation time passes when it waits.
    *
    * @throws Exception what the component throws
    */
@@ -74,8 +74,8 @@ public final class CallBeside<T> {
   }
 
   /**
-   * Waits for the end of a call whose outcome is not asked for any more, so that it does nothing to
-   * the next case; it gets an exception wherever it waits for simulation time.
+   * Ends a call whose outcome is no longer needed, so that it does not affect the next case: its
+   * waits for simulation time throw an exception. Returns when the call has ended.
    */
   public void giveUp() throws InterruptedException {
     if (simulation != null) {

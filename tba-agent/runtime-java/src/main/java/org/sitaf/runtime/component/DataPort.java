@@ -7,14 +7,14 @@ import org.jspecify.annotations.Nullable;
 import org.sitaf.runtime.CannotRunException;
 
 /**
- * What a component last sent through an output data port: the method of the port's name or its
- * getter, else the public field of its name.
+ * Reads the last value of an output data port: from the method with the port's name, its getter, or
+ * the public field with its name.
  */
 public final class DataPort {
   private DataPort() {}
 
   /**
-   * The value of a port.
+   * Returns the value of a port.
    *
    * @throws CannotRunException when the component has no such method or field
    * @throws Exception what the component throws
@@ -26,7 +26,7 @@ public final class DataPort {
       try {
         return type.getMethod(name).invoke(component);
       } catch (NoSuchMethodException e) {
-        // The next may be there.
+        // Try the next name.
       } catch (InvocationTargetException e) {
         throw e.getCause() instanceof Exception exception ? exception : e;
       }

@@ -12,8 +12,9 @@ import java.util.Set;
 import org.sitaf.runtime.CannotRunException;
 
 /**
- * The methods of a component that its life and its periods call, found by their names; those of
- * OPRoS among them. A method of a provided interface is for the test to call, and is no hook.
+ * Calls the life-cycle methods and the periodic method of a component, which it finds by name,
+ * including the names of OPRoS. A method of a provided interface is never a hook; the test calls
+ * it.
  */
 public final class Hooks {
   private static final List<String> INITIALISE =
@@ -26,18 +27,18 @@ public final class Hooks {
   private final Set<String> notHooks;
   private final Map<List<String>, Optional<Method>> found = new HashMap<>();
 
-  /** Hooks with any name but these. */
+  /** Excludes methods with these names. */
   public Hooks(String... notHooks) {
     this.notHooks = Set.of(notHooks);
   }
 
-  /** Initialises and starts a component, where it can be. */
+  /** Initialises and starts a component if it has the methods. */
   public void begin(Object component) throws Exception {
     call(component, INITIALISE);
     call(component, START);
   }
 
-  /** Stops, destroys and closes a component, where it can be. */
+  /** Stops, destroys and closes a component if it has the methods. */
   public void end(Object component) throws Exception {
     try {
       call(component, STOP);
@@ -50,7 +51,7 @@ public final class Hooks {
   }
 
   /**
-   * Does the work of one period.
+   * Executes one period.
    *
    * @throws CannotRunException when the component has no method for it
    */

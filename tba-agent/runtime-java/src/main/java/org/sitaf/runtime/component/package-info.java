@@ -1,4 +1,4 @@
-/** What the driver does with a component besides the call: life cycle, periods, data ports. */
+/** Life cycle, periods, nonblocking calls and data ports of a component. */
 @NullMarked
 package org.sitaf.runtime.component;
 

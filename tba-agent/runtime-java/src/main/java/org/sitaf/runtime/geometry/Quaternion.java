@@ -1,4 +1,4 @@
 package org.sitaf.runtime.geometry;
 
-/** A rotation, of unit length. */
+/** A rotation as a unit quaternion. */
 public record Quaternion(double x, double y, double z, double w) {}

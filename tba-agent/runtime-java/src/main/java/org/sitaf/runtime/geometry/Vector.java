@@ -1,4 +1,4 @@
 package org.sitaf.runtime.geometry;
 
-/** Three numbers along x, y and z; the unit stands where it is used. */
+/** A vector; the method that returns it documents the unit. */
 public record Vector(double x, double y, double z) {}

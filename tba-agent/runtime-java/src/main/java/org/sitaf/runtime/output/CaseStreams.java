@@ -10,14 +10,14 @@ import java.nio.charset.StandardCharsets;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The standard streams of the process, in which stands whose output follows: before the first
- * output of a case its mark. A case that prints nothing costs nothing. What native code writes past
- * Java belongs to the case that printed before it.
+ * Standard streams that mark which case printed what: the first output of each case follows a mark
+ * with its number. Output of native code has no mark and is attributed to the previous case that
+ * printed.
  */
 public final class CaseStreams {
   private static final char MARK = '\u001e';
 
-  /** A process runs one suite; null where nobody reads its streams case by case. */
+  /** Static because a process runs a single suite; null when the output has no marks. */
   private static volatile @Nullable CaseStreams installed;
 
   private final PrintStream out;
@@ -29,7 +29,7 @@ public final class CaseStreams {
     err = stream(FileDescriptor.err);
   }
 
-  /** Has System.out and System.err say from now on which case prints. */
+  /** Replaces System.out and System.err by streams with marks. */
   public static void install() {
     CaseStreams streams = new CaseStreams();
     System.setOut(streams.out);
@@ -38,9 +38,9 @@ public final class CaseStreams {
   }
 
   /**
-   * What is printed from now on is printed by this case.
+   * Attributes the following output to a case.
    *
-   * @param no from 1; 0 for what belongs to no case
+   * @param no from 1; 0 for output that belongs to no case
    */
   public static void begin(int no) {
     CaseStreams streams = installed;
@@ -58,7 +58,7 @@ public final class CaseStreams {
         StandardCharsets.UTF_8);
   }
 
-  /** Used under the lock of its print stream alone. */
+  /** Writes the marks. Guarded by the lock of its print stream. */
   private final class Marked extends OutputStream {
     private final FileOutputStream stream;
     private int announced;

@@ -1,4 +1,4 @@
-/** The component's standard streams, case by case. */
+/** Standard output of the component, separated by case. */
 @NullMarked
 package org.sitaf.runtime.output;
 

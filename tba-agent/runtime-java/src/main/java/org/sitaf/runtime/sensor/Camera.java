@@ -4,21 +4,21 @@ import java.nio.ByteBuffer;
 import org.sitaf.runtime.Device;
 
 /**
- * A camera; shape of {@code sensor_msgs/Image}. Unlike all others it is read from the simulator at
- * each call.
+ * A camera, with images as in {@code sensor_msgs/Image}. Unlike other devices, each call reads it
+ * from the simulator.
  */
 public interface Camera extends Device {
-  /** The picture at the current step. */
+  /** The image at the current step. */
   Image image();
 
   /**
-   * A picture, row by row from the top.
+   * An image, row by row from the top.
    *
    * @param encoding {@code rgb8}: bytes red, green, blue; {@code 32FC1}: metres, as little-endian
    *     floats
    */
   record Image(int width, int height, String encoding, ByteBuffer data) {
-    /** Checks the size, and keeps the data from being written to. */
+    /** Checks the size and makes the data read-only. */
     public Image {
       if (width < 1 || height < 1) {
         throw new IllegalArgumentException("a picture of " + width + " x " + height + " pixels");
@@ -26,7 +26,7 @@ public interface Camera extends Device {
       data = data.asReadOnlyBuffer();
     }
 
-    /** The data, to be read from its beginning. */
+    /** The data, positioned at its beginning. */
     @Override
     public ByteBuffer data() {
       return data.duplicate();

@@ -2,11 +2,11 @@ package org.sitaf.runtime.sensor;
 
 import org.sitaf.runtime.Device;
 
-/** A bumper. */
+/** A contact sensor, such as a bumper. */
 public interface ContactSensor extends Device {
-  /** Whether anything presses on it. */
+  /** Whether it is pressed. */
   boolean isPressed();
 
-  /** How hard, in newtons. */
+  /** Contact force in newtons. */
   double force();
 }

@@ -4,7 +4,7 @@ import org.sitaf.runtime.Device;
 import org.sitaf.runtime.geometry.Quaternion;
 import org.sitaf.runtime.geometry.Vector;
 
-/** An inertial unit; shape of {@code sensor_msgs/Imu}, in its own frame. */
+/** An inertial measurement unit; shape of {@code sensor_msgs/Imu}, in its own frame. */
 public interface ImuSensor extends Device {
   /** Its orientation in the world. */
   Quaternion orientation();
@@ -12,6 +12,6 @@ public interface ImuSensor extends Device {
   /** Radians per second. */
   Vector angularVelocity();
 
-  /** Metres per second squared; at rest it reads gravity upwards. */
+  /** Metres per second squared, including gravity: at rest it points upwards. */
   Vector linearAcceleration();
 }

@@ -2,9 +2,9 @@ package org.sitaf.runtime.sensor;
 
 import org.sitaf.runtime.Device;
 
-/** What is measured at a joint. */
+/** An encoder of a joint. */
 public interface JointEncoder extends Device {
-  /** Radians, or metres for a slide. */
+  /** Radians, or metres for a prismatic joint. */
   double position();
 
   /** Radians or metres per second. */

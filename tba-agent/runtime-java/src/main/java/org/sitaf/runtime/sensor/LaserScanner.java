@@ -19,9 +19,6 @@ public interface LaserScanner extends Device {
   /** Largest distance that it measures, in metres. */
   double maxRange();
 
-  /**
-   * Metres, from the first ray on, in an array of the caller's own; infinities and NaN as REP-117
-   * has them.
-   */
+  /** Distances in metres, one for each ray, in a new array; infinities and NaN as in REP-117. */
   double[] ranges();
 }

@@ -3,8 +3,8 @@ package org.sitaf.runtime.sensor;
 import org.sitaf.runtime.Device;
 import org.sitaf.runtime.geometry.Vector;
 
-/** A compass, in its own frame. */
+/** A magnetometer, in its own frame. */
 public interface Magnetometer extends Device {
-  /** Tesla. */
+  /** Magnetic field in tesla. */
   Vector field();
 }

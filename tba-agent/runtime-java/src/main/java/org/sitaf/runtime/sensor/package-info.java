@@ -1,4 +1,4 @@
-/** What a component reads, in shapes of {@code sensor_msgs} and SI units. */
+/** Sensors, with the data of {@code sensor_msgs} in SI units. */
 @NullMarked
 package org.sitaf.runtime.sensor;
 

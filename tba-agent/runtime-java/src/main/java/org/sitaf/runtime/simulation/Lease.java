@@ -6,12 +6,13 @@ import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Renews a session's lease in the background, so that a long call of the component does not end it.
+ * Renews the lease of a session in the background, so that it does not expire during a long call of
+ * the component.
  */
 final class Lease implements AutoCloseable {
   private static final Duration SHORTEST = Duration.ofMillis(100);
 
-  private final ScheduledExecutorService clock =
+  private final ScheduledExecutorService scheduler =
       Executors.newSingleThreadScheduledExecutor(
           task -> {
             Thread thread = new Thread(task, "sitaf-lease");
@@ -19,16 +20,15 @@ final class Lease implements AutoCloseable {
             return thread;
           });
 
-  /** Renews three times in each length; two renewals may fail before the lease ends. */
+  /** Renews three times per lease, so that two renewals may fail before it expires. */
   Lease(Duration length, Runnable renewal) {
     long period = Math.max(SHORTEST.toMillis(), length.toMillis() / 3);
-    clock.scheduleWithFixedDelay(
+    scheduler.scheduleWithFixedDelay(
         () -> {
           try {
             renewal.run();
           } catch (RuntimeException e) {
-            // The next call of the test driver meets the same trouble, and tells it where it
-            // matters.
+            // The next call of the test driver fails in the same way and reports the failure.
           }
         },
         period,
@@ -38,6 +38,6 @@ final class Lease implements AutoCloseable {
 
   @Override
   public void close() {
-    clock.shutdownNow();
+    scheduler.shutdownNow();
   }
 }

@@ -8,21 +8,21 @@ import java.util.function.LongConsumer;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Lets simulation time pass in pieces that end where a component has something to do: at each of
- * its periods, and when a wait of one of its threads is over. Time is counted in steps since the
- * case was prepared, and moves in the driver's thread only.
+ * Advances simulation time in pieces that end when the component has something to do: at each of
+ * its periods, and when a wait of one of its threads ends. Time is counted in steps since the case
+ * was prepared; only the driver's thread advances it.
  */
 public final class PassingTime {
   private final long timestepNanos;
   private final LongConsumer simulator;
 
-  /** The steps at which waiting threads go on. */
+  /** The step at which each waiting thread continues. */
   private final Map<Thread, Long> waiting = new ConcurrentHashMap<>();
 
   private volatile Thread driver = Thread.currentThread();
   private long step;
   private long settledSteps;
-  private long mostSteps = Long.MAX_VALUE;
+  private long maxSteps = Long.MAX_VALUE;
   private Duration limit = Duration.ZERO;
   private @Nullable Periods periods;
   private @Nullable Thread followed;
@@ -30,9 +30,9 @@ public final class PassingTime {
   private boolean ended;
 
   /**
-   * A clock at 0.
+   * Creates a clock at 0.
    *
-   * @param simulator moves the world by that many steps
+   * @param simulator advances the world by a number of steps
    */
   PassingTime(long timestepNanos, LongConsumer simulator) {
     this.timestepNanos = timestepNanos;
@@ -45,7 +45,7 @@ public final class PassingTime {
     private final Tick tick;
     private final long begin;
     private long count = 1;
-    private boolean atWork;
+    private boolean running;
 
     Periods(long nanos, Tick tick, long begin) {
       this.nanos = nanos;
@@ -60,9 +60,9 @@ public final class PassingTime {
   }
 
   /**
-   * A new case begins, whose driver is the calling thread; what waited for the last one goes on.
+   * Starts a new case with the calling thread as its driver; waits of the previous case end.
    *
-   * @param settled time of the case that has passed already
+   * @param settled time of the case that has already passed
    */
   synchronized void restart(Duration settled) {
     settledSteps = stepsIn(settled);
@@ -82,16 +82,16 @@ public final class PassingTime {
   }
 
   /**
-   * Lets time pass only while a thread that is not started yet waits for it, until it {@link #leave
-   * leaves} or the next case is prepared: what the thread does then happens at the same simulation
-   * time in every run.
+   * Lets time pass only while a thread waits for it, until the thread {@link #leave leaves} or the
+   * next case is prepared. Everything that the thread does then happens at the same simulation time
+   * in every run. Call this before the thread is started.
    */
   public synchronized void follow(Thread thread) {
     followed = thread;
     givenUp = null;
   }
 
-  /** The calling thread is at its end, and is not followed any longer. */
+  /** Stops following the calling thread, which calls this at its end. */
   public synchronized void leave() {
     if (followed == Thread.currentThread()) {
       followed = null;
@@ -99,14 +99,14 @@ public final class PassingTime {
     }
   }
 
-  /** Lets pass what the thread that is followed still waits for; nothing where none is. */
+  /** Lets time pass until the followed thread leaves; does nothing when no thread is followed. */
   public void passUntilItLeaves() {
     for (long steps = awaited(); steps > 0; steps = awaited()) {
       move(steps);
     }
   }
 
-  /** No wait of the thread that is followed comes to its end any more: each is an exception. */
+  /** Stops following the thread: its current and later waits throw an exception. */
   public synchronized void giveUp() {
     givenUp = followed;
     followed = null;
@@ -118,7 +118,7 @@ public final class PassingTime {
     notifyAll();
   }
 
-  /** Moves time in the driver's thread; in any other, waits for the driver to have moved it. */
+  /** Advances time in the driver's thread; other threads wait until the driver has advanced it. */
   void pass(Duration time) {
     long steps = stepsIn(time);
     if (steps == 0) {
@@ -131,15 +131,15 @@ public final class PassingTime {
     }
   }
 
-  /** Bounds the time of each case. */
+  /** Limits the simulation time of each case. */
   synchronized void limit(Duration time) {
-    mostSteps = stepsIn(time);
+    maxSteps = stepsIn(time);
     limit = time;
   }
 
   private void move(long steps) {
     long end = step + steps;
-    if (settledSteps + end > mostSteps) {
+    if (settledSteps + end > maxSteps) {
       throw new CaseTooLongException(limit);
     }
     while (step < end) {
@@ -161,10 +161,10 @@ public final class PassingTime {
 
   private long nextTick() {
     Periods ticking = periods;
-    if (ticking == null || ticking.atWork) {
+    if (ticking == null || ticking.running) {
       return Long.MAX_VALUE;
     }
-    // A component that let time pass itself skips the ticks that it slept through.
+    // Ticks during a sleep of the component itself are skipped.
     while (at(ticking) <= step) {
       ticking.count++;
     }
@@ -173,17 +173,17 @@ public final class PassingTime {
 
   private void tickIfDue() {
     Periods ticking = periods;
-    if (ticking == null || ticking.atWork || at(ticking) != step) {
+    if (ticking == null || ticking.running || at(ticking) != step) {
       return;
     }
     ticking.count++;
-    ticking.atWork = true;
+    ticking.running = true;
     try {
       ticking.tick.tick();
     } catch (Exception e) {
-      throw PassingTime.<RuntimeException>asItIs(e);
+      throw PassingTime.<RuntimeException>unwrapped(e);
     } finally {
-      ticking.atWork = false;
+      ticking.running = false;
     }
   }
 
@@ -191,9 +191,9 @@ public final class PassingTime {
     return ticking.begin + (ticking.count * ticking.nanos - 1) / timestepNanos + 1;
   }
 
-  /** Drivers declare every exception; a wrapper would hide what the component threw. */
+  /** Throws a checked exception without a wrapper, so that the record names the original type. */
   @SuppressWarnings({"unchecked", "TypeParameterUnusedInFormals"})
-  private static <E extends Exception> E asItIs(Exception e) throws E {
+  private static <E extends Exception> E unwrapped(Exception e) throws E {
     throw (E) e;
   }
 
@@ -210,14 +210,14 @@ public final class PassingTime {
     }
   }
 
-  /** Until the thread that is followed waits for simulation time, or is at its end. */
+  /** Waits until the followed thread waits for simulation time or has left. */
   private synchronized void awaitFollowed() {
     while (followed != null && !waiting.containsKey(followed)) {
       waitHere();
     }
   }
 
-  /** Steps that the thread that is followed waits for; 0 when it is at its end. */
+  /** Steps that the followed thread waits for; 0 when it has left. */
   private synchronized long awaited() {
     awaitFollowed();
     Thread thread = followed;

@@ -7,30 +7,30 @@ import java.nio.file.Path;
 import java.util.Objects;
 
 /**
- * A folder with what moved in each case, as {@code NO.glb}: binary glTF, complete in itself. A full
- * folder takes no more; files that were taken out of it meanwhile make room.
+ * A folder with a recording of the motion in each case, as {@code NO.glb}: self-contained binary
+ * glTF. When the folder is full, recordings are dropped until files have been removed from it.
  */
 final class Recording {
-  private static final long MOST_BYTES = 64L << 20;
+  private static final long MAX_BYTES = 64L << 20;
 
   private final Path folder;
   private long bytes;
 
-  /** A recording into a folder, which is made. */
+  /** Creates the folder. */
   Recording(Path folder) throws IOException {
     this.folder = Objects.requireNonNull(folder);
     Files.createDirectories(folder);
   }
 
   boolean isFull() {
-    return bytes >= MOST_BYTES;
+    return bytes >= MAX_BYTES;
   }
 
   private long present() throws IOException {
     long sum = 0;
     try (DirectoryStream<Path> files = Files.newDirectoryStream(folder)) {
       for (Path file : files) {
-        // 0 of one that is taken at this moment.
+        // The length is 0 if the file was removed in the meantime.
         sum += file.toFile().length();
       }
     }
@@ -38,11 +38,11 @@ final class Recording {
   }
 
   void save(int no, byte[] motion) throws IOException {
-    if (bytes + motion.length > MOST_BYTES) {
+    if (bytes + motion.length > MAX_BYTES) {
       bytes = present();
     }
-    if (bytes + motion.length > MOST_BYTES) {
-      bytes = MOST_BYTES;
+    if (bytes + motion.length > MAX_BYTES) {
+      bytes = MAX_BYTES;
       return;
     }
     bytes += motion.length;

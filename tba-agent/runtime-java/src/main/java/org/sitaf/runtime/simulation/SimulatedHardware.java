@@ -27,12 +27,12 @@ import org.sitaf.sim.v1.DeviceCommand;
 import org.sitaf.sim.v1.Reading;
 
 /**
- * The devices of a simulated robot. Readings come from the frozen world that the last step left,
- * without a round trip; commands, pictures and waiting go to the simulator.
+ * The devices of a simulated robot. Readings come from the state after the last step, without a
+ * round trip; commands, images and waits are calls to the simulator.
  */
 final class SimulatedHardware implements Hardware {
 
-  /** What needs the simulator. */
+  /** Operations that call the simulator. */
   interface Simulator {
     void write(DeviceCommand command);
 
@@ -47,7 +47,7 @@ final class SimulatedHardware implements Hardware {
   private volatile FrozenWorld world;
 
   /**
-   * The devices of a world.
+   * Creates the devices of a world.
    *
    * @param kinds kind of each device, by name
    */
@@ -175,7 +175,7 @@ final class SimulatedHardware implements Hardware {
     }
   }
 
-  /** One device's way to its readings and to the simulator; all time in it counts as hardware. */
+  /** Access of one device to its readings and the simulator; measured as hardware time. */
   final class Access {
     private final String name;
 

@@ -2,7 +2,7 @@ package org.sitaf.runtime.simulation;
 
 import org.sitaf.runtime.sensor.JointEncoder;
 
-/** What an encoder and a motor measure alike. */
+/** The measurements that encoders and motors share. */
 interface SimulatedJoint extends SimulatedDevice, JointEncoder {
   @Override
   default double position() {

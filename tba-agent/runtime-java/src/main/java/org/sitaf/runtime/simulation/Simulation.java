@@ -44,21 +44,21 @@ import org.sitaf.sim.v1.WorldState;
 import org.sitaf.sim.v1.WriteDevicesRequest;
 
 /**
- * One session of the robot simulator: sets the virtual environment of a case and moves its time.
- * Every failure is a {@link SimulationException}.
+ * A session of the robot simulator: prepares the virtual environment of each case and advances its
+ * time. Every failure is a {@link SimulationException}.
  */
 public final class Simulation implements AutoCloseable {
-  /** Longest wait for one answer; a case has its own, shorter limit, which the agent watches. */
+  /** Timeout of a call to the simulator; the agent enforces a shorter limit for a case. */
   private static final Duration LONGEST_CALL = Duration.ofMinutes(5);
 
   private static final int MAX_MESSAGE_BYTES = 64 << 20;
 
-  /** Simulation time between two frames of a recording: 50 a second. */
+  /** Simulation time between two frames of a recording: 50 frames per second. */
   private static final long FRAME_NANOS = 20_000_000;
 
   /**
-   * Netty warns on every Unix socket that it has no keep-alive; the tester's log is not the place
-   * for it. The field keeps the logger, which would lose its level when collected.
+   * Netty logs a warning for every Unix socket, because it has no keep-alive. This logger
+   * suppresses it; the field keeps a reference, because a collected logger loses its level.
    */
   private static final Logger SOCKET_OPTIONS =
       Logger.getLogger("io.grpc.netty.shaded.io.netty.bootstrap");
@@ -73,10 +73,10 @@ public final class Simulation implements AutoCloseable {
   private final Object acting = new Object();
   private volatile FrozenWorld world;
 
-  /** Why no result can be trusted any more; null while the simulator and the session are there. */
+  /** Why the simulator or the session is lost, so that no result counts; null while they work. */
   private volatile @Nullable SimulationException gone;
 
-  /** Set while the session itself lags behind the readings, which came in bulk. */
+  /** The case that the session itself still has to prepare; set while readings come in bulk. */
   private @Nullable Prepared behind;
 
   private @Nullable Recording recording;
@@ -109,10 +109,10 @@ public final class Simulation implements AutoCloseable {
    *
    * @param target where the simulator listens: {@code 127.0.0.1:PORT} or {@code
    *     unix:/absolute/path}
-   * @param worldDescription a {@code *.world.yaml}; the world's files are all files of its folder
-   * @param seed of everything random in the simulation
-   * @param stopwatch counts what components spend in the hardware
-   * @param coming gives up to so many of the cases after the current one, to be prepared with it
+   * @param worldDescription a {@code *.world.yaml}; all files of its folder belong to the world
+   * @param seed seed of all random values in the simulation
+   * @param stopwatch measures the time that components spend in the hardware
+   * @param coming returns up to a number of cases after the current one, to prepare them in advance
    * @throws IOException when the world cannot be read
    */
   public static Simulation open(
@@ -149,19 +149,18 @@ public final class Simulation implements AutoCloseable {
     }
   }
 
-  /** What a component under test gets. */
+  /** The hardware for the component under test. */
   public Hardware hardware() {
     return hardware;
   }
 
   /**
-   * Prepares a case from a clean reset. Coming cases are prepared at the same time, as long as the
-   * component only reads; one that commands its hardware or waits finds the session live, and from
-   * then on each case is prepared alone, with the same result.
+   * Prepares a case from a reset. As long as components only read, the following cases are prepared
+   * in the same call. Once a component commands its hardware or waits, the session is brought to
+   * the current case, and each later case is prepared separately, with the same result.
    *
-   * @param parameters in the unit of each parameter of the world; those not named take their
-   *     default
-   * @param settle simulation time that passes afterwards
+   * @param parameters in the unit of each parameter of the world; others get their default
+   * @param settle simulation time that passes after the parameters are set
    */
   public void prepare(Map<String, Double> parameters, Duration settle) {
     Prepared current = new Prepared(parameters, settle);
@@ -180,32 +179,31 @@ public final class Simulation implements AutoCloseable {
   }
 
   /**
-   * Lets simulation time pass, rounded up to whole steps. In other threads than the one that
-   * prepared the case it only waits for time to pass.
+   * Lets simulation time pass, rounded up to whole steps. Threads other than the one that prepared
+   * the case only wait for it to pass.
    */
   public void advance(Duration duration) {
     time.pass(duration);
   }
 
-  /** Bounds the simulation time that one case may take; it is an error to go beyond. */
+  /** Limits the simulation time of each case; a case that exceeds it is an ERROR. */
   public void limit(Duration ofCase) {
     time.limit(ofCase);
   }
 
   /**
-   * Calls a periodic component while time passes, until the next case is prepared: after the step
-   * that ends at or first after each whole period from now. A tick that lets time pass itself is
-   * not called meanwhile, and skips what it slept through. What a tick throws comes out of the call
-   * that let time pass.
+   * Calls a periodic component until the next case is prepared: at the first step at or after each
+   * period from now. A tick that itself lets time pass is not called again meanwhile; the ticks in
+   * that time are skipped. An exception of a tick is thrown by the call that let time pass.
    */
   public void every(Duration period, Tick tick) {
     time.every(period, tick);
   }
 
   /**
-   * Requires that nothing found the simulator or the session gone.
+   * Checks that the simulator and the session were not lost in an earlier call.
    *
-   * @throws SimulationException which {@link SimulationException#isLost() is lost}
+   * @throws SimulationException when they were, with {@link SimulationException#isLost()}
    */
   public void requireThere() {
     SimulationException found = gone;
@@ -214,12 +212,12 @@ public final class Simulation implements AutoCloseable {
     }
   }
 
-  /** How the time of this session passes for threads that wait for it. */
+  /** The simulation time of this session. */
   public PassingTime time() {
     return time;
   }
 
-  /** What the world shows at the current step, in the unit that the world declares. */
+  /** The value of an observation at the current step, in the unit that the world declares. */
   public double observation(String name) {
     Double value = world.observations().get(name);
     if (value == null) {
@@ -230,10 +228,10 @@ public final class Simulation implements AutoCloseable {
   }
 
   /**
-   * Records from now on what moves, for {@link #saveMotion}.
+   * Starts to record the motion in each case, for {@link #saveMotion}.
    *
-   * @param folder where the files go; it is made
-   * @throws IOException when it cannot be made
+   * @param folder folder for the files; it is created
+   * @throws IOException when it cannot be created
    */
   public void record(Path folder) throws IOException {
     recording = new Recording(folder);
@@ -244,9 +242,9 @@ public final class Simulation implements AutoCloseable {
   }
 
   /**
-   * Saves what moved since the case was prepared, as the file {@code NO.glb} of the folder: binary
-   * glTF, complete in itself. Does nothing where nothing is recorded, the folder holds 64 MiB, or
-   * the simulation diverged.
+   * Saves the motion since the case was prepared as {@code NO.glb} in the folder: self-contained
+   * binary glTF. Does nothing when the session is not recorded, the folder is full (64 MiB), or the
+   * simulation diverged.
    *
    * @param no number of the case
    * @throws IOException when it cannot be written
@@ -266,7 +264,7 @@ public final class Simulation implements AutoCloseable {
     }
   }
 
-  /** Frees the session; a lost simulator has already done so. */
+  /** Deletes the session, unless the simulator is lost. */
   @Override
   public void close() {
     lease.close();
@@ -274,7 +272,7 @@ public final class Simulation implements AutoCloseable {
     try {
       stub(channel).deleteSession(DeleteSessionRequest.newBuilder().setSessionId(session).build());
     } catch (StatusRuntimeException e) {
-      // Nothing of it is needed any more.
+      // The session is no longer needed; its lease expires.
     } finally {
       channel.shutdownNow();
     }
@@ -291,7 +289,7 @@ public final class Simulation implements AutoCloseable {
         ask("setting " + prepared.parameters(), () -> stub(channel).prepare(request).getState()));
   }
 
-  /** A refusal names no single case; the session tells of each when it prepares it alone. */
+  /** Empty when the simulator rejects a case; preparing each case separately reports which one. */
   private Optional<PrepareManyResponse> prepareMany(PrepareManyRequest cases) {
     PrepareManyRequest request = cases.toBuilder().setSessionId(session).build();
     try {
@@ -301,7 +299,7 @@ public final class Simulation implements AutoCloseable {
     }
   }
 
-  /** Brings the session to where the readings of the current case are from. */
+  /** Brings the session to the state that the readings of the current case show. */
   private void goLive() {
     synchronized (acting) {
       Prepared current = behind;
@@ -336,7 +334,7 @@ public final class Simulation implements AutoCloseable {
     hardware.freeze(shown);
   }
 
-  /** What devices ask of the simulator. */
+  /** Calls of devices to the simulator. */
   private final class Wire implements SimulatedHardware.Simulator {
     @Override
     public void write(DeviceCommand command) {
@@ -371,7 +369,7 @@ public final class Simulation implements AutoCloseable {
     }
   }
 
-  /** A command that the device does not take is the component's doing, not the simulator's. */
+  /** A command that the device rejects is an error of the component, not of the simulator. */
   private RuntimeException refusedByDevice(String device, StatusRuntimeException e) {
     return switch (e.getStatus().getCode()) {
       case INVALID_ARGUMENT, OUT_OF_RANGE ->
@@ -401,7 +399,7 @@ public final class Simulation implements AutoCloseable {
     }
   }
 
-  /** Whatever the component makes of the failure, the case is not measured. */
+  /** Remembers a loss of the simulator, in case the component catches the exception. */
   private SimulationException noted(SimulationException failure, StatusRuntimeException e) {
     Status.Code code = e.getStatus().getCode();
     if (code == Status.Code.UNAVAILABLE || code == Status.Code.NOT_FOUND) {

@@ -1,6 +1,6 @@
 package org.sitaf.runtime.simulation;
 
-/** The simulator did not do what it was asked to. */
+/** A call to the simulator failed. */
 public final class SimulationException extends RuntimeException {
   private static final long serialVersionUID = 1L;
 
@@ -17,8 +17,8 @@ public final class SimulationException extends RuntimeException {
   }
 
   /**
-   * Whether the simulator or the session is gone, so that no further case can run; otherwise it
-   * refused one request, and the next may succeed.
+   * Whether the simulator or the session is lost, so that no further case can run. Otherwise the
+   * simulator rejected one request, and the next may succeed.
    */
   public boolean isLost() {
     return lost;

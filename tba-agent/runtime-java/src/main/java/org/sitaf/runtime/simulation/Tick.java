@@ -1,10 +1,10 @@
 package org.sitaf.runtime.simulation;
 
-/** What a periodic component does once in each of its periods. */
+/** The work of a periodic component in one period. */
 @FunctionalInterface
 public interface Tick {
   /**
-   * Does the work of one period.
+   * Executes one period.
    *
    * @throws Exception what the component throws; it ends the case
    */

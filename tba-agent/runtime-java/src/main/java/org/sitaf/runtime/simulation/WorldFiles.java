@@ -10,8 +10,8 @@ import java.util.stream.Stream;
 import org.sitaf.sim.v1.WorldSource;
 
 /**
- * Packs a world description and all files of its folder, so that the simulator never opens a path
- * of its host.
+ * Reads a world description and all files of its folder into a request, so that the simulator never
+ * opens files of its host.
  */
 final class WorldFiles {
   private static final long MAX_BYTES = 64L << 20;
@@ -19,9 +19,9 @@ final class WorldFiles {
   private WorldFiles() {}
 
   /**
-   * Reads the folder of a world description. Symbolic links are passed over.
+   * Reads the folder of a world description. Symbolic links are ignored.
    *
-   * @throws IOException when a file cannot be read, or the folder holds more than a world can have
+   * @throws IOException when a file cannot be read, or the folder exceeds the limits of a world
    */
   static WorldSource read(Path description) throws IOException {
     Path file = description.toAbsolutePath().normalize();

@@ -2,7 +2,9 @@ package org.sitaf.runtime.stub;
 
 import org.sitaf.runtime.CannotRunException;
 
-/** Makes the exceptions that interfaces declare; their types are generated with the interfaces. */
+/**
+ * Creates the exceptions that interfaces declare; their types are generated with the interfaces.
+ */
 final class DeclaredError {
   private static final String PACKAGE = "sitaf.interfaces.";
 

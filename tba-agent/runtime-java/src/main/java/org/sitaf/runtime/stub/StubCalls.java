@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 import org.sitaf.runtime.suite.CaseResult;
 
-/** Records what the component asks of its required interfaces in a case; safe for its threads. */
+/** Records the calls of the component to its required interfaces in a case. Thread-safe. */
 final class StubCalls {
-  /** Most calls that are kept of a case; the rest is counted. */
+  /** Maximum number of recorded calls per case; further calls are only counted. */
   static final int MAX_RECORDED = 1000;
 
   private final List<Call> recorded = new ArrayList<>();
@@ -14,12 +14,12 @@ final class StubCalls {
 
   private record Call(String method, List<String> parameters, List<String> arguments) {}
 
-  synchronized void forget() {
+  synchronized void clear() {
     recorded.clear();
     leftOut = 0;
   }
 
-  /** Whether a further call is recorded; only then its arguments are written. */
+  /** Whether the next call is recorded, so that its arguments are needed. */
   synchronized boolean hasRoom() {
     return recorded.size() < MAX_RECORDED;
   }

@@ -10,8 +10,8 @@ import org.sitaf.runtime.suite.Answers;
 import org.sitaf.runtime.suite.CaseResult;
 
 /**
- * One method of a required interface, as the test stub answers it: records each call and does what
- * the case says of it. The time counts as the stub's.
+ * A method of a required interface in the test stub: records each call and gives the answer that
+ * the case defines. The time of the call counts as time in stubs.
  *
  * @param <T> the boxed return type; {@code Void} for none
  */
@@ -23,11 +23,11 @@ public final class StubbedMethod<T> {
   private int calls;
 
   /**
-   * A method that returns a default value until the test sets an answer.
+   * Creates a method that returns a default value until the test sets an answer.
    *
    * @param name {@code Interface.Method}
-   * @param unset what is answered in cases that set nothing; null for a method that returns nothing
-   * @param parameters names of those that carry data in
+   * @param unset the value in cases without an answer; null for a method that returns nothing
+   * @param parameters names of the input parameters
    */
   public StubbedMethod(Stubbing stubbing, String name, @Nullable T unset, String... parameters) {
     this.stubbing = Objects.requireNonNull(stubbing);
@@ -36,16 +36,16 @@ public final class StubbedMethod<T> {
     this.answers = Answers.none(unset);
   }
 
-  /** Sets the answers of this case; calls count from here. */
+  /** Sets the answers of this case, and restarts the count of calls. */
   public synchronized void answerWith(Answers<T> ofThisCase) {
     answers = ofThisCase;
     calls = 0;
   }
 
   /**
-   * What the component gets.
+   * Handles a call of the component.
    *
-   * @param arguments of the parameters that carry data in, in their order
+   * @param arguments values of the input parameters, in order
    */
   public @Nullable T call(@Nullable Object... arguments) {
     long entered = stubbing.stopwatch().enter();

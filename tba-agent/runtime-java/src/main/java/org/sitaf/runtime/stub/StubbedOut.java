@@ -14,21 +14,21 @@ public final class StubbedOut<T> {
   private int calls;
 
   /**
-   * An out-parameter that gets a default value until the test sets an answer.
+   * Creates an out-parameter that gets a default value until the test sets an answer.
    *
-   * @param unset what it gets in cases that set nothing
+   * @param unset the value in cases without an answer
    */
   public StubbedOut(T unset) {
     this.answers = Answers.none(Objects.requireNonNull(unset));
   }
 
-  /** Sets the answers of this case; calls count from here. */
+  /** Sets the answers of this case, and restarts the count of calls. */
   public synchronized void answerWith(Answers<T> ofThisCase) {
     answers = ofThisCase;
     calls = 0;
   }
 
-  /** Sets the out-parameter to the answer of the call. */
+  /** Sets the out-parameter to the answer for the next call. */
   public synchronized void fill(Out<T> out) {
     T value = answers.of(++calls).value();
     out.set(Objects.requireNonNull(value));

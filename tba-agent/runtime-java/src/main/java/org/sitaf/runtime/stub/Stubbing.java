@@ -7,7 +7,7 @@ import org.sitaf.runtime.Stopwatch;
 import org.sitaf.runtime.simulation.Simulation;
 import org.sitaf.runtime.suite.CaseResult;
 
-/** What the stubbed methods of a run share: the clock, the record of calls, and how time passes. */
+/** State that the stubbed methods of a run share: stopwatch, recorded calls, and simulation. */
 public final class Stubbing {
   private final Stopwatch stopwatch;
   private final @Nullable Simulation simulation;
@@ -16,19 +16,19 @@ public final class Stubbing {
   /**
    * Creates the state of one run.
    *
-   * @param simulation whose time a delayed answer takes; null where real time passes
+   * @param simulation delays answers in simulation time; null for real time
    */
   public Stubbing(Stopwatch stopwatch, @Nullable Simulation simulation) {
     this.stopwatch = Objects.requireNonNull(stopwatch);
     this.simulation = simulation;
   }
 
-  /** Begins a case: clears the recorded calls. */
+  /** Starts a case: clears the recorded calls. */
   public void begin() {
-    calls.forget();
+    calls.clear();
   }
 
-  /** Adds the record of the case to its result. */
+  /** Adds the recorded calls to the result of the case. */
   public void writeTo(CaseResult result) {
     calls.writeTo(result);
   }

@@ -1,4 +1,4 @@
-/** Base of the generated test stubs: answers, errors and delays of calls, and their record. */
+/** Base of the generated test stubs: answers, errors, delays and recorded calls. */
 @NullMarked
 package org.sitaf.runtime.stub;
 

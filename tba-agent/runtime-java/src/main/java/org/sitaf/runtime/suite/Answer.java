@@ -7,9 +7,9 @@ import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a stubbed method does when it is called.
+ * The behaviour of a stubbed method in a call.
  *
- * @param delay before the answer; zero for none
+ * @param delay delay of the answer; zero for none
  * @param error name of the exception to throw; null where a value is returned
  * @param value to return; null for a method without a return value
  */
@@ -24,10 +24,10 @@ public record Answer<T>(Duration delay, @Nullable String error, @Nullable T valu
   }
 
   /**
-   * Reads {@code VALUE}, {@code !error:NAME}, {@code !delay:SECONDS} or a delay and, after a space,
-   * one of the others.
+   * Reads {@code VALUE}, {@code !error:NAME} or {@code !delay:SECONDS}; a value or an error may
+   * follow a delay after a space.
    *
-   * @param unset the value of a literal without one
+   * @param unset the value for a literal without a value
    */
   static <T> Answer<T> read(String literal, @Nullable T unset, Function<String, T> reading) {
     Duration delay = Duration.ZERO;

@@ -5,7 +5,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 
-/** What a stubbed method answers in a case, call by call; the last answer repeats. */
+/** Answers of a stubbed method in a case, one per call; the last answer repeats. */
 public final class Answers<T> {
   private final Answer<T> unset;
   private final TreeMap<Integer, Answer<T>> fromCall;

@@ -8,8 +8,8 @@ import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What is recorded of one case. The test driver fills it in and saves it; expected values and
- * verdicts are not known here.
+ * The record of a case. The test driver fills it in and saves it; it contains neither expected
+ * values nor verdicts, which the agent adds.
  */
 public final class CaseResult {
   private record Call(String method, List<String> parameters, List<String> arguments) {}
@@ -31,13 +31,13 @@ public final class CaseResult {
   /**
    * Processing time in microseconds.
    *
-   * @param component the component's own time, without the other two
-   * @param hardware spent in virtual hardware
-   * @param stub spent in stubs
+   * @param component time of the component itself, without hardware and stub
+   * @param hardware time in virtual hardware
+   * @param stub time in stubs
    */
   record ProcessingTime(double component, double hardware, double stub) {}
 
-  /** Sets the processing time in microseconds; {@code component} is without the other two. */
+  /** Sets the processing time in microseconds; {@code component} excludes the other two. */
   public void setTime(double component, double hardware, double stub) {
     time = new ProcessingTime(component, hardware, stub);
   }
@@ -48,10 +48,10 @@ public final class CaseResult {
   }
 
   /**
-   * Records a part of an output; {@code null} where the value has no such part.
+   * Records a part of an output; {@code null} when the value has no such part.
    *
-   * @param output such as {@code pose.x} or {@code path[3]}
-   * @param whole the value of the output that the name begins with
+   * @param output name of the part, such as {@code pose.x} or {@code path[3]}
+   * @param whole the value of the output
    */
   public void recordPart(String output, @Nullable Object whole) {
     record(output, Parts.of(whole, output).orElse(null));
@@ -62,7 +62,7 @@ public final class CaseResult {
     record(output, null);
   }
 
-  /** The literal of a value, as records have it. */
+  /** The literal of a value as in records. */
   public static String literal(@Nullable Object value) {
     return Literals.of(value);
   }
@@ -88,13 +88,13 @@ public final class CaseResult {
     endWith(Outcome.THREW, description);
   }
 
-  /** Ends the case with another outcome than a return; the reason is added to the message. */
+  /** Sets the outcome of a case that did not return; the reason is appended to the message. */
   public void endWith(Outcome newOutcome, String reason) {
     outcome = newOutcome;
     message = message.isEmpty() ? reason : message + "; " + reason;
   }
 
-  /** The record as one line of XML, with its line feed. */
+  /** The record as one line of XML that ends with a line feed. */
   String line() {
     RecordLine line = new RecordLine(testCase.no(), outcome);
     if (outcome == Outcome.THREW) {

@@ -14,8 +14,8 @@ final class Conversion {
   private Conversion() {}
 
   /**
-   * A value of a type: a primitive or its box, String, BigInteger, an enumeration, a record with a
-   * constructor without parameters, or an array of these.
+   * Converts a literal to a primitive or its wrapper, a String, a BigInteger, an enumeration, a
+   * record that has a constructor without parameters, or an array of these.
    *
    * @throws CaseDataException when the type cannot hold the literal
    */
@@ -73,7 +73,7 @@ final class Conversion {
     throw new CaseDataException("a value of " + type.getName() + " cannot be read");
   }
 
-  /** Members that the literal leaves out have the values of the record's empty constructor. */
+  /** Members that the literal omits get the values of the record's default constructor. */
   private static Object struct(String literal, Class<?> type) {
     RecordComponent[] components = type.getRecordComponents();
     Class<?>[] types = new Class<?>[components.length];

@@ -32,7 +32,7 @@ final class Literals {
   /** No integer type holds a number of more digits. */
   private static final int MAX_DIGITS = 20;
 
-  /** Digits with which every double, and every float, reads back as the same number. */
+  /** With this many digits every double and float is read back as the same number. */
   private static final int DIGITS_OF_DOUBLE = 17;
 
   private static final int DIGITS_OF_FLOAT = 9;
@@ -88,7 +88,7 @@ final class Literals {
     throw new CaseDataException(literal + " is outside of " + min + " to " + max);
   }
 
-  /** An integer, not expanded: {@code 1e999999999} would take all memory. */
+  /** An integer as a BigDecimal: expanding {@code 1e999999999} would exhaust memory. */
   private static BigDecimal wholeDecimal(String literal) {
     BigDecimal number = decimal(literal);
     if (number.stripTrailingZeros().scale() > 0) {
@@ -266,8 +266,8 @@ final class Literals {
   }
 
   /**
-   * Some releases of Java write a digit too many (JDK-4511638); then the text without it reads back
-   * as the same number, too.
+   * Some releases of Java write one digit too many (JDK-4511638); this removes it when the shorter
+   * text is read back as the same number.
    */
   private static String shortest(String text, int digits, Predicate<String> isSame) {
     if (text.length() < digits || !Character.isDigit(text.charAt(text.length() - 1))) {

@@ -1,6 +1,6 @@
 package org.sitaf.runtime.suite;
 
-/** How a case ended. The verdict is given later, by the process that knows the expected values. */
+/** How a case ended. The agent, which knows the expected values, decides the verdict later. */
 public enum Outcome {
   /** The call returned, and its outputs are recorded. */
   RETURNED,

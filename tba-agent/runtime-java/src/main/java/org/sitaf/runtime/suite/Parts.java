@@ -12,7 +12,7 @@ final class Parts {
 
   private Parts() {}
 
-  /** The part of a value that a name leads to; empty where there is none. */
+  /** The named part of a value; empty when there is none. */
   static Optional<Object> of(@Nullable Object whole, String name) {
     Object part = whole;
     Matcher step = STEP.matcher(name);
@@ -25,7 +25,7 @@ final class Parts {
     return Optional.ofNullable(part);
   }
 
-  /** A member of a record; null where it has none of that name. */
+  /** A member of a record; null when it has no such member. */
   static @Nullable Object member(Object value, String name) {
     if (value.getClass().isRecord()) {
       for (RecordComponent component : value.getClass().getRecordComponents()) {

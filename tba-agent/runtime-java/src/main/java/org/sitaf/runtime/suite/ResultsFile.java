@@ -10,23 +10,22 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where the results go, one line a case. Each line is one write when its case ends, so a killed
- * process loses none of them.
+ * The output file for results, with one line per case. Each line is written in one call when its
+ * case ends, so a killed process loses no results.
  *
- * <p>A file holds the lines alone. Through a descriptor that the agent opened, each line begins
- * with its number and a token that the agent knows, so that what the component writes there is not
- * taken for a result.
+ * <p>When the output is a descriptor that the agent opened, each line starts with its number and a
+ * secret token of the agent, so that output of the component is not mistaken for a result.
  */
 public final class ResultsFile implements AutoCloseable {
-  /** A power failure loses at most so many results; a killed process loses none. */
+  /** Maximum number of results that a power failure loses; a killed process loses none. */
   private static final int LINES_TO_SYNC = 4096;
 
   private static final String DESCRIPTOR = "fd:";
 
-  /** Room for number and token. */
+  /** Capacity for number and token. */
   private static final int PREFIX_LENGTH = 64;
 
-  /** Not a FileChannel: an interrupt that the component leaves behind would close it. */
+  /** Not a FileChannel, because an interrupt from the component would close it. */
   private final FileOutputStream file;
 
   private final boolean numbered;
@@ -40,9 +39,9 @@ public final class ResultsFile implements AutoCloseable {
   }
 
   /**
-   * Opens what {@code --results} names.
+   * Opens the output that {@code --results} names.
    *
-   * @param append appends to an existing file
+   * @param append whether to append to an existing file
    */
   public static ResultsFile open(String results, boolean append) throws IOException {
     if (results.startsWith(DESCRIPTOR)) {
@@ -67,7 +66,7 @@ public final class ResultsFile implements AutoCloseable {
     return new ResultsFile(new FileOutputStream(file.toFile()), false);
   }
 
-  /** Appends to a file. A last line that a killed process left unfinished is ended first. */
+  /** Appends to a file. An incomplete last line from a killed process is terminated first. */
   public static ResultsFile append(Path file) throws IOException {
     boolean torn = false;
     try (RandomAccessFile before = new RandomAccessFile(file.toFile(), "rw")) {
@@ -84,10 +83,10 @@ public final class ResultsFile implements AutoCloseable {
   }
 
   /**
-   * Reads the token of the lines, where they are numbered.
+   * Reads the token if the output is a descriptor of the agent.
    *
-   * @param line read only then; null where there is none
-   * @throws IOException when there is none
+   * @param line reads the line with the token, or returns null; called only for a descriptor
+   * @throws IOException when there is no token
    */
   public void authorise(Supplier<@Nullable String> line) throws IOException {
     if (numbered) {
@@ -100,8 +99,8 @@ public final class ResultsFile implements AutoCloseable {
   }
 
   /**
-   * Writes an empty line: set-up is complete and the first case begins. From now on the time limit
-   * of a case applies.
+   * Writes an empty line, which reports that set-up is complete. The agent then applies the time
+   * limit of a case.
    */
   public void ready() throws IOException {
     write("\n");
@@ -117,7 +116,7 @@ public final class ResultsFile implements AutoCloseable {
   }
 
   private void write(String line) throws IOException {
-    // String concatenation by + links its code at the first call, which takes a while.
+    // The first use of + on strings is slow, because the JVM generates code for it.
     StringBuilder whole = new StringBuilder(line.length() + PREFIX_LENGTH);
     if (numbered) {
       whole.append(++number).append(' ').append(token).append(' ');

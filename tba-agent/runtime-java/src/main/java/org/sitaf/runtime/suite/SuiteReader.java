@@ -19,7 +19,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Reads a {@code test_suite_data} document (paper, Fig. 9) case by case, so that memory does not
- * grow with the suite. A document with a DTD is refused.
+ * grow with the suite. A document with a DTD is rejected.
  */
 public final class SuiteReader implements AutoCloseable {
   private final InputStream stream;
@@ -79,8 +79,8 @@ public final class SuiteReader implements AutoCloseable {
   }
 
   /**
-   * Up to {@code count} of the cases that {@link #next} returns from now on. They end where the
-   * document is malformed; {@code next} throws when it gets there.
+   * Up to {@code count} of the cases that {@link #next} will return, up to the first error in the
+   * document; {@code next} throws when it reaches the error.
    */
   public List<TestCase> coming(int count) {
     try {
@@ -167,7 +167,7 @@ public final class SuiteReader implements AutoCloseable {
           }
           values.put(parameters.get(values.size()), xml.getElementText());
         }
-        // Only the judge of the results needs it.
+        // Only the agent uses expected values.
         case "expected" -> xml.getElementText();
         default -> throw problem("<" + xml.getLocalName() + "> is unknown inside <case>");
       }

@@ -155,11 +155,11 @@ public final class TestCase {
   }
 
   /**
-   * The answers of a stubbed method or of one of its out-parameters: the parameters of this name,
-   * and of this name with {@code #2} and so on.
+   * The answers of a stubbed method or of one of its out-parameters, from the parameters with this
+   * name and with {@code #2} and so on appended to it.
    *
    * @param type the boxed type
-   * @param unset the value where the suite has none, or only a delay
+   * @param unset the value when the suite has none, or only a delay
    */
   public <T> Answers<T> answers(String name, Class<T> type, @Nullable T unset) {
     Map<Integer, Answer<T>> fromCall = new HashMap<>();

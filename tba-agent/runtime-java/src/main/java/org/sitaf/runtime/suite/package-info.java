@@ -1,4 +1,4 @@
-/** Test cases in, result lines out, and the comparison between them. */
+/** Reading test cases and writing records of results. */
 @NullMarked
 package org.sitaf.runtime.suite;
 

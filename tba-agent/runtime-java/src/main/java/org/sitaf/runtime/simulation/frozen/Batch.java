@@ -11,8 +11,8 @@ import org.jspecify.annotations.Nullable;
 import org.sitaf.sim.v1.PrepareManyResponse;
 
 /**
- * Worlds that were prepared in one call, one for each combination of values: every case begins from
- * a clean reset, so that cases with the same values find the same world.
+ * Worlds that were prepared in one call, one for each combination of values. Every case starts from
+ * a reset, so cases with the same values share a world.
  */
 final class Batch {
   private final Layout layout;
@@ -24,9 +24,9 @@ final class Batch {
   private final Set<Integer> taken = new HashSet<>();
 
   /**
-   * What a call brought.
+   * Creates a batch from the response of a call.
    *
-   * @param rows the values of each world by the names, each combination once
+   * @param rows the values of each world in the order of the names, each combination once
    */
   Batch(
       Layout layout,
@@ -42,7 +42,7 @@ final class Batch {
     this.diverged = new HashSet<>(prepared.getDivergedCasesList());
   }
 
-  /** Which world has these values; null where none has. */
+  /** Index of the world with these values; null when there is none. */
   @Nullable Integer find(Map<String, Double> parameters, long settle) {
     if (settle != settleNanos || parameters.size() != names.size()) {
       return null;
@@ -55,11 +55,11 @@ final class Batch {
       }
       row.add(value);
     }
-    // Doubles are equal by their bits: -0.0 is another value than 0.0.
+    // Doubles are compared by their bits, so -0.0 and 0.0 differ.
     return rows.get(row);
   }
 
-  /** A world; empty when it diverged. */
+  /** Returns a world and marks it as used; empty when it diverged. */
   Optional<FrozenWorld> take(int row, long timeNanos) {
     taken.add(row);
     if (diverged.contains(row)) {
@@ -70,8 +70,8 @@ final class Batch {
         new PreparedWorld(timeNanos, layout, readings.subList(row * width, (row + 1) * width)));
   }
 
-  /** Whether most of it was of no use. */
-  boolean wasInVain() {
+  /** Whether most of its worlds were not used. */
+  boolean wasMostlyUnused() {
     return taken.size() * 2 < rows.size();
   }
 }

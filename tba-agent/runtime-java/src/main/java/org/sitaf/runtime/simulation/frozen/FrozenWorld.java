@@ -6,19 +6,20 @@ import org.sitaf.sim.v1.Observation;
 import org.sitaf.sim.v1.Reading;
 import org.sitaf.sim.v1.WorldState;
 
-/** What the robot's devices read, and what can be observed, at one step. */
-public sealed interface FrozenWorld permits FrozenWorld.Told, PreparedWorld {
-  /** Simulation time since the case was reset. */
+/** Readings of all devices and observations at one step. */
+public sealed interface FrozenWorld permits FrozenWorld.ReceivedWorld, PreparedWorld {
+  /** Simulation time since the reset of the case. */
   long timeNanos();
 
-  /** What a device reads; an empty reading where it reads nothing. */
+  /** The reading of a device; an empty message when there is none. */
   Reading reading(String device);
 
-  /** Values by the names of the observations, in the unit of each. */
+  /** Values of the observations by name, in the unit of each. */
   Map<String, Double> observations();
 
-  /** A world as a message of the simulator tells it. */
-  record Told(long timeNanos, Map<String, Reading> readings, Map<String, Double> observations)
+  /** A world from a message of the simulator. */
+  record ReceivedWorld(
+      long timeNanos, Map<String, Reading> readings, Map<String, Double> observations)
       implements FrozenWorld {
     @Override
     public Reading reading(String device) {
@@ -26,7 +27,7 @@ public sealed interface FrozenWorld permits FrozenWorld.Told, PreparedWorld {
     }
   }
 
-  /** The world of a message. */
+  /** Reads the world from a message. */
   static FrozenWorld of(WorldState state) {
     Map<String, Reading> readings = new HashMap<>();
     for (Reading reading : state.getReadingsList()) {
@@ -36,6 +37,6 @@ public sealed interface FrozenWorld permits FrozenWorld.Told, PreparedWorld {
     for (Observation observation : state.getObservationsList()) {
       observations.put(observation.getName(), observation.getValue());
     }
-    return new Told(state.getTimeNs(), readings, observations);
+    return new ReceivedWorld(state.getTimeNs(), readings, observations);
   }
 }

@@ -13,8 +13,8 @@ import org.sitaf.sim.v1.Reading;
 import org.sitaf.sim.v1.Vector3;
 
 /**
- * Where the numbers of each device and each observation lie in a row of the simulator's bulk call:
- * {@code device.field} for each number of each device, then the observations.
+ * The columns of a row in the response of PrepareMany: {@code device.field} for each number of each
+ * device, then the observations.
  */
 final class Layout {
   private record Place(int begin, int end, Reading first) {}
@@ -23,7 +23,7 @@ final class Layout {
   private final Map<String, Place> devices = new HashMap<>();
   private final Map<String, Integer> observations = new LinkedHashMap<>();
 
-  /** The layout of a session; what rows do not hold, such as a sensor's limits, never changes. */
+  /** The layout of a session. Constants such as a sensor's limits come from its first state. */
   Layout(CreateSessionResponse created) {
     Map<String, Reading> first = new HashMap<>();
     created.getState().getReadingsList().forEach(r -> first.put(r.getDevice(), r));
@@ -58,7 +58,7 @@ final class Layout {
         : reading(place.first(), row.subList(place.begin(), place.end()));
   }
 
-  /** Numbers come in the order of the fields that the simulator names for each kind of device. */
+  /** Builds a reading from numbers in the order of DeviceDescription.fields. */
   private static Reading reading(Reading first, List<Double> n) {
     Reading.Builder reading = first.toBuilder();
     switch (first.getValueCase()) {
@@ -98,7 +98,7 @@ final class Layout {
               .setPercentage(n.get(3));
       case LEVEL -> reading.setLevel(n.get(0) != 0);
       case IMAGE, VALUE_NOT_SET -> {
-        // Pictures are taken one by one, from the simulator.
+        // Images are read separately from the simulator.
       }
     }
     return reading.build();

@@ -15,22 +15,22 @@ import org.sitaf.sim.v1.PrepareManyRequest;
 import org.sitaf.sim.v1.PrepareManyResponse;
 
 /**
- * Prepares the coming cases in bulk, while nothing but readings depends on the simulator. A case
- * whose values were not foreseen, that diverged or is refused is not known here, and neither is any
- * after {@link #stop}: the session itself prepares it then, with the same result.
+ * Prepares the following cases in bulk as long as components only read their devices. The session
+ * itself prepares a case, with the same result, when the batch does not contain its values, its
+ * simulation diverged or was rejected, or after {@link #stop}.
  */
 public final class Preparation {
-  /** The first batch is small, so that the first case does not wait for it; then they grow. */
+  /** The first batch is small, so that the first case starts soon; later batches grow. */
   private static final int FIRST = 32;
 
   private static final int MOST = 4096;
 
-  /** Batches grow fast, and where some are refused with care: they would be asked for in vain. */
+  /** Growth of the batch size; slower after a rejection, to avoid further rejected calls. */
   private static final int GROWTH = 8;
 
   private static final int CAREFUL_GROWTH = 2;
 
-  /** Where one of so few is refused, each is prepared alone. */
+  /** When a batch of at most this size is rejected, its cases are prepared separately. */
   private static final int FEW = 8;
 
   private static final int MOST_NUMBERS = 1_000_000;
@@ -45,10 +45,10 @@ public final class Preparation {
   private boolean stopped;
 
   /**
-   * A preparation that has nothing yet.
+   * Creates a preparation without prepared cases.
    *
-   * @param coming gives up to so many of the cases after the current one
-   * @param simulator prepares many cases; empty when one of them is refused
+   * @param coming returns up to a number of cases after the current one
+   * @param simulator prepares many cases; empty when one of them is rejected
    */
   public Preparation(
       CreateSessionResponse created,
@@ -59,7 +59,7 @@ public final class Preparation {
     this.simulator = simulator;
   }
 
-  /** Looks ahead no more: each case needs the session itself. */
+  /** Stops preparing in bulk, because each case now needs the session itself. */
   public void stop() {
     stopped = true;
     batch = null;
@@ -82,8 +82,8 @@ public final class Preparation {
         alone--;
         return Optional.empty();
       }
-      if (known != null && known.wasInVain()) {
-        // The suite's values are not those that reach the simulator.
+      if (known != null && known.wasMostlyUnused()) {
+        // The driver changes the suite's values before it sets them, so they cannot be predicted.
         stop();
         return Optional.empty();
       }
@@ -126,7 +126,7 @@ public final class Preparation {
     return new Batch(layout, names, settleNanos, rows, prepared);
   }
 
-  /** The values of the current case and of those after it, each combination once. */
+  /** The values of the current case and of the following cases, each combination once. */
   private List<List<Double>> rows(
       List<String> names, Map<String, Double> current, List<TestCase> next) {
     Set<List<Double>> rows = new LinkedHashSet<>();
@@ -135,7 +135,7 @@ public final class Preparation {
       try {
         rows.add(names.stream().map(testCase::doubleValue).toList());
       } catch (CaseDataException e) {
-        // Told when that case is read.
+        // Reported when that case is read.
         break;
       }
     }

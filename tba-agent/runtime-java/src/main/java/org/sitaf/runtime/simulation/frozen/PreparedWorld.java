@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Map;
 import org.sitaf.sim.v1.Reading;
 
-/** A world as a row of numbers; only readings that are asked for become messages. */
+/** A world as a row of numbers; readings are converted to messages on demand. */
 record PreparedWorld(long timeNanos, Layout layout, List<Double> row) implements FrozenWorld {
   @Override
   public Reading reading(String device) {

@@ -1,4 +1,4 @@
-/** The state of the simulated world at one step, read from the simulator or prepared ahead. */
+/** The state of the simulated world at one step, and its preparation in bulk. */
 @NullMarked
 package org.sitaf.runtime.simulation.frozen;
 
