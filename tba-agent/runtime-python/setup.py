@@ -1,6 +1,5 @@
-"""Builds the package; what setuptools cannot say declaratively is that the wire's stubs are generated first."""
+"""Builds the package; generates the protocol messages first, which pyproject.toml cannot declare."""
 
-import re
 import shutil
 from pathlib import Path
 
@@ -14,18 +13,18 @@ WIRE = HERE / "src" / "sitaf_runtime" / "simulation" / "wire"
 
 
 class BuildWithStubs(build_py):
-    """Generates the messages below `sitaf_runtime.simulation.wire` from the project's proto files, then builds as usual (also for `-e`)."""
+    """Generates the messages in `sitaf_runtime.simulation.wire` from the proto files, then builds; also for `-e`."""
 
     def run(self) -> None:
-        """Generate into the source tree (ignored by git), where both kinds of installation find it."""
+        """Generate into the source tree (ignored by git), where regular and editable installations find the messages."""
         generate_stubs()
-        # Modules of an earlier version would otherwise be installed along.
+        # Otherwise modules of an earlier version would be installed, too.
         shutil.rmtree(Path(self.build_lib) / "sitaf_runtime", ignore_errors=True)
         super().run()
 
 
 def generate_stubs() -> None:
-    """Run protoc on the wire of the simulator."""
+    """Run protoc on the simulator's protocol."""
     from importlib.resources import files  # noqa: PLC0415
 
     from grpc_tools import protoc  # noqa: PLC0415  # only the build environment has it

@@ -1,4 +1,4 @@
-"""What a Python test application links against, and so may a component under test."""
+"""Runtime library of Python test applications; components under test may import it, too."""
 
 from sitaf_runtime.out import Out
 from sitaf_runtime.robot.geometry import Quaternion, Vector

@@ -1,6 +1,6 @@
 """Starts a test application: `python -m sitaf_runtime MODULE ARGUMENTS`.
 
-The module holds the class ConcreteTestDriver. A component that cannot be imported is reported here, before any case.
+The module contains the class ConcreteTestDriver. A component that cannot be imported is reported here, before any case.
 """
 
 import importlib
@@ -16,7 +16,7 @@ from sitaf_runtime.thrown import describe, is_the_users
 
 _NAMED = 10
 _RUNTIME = os.path.dirname(os.path.abspath(__file__))
-# Where the agent says that modules are; in PYTHONPATH they could take the place of the runtime's own.
+# The agent's module path. It is not in PYTHONPATH, because these modules could then replace those of the runtime.
 _PATH = "SITAF_PYTHONPATH"
 
 
@@ -29,8 +29,8 @@ def _is_missing_here(raised: ModuleNotFoundError) -> bool:
     return root == "sitaf_runtime" or (by_runtime and os.path.basename(importing[-1]) != "__main__.py")
 
 
-def _not_there(raised: BaseException) -> str | None:
-    """What to say when the component's module or class is missing, and not something that the component imports."""
+def _missing_component(raised: BaseException) -> str | None:
+    """The message when the component's module or class is missing; None for errors in the component's own imports."""
     if any(is_the_users(frame.filename) for frame in traceback.extract_tb(raised.__traceback__)):
         return None
     if isinstance(raised, ModuleNotFoundError):
@@ -43,16 +43,16 @@ def _not_there(raised: BaseException) -> str | None:
     missing = re.match(r"cannot import name '(\w+)' from '([\w.]+)'", str(raised))
     if not isinstance(raised, ImportError) or missing is None:
         return None
-    there = vars(sys.modules.get(missing[2])) if missing[2] in sys.modules else {}
-    classes = [name for name, value in there.items() if isinstance(value, type) and not name.startswith("_")]
+    members = vars(sys.modules.get(missing[2])) if missing[2] in sys.modules else {}
+    classes = [name for name, value in members.items() if isinstance(value, type) and not name.startswith("_")]
     return (
         f"{missing[2]} has no class {missing[1]}; it has {', '.join(classes[:_NAMED]) or 'no class'}:"
         " name one of its classes as component.class in activity.yaml"
     )
 
 
-def _look_there() -> None:
-    """Find modules of the test application from now on, here and in processes that are started."""
+def _extend_path() -> None:
+    """Add the modules of the test application to the path of this process and of its child processes."""
     path = os.environ.pop(_PATH, "")
     if path:
         os.environ["PYTHONPATH"] = path
@@ -66,12 +66,12 @@ def main() -> None:
     name = sys.argv[1]
     try:
         channel.hold(sys.argv[2:])
-        _look_there()
+        _extend_path()
         driver = importlib.import_module(name).ConcreteTestDriver
     except CannotRunError as e:
         end(cannot_run(str(e)))
     except BaseException as e:
-        end(cannot_run(_not_there(e) or f"the test application cannot be imported: {describe(e)}"))
+        end(cannot_run(_missing_component(e) or f"the test application cannot be imported: {describe(e)}"))
     start(driver, sys.argv[2:])
 
 

@@ -1,4 +1,4 @@
-"""A nonblocking call: runs on its own thread, so that time passes during the call."""
+"""Nonblocking calls. They run on their own thread, so that simulation time passes during the call."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ T = TypeVar("T")
 
 
 class CallBeside(Generic[T]):
-    """Makes a call on a thread; time of the simulation, where there is one, passes only while the call waits for it."""
+    """Runs a call on a thread; with a simulation, simulation time passes only while the call waits for it."""
 
     def __init__(self, stopwatch: Stopwatch, simulation: Simulation | None, call: Callable[[], T]) -> None:
         self._stopwatch = stopwatch
@@ -23,25 +23,25 @@ class CallBeside(Generic[T]):
         self._call = call
         self._returned: list[T] = []
         self._raised: BaseException | None = None
-        self._thread = threading.Thread(target=self._make, name="call under test", daemon=True)
+        self._thread = threading.Thread(target=self._run, name="call under test", daemon=True)
         if self._time is not None:
             self._time.follow(self._thread)
         self._thread.start()
 
-    def _make(self) -> None:
+    def _run(self) -> None:
         self._stopwatch.start()
         try:
             self._returned.append(self._call())
             self._stopwatch.stop()
         except BaseException as e:
-            # The watch keeps running: it tells the run that the component raised.
+            # The stopwatch keeps running, so the run attributes the exception to the component.
             self._raised = e
         finally:
             if self._time is not None:
                 self._time.leave()
 
     def outcome(self) -> T:
-        """What the call returns; until then the simulation time that it waits for passes.
+        """Wait for the call and return its value; meanwhile simulation time passes when the call waits for it.
 
         Raises what the component raises.
         """
@@ -53,9 +53,9 @@ class CallBeside(Generic[T]):
         return self._returned[0]
 
     def give_up(self) -> None:
-        """Wait for the end of a call whose outcome is no longer needed.
+        """End a call whose outcome is no longer needed, so that it does not affect the next case.
 
-        It would affect the next case. Where it waits for simulation time, it gets an exception.
+        Its waits for simulation time raise an exception. Returns when the call has ended.
         """
         if self._time is not None:
             self._time.give_up()

@@ -1,7 +1,7 @@
-"""The standard streams of the process, in which stands whose output follows.
+"""Standard streams that mark which case printed what.
 
-Before the first output of a case stands its mark; a case that prints nothing costs nothing. What native code writes
-past Python belongs to the case that printed before it.
+The first output of each case follows a mark with its number. Output of native code has no mark and is attributed to the
+previous case that printed.
 """
 
 from __future__ import annotations
@@ -19,13 +19,13 @@ _MARK = "\x1e"
 
 
 class _Marked(io.RawIOBase):
-    """A descriptor that gets a mark before the output of each case."""
+    """A descriptor with a mark before the output of each case."""
 
     def __init__(self, descriptor: int, streams: CaseStreams) -> None:
         super().__init__()
         self._descriptor = descriptor
         self._streams = streams
-        self._told = 0
+        self._marked = 0
 
     def writable(self) -> bool:
         return True
@@ -36,9 +36,9 @@ class _Marked(io.RawIOBase):
     def write(self, data: ReadableBuffer, /) -> int:
         text = bytes(data)
         mark = b""
-        if text and self._told != self._streams.current:
-            self._told = self._streams.current
-            mark = f"{_MARK}case {self._told}\n".encode()
+        if text and self._marked != self._streams.current:
+            self._marked = self._streams.current
+            mark = f"{_MARK}case {self._marked}\n".encode()
         rest = memoryview(mark + text)
         while rest:
             rest = rest[os.write(self._descriptor, rest) :]
@@ -46,7 +46,7 @@ class _Marked(io.RawIOBase):
 
 
 class CaseStreams:
-    """sys.stdout and sys.stderr from now on."""
+    """Replaces sys.stdout and sys.stderr."""
 
     def __init__(self) -> None:
         self.current = 0
@@ -56,9 +56,9 @@ class CaseStreams:
         sys.stderr = self._err
 
     def begin(self, no: int) -> None:
-        """What is printed from now on is printed by this case; 0 for what belongs to none."""
+        """Attribute the following output to a case; 0 for output that belongs to no case."""
         for stream in (self._out, self._err):
-            # The component may have closed it, or its reader has ended.
+            # The component may have closed the stream, or its reader may have ended.
             with suppress(OSError, ValueError):
                 stream.flush()
         self.current = no
@@ -76,12 +76,12 @@ _installed: CaseStreams | None = None
 
 
 def install() -> None:
-    """Have sys.stdout and sys.stderr say from now on which case prints."""
+    """Replace sys.stdout and sys.stderr by streams with marks."""
     global _installed  # noqa: PLW0603 - a process runs one suite
     _installed = CaseStreams()
 
 
 def begin(no: int) -> None:
-    """What is printed from now on is printed by this case; 0 for what belongs to none."""
+    """Attribute the following output to a case; 0 for output that belongs to no case."""
     if _installed is not None:
         _installed.begin(no)

@@ -1,4 +1,4 @@
-"""How a test application is started."""
+"""The command line of a test application."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -16,9 +16,9 @@ _OPTIONS = ("--suite", "--results", "--bridge", "--world", "--seed", "--from", "
 class CommandLine:
     """The arguments.
 
-    `bridge` is the gRPC target of the simulator and `world` the world description; both None where the component needs
-    no simulation. `first` is the number of the first case to run; 0 for all. `case_sim_s` is the simulation time that
-    one case may take. `recording` is where a file of each case goes that shows what moved in it; None for none.
+    `bridge` is the gRPC target of the simulator and `world` the world description; both None when the component needs
+    no simulation. `first` is the number of the first case to run; 0 for all. `case_sim_s` is the maximum simulation
+    time of a case. `recording` is the folder for a recording of the motion in each case; None for none.
     """
 
     suite: Path
@@ -37,15 +37,15 @@ class CommandLine:
         for at in range(0, len(arguments), 2):
             option = arguments[at]
             if option not in _OPTIONS or at + 1 == len(arguments):
-                raise _wrong(f"'{option}' is not an option with a value")
+                raise _usage_error(f"'{option}' is not an option with a value")
             if option in given:
-                raise _wrong(f"{option} is given twice")
+                raise _usage_error(f"{option} is given twice")
             given[option] = arguments[at + 1]
         if ("--bridge" in given) != ("--world" in given):
-            raise _wrong("--bridge and --world belong together")
+            raise _usage_error("--bridge and --world belong together")
         for option in ("--suite", "--results"):
             if option not in given:
-                raise _wrong(f"{option} is missing")
+                raise _usage_error(f"{option} is missing")
         return cls(
             Path(given["--suite"]),
             Path(given["--results"]),
@@ -58,10 +58,10 @@ class CommandLine:
         )
 
 
-def _number(given: dict[str, str], option: str, otherwise: int) -> int:
-    text = given.get(option, str(otherwise))
+def _number(given: dict[str, str], option: str, default: int) -> int:
+    text = given.get(option, str(default))
     if not (text.isascii() and text.isdigit() and len(text) < 20):
-        raise _wrong(f"{option}: '{text}' is not a whole number from 0")
+        raise _usage_error(f"{option}: '{text}' is not a whole number from 0")
     return int(text)
 
 
@@ -74,9 +74,9 @@ def _seconds(given: dict[str, str], option: str) -> float | None:
     except ValueError:
         seconds = -1.0
     if not 0 < seconds < 1e12:
-        raise _wrong(f"{option}: '{text}' is not a number of seconds above 0")
+        raise _usage_error(f"{option}: '{text}' is not a number of seconds above 0")
     return seconds
 
 
-def _wrong(problem: str) -> CannotRunError:
+def _usage_error(problem: str) -> CannotRunError:
     return CannotRunError(f"{problem}; usage: {USAGE}")

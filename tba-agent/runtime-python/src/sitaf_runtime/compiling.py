@@ -1,7 +1,7 @@
 """Compiles the sources of test applications: `python -m sitaf_runtime.compiling FOLDER...`.
 
-What cannot be compiled is printed, one line each: path, line, column and message, with tabs between. No code
-of the sources runs.
+Compile errors are printed, one per line: path, line, column and message, separated by tabs. No code of the sources
+runs.
 """
 
 import os
@@ -12,14 +12,14 @@ from collections.abc import Iterator
 
 
 def main() -> None:
-    """Compile every module below the folders. Ends with 1 when one of them has a mistake."""
+    """Compile all modules in the folders. Exits with 1 when one of them has an error."""
     warnings.simplefilter("ignore")
-    mistakes = [mistake for folder in sys.argv[1:] for path in _modules(folder) for mistake in _mistakes(path)]
+    errors = [error for folder in sys.argv[1:] for path in _modules(folder) for error in _errors(path)]
     sys.stdout.reconfigure(encoding="utf-8", errors="backslashreplace")  # pyright: ignore[reportAttributeAccessIssue]
-    for path, line, column, message in mistakes:
+    for path, line, column, message in errors:
         text = " ".join(message.split())
         sys.stdout.write(f"{path}\t{line}\t{column}\t{text}\n")
-    sys.exit(1 if mistakes else 0)
+    sys.exit(1 if errors else 0)
 
 
 def _modules(folder: str) -> Iterator[str]:
@@ -29,9 +29,9 @@ def _modules(folder: str) -> Iterator[str]:
                 yield os.path.join(parent, name)
 
 
-def _mistakes(path: str) -> Iterator[tuple[str, int, int, str]]:
+def _errors(path: str) -> Iterator[tuple[str, int, int, str]]:
     try:
-        # The compiled file goes with the source wherever both are moved.
+        # Not checked by time stamp, so that the compiled file stays valid when it is moved with its source.
         py_compile.compile(path, doraise=True, invalidation_mode=py_compile.PycInvalidationMode.UNCHECKED_HASH)
     except py_compile.PyCompileError as e:
         error = e.exc_value

@@ -1,4 +1,4 @@
-"""Makes a component, sets its properties and finds its methods, by what its class offers."""
+"""Creates a component, sets its properties and finds its methods by reflection on its class."""
 
 from __future__ import annotations
 
@@ -20,16 +20,16 @@ _POSITIONAL = (inspect.Parameter.POSITIONAL_ONLY, inspect.Parameter.POSITIONAL_O
 
 
 def snake_case(name: str) -> str:
-    """A name as PEP 8 has it: `get_infrared_data` for `GetInfraredData`, `get_hp` for `getHP`."""
+    """A name in the style of PEP 8: `get_infrared_data` for `GetInfraredData`, `get_hp` for `getHP`."""
     return _WORD.sub("_", name).lower()
 
 
 def create(type_: type[C], available: Sequence[Any]) -> C:
-    """Make a component, with those of the objects at hand that its constructor asks for.
+    """Create a component; its constructor gets the available objects that it needs.
 
-    A parameter asks by its annotation (`Hardware`, a required interface), else by its name (`hardware`, the name of the
-    interface in any spelling). One that asks for anything else keeps its default. Raises CannotRunError when it has
-    none, and what the constructor raises.
+    A parameter is matched by its annotation (`Hardware`, a required interface), otherwise by its name (`hardware`, or
+    the name of the interface, ignoring case and underscores). Other parameters keep their default. Raises
+    CannotRunError when such a parameter has none, and what the constructor raises.
     """
     lacking: frozenset[str] = getattr(type_, "__abstractmethods__", frozenset())
     if lacking:
@@ -88,7 +88,7 @@ def _asks_for(parameter: inspect.Parameter, hints: dict[str, Any], offered: Any)
 
 
 def _roles(offered: Any) -> list[str]:
-    """The names of what an object stands for."""
+    """The names of the types that an object implements."""
     if isinstance(offered, Hardware):
         return ["Hardware"]
     skipped = ("object", "Protocol", "Generic", "ABC", type(offered).__name__)
@@ -96,10 +96,10 @@ def _roles(offered: Any) -> list[str]:
 
 
 def set_property(component: object, name: str, value: str) -> None:
-    """Set a property: by `set_property(name, value)`, else by the setter of its name, else as an attribute.
+    """Set a property with `set_property(name, value)`, else with the setter of its name, else as an attribute.
 
-    A setter and an attribute get the value converted to the type that they are annotated with, or that they have.
-    Raises CannotRunError when the class has none of them, or the value does not fit; and what the component raises.
+    The value is converted to the annotated type of the setter or to the current type of the attribute. Raises
+    CannotRunError when the class has none of them or the value cannot be converted, and what the component raises.
     """
     for general in ("set_property", "setProperty"):
         method = getattr(component, general, None)
@@ -135,7 +135,7 @@ def _setter_type(method: Callable[..., Any]) -> Any:
 
 
 def _converted(component: object, name: str, value: str, hint: Any) -> Any:
-    """The value as an object of a type; without a known type as a number or a boolean where it has that form."""
+    """Convert a value to a type; without a known type, to a number or a boolean if it has that form."""
     text = value.strip()
     try:
         if hint is str:
@@ -168,17 +168,17 @@ def _guessed(value: str) -> Any:
 
 @functools.cache
 def _attribute(type_: type, name: str) -> str | None:
-    spellings = (name, snake_case(name), name[:1].lower() + name[1:])
-    return next((s for s in spellings if callable(getattr(type_, s, None))), None)
+    variants = (name, snake_case(name), name[:1].lower() + name[1:])
+    return next((s for s in variants if callable(getattr(type_, s, None))), None)
 
 
 def method_of(component: object, name: str) -> Callable[..., Any]:
-    """A method by its name in the interface, or that name in snake_case. Raises CannotRunError when there is none."""
+    """Find a method by its name in the interface or in snake_case. Raises CannotRunError when there is none."""
     found = _attribute(type(component), name)
     if found is not None:
         return getattr(component, found)
-    for spelling in (name, snake_case(name)):
-        method = getattr(component, spelling, None)
+    for variant in (name, snake_case(name)):
+        method = getattr(component, variant, None)
         if callable(method):
             return method
     raise CannotRunError(
@@ -200,11 +200,11 @@ def _takes_holders(function: Any, arguments: int, inputs: int) -> bool:
 
 
 def call_with_outs(method: Callable[..., Any], *arguments: Any, returns: bool) -> Any:
-    """Call a method with out-parameters and return its return value and them.
+    """Call a method with out-parameters and return its return value; the values of the out-parameters are set.
 
-    The arguments hold an `Out` for each of these, in their places. A method that is annotated with `Out`, or takes as
-    many arguments as the interface has parameters, gets them so. Any other gets the inputs alone, and returns a tuple:
-    the return value, where there is one, then the out-parameters in order; one thing alone is returned as it is.
+    The arguments contain an `Out` for each out-parameter. A method that is annotated with `Out`, or takes as many
+    arguments as the interface has parameters, gets these objects. Any other method gets only the inputs and returns a
+    tuple: the return value, if there is one, then the out-parameters in order; a single value is returned as it is.
     """
     outs = [a for a in arguments if isinstance(a, Out)]
     inputs = [
@@ -228,9 +228,9 @@ def call_with_outs(method: Callable[..., Any], *arguments: Any, returns: bool) -
 
 
 def part_of(value: Any, *path: str | int) -> Any:
-    """A member of a struct, an element of a sequence, or a member of that: `part_of(pose, "position", "x")`.
+    """Get a nested member of a struct or element of a sequence: `part_of(pose, "position", "x")`.
 
-    None where the value has no such part.
+    None when the value has no such part.
     """
     for step in path:
         try:
@@ -241,14 +241,14 @@ def part_of(value: Any, *path: str | int) -> Any:
 
 
 def port_of(component: object, name: str) -> Any:
-    """What a component last sent through an output data port: the method of its name or its getter, else the attribute.
+    """Get the last value of an output data port, from the method or attribute with its name, or from its getter.
 
     Raises CannotRunError when the class has none of them.
     """
     camel = name[:1].upper() + name[1:]
-    for spelling in (name, snake_case(name), f"get{camel}", f"get_{snake_case(name)}"):
-        if hasattr(component, spelling):
-            value = getattr(component, spelling)
+    for variant in (name, snake_case(name), f"get{camel}", f"get_{snake_case(name)}"):
+        if hasattr(component, variant):
+            value = getattr(component, variant)
             return value() if callable(value) else value
     raise CannotRunError(
         f"{_named(type(component))} has neither a method or an attribute {name} or {snake_case(name)} nor a method"

@@ -1,4 +1,4 @@
-"""Base of the generated test drivers: life cycle of the component and results."""
+"""Base class of the generated test drivers: life cycle of the component and results."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ T = TypeVar("T")
 
 
 class SuiteDriver(ABC, Generic[C]):
-    """A driver within a run.
+    """The test driver of a run.
 
     A component is created for each case, or once per suite with `SUITE_LIFE`. `NOT_HOOKS` names
-    methods of its interfaces, which its life must not call.
+    methods of its interfaces, which are never called as hooks.
     """
 
     SUITE_LIFE: ClassVar[bool] = False
@@ -44,13 +44,13 @@ class SuiteDriver(ABC, Generic[C]):
 
     @abstractmethod
     def create_component(self) -> C:
-        """Make the component and set it up."""
+        """Create the component and set its properties."""
 
     def before_case(self, component: C, test_case: TestCase) -> None:
-        """Run before each call, when the world and the stubs are set."""
+        """Called before each call under test, after the world and the stubs are set up."""
 
     def after_case(self, component: C, test_case: TestCase) -> None:
-        """Run after each call, before the result is judged."""
+        """Called after each call under test, before the result is saved."""
 
     @property
     def stopwatch(self) -> Stopwatch:
@@ -58,18 +58,18 @@ class SuiteDriver(ABC, Generic[C]):
         return self._run.stopwatch
 
     def component(self) -> C:
-        """The component of this case: made now, or that of the case before where it lives as long as the suite."""
+        """The component of this case: a new one, or that of the previous case with `SUITE_LIFE`."""
         if self._component is None:
             self._component = self.create_component()
             self.begin(self._component)
         return self._component
 
     def make(self, type_: type[C], *stubs: object) -> C:
-        """Make a component, with whatever of the hardware and of these stubs its constructor asks for."""
+        """Create a component; its constructor gets the hardware and the stubs that it needs."""
         return components.create(type_, [*stubs, *self._run.hardware()])
 
     def begin(self, component: C) -> None:
-        """Initialise and start a component, where its class has methods named so; one that has begun does not again."""
+        """Initialise and start a component if its class has the methods; repeated calls do nothing."""
         if self._begun is not component:
             self._begun = component
             self._hooks.begin(component)
@@ -79,13 +79,13 @@ class SuiteDriver(ABC, Generic[C]):
         self._run.simulation.every(period_s, self._hooks.execution(component))
 
     def beside(self, call: Callable[..., T], *arguments: Any) -> CallBeside[T]:
-        """Begin a nonblocking call of the component; it is timed on its own thread."""
-        beside = CallBeside(self._run.stopwatch, self._run.simulation_if_any, lambda: call(*arguments))
-        self._pending = beside
-        return beside
+        """Start a nonblocking call of the component; it is measured on its own thread."""
+        nonblocking = CallBeside(self._run.stopwatch, self._run.simulation_if_any, lambda: call(*arguments))
+        self._pending = nonblocking
+        return nonblocking
 
     def timed(self, call: Callable[..., Any], *arguments: Any) -> Any:
-        """Make the call under test and give what it returns; nothing else is measured."""
+        """Make and measure the call under test, and return its value."""
         watch = self._run.stopwatch
         watch.start()
         returned = call(*arguments)
@@ -93,7 +93,7 @@ class SuiteDriver(ABC, Generic[C]):
         return returned
 
     def save(self, result: CaseResult) -> None:
-        """Hand the result of the case, with the time of its call, over to the results file."""
+        """Write the result of the case, with the time of its call, to the results file."""
         watch = self._run.stopwatch
         result.set_time(watch.component_us, watch.hardware_us, watch.stub_us)
         result.set_calls(self._run.stubbing.calls, self._run.stubbing.left_out)
@@ -106,7 +106,7 @@ class SuiteDriver(ABC, Generic[C]):
 
     @property
     def is_saved(self) -> bool:
-        """Whether the result of the current case is in the file."""
+        """Whether the result of the current case was saved."""
         return self._saved
 
     def begin_case(self) -> None:
@@ -121,12 +121,12 @@ class SuiteDriver(ABC, Generic[C]):
             self._pending.give_up()
 
     def end_case(self) -> None:
-        """End the life of a component that lives for one case."""
+        """Stop and close the component if it is created for each case."""
         if not self.SUITE_LIFE:
             self.close()
 
     def close(self) -> None:
-        """End the life of the component."""
+        """Stop and close the component."""
         if self._component is None:
             return
         try:

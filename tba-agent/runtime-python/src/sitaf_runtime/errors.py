@@ -1,11 +1,11 @@
-"""Errors outside of the component under test."""
+"""Errors that are not those of the component under test."""
 
 
 class CannotRunError(Exception):
-    """The suite cannot be run at all, or cannot continue: a class is missing, the simulator is lost.
+    """The suite cannot run or cannot continue, for example because a class is missing or the simulator is lost.
 
-    The process ends with exit code 3; nothing that a component under test does wrong belongs here. The message says
-    what is missing and what to do, for a person.
+    The process ends with exit code 3. Failures of the component under test are results of cases and never raise this.
+    The message says what is missing and what the user can do.
     """
 
 
@@ -14,10 +14,10 @@ class CaseDataError(ValueError):
 
 
 class SimulationError(Exception):
-    """The simulator did not do what it was asked to.
+    """A call to the simulator failed.
 
-    `lost` tells whether the simulator or the session is gone, so that no further case can run; otherwise it refused one
-    request, and the next may succeed.
+    `lost` is true when the simulator or the session is lost, so that no further case can run. Otherwise the simulator
+    rejected one request, and the next may succeed.
     """
 
     def __init__(self, message: str, *, lost: bool = False) -> None:

@@ -1,4 +1,4 @@
-"""The methods of a component that its life and its periods call, found by their names."""
+"""Calls the life-cycle methods and the periodic method of a component, which are found by name."""
 
 from __future__ import annotations
 
@@ -18,18 +18,18 @@ _EXECUTE = ("onExecute", "execute")
 
 
 class Hooks:
-    """Hooks of a component, except for the methods of its interfaces in either notation."""
+    """Hooks of a component. Methods of its interfaces are no hooks, in camelCase or snake_case."""
 
     def __init__(self, not_hooks: Sequence[str] = ()) -> None:
         self._not_hooks = {spelling for name in not_hooks for spelling in (name, snake_case(name))}
 
     def begin(self, component: object) -> None:
-        """Initialise and start a component, where it can be."""
+        """Initialise and start a component if it has the methods."""
         self._call(component, _INITIALISE)
         self._call(component, _START)
 
     def end(self, component: object) -> None:
-        """Stop, destroy and close a component, where it can be."""
+        """Stop, destroy and close a component if it has the methods."""
         try:
             self._call(component, _STOP)
             self._call(component, _DESTROY)
@@ -37,7 +37,7 @@ class Hooks:
             self._call(component, _CLOSE)
 
     def execution(self, component: object) -> Callable[[], Any]:
-        """What does the work of one period. Raises CannotRunError when the component has no method for it."""
+        """The method that executes one period. Raises CannotRunError when the component has none."""
         hook = self._find(component, _EXECUTE)
         if hook is None:
             raise CannotRunError(

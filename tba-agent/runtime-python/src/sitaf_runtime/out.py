@@ -6,7 +6,7 @@ T = TypeVar("T")
 
 
 class Out(Generic[T]):
-    """An out-parameter of a method under test: the component puts the value in, the test driver takes it out."""
+    """An out-parameter of a method under test: the component sets the value, the test driver reads it."""
 
     __slots__ = ("value",)
 
@@ -14,11 +14,11 @@ class Out(Generic[T]):
         self.value: T | None = value
 
     def get(self) -> T | None:
-        """What was put in last; None when nothing was."""
+        """The value that was set last; None when none was set."""
         return self.value
 
     def set(self, value: T) -> None:
-        """Put a value in."""
+        """Set the value."""
         self.value = value
 
     def __repr__(self) -> str:
@@ -26,6 +26,6 @@ class Out(Generic[T]):
 
 
 class InOut(Out[T]):
-    """A parameter that carries data both ways."""
+    """An in-out-parameter with its input value."""
 
     __slots__ = ()

@@ -1,7 +1,6 @@
-"""One process that runs a suite.
+"""Runs a suite in this process.
 
-Reads the cases, hands each to the test driver, and writes a record of every case, whatever the component
-does.
+Reads the cases, passes each to the test driver, and writes a record of every case, even when the component fails.
 """
 
 from __future__ import annotations
@@ -36,12 +35,12 @@ if TYPE_CHECKING:
 
 EXIT_DONE = 0
 EXIT_CANNOT_RUN = 3
-# A process that is killed loses what coverage counted since it was last written.
+# A killed process loses the coverage since it was last saved.
 _COVERAGE_EVERY_S = 1.0
 
 
 class TestRun:
-    """What the drivers of a run share."""
+    """The state of a run, which its driver uses."""
 
     __test__ = False  # not a test of pytest
 
@@ -50,7 +49,7 @@ class TestRun:
         self.results = results
         self._cases = iter(suite)
         self._read: deque[TestCase] = deque()
-        self._mistake: CaseDataError | None = None
+        self._error: CaseDataError | None = None
         self._simulation: Simulation | None = None
         if command.bridge is not None and command.world is not None:
             from sitaf_runtime.simulation.session import Simulation
@@ -71,30 +70,30 @@ class TestRun:
 
     @property
     def simulation_if_any(self) -> Simulation | None:
-        """The simulator's session, where there is one."""
+        """The simulator's session; None when there is none."""
         return self._simulation
 
     @property
     def took_too_long(self) -> str | None:
-        """What to say when the case took more simulation time than it may; else None."""
+        """The message when the case exceeded its limit of simulation time; otherwise None."""
         return None if self._simulation is None else self._simulation.took_too_long
 
     def require_simulator(self) -> None:
-        """Raise SimulationError when the simulator was lost: what was measured since then does not count."""
+        """Raise SimulationError when the simulator was lost, because later measurements are invalid."""
         if self._simulation is not None:
             self._simulation.require_there()
 
     def hardware(self) -> list[object]:
-        """What the component may be given; empty where there is no simulation."""
+        """The hardware for the component; empty when there is no simulation."""
         return [] if self._simulation is None else [self._simulation.hardware]
 
     def run_all(self, first: int, factory: Callable[[TestRun], SuiteDriver[Any]]) -> None:
-        """Run the cases, from the one of a number on where it is above 0."""
+        """Run the cases, starting with the case number `first`; 0 for all."""
         set_current(None if self._simulation is None else self._simulation.hardware)
         try:
             driver = factory(self)
-            self._pass_over(first)
-            # What is there stays; cases are let go by their counts, and cycles among them seldom matter.
+            self._skip_to(first)
+            # Excludes the objects so far from garbage collection; cases are freed by reference counting.
             gc.collect()
             gc.freeze()
             self.results.ready()
@@ -116,23 +115,23 @@ class TestRun:
             if self._read:
                 yield self._read.popleft()
                 continue
-            if self._mistake:
-                raise self._mistake
+            if self._error:
+                raise self._error
             case = next(self._cases, None)
             if case is None:
                 return
             yield case
 
     def _coming(self, count: int) -> Sequence[TestCase]:
-        """The cases after the current one, as many as are asked for and there are."""
+        """Up to `count` cases after the current one."""
         try:
             self._read.extend(islice(self._cases, max(0, count - len(self._read))))
         except CaseDataError as e:
-            # Told where its case would run.
-            self._mistake = e
+            # Raised when the run reaches this case.
+            self._error = e
         return list(islice(self._read, count))
 
-    def _pass_over(self, first: int) -> None:
+    def _skip_to(self, first: int) -> None:
         for case in self._cases if first else ():
             if case.no == first:
                 self._read.append(case)
@@ -154,7 +153,7 @@ class TestRun:
                 raise CannotRunError(f"the test driver ended case {case.no} without save(result)")
         except BaseException as raised:
             if driver.is_saved:
-                _tell(f"after case {case.no}: {describe(raised)}")
+                _report(f"after case {case.no}: {describe(raised)}")
             else:
                 self._end(result, case, raised)
         finally:
@@ -164,7 +163,7 @@ class TestRun:
             _closing(f"closing the component after case {case.no}", driver.end_case)
 
     def _end(self, result: CaseResult, case: TestCase, raised: BaseException) -> None:
-        """End the record of a case that did not get to save(result). Raises when no further case can run."""
+        """Complete the record of a case that did not save its result. Raises when no further case can run."""
         watch = self.stopwatch
         called = watch.was_started
         self.require_simulator()
@@ -189,7 +188,7 @@ class TestRun:
 
 
 def execute(arguments: list[str], factory: Callable[[TestRun], SuiteDriver[Any]]) -> int:
-    """Run a suite and give the exit code."""
+    """Run a suite and return the exit code."""
     try:
         command = CommandLine.parse(arguments)
         suite = SuiteReader(command.suite)
@@ -209,22 +208,22 @@ def execute(arguments: list[str], factory: Callable[[TestRun], SuiteDriver[Any]]
 
 
 def start(factory: Callable[[TestRun], SuiteDriver[Any]], arguments: list[str] | None = None) -> NoReturn:
-    """What a test application does: run the suite that the arguments name, then end the process.
+    """Run the suite that the arguments name, then end the process; the entry point of test applications.
 
-    It ends with 0 when every case has a result, with 3 and one line on the error stream when the suite could not be
-    run, and does not wait for threads that the component has left over.
+    The exit code is 0 when every case has a result, and 3, with one line on the error stream, when the suite could not
+    be run. Threads that the component left running are not waited for.
     """
     case_streams.install()
     faulthandler.enable()
     if hasattr(faulthandler, "register"):
         faulthandler.register(signal.SIGQUIT, all_threads=True)
-        # A JVM blocks it in its threads, and so in what it starts.
+        # A JVM blocks this signal in its threads, and child processes inherit that.
         signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGQUIT})
     end(execute(sys.argv[1:] if arguments is None else arguments, factory))
 
 
 def end(code: int) -> NoReturn:
-    """End the process at once, with all that was printed."""
+    """Flush the output and end the process immediately."""
     save_coverage()
     for stream in (sys.stdout, sys.stderr):
         try:
@@ -236,12 +235,12 @@ def end(code: int) -> NoReturn:
 
 def cannot_run(reason: str) -> int:
     """Print why the suite cannot be run."""
-    _tell(re.sub(r"\s*\n\s*", "; ", reason.strip()))
+    _report(re.sub(r"\s*\n\s*", "; ", reason.strip()))
     return EXIT_CANNOT_RUN
 
 
 def save_coverage() -> None:
-    """Write what coverage.py has counted so far, where it counts in this process."""
+    """Save the coverage so far if coverage.py runs in this process."""
     coverage = sys.modules.get("coverage")
     if coverage is not None:
         current = coverage.Coverage.current()
@@ -249,15 +248,15 @@ def save_coverage() -> None:
             current.save()
 
 
-def _tell(text: str) -> None:
+def _report(text: str) -> None:
     # The component may have closed the stream.
     with suppress(OSError, ValueError, AttributeError):
         print(f"sitaf: {text}", file=sys.stderr, flush=True)
 
 
 def _closing(what: str, close: Callable[[], None]) -> None:
-    """Do the work after a case. A failure is printed and does not change the result."""
+    """Run a clean-up step after a case. A failure is printed and does not change the result."""
     try:
         close()
     except BaseException as e:
-        _tell(f"{what}: {describe(e)}")
+        _report(f"{what}: {describe(e)}")

@@ -9,9 +9,9 @@ _NANOS_PER_MICRO = 1000.0
 
 
 class Stopwatch:
-    """Measures one call by the monotonic clock, and apart from it what it spends in virtual hardware and in stubs.
+    """Measures one call with the monotonic clock, and separately its time in virtual hardware and in stubs.
 
-    Only the thread that started the watch counts: what other threads of the component do is not part of the call.
+    Only the thread that started the stopwatch is measured; other threads of the component are not part of the call.
     """
 
     __slots__ = ("_began", "_called", "_hardware", "_owner", "_stub", "_total")
@@ -22,14 +22,14 @@ class Stopwatch:
         self._began = self._total = self._hardware = self._stub = 0
 
     def start(self) -> None:
-        """Start the measurement; an earlier one is cleared."""
+        """Start a new measurement."""
         self._total = self._hardware = self._stub = 0
         self._called = True
         self._owner = get_ident()
         self._began = time.perf_counter_ns()
 
     def stop(self) -> None:
-        """End the measurement. Raises RuntimeError when none is under way."""
+        """End the measurement. Raises RuntimeError when none is running."""
         now = time.perf_counter_ns()
         if not self._owner:
             raise RuntimeError("the stopwatch is stopped before it was started")
@@ -44,17 +44,17 @@ class Stopwatch:
 
     @property
     def is_running(self) -> bool:
-        """Whether a call is being measured: an exception now comes from the component."""
+        """Whether a call is being measured. Then an exception comes from the component."""
         return self._owner != 0
 
     @property
     def was_started(self) -> bool:
-        """Whether a call was begun since the last reset."""
+        """Whether a call was started since the last reset."""
         return self._called
 
     @contextmanager
     def in_hardware(self) -> Iterator[None]:
-        """Count what is inside as spent in virtual hardware."""
+        """Count the time in this context as spent in virtual hardware."""
         entered = time.perf_counter_ns()
         try:
             yield
@@ -62,18 +62,18 @@ class Stopwatch:
             self.leave_hardware(entered)
 
     def leave_hardware(self, entered: int) -> None:
-        """Count the time since a moment of `time.perf_counter_ns` as spent in virtual hardware."""
+        """Count the time since a value of `time.perf_counter_ns` as spent in virtual hardware."""
         if self._owner == get_ident():
             self._hardware += time.perf_counter_ns() - entered
 
     def leave_stub(self, entered: int) -> None:
-        """Count the time since a moment of `time.perf_counter_ns` as spent in a stub."""
+        """Count the time since a value of `time.perf_counter_ns` as spent in a stub."""
         if self._owner == get_ident():
             self._stub += time.perf_counter_ns() - entered
 
     @property
     def component_us(self) -> float:
-        """The component's own time in microseconds: the call without virtual hardware and stubs."""
+        """Time of the call in microseconds, without virtual hardware and stubs."""
         return max(0, self._total - self._hardware - self._stub) / _NANOS_PER_MICRO
 
     @property

@@ -1,4 +1,4 @@
-"""What the test stub answers for required interfaces."""
+"""Base of the generated test stubs of required interfaces."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _ERROR = "!error:"
 
 @dataclass(frozen=True, slots=True)
 class Answer(Generic[T]):
-    """What a stubbed method does: it waits, then raises the error or returns the value."""
+    """The behaviour of a stubbed method: it waits, then raises the error or returns the value."""
 
     value: T | None
     delay_s: float = 0.0
@@ -32,7 +32,7 @@ class Answer(Generic[T]):
 
 
 def answer(kind: Kind[T] | None, errors: Mapping[str, type[Exception]]) -> Kind[Answer[T]]:
-    """Answers of a case: `VALUE`, `!error:NAME`, `!delay:SECONDS`, or a delay, a space and another.
+    """Reads answers: `VALUE`, `!error:NAME` or `!delay:SECONDS`; a value or an error may follow a delay after a space.
 
     `kind` is None for a method that returns nothing.
     """
@@ -59,29 +59,29 @@ def answer(kind: Kind[T] | None, errors: Mapping[str, type[Exception]]) -> Kind[
 
 
 class Stubbing:
-    """What the stubbed methods of a run share: the clock, the record of a case's calls, and how time passes."""
+    """State that the stubbed methods of a run share: stopwatch, recorded calls, and simulation."""
 
-    # A component may call without end.
+    # Maximum number of recorded calls per case; a component may make any number of calls.
     MOST = 1_000
 
     def __init__(self, stopwatch: Stopwatch, simulation: Simulation | None = None) -> None:
-        """`simulation` is whose time a delayed answer takes; None where real time passes."""
+        """`simulation` delays answers in simulation time; None for real time."""
         self.stopwatch = stopwatch
         self._simulation = simulation
         self.calls: list[StubCall] = []
         self.left_out = 0
 
     def begin(self) -> None:
-        """Begin a case: clear the recorded calls."""
+        """Start a case: clear the recorded calls."""
         self.calls = []
         self.left_out = 0
 
     def has_room(self) -> bool:
-        """Whether one more call is kept."""
+        """Whether the next call is recorded."""
         return len(self.calls) < self.MOST
 
     def record(self, method: str, arguments: dict[str, str]) -> None:
-        """Keep a call, from any thread."""
+        """Record a call. Thread-safe."""
         if self.has_room():
             self.calls.append(StubCall(method, arguments))
         else:
@@ -96,11 +96,11 @@ class Stubbing:
 
 
 class StubbedMethod(Generic[T]):
-    """One method of a required interface, as the test stub answers it.
+    """A method of a required interface in the test stub.
 
-    From one call on to the next that has its own, every call gets the same answer. `name` is `Interface.Method`, `kind`
-    None where it returns nothing, `inputs` and `outs` the kinds of its parameters by name; what goes both ways is in
-    both.
+    An answer applies from its call until the next call that has an answer. `name` is `Interface.Method`; `kind` is None
+    when the method returns nothing; `inputs` and `outs` are the kinds of its parameters by name, with in-out-parameters
+    in both.
     """
 
     def __init__(
@@ -121,19 +121,19 @@ class StubbedMethod(Generic[T]):
         self.reset()
 
     def reset(self) -> None:
-        """Go back to the zero of each type, and count from 1 again."""
+        """Reset the answers to the default value of each type, and restart the count of calls."""
         self._count = 0
         self._answers = {name: [(1, kind.zero())] for name, kind in self._outs.items()}
         self._answers[""] = [(1, None if self._kind is None else self._kind.zero())]
 
     def answer(self, value: T | Answer[T], from_call: int = 1, out: str = "") -> None:
-        """Set the answer from a call on, counted from 1: of the return value, or of an out-parameter."""
+        """Set the answer from a call (counted from 1) onwards, for the return value or for an out-parameter."""
         self._answers[out].append((from_call, value))
 
     def call(self, *arguments: Any) -> Any:
-        """What the component gets; the time counts as the stub's.
+        """Handle a call of the component; its time counts as time in stubs.
 
-        A method with out-parameters gives a tuple: the return value, where there is one, then each of them.
+        A method with out-parameters returns a tuple: the return value, if there is one, then each out-parameter.
         """
         entered = time.perf_counter_ns()
         try:

@@ -8,7 +8,7 @@ import traceback
 _FRAMES = 4
 _CAUSES = 3
 _MAX_MESSAGE = 4000
-# Innermost frames that are looked at; a recursion without end has thousands.
+# Maximum number of frames to search; an infinite recursion has thousands.
 _DEEPEST = 200
 _NOT_THE_USERS = tuple(
     os.path.join(folder, "")
@@ -23,7 +23,7 @@ _PACKAGES = ("site-packages", "dist-packages")
 
 
 def describe(raised: BaseException) -> str:
-    """Class, message and the innermost frames in the component, of the exception and of its causes."""
+    """Class, message and innermost frames in the component, for the exception and its causes."""
     parts: list[str] = []
     current: BaseException | None = raised
     seen: set[int] = set()
@@ -51,7 +51,7 @@ def _describe_one(raised: BaseException) -> str:
 
 
 def is_the_users(filename: str) -> bool:
-    """Whether a file is the component's or of a package that it uses, and neither Python's nor SITAF's."""
+    """Whether a file belongs to the component or a package that it uses, not to Python or SITAF."""
     parts = filename.split(os.sep)
     if filename.startswith("<frozen") or any(folder in _OURS for folder in parts[:-1]):
         return False
@@ -59,7 +59,7 @@ def is_the_users(filename: str) -> bool:
 
 
 def _short(filename: str) -> str:
-    """A path below the folder that it was imported from."""
+    """A path relative to the folder that it was imported from."""
     for folder in sorted(map(os.path.abspath, filter(None, sys.path)), key=len, reverse=True):
         if filename.startswith(os.path.join(folder, "")):
             return os.path.relpath(filename, folder)
@@ -67,7 +67,7 @@ def _short(filename: str) -> str:
 
 
 def _message_of(raised: BaseException) -> str:
-    """The message; the exception's own method may fail."""
+    """The message; `__str__` is code of the component and may raise."""
     try:
         return str(raised)[:_MAX_MESSAGE]
     except Exception as e:

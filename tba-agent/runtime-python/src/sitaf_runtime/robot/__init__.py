@@ -1,1 +1,1 @@
-"""The robot's hardware as a component sees it, in shapes of `sensor_msgs` and SI units."""
+"""The robot's hardware as a component sees it, with the data of `sensor_msgs` in SI units."""

@@ -1,6 +1,6 @@
-"""What a component drives; commands hold until the next one, and act when time moves.
+"""Actuators. A command holds until the next one and takes effect when simulation time advances.
 
-A command that a device does not take, or beyond its limits, is a ValueError.
+An unsupported command, or one beyond the limits of the device, raises a ValueError.
 """
 
 from abc import abstractmethod
@@ -9,51 +9,51 @@ from sitaf_runtime.robot.sensors import Device, JointEncoder
 
 
 class JointMotor(JointEncoder):
-    """A motor at a joint. The world decides which of the commands it takes."""
+    """A motor of a joint. The world description defines which command it supports."""
 
     __slots__ = ()
 
     @abstractmethod
     def effort(self) -> float:
-        """What it exerts, in newton metres or newtons."""
+        """Measured effort in newton metres or newtons."""
 
     @abstractmethod
     def set_position(self, target: float) -> None:
-        """Go to a position in radians or metres."""
+        """Command a position in radians or metres."""
 
     @abstractmethod
     def set_velocity(self, target: float) -> None:
-        """Keep a velocity in radians or metres per second."""
+        """Command a velocity in radians or metres per second."""
 
     @abstractmethod
     def set_effort(self, target: float) -> None:
-        """Exert an effort in newton metres or newtons."""
+        """Command an effort in newton metres or newtons."""
 
 
 class DifferentialDrive(Device):
-    """A base on two driven wheels."""
+    """A mobile base with two driven wheels."""
 
     __slots__ = ()
 
     @abstractmethod
     def linear(self) -> float:
-        """Measured speed in metres per second, forward."""
+        """Measured linear speed in metres per second, forward."""
 
     @abstractmethod
     def angular(self) -> float:
-        """Measured turning in radians per second, counterclockwise."""
+        """Measured angular speed in radians per second, counterclockwise."""
 
     @abstractmethod
     def left_position(self) -> float:
-        """Radians that the left wheel has turned."""
+        """Rotation of the left wheel in radians."""
 
     @abstractmethod
     def right_position(self) -> float:
-        """Radians that the right wheel has turned."""
+        """Rotation of the right wheel in radians."""
 
     @abstractmethod
     def drive(self, linear: float, angular: float) -> None:
-        """Command a speed in m/s and a turning in rad/s."""
+        """Command a linear speed in m/s and an angular speed in rad/s."""
 
 
 class Gripper(Device):
@@ -67,11 +67,11 @@ class Gripper(Device):
 
     @abstractmethod
     def effort(self) -> float:
-        """What the fingers exert, in newtons; closing is negative."""
+        """Force of the fingers in newtons; closing is negative."""
 
     @abstractmethod
     def move(self, width: float) -> None:
-        """Go to a width in metres."""
+        """Move to a width in metres."""
 
 
 class DigitalLine(Device):

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 
 class Vector(NamedTuple):
-    """Three numbers along x, y and z; the unit stands where it is used."""
+    """A vector; the method that returns it documents the unit."""
 
     x: float
     y: float
@@ -12,7 +12,7 @@ class Vector(NamedTuple):
 
 
 class Quaternion(NamedTuple):
-    """A rotation, of unit length."""
+    """A rotation as a unit quaternion."""
 
     x: float
     y: float

@@ -1,4 +1,4 @@
-"""The robot's hardware, as a component under test sees it."""
+"""The robot's hardware as a component under test sees it."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ if TYPE_CHECKING:
         RangeSensor,
     )
 
-# A process runs one suite, so one place is enough.
+# Global because a process runs a single suite.
 _current: Hardware | None = None
 
 
 def set_current(hardware: Hardware | None) -> None:
-    """Set what `Hardware.current()` answers."""
+    """Set the value of `Hardware.current()`."""
     global _current  # noqa: PLW0603
     _current = hardware
 
@@ -33,11 +33,11 @@ def set_current(hardware: Hardware | None) -> None:
 class Hardware(ABC):
     """The devices of a robot, by name.
 
-    A component gets it by a constructor argument of this type, or by `Hardware.current()`. Only the test driver moves
-    time: between two steps of the simulation every reading stays the same, however often it is read, and reading costs
-    no round trip to the simulator.
+    A component gets it as a constructor argument of this type, or from `Hardware.current()`. Only the test driver
+    advances time. Between two steps of the simulation all readings stay the same, and reading needs no round trip to
+    the simulator.
 
-    Each accessor raises ValueError when the robot has no such device of that name; the message lists those it has.
+    Each accessor raises ValueError when the robot has no such device; the message lists the existing ones.
     """
 
     @staticmethod
@@ -63,7 +63,7 @@ class Hardware(ABC):
 
     @abstractmethod
     def imu(self, name: str) -> ImuSensor:
-        """An inertial unit."""
+        """An inertial measurement unit."""
 
     @abstractmethod
     def joint_encoder(self, name: str) -> JointEncoder:
@@ -79,7 +79,7 @@ class Hardware(ABC):
 
     @abstractmethod
     def contact_sensor(self, name: str) -> ContactSensor:
-        """A bumper."""
+        """A contact sensor, such as a bumper."""
 
     @abstractmethod
     def camera(self, name: str) -> Camera:
@@ -87,7 +87,7 @@ class Hardware(ABC):
 
     @abstractmethod
     def magnetometer(self, name: str) -> Magnetometer:
-        """A compass."""
+        """A magnetometer."""
 
     @abstractmethod
     def battery(self, name: str) -> Battery:
@@ -115,7 +115,7 @@ class Hardware(ABC):
 
     @abstractmethod
     def sleep(self, seconds: float) -> None:
-        """Wait in simulation time, rounded up to whole steps; the world moves on meanwhile."""
+        """Wait in simulation time, rounded up to whole steps; the simulation advances meanwhile."""
 
     @property
     @abstractmethod

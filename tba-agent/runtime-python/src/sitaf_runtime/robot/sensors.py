@@ -1,4 +1,4 @@
-"""What a component reads. `name` is the device's name in the world description."""
+"""Sensors. `name` is the device's name in the world description."""
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
@@ -24,7 +24,7 @@ class RangeSensor(Device):
     def range(self) -> float:
         """The distance at the current step in metres.
 
-        As REP-117 has it: positive infinity when nothing is within `max_range()`, negative infinity when something is
+        As in REP-117: positive infinity when nothing is within `max_range()`, negative infinity when something is
         nearer than `min_range()` or around the sensor, NaN when the reading failed.
         """
 
@@ -64,11 +64,11 @@ class LaserScanner(Device):
 
     @abstractmethod
     def ranges(self) -> list[float]:
-        """Metres, from the first ray on, in a list of the caller's own; infinities and NaN as REP-117 has them."""
+        """Distances in metres, one for each ray, in a new list; infinities and NaN as in REP-117."""
 
 
 class ImuSensor(Device):
-    """An inertial unit; shape of `sensor_msgs/Imu`, in its own frame."""
+    """An inertial measurement unit; shape of `sensor_msgs/Imu`, in its own frame."""
 
     __slots__ = ()
 
@@ -82,17 +82,17 @@ class ImuSensor(Device):
 
     @abstractmethod
     def linear_acceleration(self) -> Vector:
-        """Metres per second squared; at rest it reads gravity upwards."""
+        """Metres per second squared, including gravity: at rest it points upwards."""
 
 
 class JointEncoder(Device):
-    """What is measured at a joint."""
+    """An encoder of a joint."""
 
     __slots__ = ()
 
     @abstractmethod
     def position(self) -> float:
-        """Radians, or metres for a slide."""
+        """Radians, or metres for a prismatic joint."""
 
     @abstractmethod
     def velocity(self) -> float:
@@ -128,22 +128,22 @@ class ForceTorqueSensor(Device):
 
 
 class ContactSensor(Device):
-    """A bumper."""
+    """A contact sensor, such as a bumper."""
 
     __slots__ = ()
 
     @abstractmethod
     def is_pressed(self) -> bool:
-        """Whether anything presses on it."""
+        """Whether it is pressed."""
 
     @abstractmethod
     def force(self) -> float:
-        """How hard, in newtons."""
+        """Contact force in newtons."""
 
 
 @dataclass(frozen=True, slots=True)
 class Image:
-    """A picture, row by row from the top.
+    """An image, row by row from the top.
 
     `encoding` is `rgb8` (bytes red, green, blue) or `32FC1` (metres, as little-endian floats).
     """
@@ -155,23 +155,23 @@ class Image:
 
 
 class Camera(Device):
-    """A camera; shape of `sensor_msgs/Image`. Unlike all others it is read from the simulator at each call."""
+    """A camera; shape of `sensor_msgs/Image`. Unlike other devices, each call reads it from the simulator."""
 
     __slots__ = ()
 
     @abstractmethod
     def image(self) -> Image:
-        """The picture at the current step."""
+        """The image at the current step."""
 
 
 class Magnetometer(Device):
-    """A compass, in its own frame."""
+    """A magnetometer, in its own frame."""
 
     __slots__ = ()
 
     @abstractmethod
     def field(self) -> Vector:
-        """Tesla."""
+        """Magnetic field in tesla."""
 
 
 class Battery(Device):

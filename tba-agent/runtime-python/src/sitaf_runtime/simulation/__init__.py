@@ -1,1 +1,1 @@
-"""The client of the robot simulator; no type of its wire leaves this package."""
+"""The client of the robot simulator. Protocol messages are not used outside of this package."""

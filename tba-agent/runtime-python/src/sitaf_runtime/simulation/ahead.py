@@ -1,4 +1,4 @@
-"""Prepares the coming cases in bulk, while nothing but readings depends on the simulator."""
+"""Prepares the following cases in bulk as long as components only read their devices."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from sitaf_runtime.simulation.wire.sitaf.sim.v1 import simulation_pb2 as pb
 from sitaf_runtime.suite.kinds import FLOAT64
 from sitaf_runtime.suite.test_case import TestCase
 
-# The first batch is small, so that the first result is soon there.
+# The first batch is small, so that the first case starts soon.
 _FIRST = 32
 _MOST = 4096
 _MOST_NUMBERS = 1_000_000
@@ -20,10 +20,10 @@ Values = tuple[float, ...]
 
 
 class Preparation:
-    """Knows the worlds of the coming cases before they are asked for.
+    """Prepares the worlds of several cases in one call.
 
-    A case whose values were not foreseen, or that diverged, is not known here, and neither is any after `stop`: the
-    live session prepares them one by one, with the same readings.
+    The session itself prepares a case, with the same readings, when the batch does not contain its values, its
+    simulation diverged or was rejected, or after `stop`.
     """
 
     def __init__(
@@ -41,12 +41,12 @@ class Preparation:
         self._alone = 0
 
     def stop(self) -> None:
-        """Look ahead no more: the component does more than to read."""
+        """Stop preparing in bulk, because the component commands its hardware or waits."""
         self._stopped = True
         self._known = {}
 
     def world(self, parameters: Mapping[str, float], settle_ns: int, time_ns: int) -> FrozenWorld | None:
-        """The world of the current case after it was prepared; None where it is not known."""
+        """The prepared world of the current case; None when the session must prepare it."""
         if self._stopped or not parameters:
             return None
         key = _key(parameters.values())
@@ -67,7 +67,7 @@ class Preparation:
             request.values.extend(row)
         response = self._ask(request)
         if response is None:
-            # One of them is refused: the live session says which, case by case.
+            # One case was rejected. Preparing each case separately reports which one.
             self._alone = len(rows)
             return
         try:
@@ -85,7 +85,7 @@ class Preparation:
         self._size = min(self._size * 4, _MOST)
 
     def _rows(self, names: list[str], current: Values) -> list[Values]:
-        """The values of this case and of those after it, each once."""
+        """The values of the current case and of the following cases, each combination once."""
         rows = {_key(current): current}
         width = max(1, len(self._layout.columns), len(names))
         for case in self._coming(min(self._size, max(1, _MOST_NUMBERS // width))):
@@ -98,6 +98,6 @@ class Preparation:
 
 
 def _key(values: object) -> bytes:
-    """Values bit by bit: 0.0 is not -0.0."""
+    """Compares values by their bits, so 0.0 and -0.0 differ."""
     row = tuple(values)  # pyright: ignore[reportArgumentType]
     return struct.pack(f"<{len(row)}d", *row)

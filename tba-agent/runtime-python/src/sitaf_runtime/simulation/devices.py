@@ -1,4 +1,4 @@
-"""The devices of a simulated robot, as views of the frozen world's numbers."""
+"""The devices of a simulated robot, which read the numbers of the current step."""
 
 from __future__ import annotations
 
@@ -10,31 +10,31 @@ from sitaf_runtime.simulation.wire.sitaf.sim.v1 import simulation_pb2 as pb
 
 
 class Access(Protocol):
-    """One device's way to its readings and to the simulator; all time in it counts as hardware."""
+    """Access of one device to its readings and the simulator; measured as hardware time."""
 
     def number(self, index: int) -> float:
-        """One number of its reading."""
+        """One number of the reading."""
         ...
 
     def numbers(self, start: int, count: int) -> list[float]:
-        """Several numbers of its reading."""
+        """Several numbers of the reading."""
         ...
 
     def setting(self) -> Any:
-        """Its reading when the session began, with what never changes in it."""
+        """The reading at the start of the session, which contains the constants of the device."""
         ...
 
     def write(self, command: pb.DeviceCommand) -> None:
-        """Command it."""
+        """Send a command to the device."""
         ...
 
     def look(self) -> pb.Reading:
-        """What the camera sees."""
+        """The current image of the camera."""
         ...
 
 
 class _Simulated:
-    """What all simulated devices hold."""
+    """Base of all simulated devices."""
 
     def __init__(self, name: str, access: Access) -> None:
         self.name = name
@@ -83,7 +83,7 @@ class Scanner(_Simulated, sensors.LaserScanner):
 
 
 class Imu(_Simulated, sensors.ImuSensor):
-    """An inertial unit."""
+    """An inertial measurement unit."""
 
     def orientation(self) -> Quaternion:
         return self._quaternion(0)
@@ -126,7 +126,7 @@ class Force(_Simulated, sensors.ForceTorqueSensor):
 
 
 class Bumper(_Simulated, sensors.ContactSensor):
-    """A bumper."""
+    """A contact sensor."""
 
     def is_pressed(self) -> bool:
         return self._access.number(0) > 0.5
@@ -136,7 +136,7 @@ class Bumper(_Simulated, sensors.ContactSensor):
 
 
 class Compass(_Simulated, sensors.Magnetometer):
-    """A compass."""
+    """A magnetometer."""
 
     def field(self) -> Vector:
         return self._vector(0)

@@ -1,4 +1,4 @@
-"""The frozen world: what the devices read at one step, as flat numbers."""
+"""Readings of all devices and observations at one step, as a row of numbers."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -15,10 +15,10 @@ class FrozenWorld:
 
 
 class Layout:
-    """Where the numbers of each device and each observation lie.
+    """The columns of a row of numbers.
 
-    They lie as the simulator's bulk call has them: `device.field` for each number of each device, then the
-    observations, so that a row of it needs no conversion.
+    The order is that of PrepareMany: `device.field` for each number of each device, then the observations, so that its
+    rows need no conversion.
     """
 
     def __init__(self, world: pb.WorldDescription) -> None:
@@ -34,7 +34,7 @@ class Layout:
         self._order = list(self.places)
 
     def freeze(self, state: pb.WorldState) -> FrozenWorld:
-        """The numbers of a message. A device that it leaves out reads NaN."""
+        """The numbers of a message; NaN for devices that it does not contain."""
         numbers = [float("nan")] * len(self.columns)
         for reading in state.readings:
             part: str | None = reading.WhichOneof("value")
@@ -49,7 +49,7 @@ class Layout:
         return FrozenWorld(state.time_ns, numbers)
 
     def order_of(self, columns: Sequence[str]) -> list[int] | None:
-        """Where in a bulk answer each number lies; None where they lie as here. Raises ValueError if one is missing."""
+        """The index of each number in a bulk row; None for the same order. Raises ValueError if a number is missing."""
         if list(columns) == self.columns:
             return None
         return [list(columns).index(column) for column in self.columns]

@@ -1,7 +1,7 @@
 """The hardware of a simulated robot.
 
-Readings come from the frozen world that the last step left, without a round trip; commands, pictures and waiting go to
-the simulator.
+Readings come from the state after the last step, without a round trip; commands, images and waits are calls to the
+simulator.
 """
 
 from __future__ import annotations
@@ -21,23 +21,23 @@ D = TypeVar("D", bound=simulated._Simulated)
 
 
 class Simulator(Protocol):
-    """What needs the simulator."""
+    """Operations that call the simulator."""
 
     def write(self, command: pb.DeviceCommand) -> None:
-        """Command a device."""
+        """Send a command to a device."""
         ...
 
     def look(self, camera: str) -> pb.Reading:
-        """Look through a camera."""
+        """Get the current image of a camera."""
         ...
 
     def wait(self, time_ns: int) -> None:
-        """Let time pass."""
+        """Let simulation time pass."""
         ...
 
 
 class SimulatedHardware(Hardware):
-    """The devices of a world; `settings` are their readings when the session began."""
+    """The devices of a world; `settings` are their readings at the start of the session."""
 
     def __init__(
         self,
@@ -122,7 +122,7 @@ class SimulatedHardware(Hardware):
 
 
 class _Access:
-    """One device's way to its readings and to the simulator; all time in it counts as hardware."""
+    """Access of one device to its readings and the simulator; measured as hardware time."""
 
     __slots__ = ("_end", "_hardware", "_name", "_start")
 

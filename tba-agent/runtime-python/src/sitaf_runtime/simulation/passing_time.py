@@ -1,7 +1,7 @@
-"""Lets simulation time pass in pieces that end where a component has something to do.
+"""Advances simulation time in pieces that end when the component has something to do.
 
-That is at each of its periods, and when a wait of one of its threads is over. Time is counted in steps since the case
-was prepared, and moves in the driver's thread only.
+That is at each of its periods, and when a wait of one of its threads ends. Time is counted in steps since the case
+was prepared; only the driver's thread advances it.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from sitaf_runtime.errors import SimulationError
 
 
 class PassingTime:
-    """A clock at 0; `move` moves the world by a number of steps of `timestep_ns` each."""
+    """The simulation time of a case; `move` advances the world by a number of steps of `timestep_ns` each."""
 
     def __init__(self, timestep_ns: int, move: Callable[[int], None]) -> None:
         self._timestep_ns = timestep_ns
@@ -32,11 +32,11 @@ class PassingTime:
         self._ticking = False
 
     def steps_in(self, time_ns: int) -> int:
-        """Whole steps that a time takes, rounded up."""
+        """Number of steps in a time, rounded up."""
         return max(0, -(-time_ns // self._timestep_ns))
 
     def restart(self) -> None:
-        """Begin a case, whose driver is the calling thread; what waited for the last one goes on."""
+        """Start a case with the calling thread as its driver; waits of the previous case end."""
         with self._changed:
             self._driver = threading.get_ident()
             self._step = 0
@@ -47,47 +47,48 @@ class PassingTime:
                 self._changed.notify_all()
 
     def every(self, period_ns: int, tick: Callable[[], object]) -> None:
-        """Call `tick` on the first step at or after each whole period from now on, but never within itself."""
+        """Call `tick` on the first step at or after each period from now, but not during another tick."""
         if period_ns <= 0:
             raise ValueError(f"the period {period_ns} ns must be above zero")
         self._period_ns, self._tick, self._begin, self._count = period_ns, tick, self._step, 1
 
     def follow(self, thread: threading.Thread) -> None:
-        """Let time pass only while a thread that is not started yet waits for it, until it leaves.
+        """Let time pass only while a thread waits for it, until the thread leaves.
 
-        What it does then happens at the same simulation time in every run.
+        Everything that the thread does then happens at the same simulation time in every run. Call this before the
+        thread is started.
         """
         with self._changed:
             self._followed = thread
             self._given_up = None
 
     def leave(self) -> None:
-        """The calling thread is at its end, and is not followed any longer."""
+        """Stop following the calling thread, which calls this at its end."""
         with self._changed:
             if self._followed is threading.current_thread():
                 self._followed = None
                 self._changed.notify_all()
 
     def pass_until_it_leaves(self) -> None:
-        """Let as much time pass as the thread that is followed still waits for; none where none is."""
+        """Let time pass until the followed thread leaves; do nothing when no thread is followed."""
         while steps := self._awaited():
             self._move(steps)
 
     def give_up(self) -> None:
-        """End the waits of the thread that is followed, each by an exception."""
+        """Stop following the thread: its current and later waits raise an exception."""
         with self._changed:
             self._given_up = self._followed
             self._followed = None
             self._changed.notify_all()
 
     def end(self) -> None:
-        """Let go of all that waits."""
+        """End all waits."""
         with self._changed:
             self._ended = True
             self._changed.notify_all()
 
     def let_pass(self, time_ns: int) -> None:
-        """Move time in the driver's thread; in any other, wait for the driver to have moved it."""
+        """Advance time in the driver's thread; other threads wait until the driver has advanced it."""
         steps = self.steps_in(time_ns)
         if steps == 0:
             return
@@ -114,7 +115,7 @@ class PassingTime:
     def _next_tick(self) -> int | None:
         if self._tick is None or self._ticking:
             return None
-        # A component that let time pass itself skips the ticks that it slept through.
+        # Ticks during a sleep of the component itself are skipped.
         while self._at() <= self._step:
             self._count += 1
         return self._at()
@@ -144,7 +145,7 @@ class PassingTime:
                 raise SimulationError("the case is over, and no more of its time passes")
 
     def _await_followed(self) -> None:
-        """Until the thread that is followed waits for simulation time, or is at its end."""
+        """Wait until the followed thread waits for simulation time or has left."""
         if self._followed is None:
             return
         with self._changed:
@@ -152,7 +153,7 @@ class PassingTime:
                 self._changed.wait()
 
     def _awaited(self) -> int:
-        """Steps that the thread that is followed waits for; 0 when it is at its end."""
+        """Steps that the followed thread waits for; 0 when it has left."""
         self._await_followed()
         thread = self._followed
         return 0 if thread is None else self._waiting[thread] - self._step

@@ -1,17 +1,16 @@
-"""What moved in each case, as files."""
+"""Recordings of the motion in each case, as files."""
 
 from contextlib import suppress
 from pathlib import Path
 
-_MOST_BYTES = 64 << 20
+_MAX_BYTES = 64 << 20
 
 
 class Recording:
-    """A folder with `NO.glb` for each case: binary glTF, complete in itself.
+    """A folder with `NO.glb` for each case: self-contained binary glTF.
 
-    A full folder takes no more; files that were taken out of it meanwhile make room.
-
-    The folder is made. Raises OSError when it cannot be.
+    When the folder is full, recordings are dropped until files have been removed from it. Creates the folder; raises
+    OSError when that fails.
     """
 
     def __init__(self, folder: Path) -> None:
@@ -21,15 +20,15 @@ class Recording:
 
     @property
     def is_full(self) -> bool:
-        """Whether no further case is taken."""
-        return self._bytes >= _MOST_BYTES
+        """Whether the folder is full."""
+        return self._bytes >= _MAX_BYTES
 
     def save(self, no: int, motion: bytes) -> None:
-        """Save what moved in the case of a number. Raises OSError when it cannot be written."""
-        if self._bytes + len(motion) > _MOST_BYTES:
+        """Save the recording of a case. Raises OSError when it cannot be written."""
+        if self._bytes + len(motion) > _MAX_BYTES:
             self._bytes = self._present()
-        if self._bytes + len(motion) > _MOST_BYTES:
-            self._bytes = _MOST_BYTES
+        if self._bytes + len(motion) > _MAX_BYTES:
+            self._bytes = _MAX_BYTES
             return
         self._bytes += len(motion)
         (self._folder / f"{no}.glb").write_bytes(motion)
@@ -37,7 +36,7 @@ class Recording:
     def _present(self) -> int:
         size = 0
         for file in self._folder.iterdir():
-            # One may be taken at this moment.
+            # The agent may remove the file at this moment.
             with suppress(FileNotFoundError):
                 size += file.stat().st_size
         return size

@@ -28,7 +28,7 @@ from sitaf_runtime.suite.test_case import TestCase
 _LONGEST_CALL_S = 60.0
 _MAX_MESSAGE_BYTES = 256 << 20
 _NANOS = 1_000_000_000
-# Simulation time between two frames of a recording: 50 a second.
+# Simulation time between two frames of a recording: 50 frames per second.
 _FRAME_NS = 20_000_000
 _REFUSED = (
     grpc.StatusCode.INVALID_ARGUMENT,
@@ -42,10 +42,10 @@ T = TypeVar("T")
 
 
 class Simulation:
-    """A session: prepares cases, lets time pass, and shows what there is to observe.
+    """A session: prepares cases, advances time, and reads observations.
 
-    `target` is where the simulator listens: `127.0.0.1:PORT` or `unix:/absolute/path`; the world's files are all files
-    of the description's folder. Raises OSError when they cannot be read, SimulationError when they are refused.
+    `target` is the address of the simulator: `127.0.0.1:PORT` or `unix:/absolute/path`. All files of the description's
+    folder belong to the world. Raises OSError when they cannot be read, SimulationError when they are rejected.
     """
 
     def __init__(
@@ -88,7 +88,7 @@ class Simulation:
             self,
         )
         self._ahead = Preparation(self._layout, coming, self._prepare_many)
-        # Set while the session itself lags behind the readings, which came in bulk.
+        # The case that the session itself still has to prepare; set while readings come in bulk.
         self._behind: pb.PrepareRequest | None = None
         self._recording: Recording | None = None
         self._limit_ns = None if limit_s is None else round(limit_s * _NANOS)
@@ -100,20 +100,20 @@ class Simulation:
 
     @property
     def hardware(self) -> Hardware:
-        """What a component under test gets."""
+        """The hardware for the component under test."""
         return self._hardware
 
     @property
     def took_too_long(self) -> str | None:
-        """What to say when the case took more simulation time than it may; else None."""
+        """The message when the case exceeded its limit of simulation time; otherwise None."""
         if self._limit_ns is None or self._passed_ns <= self._limit_ns:
             return None
         return f"the case took more than {self._limit_ns / _NANOS:g} s of simulation time"
 
     def prepare(self, parameters: Mapping[str, float], settle_s: float = 0.0) -> None:
-        """Prepare a case from a clean reset, and let it settle.
+        """Prepare a case from a reset, and let it settle.
 
-        `parameters` are in the unit of each parameter of the world; those not named take their default.
+        `parameters` are in the unit of each parameter of the world; others get their default.
         """
         self._passed_ns = 0
         self._time.restart()
@@ -129,16 +129,16 @@ class Simulation:
         self._spend(settled_ns)
 
     def every(self, period_s: float, tick: Callable[[], object]) -> None:
-        """Call a periodic component whenever its period has passed from now on, until the next case is prepared.
+        """Call a periodic component in each period from now, until the next case is prepared.
 
-        Ticks fall on the first step at or after each whole period, in `advance` and in the component's own sleep, but
-        never within another tick. What it raises comes out of `advance`.
+        Ticks run on the first step at or after each period, during `advance` and during the component's own sleep, but
+        not during another tick. `advance` raises the exceptions of ticks.
         """
         self._time.every(round(period_s * _NANOS), tick)
 
     @property
     def time(self) -> PassingTime:
-        """How the time of this session passes for threads that wait for it."""
+        """The simulation time of this session."""
         return self._time
 
     def advance(self, seconds: float) -> None:
@@ -146,7 +146,7 @@ class Simulation:
         self.wait(round(seconds * _NANOS))
 
     def observation(self, name: str) -> float:
-        """What the world shows at the current step, in the unit that the world declares."""
+        """The value of an observation at the current step, in the unit that the world declares."""
         at = self._layout.observations.get(name)
         if at is None:
             names = ", ".join(self._layout.observations)
@@ -154,20 +154,20 @@ class Simulation:
         return self._hardware.world.numbers[at]
 
     def record(self, folder: Path) -> None:
-        """Record from now on what moves, for `save_motion`. Raises OSError when the folder cannot be made."""
+        """Start to record motion for `save_motion`. Raises OSError when the folder cannot be created."""
         self._recording = Recording(folder)
-        # What is read ahead moves in no session.
+        # A session that only reads prepared worlds does not move, so it could not be recorded.
         self._ahead.stop()
         request = pb.RecordMotionRequest(session_id=self._session, interval_ns=_FRAME_NS)
         self._ask("recording", self._control.RecordMotion, request)
 
     def require_there(self) -> None:
-        """Raise SimulationError when a call found the simulator or the session lost, even if that was caught."""
+        """Raise SimulationError when an earlier call found the simulator or the session lost."""
         if self._gone is not None:
             raise SimulationError(f"the simulator is gone: {self._gone}", lost=True)
 
     def save_motion(self, no: int) -> None:
-        """Save what moved since the case was prepared; nothing where nothing is recorded or the simulation diverged."""
+        """Save the motion since the case was prepared, unless nothing is recorded or the simulation diverged."""
         if self._recording is None or self._recording.is_full:
             return
         request = pb.TakeMotionRequest(session_id=self._session)
@@ -180,7 +180,7 @@ class Simulation:
         self._recording.save(no, taken.gltf)
 
     def close(self) -> None:
-        """Free the session; a lost simulator has already done so."""
+        """Delete the session, unless the simulator is lost."""
         self._ended.set()
         self._time.end()
         try:
@@ -190,10 +190,10 @@ class Simulation:
         finally:
             self._channel.close()
 
-    # What devices ask of the simulator.
+    # Calls of devices to the simulator.
 
     def write(self, command: pb.DeviceCommand) -> None:
-        """Command a device. Raises ValueError for a command that the device does not take: the component's doing."""
+        """Send a command to a device. Raises ValueError, an error of the component, when the device rejects it."""
         self._catch_up()
         request = pb.WriteDevicesRequest(session_id=self._session, commands=[command])
         try:
@@ -206,13 +206,13 @@ class Simulation:
         self._hardware.world = self._layout.freeze(state)
 
     def look(self, camera: str) -> pb.Reading:
-        """Look through a camera."""
+        """Get the current image of a camera."""
         self._catch_up()
         request = pb.ReadDevicesRequest(session_id=self._session, devices=[camera])
         return self._ask(f"looking through {camera}", self._devices.ReadDevices, request).state.readings[0]
 
     def wait(self, time_ns: int) -> None:
-        """Let time pass, also for a component that sleeps."""
+        """Let simulation time pass, also for a sleep of the component."""
         self._time.let_pass(time_ns)
 
     def _step(self, steps: int) -> None:
@@ -229,7 +229,7 @@ class Simulation:
             raise TimeoutError(too_long)
 
     def _catch_up(self) -> None:
-        """Bring the session itself to the current case: from now on it is needed live."""
+        """Bring the session to the current case, and stop preparing cases in bulk."""
         if self._behind is not None:
             self._ahead.stop()
             self._prepare(self._behind)
@@ -249,7 +249,7 @@ class Simulation:
             raise self._failure("preparing cases", e) from None
 
     def _renew(self) -> None:
-        """Renew the lease three times in each length, so that a long call of the component does not end it."""
+        """Renew the lease three times per length, so that it does not expire during a long call of the component."""
         while not self._ended.wait(self._lease_s):
             try:
                 self._control.RenewSession(pb.RenewSessionRequest(session_id=self._session), timeout=_LONGEST_CALL_S)

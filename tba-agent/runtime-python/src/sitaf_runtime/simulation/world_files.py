@@ -1,4 +1,4 @@
-"""Packs a world, so that the simulator never opens a path of its host."""
+"""Reads the files of a world into a request, so that the simulator never opens files of its host."""
 
 import os
 from pathlib import Path
@@ -7,9 +7,9 @@ _MAX_BYTES = 64 << 20
 
 
 def read_world(description: Path) -> tuple[str, dict[str, bytes]]:
-    """The name of a world description and all files of its folder, by relative path; symbolic links are passed over.
+    """The name of a world description and all files of its folder, by relative path; symbolic links are ignored.
 
-    Raises OSError when a file cannot be read, or the folder holds more than a world can have.
+    Raises OSError when a file cannot be read, or the folder exceeds the limits of a world.
     """
     file = Path(os.path.abspath(description))
     if not file.is_file():

@@ -1,1 +1,1 @@
-"""Test cases in, result lines out, and the comparison between them."""
+"""Reading test cases and writing records of results."""

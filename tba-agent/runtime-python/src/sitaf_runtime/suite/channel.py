@@ -1,7 +1,7 @@
-"""The descriptor through which the agent takes results, in place of a file.
+"""The descriptor that the agent opens for results, instead of a file.
 
-Each line begins with its number and a token that the agent wrote to standard input, so that what the component writes
-there is not taken for a result.
+Each line starts with its number and a token that the agent wrote to standard input, so that output of the component is
+not mistaken for a result.
 """
 
 import fcntl
@@ -17,14 +17,14 @@ from sitaf_runtime.errors import CannotRunError
 _NAMED = re.compile("fd:([0-9]{1,4})")
 _LONGEST_TOKEN = 128
 _INPUT = 0
-# Far from the numbers that programs use.
+# Higher than the numbers that programs usually use.
 _LOWEST_DESCRIPTOR = 64
-# So that a fast component seldom waits for the agent; a system may give less.
+# Large, so that a fast component rarely waits for the agent; the system may limit it.
 _PIPE_BYTES = 1 << 20
 
 
 class Channel(NamedTuple):
-    """A descriptor to write to, and what lines begin with."""
+    """The descriptor, and the token for its lines."""
 
     descriptor: int
     token: str
@@ -39,7 +39,7 @@ def is_named(results: object) -> bool:
 
 
 def hold(arguments: Sequence[str]) -> None:
-    """Take descriptor and token before anything of the component is loaded. Raises CannotRunError."""
+    """Take descriptor and token before any code of the component is loaded. Raises CannotRunError."""
     for option, value in pairwise(arguments):
         if option == "--results" and is_named(value):
             _held.append(_open(value))
@@ -47,7 +47,7 @@ def hold(arguments: Sequence[str]) -> None:
 
 
 def take(results: object) -> Channel:
-    """The channel that is held, or that is taken now. Raises CannotRunError when there is none."""
+    """Return the channel of `hold`, otherwise open it now. Raises CannotRunError when there is none."""
     return _held.pop() if _held else _open(str(results))
 
 
@@ -67,7 +67,7 @@ def _open(results: str) -> Channel:
 
 
 def _token() -> str:
-    """The line on standard input, and nothing behind it, which is the component's."""
+    """Read one line of standard input; the input after it belongs to the component."""
     line = b""
     while len(line) <= _LONGEST_TOKEN:
         c = os.read(_INPUT, 1)

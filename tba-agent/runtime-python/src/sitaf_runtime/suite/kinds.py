@@ -1,4 +1,4 @@
-"""The types of interfaces: how a literal is read, and the zero of each type."""
+"""The types of interfaces: reading of literals, and the default value of each type."""
 
 import dataclasses
 import enum
@@ -14,7 +14,7 @@ T = TypeVar("T")
 class Kind(Generic[T]):
     """A type of an interface.
 
-    `parse` reads a literal and raises CaseDataError when the type cannot hold it. `zero` makes the default value.
+    `parse` reads a literal and raises CaseDataError when the type cannot hold it. `zero` creates the default value.
     `shaped` converts a component's value to the type where it can, and returns anything else unchanged. `part` returns
     the kind of a member or an element; None where the type has no parts.
     """
@@ -111,7 +111,7 @@ def enumeration(type_: type[E]) -> Kind[E]:
 
 
 def member(kind: Kind[T]) -> T:
-    """A member of a struct, as the default of a field of a dataclass."""
+    """Declares a member of a struct as a field of a dataclass."""
     return dataclasses.field(default_factory=kind.zero, metadata={"kind": kind})
 
 
@@ -119,7 +119,7 @@ _STRUCTS: dict[type, Kind[Any]] = {}
 
 
 def struct(type_: type[T]) -> Kind[T]:
-    """A struct: a dataclass whose fields are made by `member`."""
+    """A struct: a dataclass whose fields are declared with `member`."""
     known = _STRUCTS.get(type_)
     if known is not None:
         return known

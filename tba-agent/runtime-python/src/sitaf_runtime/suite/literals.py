@@ -41,7 +41,7 @@ def whole(literal: str, low: int, high: int) -> int:
     if text.isascii() and text.isdigit() and len(text) < _FEW_DIGITS:
         number = int(text)
     elif _NUMBER.fullmatch(text):
-        # Not expanded: 1e999999999 would take all memory.
+        # A Decimal, because expanding 1e999999999 would exhaust memory.
         number = Decimal(text)
         if number != number.to_integral_value():
             raise CaseDataError(f"'{literal}' is not a whole number")
@@ -158,7 +158,7 @@ def single(value: float) -> float:
 
 
 def _write_real(value: float) -> str:
-    """The shortest digits that read back as the same number.
+    """The shortest text that is read back as the same number.
 
     In decimal notation from 1e-3 to below 1e7, otherwise with an exponent: `100000.0`, `1.0E7`.
     """

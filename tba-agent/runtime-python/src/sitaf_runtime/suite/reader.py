@@ -16,8 +16,7 @@ _TEXTS = ("value", "expected")
 class SuiteReader:
     """Reads a `test_suite_data` document (paper, Fig. 9) in chunks, so that memory does not grow with the suite.
 
-    A document with a document type is refused. Raises OSError when the file cannot be read, CaseDataError when it is
-    not a suite.
+    A document with a DTD is rejected. Raises OSError when the file cannot be read, CaseDataError when it is no suite.
     """
 
     def __init__(self, suite: Path) -> None:
@@ -38,12 +37,12 @@ class SuiteReader:
         self._values: list[str] = []
         self._text: list[str] | None = None
         self._ended = False
-        self._mistake: CaseDataError | None = None
+        self._error: CaseDataError | None = None
         try:
             while not self._in_cases and self._feed():
                 pass
-            if self._mistake and not self._in_cases:
-                raise self._mistake
+            if self._error and not self._in_cases:
+                raise self._error
             if not self._in_cases:
                 raise self._problem("there is no <case_list>")
         except BaseException:
@@ -51,13 +50,13 @@ class SuiteReader:
             raise
 
     def __iter__(self) -> Iterator[TestCase]:
-        """The cases. Raises CaseDataError where the document is malformed, after the cases before."""
+        """The cases. Raises CaseDataError at the first error in the document, after the cases before it."""
         while True:
             while self._cases:
                 yield self._cases.popleft()
-            if self._mistake:
-                raise self._mistake
-            if not self._feed() and not self._cases and not self._mistake:
+            if self._error:
+                raise self._error
+            if not self._feed() and not self._cases and not self._error:
                 return
 
     def close(self) -> None:
@@ -65,7 +64,7 @@ class SuiteReader:
         self._file.close()
 
     def _feed(self) -> bool:
-        """Read the next chunk; False at the end. Cases before a mistake are returned before it is raised."""
+        """Read the next chunk; False at the end. Cases before an error are returned before it is raised."""
         if self._ended:
             return False
         piece = self._file.read(_CHUNK)
@@ -73,10 +72,10 @@ class SuiteReader:
         try:
             self._parser.Parse(piece, self._ended)
         except expat.ExpatError as e:
-            self._mistake = CaseDataError(f"{self._document}:{e.lineno}: {expat.ErrorString(e.code)}")
+            self._error = CaseDataError(f"{self._document}:{e.lineno}: {expat.ErrorString(e.code)}")
         except CaseDataError as e:
-            self._mistake = e
-        return self._mistake is None
+            self._error = e
+        return self._error is None
 
     def _doctype(self, *_: object) -> None:
         raise self._problem("a DTD or an entity is not allowed here")
@@ -112,7 +111,7 @@ class SuiteReader:
         if self._text is not None:
             text = "".join(self._text)
             self._text = None
-            # Expected values are read over: only the judge of the results needs them.
+            # Expected values are skipped: only the agent uses them.
             if tag == "value":
                 self._values.append(text)
         elif self._attributes is not None and tag == "case":

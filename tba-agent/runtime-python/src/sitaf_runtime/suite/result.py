@@ -12,15 +12,15 @@ from sitaf_runtime.suite.calls import StubCall
 from sitaf_runtime.suite.kinds import Kind
 from sitaf_runtime.suite.test_case import TestCase
 
-# In characters; exceptions of components may have messages of any length.
+# In characters; messages of a component's exceptions may have any length.
 _MAX_MESSAGE_LENGTH = 8000
 
-# A power failure loses at most so many results; a killed process loses none.
+# Maximum number of results that a power failure loses; a killed process loses none.
 _LINES_TO_SYNC = 4096
 
 
 class Outcome(enum.Enum):
-    """How a case ended. The verdict is given later, by the process that knows the expected values.
+    """How a case ended. The agent, which knows the expected values, decides the verdict later.
 
     RETURNED: the call returned; its outputs are recorded. THREW: the call under test raised an exception. ERROR:
     anything else failed, such as creation, set-up, a tick or a limit. NOT_CALLED: the component was not called.
@@ -33,9 +33,9 @@ class Outcome(enum.Enum):
 
 
 class CaseResult:
-    """What is recorded of one case.
+    """The record of a case.
 
-    The test driver fills it in and saves it; expected values and verdicts are not known here.
+    The test driver fills it in and saves it. It contains neither expected values nor verdicts, which the agent adds.
     """
 
     __slots__ = ("_actual", "_calls", "_calls_left_out", "_case", "_message", "_outcome", "_thrown", "_time")
@@ -51,7 +51,7 @@ class CaseResult:
         self._message = ""
 
     def set_time(self, component: float, hardware: float, stub: float) -> None:
-        """Set the processing time in microseconds; `component` is without the other two."""
+        """Set the processing time in microseconds; `component` excludes the other two."""
         self._time = (component, hardware, stub)
 
     def set_calls(self, calls: Sequence[StubCall], left_out: int) -> None:
@@ -73,12 +73,12 @@ class CaseResult:
         self.end_with(Outcome.THREW, description)
 
     def end_with(self, outcome: Outcome, reason: str) -> None:
-        """End the case with another outcome than a return; the reason is added to the message."""
+        """Set the outcome of a case that did not return; the reason is appended to the message."""
         self._outcome = outcome
         self._message = f"{self._message}; {reason}" if self._message else reason
 
     def line(self) -> bytes:
-        """The record as one line of XML (docs/test-application.md, The record of a case), with its line feed."""
+        """The record as one line of XML (docs/test-application.md, The record of a case), ending with a line feed."""
         parts = [f'<case_record no="{self._case.no}" outcome="{self._outcome.name}">']
         if self._outcome is Outcome.THREW:
             parts.append(f"<thrown>{_escaped(self._thrown)}</thrown>")
@@ -99,13 +99,13 @@ class CaseResult:
 
 
 class ResultsFile:
-    """The results of a run: one line and one write for each case, so that a killed process loses none.
+    """The results of a run: one line per case, written in one call, so that a killed process loses none.
 
-    Through a descriptor that the agent opened, each line begins with its number and a token.
+    When the output is a descriptor of the agent, each line starts with its number and a token.
     """
 
     def __init__(self, file: Path, *, append: bool) -> None:
-        """Open a file and truncate it, or append to it; an unfinished last line is ended first.
+        """Open a file and truncate it, or append to it; an incomplete last line is terminated first.
 
         `fd:3` names an open descriptor. Raises CannotRunError when it is not open.
         """
@@ -123,7 +123,7 @@ class ResultsFile:
             os.write(self._descriptor, b"\n")
 
     def ready(self) -> None:
-        """Write an empty line: the first case begins. From now on the time limit of cases applies."""
+        """Write an empty line, which reports that set-up is complete; then the time limit of cases applies."""
         self._write(b"\n")
 
     def save(self, result: CaseResult) -> None:
@@ -150,7 +150,7 @@ class ResultsFile:
             line = line[os.write(self._descriptor, line) :]
 
 
-# Characters that XML cannot hold or does not preserve, and those that split lines by the rules of Unicode.
+# Characters that XML cannot contain or does not preserve, and the line separators of Unicode.
 _SPECIAL = re.compile("[^ !#-%'-;=?-~\xa0-\u2027\u202a-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 _NAMED = {"&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;"}
 _REFERENCED = "\n\r\t\x85\u2028\u2029"

@@ -24,7 +24,7 @@ class TestCase:
         self.values = values
 
     def read(self, parameter: str, kind: Kind[T]) -> T:
-        """A value. Raises CaseDataError when the suite has no such parameter, or the type cannot hold its value."""
+        """Get a value. Raises CaseDataError when the suite has no such parameter or the type cannot hold its value."""
         literal = self.literal(parameter)
         try:
             return kind.parse(literal)
@@ -32,9 +32,9 @@ class TestCase:
             raise CaseDataError(f"{parameter}: {e}") from e
 
     def assemble(self, kind: Kind[T], parts: Mapping[str, tuple[str | int, ...]]) -> T:
-        """A value whose parts have their own parameters, each with its path in the value.
+        """Build a value from several parameters, each with the path of its part in the value.
 
-        `assemble(struct(Pose), {"pose.x": ("x",)})`; parts without a parameter are the zero of their type. Raises
+        `assemble(struct(Pose), {"pose.x": ("x",)})`; parts without a parameter have the default of their type. Raises
         CaseDataError as `read` does.
         """
         whole = kind.zero()
@@ -54,7 +54,7 @@ class TestCase:
 
 
 def _put(whole: Any, kind: Kind[Any], path: tuple[str | int, ...], read: Callable[[Kind[Any]], Any]) -> None:
-    """Set a part of a value; a sequence grows to hold it."""
+    """Set a part of a value; sequences are extended as needed."""
     step, rest = path[0], path[1:]
     part = kind.part(step) if kind.part else None
     if part is None:

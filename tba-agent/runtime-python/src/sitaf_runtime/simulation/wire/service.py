@@ -1,4 +1,4 @@
-"""Clients of gRPC services, made of their descriptions: a service of a few unary calls needs no generated code."""
+"""Clients of gRPC services with unary calls, created from their descriptors without generated code."""
 
 from typing import Any
 
