@@ -25,8 +25,8 @@ def test_an_example_passes(sitaf, example):
 def test_the_stub_records_the_wheel_commands(sitaf):
     run = sitaf("run", "examples/navigation-step-faulty")
     assert run.returncode == 1, run.stdout + run.stderr
-    assert 'post-condition broken: actual == "HALT" || calls["WheelController.Drive"][0].speed' in run.stdout
-    assert 'post-condition broken: calls["RangeFinder.GetRange"].size() == 2' in run.stdout
+    assert 'post-condition violated: actual == "HALT" || calls["WheelController.Drive"][0].speed' in run.stdout
+    assert 'post-condition violated: calls["RangeFinder.GetRange"].size() == 2' in run.stdout
     assert "0 ERROR" in run.stdout
 
 

@@ -79,7 +79,8 @@ final class Combination {
     boolean plain = kept.isEmpty() && feasibility.rules().isEmpty();
     Optional<SingleInteraction> columns =
         plain ? SingleInteraction.of(problem, symbols) : Optional.empty();
-    first(rows, columns.flatMap(SingleInteraction::direct), exclusion.bound(), coverage, greedy);
+    createFirst(
+        rows, columns.flatMap(SingleInteraction::direct), exclusion.bound(), coverage, greedy);
     if (rows.isEmpty()) {
       Row only = greedy.fill(new Row(symbols));
       if (only != null) {
@@ -92,7 +93,7 @@ final class Combination {
     int enough = Math.max(exclusion.bound(), kept.size());
     List<int[]> best = rows.stream().map(Row::values).toList();
     if (effort != Effort.FAST) {
-      best = smaller(rows, best, enough, columns, coverage, greedy, random, budget);
+      best = shrink(rows, best, enough, columns, coverage, greedy, random, budget);
     }
     return new CoveringArray(ordered(best, kept.size()), report, best.size() <= enough, List.of());
   }
@@ -101,7 +102,7 @@ final class Combination {
    * Creates a first complete array: the algebraic one if it is close to the lower bound or smaller
    * than the greedy one.
    */
-  private void first(
+  private void createFirst(
       List<Row> rows, Optional<List<int[]>> algebra, int bound, Coverage coverage, Greedy greedy) {
     int tries = effort == Effort.FAST ? 1 : 4;
     if (algebra.isPresent() && algebra.get().size() <= NEAR * bound) {
@@ -114,7 +115,7 @@ final class Combination {
     }
   }
 
-  private List<int[]> smaller(
+  private List<int[]> shrink(
       List<Row> rows,
       List<int[]> complete,
       int enough,
@@ -140,7 +141,7 @@ final class Combination {
       }
       replace(rows, best, coverage);
     }
-    return search.shrink(best, enough, budget.withPatience(patience()), listener(budget));
+    return search.shrink(best, enough, budget.withStallLimit(stallLimit()), listener(budget));
   }
 
   private TupleForcing.Listener listener(Budget budget) {
@@ -199,7 +200,7 @@ final class Combination {
   /**
    * With default effort, the search stops early if it makes no progress, because a user is waiting.
    */
-  private double patience() {
+  private double stallLimit() {
     return effort == Effort.DEFAULT && !onlyPairs() ? 0.3 : 1;
   }
 

@@ -10,14 +10,14 @@ import java.util.List;
  *     parameter
  * @param tuples number of covered and impossible tuples
  * @param optimal whether it is proven that no smaller array exists
- * @param refusedSeeds indices of seeds that violate the constraints and are not in the rows
+ * @param rejectedSeeds indices of seeds that violate the constraints and are not in the rows
  */
 @SuppressWarnings("ArrayRecordComponent") // copied in and out
 public record CoveringArray(
-    int[][] rows, TupleReport tuples, boolean optimal, List<Integer> refusedSeeds) {
+    int[][] rows, TupleReport tuples, boolean optimal, List<Integer> rejectedSeeds) {
   public CoveringArray {
     rows = copy(rows);
-    refusedSeeds = List.copyOf(refusedSeeds);
+    rejectedSeeds = List.copyOf(rejectedSeeds);
   }
 
   @Override

@@ -29,7 +29,7 @@ public final class CoveringCheck {
       impossible.add(code(tuple.parameters(), tuple.values()));
     }
     ExhaustiveSearch exhaustiveSearch = new ExhaustiveSearch(problem);
-    checkRefusals(problem, array, exhaustiveSearch, findings);
+    checkRejections(problem, array, exhaustiveSearch, findings);
     for (Interaction interaction : problem.interactions()) {
       int[] parameters = interaction.parameters();
       int strength = Math.min(interaction.strength(), parameters.length);
@@ -46,22 +46,22 @@ public final class CoveringCheck {
 
   private static List<int[]> allowedSeeds(CombinationProblem problem, CoveringArray array) {
     return IntStream.range(0, problem.seeds().size())
-        .filter(i -> !array.refusedSeeds().contains(i))
+        .filter(i -> !array.rejectedSeeds().contains(i))
         .mapToObj(problem.seeds()::get)
         .toList();
   }
 
-  private static void checkRefusals(
+  private static void checkRejections(
       CombinationProblem problem,
       CoveringArray array,
       ExhaustiveSearch exhaustiveSearch,
       List<String> findings) {
-    for (int refused : array.refusedSeeds()) {
-      int[] seed = problem.seeds().get(refused);
+    for (int rejected : array.rejectedSeeds()) {
+      int[] seed = problem.seeds().get(rejected);
       int[] parameters = IntStream.range(0, seed.length).filter(p -> seed[p] >= 0).toArray();
       int[] values = IntStream.of(parameters).map(p -> seed[p]).toArray();
       if (exhaustiveSearch.finds(parameters, values)) {
-        add(findings, "seed " + refused + " was rejected, but an allowed row contains it");
+        add(findings, "seed " + rejected + " was rejected, but an allowed row contains it");
       }
     }
     for (CoveringArray.Tuple tuple : array.tuples().examples()) {

@@ -46,13 +46,13 @@ public final class TestDataCombinator {
     boolean product = sets.isProduct();
     checkSize(symbols, sets, product);
     Feasibility feasibility = new Feasibility(symbols, problem.constraints());
-    List<Integer> refused = new ArrayList<>();
+    List<Integer> rejected = new ArrayList<>();
     List<int[]> allowed = new ArrayList<>();
     for (int i = 0; i < problem.seeds().size(); i++) {
       if (isAllowed(new Row(symbols, problem.seeds().get(i)), feasibility)) {
         allowed.add(problem.seeds().get(i));
       } else {
-        refused.add(i);
+        rejected.add(i);
       }
     }
     CombinationProblem kept = problem.withSeeds(allowed);
@@ -60,7 +60,7 @@ public final class TestDataCombinator {
         product
             ? product(kept, symbols, feasibility)
             : new Combination(kept, symbols, sets.list(), feasibility, effort, progress).run(seed);
-    return new CoveringArray(array.rows(), array.tuples(), array.optimal(), refused);
+    return new CoveringArray(array.rows(), array.tuples(), array.optimal(), rejected);
   }
 
   /**

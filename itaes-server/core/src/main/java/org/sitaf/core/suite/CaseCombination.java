@@ -237,8 +237,8 @@ final class CaseCombination {
     if (held >= 0 && array.size() == 0) {
       impossible.addValue(held, candidates);
     }
-    for (int refused : array.refusedSeeds()) {
-      reportDropped(seeds.get(refused), candidates);
+    for (int rejected : array.rejectedSeeds()) {
+      reportDropped(seeds.get(rejected), candidates);
     }
     List<List<TestValue>> rows = new ArrayList<>();
     for (int[] row : array.rows()) {

@@ -11,10 +11,11 @@ import org.sitaf.core.description.Parameter;
 import org.sitaf.core.expression.Variables;
 
 /**
- * The calls of the test stub as the variable of post-conditions: {@code calls["Interface.Method"]}.
+ * Converts the calls of the test stub to the variable of post-conditions: {@code
+ * calls["Interface.Method"]}.
  */
 final class CallRecord {
-  /** The key of the names of all methods, in the order of the calls. */
+  /** Key of the list of the names of all called methods, in the order of the calls. */
   private static final String IN_ORDER = "";
 
   private final Map<String, List<Method>> methods = new LinkedHashMap<>();
@@ -29,7 +30,7 @@ final class CallRecord {
     }
   }
 
-  /** Lists of calls by method; every required method is a key. */
+  /** Lists of calls by method. Every required method is a key, even if it was not called. */
   Map<String, Object> of(StubCalls calls) {
     List<Object> order = new ArrayList<>();
     Map<String, List<Object>> byMethod = new LinkedHashMap<>();
@@ -53,8 +54,8 @@ final class CallRecord {
   }
 
   /**
-   * An overload is identified by its arguments; where they are ambiguous, the form of the literal
-   * decides.
+   * An overload is identified by its arguments. If they are ambiguous, the type is derived from the
+   * literal.
    */
   private DataType type(StubCalls.Call call, String argument) {
     List<DataType> types =

@@ -5,16 +5,16 @@ import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a test application recorded of one case. It holds measurements only: {@link ResultAssembler}
- * compares them with the expected values and gives the verdict.
+ * The record of one case, as written by a test application. Contains measurements only: {@link
+ * ResultAssembler} compares them with the expected values and sets the verdict.
  *
  * @param no number of the case in the suite
  * @param thrown name of the exception's type without its package or namespace; empty unless the
  *     outcome is {@link Outcome#THREW}
- * @param actual every recorded output by its name
+ * @param actual recorded values of the outputs
  * @param calls of required interfaces
- * @param time of the call; null where the call did not end
- * @param message describes the exception or the reason; empty where the call returned
+ * @param time of the call; null if the call did not end
+ * @param message describes the exception or the reason; empty if the call returned
  */
 public record CaseRecord(
     int no,
@@ -49,7 +49,7 @@ public record CaseRecord(
     return new CaseRecord(no, Outcome.ERROR, "", List.of(), StubCalls.NONE, null, message);
   }
 
-  /** The same record without its processing time. */
+  /** A copy without the processing time. */
   public CaseRecord withoutTime() {
     return new CaseRecord(no, outcome, thrown, actual, calls, null, message);
   }

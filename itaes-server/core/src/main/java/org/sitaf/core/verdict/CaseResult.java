@@ -9,7 +9,7 @@ import org.jspecify.annotations.Nullable;
  *
  * @param values literals in the order of the suite's parameters
  * @param calls of required interfaces
- * @param time null where the call did not end
+ * @param time null if the call did not end
  * @param message why the verdict is not PASS; empty otherwise
  */
 public record CaseResult(
@@ -42,8 +42,8 @@ public record CaseResult(
     this(no, verdict, values, expected, actual, StubCalls.NONE, time, message);
   }
 
-  /** This result with another verdict; the reason is added to the message. */
-  public CaseResult judged(Verdict newVerdict, String reason) {
+  /** A copy with another verdict. The reason is added to the message. */
+  public CaseResult withVerdict(Verdict newVerdict, String reason) {
     return new CaseResult(
         no,
         newVerdict,

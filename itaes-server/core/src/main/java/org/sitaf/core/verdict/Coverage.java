@@ -6,9 +6,9 @@ import java.util.OptionalDouble;
 import java.util.function.ToIntFunction;
 
 /**
- * Which lines of the component's sources a build reached.
+ * The lines of the component's sources that a build executed.
  *
- * @param files in the order of their paths; only those that hold statements
+ * @param files sorted by path; only files with statements
  */
 public record Coverage(List<File> files) {
   public Coverage {
@@ -19,7 +19,7 @@ public record Coverage(List<File> files) {
    * A source of the component.
    *
    * @param path within the activity, '/' separators
-   * @param lines that hold statements, ascending
+   * @param lines lines with statements, in ascending order
    */
   public record File(String path, List<Line> lines) {
     public File {
@@ -29,12 +29,12 @@ public record Coverage(List<File> files) {
   }
 
   /**
-   * A line that holds statements.
+   * A line with statements.
    *
    * @param number from 1
-   * @param reached whether any of its statements ran
-   * @param branches branches from it; 0 where there is only one
-   * @param taken how many of them were taken
+   * @param reached whether any of its statements was executed
+   * @param branches number of branches; 0 if the line does not branch
+   * @param taken number of branches that were taken
    */
   public record Line(int number, boolean reached, int branches, int taken) {
     public Line {
@@ -45,12 +45,12 @@ public record Coverage(List<File> files) {
     }
   }
 
-  /** Per cent of the lines with statements that were reached; empty where there are none. */
+  /** Statement coverage in per cent of lines; empty if there are no statements. */
   public OptionalDouble statement() {
     return percent(line -> line.reached() ? 1 : 0, line -> 1);
   }
 
-  /** Per cent of the branches that were taken; empty where there are none. */
+  /** Branch coverage in per cent; empty if there are no branches. */
   public OptionalDouble branch() {
     return percent(Line::taken, Line::branches);
   }

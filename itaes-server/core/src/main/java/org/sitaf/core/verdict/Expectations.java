@@ -10,7 +10,10 @@ import org.sitaf.core.model.TestModel;
 import org.sitaf.core.suite.ExpectedValue;
 import org.sitaf.core.suite.TestCase;
 
-/** Judges a recorded case by the values that the suite expects, within the model's tolerances. */
+/**
+ * Compares a recorded case with the expected values of the suite, within the tolerances of the
+ * model.
+ */
 final class Expectations {
   private static final String ERROR = "!error:";
   private static final String UNEVALUATED = "!unevaluated:";
@@ -89,8 +92,8 @@ final class Expectations {
   }
 
   /**
-   * An expected exception decides the case alone: the expected values of the other outputs count as
-   * met.
+   * If the expected exception was thrown, the case passes: the expected values of the other outputs
+   * are not compared.
    */
   private CaseResult thrown(TestCase testCase, CaseRecord record) {
     List<NamedValue> met = new ArrayList<>();
@@ -131,7 +134,7 @@ final class Expectations {
     return testCase.expected().stream().map(e -> new NamedValue(e.output(), e.literal())).toList();
   }
 
-  /** The output that an expected value is about; the suite leaves out the name of a single one. */
+  /** The output of an expected value. The suite omits the name if there is only one output. */
   private String outputName(ExpectedValue expected, CaseRecord record) {
     if (!expected.output().isEmpty()) {
       return expected.output();

@@ -12,7 +12,7 @@ final class Literals {
   private static final Pattern NUMBER =
       Pattern.compile("[-+]?(?:\\d+\\.?\\d*|\\.\\d+)(?:[eE][-+]?\\d{1,9})?");
 
-  /** No value, and what a method records that returns nothing. */
+  /** A missing value; also the recorded value of a method that returns nothing. */
   static final String NULL = "null";
 
   /** Longest literal of a number, in characters. */
@@ -153,7 +153,7 @@ final class Literals {
     return text.toString();
   }
 
-  /** The beginning of a literal, as messages show it. */
+  /** The literal, shortened for messages. */
   static String shortened(String literal) {
     return literal.length() <= MAX_SHOWN
         ? literal
@@ -161,7 +161,8 @@ final class Literals {
   }
 
   /**
-   * A text with the characters that XML cannot hold as <code>&#92;u0000</code>, as records have it.
+   * Replaces the characters that XML does not allow by escapes such as <code>&#92;u0000</code>, as
+   * in records.
    */
   static String escaped(String text) {
     StringBuilder escaped = new StringBuilder();

@@ -5,7 +5,7 @@ import java.util.Objects;
 /**
  * The value of an output.
  *
- * @param output empty where the model has only one
+ * @param output name of the output; empty if the model has only one
  */
 public record NamedValue(String output, String literal) {
   public NamedValue {

@@ -3,10 +3,10 @@ package org.sitaf.core.verdict;
 import java.util.Objects;
 
 /**
- * What ran, by SHA-256 in hexadecimal, where and when.
+ * What was executed (SHA-256 in hexadecimal), where and when.
  *
  * @param agent name and version of the agent; empty for a local run
- * @param bridge version of the simulator; empty where there was none
+ * @param bridge version of the simulator; empty if none was used
  * @param started ISO 8601, UTC
  * @param finished ISO 8601, UTC
  */

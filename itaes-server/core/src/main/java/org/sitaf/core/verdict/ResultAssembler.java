@@ -19,8 +19,9 @@ import org.sitaf.core.suite.TestCase;
 import org.sitaf.core.suite.TestSuite;
 
 /**
- * Makes the result of a build from the records of its test application: compares recorded values
- * with expected ones, evaluates post-conditions, adds the cases without a record, and counts.
+ * Creates the result of a build from the records of its test application: compares recorded values
+ * with expected values, evaluates post-conditions, adds the cases without a record, and computes
+ * the summary.
  */
 public final class ResultAssembler {
   private final TestModel model;
@@ -30,13 +31,13 @@ public final class ResultAssembler {
   private final Expectations expectations;
   private final Map<Integer, TestCase> cases = new HashMap<>();
 
-  /** For the cases of a suite of this model, whose component requires no interface. */
+  /** Creates an assembler for a component that requires no interfaces. */
   public ResultAssembler(TestModel model, TestSuite suite) {
     this(model, suite, List.of());
   }
 
   /**
-   * For the cases of a suite of this model.
+   * Creates an assembler.
    *
    * @param required the interfaces whose calls the test stub records
    */
@@ -53,7 +54,7 @@ public final class ResultAssembler {
    * The result of a recorded case: its values compared with the expected ones, then its
    * post-conditions evaluated. The worst verdict counts.
    *
-   * @throws IllegalArgumentException when the suite has no such case
+   * @throws IllegalArgumentException if the suite has no such case
    */
   public CaseResult judge(CaseRecord record) {
     TestCase testCase = cases.get(record.no());
@@ -72,7 +73,7 @@ public final class ResultAssembler {
     for (Expression condition : postConditions) {
       if (condition.mentions(Variables.CALLS) && result.calls().leftOut() > 0) {
         judged =
-            judged.judged(
+            judged.withVerdict(
                 Verdict.ERROR,
                 "post-condition cannot be evaluated: "
                     + condition.text()
@@ -86,15 +87,15 @@ public final class ResultAssembler {
       try {
         if (!condition.isTrue(variables(testCase, result))) {
           judged =
-              judged.judged(
+              judged.withVerdict(
                   judged.verdict().worse(Verdict.FAIL),
-                  "post-condition broken: " + condition.text());
+                  "post-condition violated: " + condition.text());
         }
       } catch (EvaluationException | IllegalArgumentException e) {
         judged =
-            judged.judged(
+            judged.withVerdict(
                 Verdict.ERROR,
-                "post-condition has no value: "
+                "post-condition cannot be evaluated: "
                     + condition.text()
                     + ": "
                     + e.getMessage()
@@ -107,8 +108,8 @@ public final class ResultAssembler {
   /**
    * The result of the build, with one result for each case of the suite in its order.
    *
-   * @param results judged, in any order; the first of a case counts
-   * @param missing why a case without a result was not executed
+   * @param results results of cases in any order; of several results of a case, the first is used
+   * @param missing message of the cases without a result
    */
   public TestResult assemble(List<CaseResult> results, String missing, Provenance provenance) {
     Map<Integer, CaseResult> byNumber = new HashMap<>();
@@ -148,7 +149,7 @@ public final class ResultAssembler {
         reason);
   }
 
-  /** Where the user finds a condition; empty where that is unknown. */
+  /** File and line of a condition in parentheses; empty if unknown. */
   private String place(Expression condition) {
     int line = model.postConditions().get(postConditions.indexOf(condition)).line();
     return line == 0 ? "" : " (" + model.source() + ":" + line + ")";

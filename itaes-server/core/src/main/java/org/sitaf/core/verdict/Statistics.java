@@ -3,14 +3,15 @@ package org.sitaf.core.verdict;
 import java.util.List;
 import java.util.Objects;
 
-/** A result in numbers. */
+/** Computes the summary of a result. */
 final class Statistics {
   private Statistics() {}
 
   /**
    * Counts verdicts and computes the times of PASS and FAIL cases.
    *
-   * @param postConditions whether the model has any; without, only expected values judge a case
+   * @param postConditions whether the model has any; if not, a case without expected values is
+   *     counted as unjudged
    */
   static Summary of(List<CaseResult> cases, boolean postConditions) {
     int pass = count(cases, Verdict.PASS);

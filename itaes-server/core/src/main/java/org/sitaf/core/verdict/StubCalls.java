@@ -6,17 +6,17 @@ import java.util.Objects;
 /**
  * The component's calls of required interfaces in a case.
  *
- * @param recorded in their order
- * @param leftOut how many further calls were not recorded
+ * @param recorded the recorded calls in their order
+ * @param leftOut number of further calls that were not recorded
  */
 public record StubCalls(List<Call> recorded, long leftOut) {
-  /** No call. */
+  /** No calls. */
   public static final StubCalls NONE = new StubCalls(List.of(), 0);
 
   public StubCalls {
     recorded = List.copyOf(recorded);
     if (leftOut < 0) {
-      throw new IllegalArgumentException("calls_left_out is 0 or more, not " + leftOut);
+      throw new IllegalArgumentException("calls_left_out must be at least 0, not " + leftOut);
     }
   }
 
@@ -24,7 +24,7 @@ public record StubCalls(List<Call> recorded, long leftOut) {
    * One call.
    *
    * @param method {@code Interface.Method}
-   * @param arguments that came in, in the order of the parameters
+   * @param arguments input arguments in the order of the parameters
    */
   public record Call(String method, List<NamedValue> arguments) {
     public Call {

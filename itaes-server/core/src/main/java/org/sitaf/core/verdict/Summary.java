@@ -3,10 +3,10 @@ package org.sitaf.core.verdict;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A result in numbers (paper, Fig. 17): {@code total = pass + fail + error + dont}.
+ * The summary of a result (paper, Fig. 17): {@code total = pass + fail + error + dont}.
  *
- * @param unjudged PASS cases that had neither an expected value nor a post-condition
- * @param times of PASS and FAIL cases; null where there is none
+ * @param unjudged number of PASS cases with neither an expected value nor a post-condition
+ * @param times of PASS and FAIL cases; null if there are none
  */
 public record Summary(
     int total, int pass, int fail, int error, int dont, int unjudged, @Nullable Times times) {

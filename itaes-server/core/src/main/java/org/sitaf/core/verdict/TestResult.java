@@ -8,8 +8,9 @@ import org.sitaf.core.suite.CaseParameter;
 /**
  * The result of a build (paper, Fig. 11).
  *
- * @param coverage null where it was not measured
- * @param suspicions why what the test application reported is not to be trusted; empty where it is
+ * @param coverage null if not measured
+ * @param suspicions reasons not to trust the records of the test application; empty if there are
+ *     none
  */
 public record TestResult(
     String name,
@@ -39,12 +40,12 @@ public record TestResult(
     this(name, provenance, summary, parameters, cases, coverage, List.of());
   }
 
-  /** The same result with coverage. */
+  /** A copy with coverage. */
   public TestResult with(Coverage measured) {
     return new TestResult(name, provenance, summary, parameters, cases, measured, suspicions);
   }
 
-  /** The same result with reasons not to trust it. */
+  /** A copy that is suspect for these reasons. */
   public TestResult suspected(List<String> reasons) {
     return new TestResult(name, provenance, summary, parameters, cases, coverage, reasons);
   }
@@ -54,7 +55,7 @@ public record TestResult(
     return summary.total() > 0 && summary.pass() == summary.total() && !isSuspect();
   }
 
-  /** Whether the verdicts are not to be trusted; a suspect result never counts as passed. */
+  /** Whether the verdicts cannot be trusted. A suspect result never counts as passed. */
   public boolean isSuspect() {
     return !suspicions.isEmpty();
   }

@@ -12,11 +12,11 @@ import org.sitaf.core.description.ScalarType;
 import org.sitaf.core.model.Tolerance;
 
 /**
- * Compares a recorded literal with the expected one (docs/test-application.md, Comparison). This is
- * the only comparison of the system; the test applications of all languages depend on it. Both
- * literals are untrusted, so no literal costs more than a few passes over it.
+ * Compares a recorded literal with the expected one (docs/test-application.md, Comparison). Used
+ * for the test applications of all languages. Both literals are untrusted, so the time is limited
+ * to a few passes over each.
  *
- * @param type of the output; where it is unknown, the form of the literals decides
+ * @param type of the output; if unknown, it is derived from the literals
  */
 record ValueComparison(DataType type, Tolerance tolerance) {
   /** For an output of unknown type. */
@@ -25,7 +25,7 @@ record ValueComparison(DataType type, Tolerance tolerance) {
 
   private static final int MAX_DEPTH = 64;
 
-  /** No number type holds a whole number of more digits. */
+  /** Maximum number of digits of an integer in any number type. */
   private static final int MAX_DIGITS = 400;
 
   ValueComparison {
@@ -33,7 +33,7 @@ record ValueComparison(DataType type, Tolerance tolerance) {
     Objects.requireNonNull(tolerance);
   }
 
-  /** The expected literal does not fit the type. */
+  /** Thrown if the expected literal does not fit the type. */
   private static final class IncomparableException extends Exception {
     private static final long serialVersionUID = 1L;
     private final String path;
@@ -44,16 +44,14 @@ record ValueComparison(DataType type, Tolerance tolerance) {
     }
   }
 
-  /** The first difference; empty where the value is as expected. */
+  /** The first difference; empty if the value is as expected. */
   Optional<Mismatch> mismatch(String expected, String actual) {
     try {
       return Optional.ofNullable(compare("", expected, actual, type, 0));
     } catch (IncomparableException e) {
       return Optional.of(
           new Mismatch(
-              Verdict.ERROR,
-              e.path,
-              "what is expected cannot be compared with it: " + e.getMessage()));
+              Verdict.ERROR, e.path, "the expected value cannot be compared: " + e.getMessage()));
     }
   }
 
@@ -64,7 +62,7 @@ record ValueComparison(DataType type, Tolerance tolerance) {
       return null;
     }
     if (depth > MAX_DEPTH) {
-      throw new IncomparableException(path, "it is nested more than " + MAX_DEPTH + " deep");
+      throw new IncomparableException(path, "it is nested more than " + MAX_DEPTH + " levels deep");
     }
     if (of instanceof DataType.Sequence sequence) {
       return compareElements(path, expected, actual, sequence.element(), depth);
@@ -181,9 +179,7 @@ record ValueComparison(DataType type, Tolerance tolerance) {
     return null;
   }
 
-  /**
-   * An expected member that the type does not have is a mistake of the suite, not a wrong value.
-   */
+  /** An expected member that the type does not have is an error in the suite, not a wrong value. */
   private static void requireMembers(
       String path, DataType.Struct struct, Map<String, String> wanted)
       throws IncomparableException {
@@ -208,8 +204,8 @@ record ValueComparison(DataType type, Tolerance tolerance) {
     if (scalar == ScalarType.VOID) {
       throw new IncomparableException(
           path,
-          "the method returns nothing, so only null or an error such as !error:NAME can be expected,"
-              + " not "
+          "the method returns nothing, so only null or an error such as !error:NAME can be"
+              + " expected, not "
               + Literals.shortened(expected));
     }
     if (scalar == ScalarType.BOOLEAN || scalar.isNumeric() && Literals.isBoolean(actual)) {
@@ -266,7 +262,7 @@ record ValueComparison(DataType type, Tolerance tolerance) {
         : outside(path, expected, actual, apart.doubleValue(), allowed.doubleValue());
   }
 
-  /** A number such as {@code 1e999999999} would take all memory. */
+  /** Checked first, because a number such as {@code 1e999999999} would use all memory. */
   private static BigDecimal whole(String literal) {
     BigDecimal number = new BigDecimal(literal);
     if ((long) literal.length() + Math.abs((long) number.scale()) > MAX_DIGITS) {

@@ -1,4 +1,4 @@
-/** Judges recorded cases: expected values, post-conditions, verdicts, statistics. */
+/** Evaluates recorded cases: expected values, post-conditions, verdicts, statistics. */
 @NullMarked
 package org.sitaf.core.verdict;
 

@@ -88,7 +88,7 @@ class TestDataCombinatorTest {
             .withConstraints(List.of(Constraint.forbid(new int[] {0, 2}, new int[] {1, 1})))
             .withSeeds(List.of(new int[] {0, 0, 0}, new int[] {1, -1, 1}));
     CoveringArray array = combine(problem, Effort.FAST);
-    assertThat(array.refusedSeeds()).containsExactly(1);
+    assertThat(array.rejectedSeeds()).containsExactly(1);
     assertThat(array.rows()[0]).containsExactly(0, 0, 0);
     assertThat(CoveringCheck.findings(problem, array)).isEmpty();
   }
@@ -104,7 +104,7 @@ class TestDataCombinatorTest {
                     Constraint.forbid(new int[] {1, 2}, new int[] {1, 1}),
                     Constraint.forbid(new int[] {0, 2}, new int[] {1, 0})))
             .withSeeds(List.of(new int[] {1, -1, -1}));
-    assertThat(combine(problem, Effort.FAST).refusedSeeds()).containsExactly(0);
+    assertThat(combine(problem, Effort.FAST).rejectedSeeds()).containsExactly(0);
   }
 
   @Test

@@ -68,7 +68,7 @@ class ResultAssemblerTest {
   void aBrokenPostConditionFailsACaseThatPassedSoFar() {
     CaseResult judged = assembler.judge(returned(2, "1.5", 1));
     assertThat(judged.verdict()).isEqualTo(Verdict.FAIL);
-    assertThat(judged.message()).isEqualTo("post-condition broken: actual * 2.0 == n");
+    assertThat(judged.message()).isEqualTo("post-condition violated: actual * 2.0 == n");
   }
 
   @Test
@@ -95,7 +95,7 @@ class ResultAssemblerTest {
     assertThat(judged.verdict()).isEqualTo(Verdict.ERROR);
     int line = (int) MODEL.substring(0, MODEL.indexOf("actual * 2.0")).lines().count();
     assertThat(judged.message())
-        .startsWith("post-condition has no value: actual * 2.0 == n: ")
+        .startsWith("post-condition cannot be evaluated: actual * 2.0 == n: ")
         .contains("(Half.xml:" + line + ")");
   }
 
@@ -117,7 +117,7 @@ class ResultAssemblerTest {
   void aResultReadsBackAsItWasWritten() {
     TestResult result =
         assembler.assemble(
-            List.of(first().judged(Verdict.FAIL, "a\rb \"<&")), "why not", PROVENANCE);
+            List.of(first().withVerdict(Verdict.FAIL, "a\rb \"<&")), "why not", PROVENANCE);
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     TestResultXml.write(result, out);
     assertThat(TestResultXml.read(new ByteArrayInputStream(out.toByteArray()), "result.xml"))

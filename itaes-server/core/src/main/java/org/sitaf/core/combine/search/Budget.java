@@ -8,8 +8,8 @@ public final class Budget {
   private final long total;
   private final @Nullable Budget source;
   private long left;
-  private long patience = Long.MAX_VALUE / 2;
-  private long patienceEnd = Long.MIN_VALUE;
+  private long stallLimit = Long.MAX_VALUE / 2;
+  private long stallEnd = Long.MIN_VALUE;
 
   /** Creates a budget. */
   public Budget(long operations) {
@@ -35,9 +35,9 @@ public final class Budget {
     }
   }
 
-  /** Whether the budget is used up or the patience is exhausted. */
+  /** Whether the budget is used up or there was no progress for too long. */
   public boolean isExhausted() {
-    return left <= 0 || left < patienceEnd;
+    return left <= 0 || left < stallEnd;
   }
 
   /** Creates a part of this budget. Its operations are also spent here. */
@@ -46,19 +46,19 @@ public final class Budget {
   }
 
   /**
-   * Creates a budget of all remaining operations that ends early if {@link #renew} is not called
-   * within a share of the total.
+   * Creates a budget of all remaining operations that is exhausted early if {@link #recordProgress}
+   * is not called within a share of the total.
    */
-  public Budget withPatience(double share) {
-    Budget patient = new Budget(remaining(), this);
-    patient.patience = (long) (total * share);
-    patient.renew();
-    return patient;
+  public Budget withStallLimit(double share) {
+    Budget limited = new Budget(remaining(), this);
+    limited.stallLimit = (long) (total * share);
+    limited.recordProgress();
+    return limited;
   }
 
-  /** Resets the patience after progress. */
-  public void renew() {
-    patienceEnd = left - patience;
+  /** Restarts the stall limit. */
+  public void recordProgress() {
+    stallEnd = left - stallLimit;
   }
 
   /** The initial number of operations. */

@@ -88,7 +88,7 @@ public final class TupleForcing {
       }
       if (coverage.uncovered() == 0) {
         best = snapshot();
-        budget.renew();
+        budget.recordProgress();
         listener.onProgress(best.size());
       }
     }

@@ -15,7 +15,7 @@ import org.sitaf.core.verdict.TestResult;
 
 /**
  * A result in the format that CI systems read: FAIL is a failure, ERROR an error, DONT skipped. A
- * suspect result has one error more, so that no CI system takes it for passed.
+ * suspect result has one error more, so that CI systems do not report it as passed.
  */
 public final class JunitXml {
   private JunitXml() {}
@@ -59,17 +59,17 @@ public final class JunitXml {
     xml.writeAttribute("timestamp", result.provenance().started());
     xml.writeAttribute(
         "time", seconds(result.cases().stream().mapToDouble(JunitXml::microseconds).sum()));
-    for (CaseResult kase : result.cases()) {
-      write(activity, result, kase, xml);
+    for (CaseResult testCase : result.cases()) {
+      write(activity, result, testCase, xml);
     }
     if (result.isSuspect()) {
-      writeSuspicion(activity, result, xml);
+      writeSuspectError(activity, result, xml);
     }
     xml.writeCharacters("\n  ");
     xml.writeEndElement();
   }
 
-  private static void writeSuspicion(String activity, TestResult result, XMLStreamWriter xml)
+  private static void writeSuspectError(String activity, TestResult result, XMLStreamWriter xml)
       throws XMLStreamException {
     xml.writeCharacters("\n    ");
     xml.writeStartElement("testcase");
@@ -83,19 +83,19 @@ public final class JunitXml {
   }
 
   private static void write(
-      String activity, TestResult result, CaseResult kase, XMLStreamWriter xml)
+      String activity, TestResult result, CaseResult testCase, XMLStreamWriter xml)
       throws XMLStreamException {
     String inputs =
-        IntStream.range(0, Math.min(kase.values().size(), result.parameters().size()))
-            .mapToObj(i -> result.parameters().get(i).name() + "=" + kase.values().get(i))
+        IntStream.range(0, Math.min(testCase.values().size(), result.parameters().size()))
+            .mapToObj(i -> result.parameters().get(i).name() + "=" + testCase.values().get(i))
             .collect(Collectors.joining(", "));
     xml.writeCharacters("\n    ");
     xml.writeStartElement("testcase");
     xml.writeAttribute("classname", activity + "." + result.name());
-    xml.writeAttribute("name", kase.no() + ": " + inputs);
-    xml.writeAttribute("time", seconds(microseconds(kase)));
+    xml.writeAttribute("name", testCase.no() + ": " + inputs);
+    xml.writeAttribute("time", seconds(microseconds(testCase)));
     String element =
-        switch (kase.verdict()) {
+        switch (testCase.verdict()) {
           case PASS -> "";
           case FAIL -> "failure";
           case ERROR -> "error";
@@ -103,9 +103,9 @@ public final class JunitXml {
         };
     if (!element.isEmpty()) {
       xml.writeStartElement(element);
-      xml.writeAttribute("message", kase.message());
+      xml.writeAttribute("message", testCase.message());
       xml.writeCharacters(
-          "expected " + values(kase.expected()) + ", actual " + values(kase.actual()));
+          "expected " + values(testCase.expected()) + ", actual " + values(testCase.actual()));
       xml.writeEndElement();
     }
     xml.writeEndElement();
@@ -119,8 +119,8 @@ public final class JunitXml {
             .collect(Collectors.joining(", "));
   }
 
-  private static double microseconds(CaseResult kase) {
-    return kase.time() == null ? 0 : kase.time().total();
+  private static double microseconds(CaseResult testCase) {
+    return testCase.time() == null ? 0 : testCase.time().total();
   }
 
   private static String seconds(double microseconds) {
