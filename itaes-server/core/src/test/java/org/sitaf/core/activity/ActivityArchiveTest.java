@@ -13,12 +13,12 @@ import java.util.zip.ZipOutputStream;
 import org.junit.jupiter.api.Test;
 import org.sitaf.core.diagnostic.InvalidInputException;
 
-/** Archives are strangers': small ones stay small, and a cut one is said to be. */
+/** Archives of users are untrusted: their unpacked size is limited, and truncation is reported. */
 class ActivityArchiveTest {
   private static final int MIB = 1 << 20;
 
   @Test
-  void anArchiveThatGrowsBeyondMeasureIsRefusedWithTheNumbers() throws IOException {
+  void rejectsAnArchiveThatUnpacksToTooManyBytes() throws IOException {
     byte[] zip = zip("zeros", new byte[64 * MIB]);
     assertThat(zip.length).isLessThan(100_000);
     assertThatThrownBy(() -> read(zip, ActivityArchive.MAX_SIZE))
@@ -28,14 +28,14 @@ class ActivityArchiveTest {
   }
 
   @Test
-  void whatIsInTheEntryOfAFolderCountsToo() throws IOException {
+  void countsTheContentOfFolderEntries() throws IOException {
     byte[] zip = zip("folder/", new byte[64 * MIB]);
     assertThatThrownBy(() -> read(zip, ActivityArchive.MAX_SIZE))
         .hasMessageContaining("100 times its size");
   }
 
   @Test
-  void littleMayBeEmptyAndMuchMayBeFull() throws IOException {
+  void acceptsSmallZeroFilledAndLargeRandomContent() throws IOException {
     assertThat(read(zip("zeros", new byte[MIB]), ActivityArchive.MAX_SIZE).size()).isEqualTo(MIB);
     byte[] noise = new byte[3 * MIB];
     new Random(1).nextBytes(noise);
@@ -46,7 +46,7 @@ class ActivityArchiveTest {
   }
 
   @Test
-  void anArchiveThatIsCutOffIsNoFailure() throws IOException {
+  void reportsATruncatedArchive() throws IOException {
     byte[] noise = new byte[MIB];
     new Random(1).nextBytes(noise);
     byte[] zip = zip("noise", noise);
@@ -57,7 +57,7 @@ class ActivityArchiveTest {
   }
 
   @Test
-  void aPathThatNoAgentCouldWriteIsRefusedAndShownInShort() {
+  void rejectsInvalidPathsAndShortensThemInMessages() {
     for (String path :
         new String[] {
           "a/".repeat(60) + "x", "ü".repeat(150), "a\u202eb", "a\u2028b", "x".repeat(60_000)

@@ -83,7 +83,7 @@ class ActivityTest {
   }
 
   @Test
-  void anActivityThatFitsTogetherIsRead() {
+  void readsAConsistentActivity() {
     Activity activity = read();
     assertThat(activity.profile().name()).isEqualTo("ir");
     assertThat(activity.models()).hasSize(1);
@@ -91,14 +91,14 @@ class ActivityTest {
   }
 
   @Test
-  void theTimeForPreparingPackagesIsOneOfTheLimits() {
+  void readsTheTimeLimitForPreparingPackages() {
     assertThat(read().profile().limits().preparation()).isEqualTo(Duration.ofMinutes(5));
     files.merge("activity.yaml", "limits: {prepare_s: 900}\n", String::concat);
     assertThat(read().profile().limits().preparation()).isEqualTo(Duration.ofMinutes(15));
   }
 
   @Test
-  void aMethodThatNoInterfaceHasIsToldWithThoseThereAre() {
+  void reportsAnUnknownMethodWithTheExistingOnes() {
     replace("service.xml", "GetInfraredData", "GetData");
     assertThat(problems())
         .containsExactly(
@@ -107,7 +107,7 @@ class ActivityTest {
   }
 
   @Test
-  void aWorldParameterThatDoesNotExistIsTold() {
+  void reportsAnUnknownWorldParameter() {
     replace("world/ir.world.yaml", "Distance", "Gap");
     assertThat(problems())
         .singleElement()
@@ -116,13 +116,13 @@ class ActivityTest {
   }
 
   @Test
-  void aValueOutsideTheWorldsRangeIsTold() {
+  void reportsAValueOutsideTheRangeOfTheWorld() {
     replace("world/ir.world.yaml", "[-1, 20]", "[0, 10]");
     assertThat(problems()).hasSize(2).allMatch(p -> p.contains("is outside the range [0.0, 10.0]"));
   }
 
   @Test
-  void aTypeThatDoesNotFitTheInterfaceIsTold() {
+  void reportsATypeThatDoesNotMatchTheInterface() {
     replace(
         "service.xml",
         "<type>int</type></param>\n    <param index=\"2\"",
@@ -136,7 +136,7 @@ class ActivityTest {
   }
 
   @Test
-  void aParameterWithoutTestElementIsTold() {
+  void reportsAParameterWithoutTestElement() {
     replace("service.xml", "NumOfSensor", "Count");
     assertThat(problems())
         .anyMatch(
@@ -166,7 +166,7 @@ class ActivityTest {
   }
 
   @Test
-  void anEnumerationTakesAllItsLiteralsFromTheInterface() {
+  void anEnumerationHasAllLiteralsOfTheInterface() {
     driveByPoseAndMode(
         """
         <test_element abstract_type="ENUM" real_type="Mode"><name>mode</name><type>TDI</type></test_element>
@@ -179,7 +179,7 @@ class ActivityTest {
   }
 
   @Test
-  void membersAndLiteralsThatDoNotExistAreTold() {
+  void reportsUnknownMembersAndLiterals() {
     driveByPoseAndMode(
         """
         <test_element abstract_type="ENUM" real_type="Mode"><name>mode</name><type>TDI</type>
@@ -201,7 +201,7 @@ class ActivityTest {
   }
 
   @Test
-  void aMissingClassIsToldWithItsExpectedPlace() {
+  void reportsAMissingClassWithItsExpectedFolder() {
     replace("activity.yaml", "robot.Sensor", "robot.Sonar");
     assertThat(problems())
         .singleElement()
@@ -211,7 +211,7 @@ class ActivityTest {
   }
 
   @Test
-  void everyProblemOfTheProfileIsToldWithItsLine() {
+  void reportsAllProblemsOfTheProfileWithTheirLines() {
     files.put(
         "activity.yaml",
         """
@@ -231,12 +231,12 @@ class ActivityTest {
         .anyMatch(p -> p.startsWith("activity.yaml:5: error: component.libary: unknown entry"))
         .anyMatch(p -> p.contains("component.period_ms: execution: periodic needs a period"))
         .anyMatch(p -> p.contains("provided: 'missing.xml' does not exist in the activity"))
-        .as("models may come later")
+        .as("models may be added later")
         .noneMatch(p -> p.contains("models"));
   }
 
   @Test
-  void aYamlBombIsRefused() {
+  void rejectsAYamlBomb() {
     StringBuilder bomb = new StringBuilder("a0: &a0 [x, x, x, x, x, x, x, x, x]\n");
     for (int i = 1; i < 30; i++) {
       String of = "*a" + (i - 1);
@@ -247,7 +247,7 @@ class ActivityTest {
   }
 
   @Test
-  void aZipReadsBackAsItWasWritten() throws IOException {
+  void readsAWrittenZipUnchanged() throws IOException {
     FileTree tree = read().files();
     ByteArrayOutputStream zip = new ByteArrayOutputStream();
     ActivityArchive.write(tree, zip);
@@ -259,7 +259,7 @@ class ActivityTest {
   }
 
   @Test
-  void aZipThatLeavesItsFolderIsRefused() throws IOException {
+  void rejectsAZipThatLeavesItsFolder() throws IOException {
     for (String path : List.of("../evil", "/etc/passwd", "a/../../b", "a\\..\\b")) {
       ByteArrayOutputStream zip = new ByteArrayOutputStream();
       try (ZipOutputStream out = new ZipOutputStream(zip)) {
@@ -274,7 +274,7 @@ class ActivityTest {
   }
 
   @Test
-  void whatIsNoZipIsToldSo() {
+  void reportsAFileThatIsNotAZip() {
     assertThatThrownBy(
             () ->
                 ActivityArchive.read(

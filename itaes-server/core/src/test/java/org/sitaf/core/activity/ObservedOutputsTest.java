@@ -15,7 +15,7 @@ import org.sitaf.core.suite.GenerationOptions;
 import org.sitaf.core.suite.TestCaseGenerator;
 import org.sitaf.core.suite.TestSuite;
 
-/** Data ports as outputs, and the return of a method that returns nothing. */
+/** Data ports as outputs, and outputs of methods without a return value. */
 class ObservedOutputsTest {
   private final Map<String, String> files =
       new HashMap<>(
@@ -102,7 +102,7 @@ class ObservedOutputsTest {
   }
 
   @Test
-  void aMethodThatReturnsNothingIsExpectedToReturnOrToThrow() {
+  void aVoidMethodIsExpectedToReturnOrToThrow() {
     TestSuite suite =
         TestCaseGenerator.generate(read().models().get(0), GenerationOptions.DEFAULT).suite();
     assertThat(expected(suite, "return")).containsExactly("null", "!error:TooStrong");
@@ -110,7 +110,7 @@ class ObservedOutputsTest {
   }
 
   @Test
-  void nothingButAnErrorIsExpectedOfAMethodThatReturnsNothing() {
+  void onlyAnErrorCanBeExpectedOfAVoidMethod() {
     replace("Limit.xml", ": null", ": 3");
     var generated = TestCaseGenerator.generate(read().models().get(0), GenerationOptions.DEFAULT);
     assertThat(expected(generated.suite(), "return").get(0))
@@ -118,7 +118,7 @@ class ObservedOutputsTest {
   }
 
   @Test
-  void aMethodThatReturnsNothingHasNoOtherReturn() {
+  void aVoidMethodHasNoOtherReturnType() {
     replace(
         "Limit.xml",
         "abstract_type=\"VOID\" real_type=\"void\"",
@@ -130,13 +130,13 @@ class ObservedOutputsTest {
   }
 
   @Test
-  void theReturnOfAMethodThatReturnsSomethingIsNotVoid() {
+  void anOtherMethodDoesNotReturnVoid() {
     replace("service.xml", "return_type=\"void\"", "return_type=\"double\"");
     assertThat(problems()).singleElement().asString().contains("does not match the interface");
   }
 
   @Test
-  void anOutputDataPortIsObservedByItsTypeAndNoOtherPortIs() {
+  void observesOutputDataPortsOnly() {
     replace("Limit.xml", "<name>state.swings</name>", "<name>command</name>");
     assertThat(problems())
         .singleElement()
@@ -150,7 +150,7 @@ class ObservedOutputsTest {
   }
 
   @Test
-  void aProfileThatCannotBeUnderstoodIsAWarning() {
+  void warnsOfAnUnreadableProfile() {
     replace("arm.xml", "<usage>input</usage>", "<usage>sideways</usage>");
     assertThat(read().warnings()).anyMatch(w -> w.toString().contains("sideways"));
   }

@@ -49,7 +49,7 @@ class TargetMethodTest {
   }
 
   @Test
-  void anOverloadIsNamedByItsSignature() {
+  void findsAnOverloadByItsSignature() {
     assertThat(find("<target method='Move' signature='int,int'/>").method().parameters())
         .hasSize(2);
     assertThat(find("<target method='Move' signature='double'/>").method().parameters()).hasSize(1);
@@ -61,7 +61,7 @@ class TargetMethodTest {
   }
 
   @Test
-  void severalMethodsThatFitAreAnErrorThatListsThem() {
+  void reportsSeveralMatchingMethods() {
     assertThatThrownBy(() -> find("<target method='Move'/>"))
         .hasMessageContaining("Drive.Move(int32,int32), Drive.Move(double)");
     assertThatThrownBy(() -> find(""))
@@ -70,7 +70,7 @@ class TargetMethodTest {
   }
 
   @Test
-  void theInterfaceDecidesBetweenEqualMethods() {
+  void theInterfaceDistinguishesEqualMethods() {
     assertThat(find("<target interface='Arm' method='Stop'/>").declaring().name()).isEqualTo("Arm");
     assertThatThrownBy(() -> find("<target interface='Leg' method='Stop'/>"))
         .hasMessageContaining("no provided interface is named Leg");

@@ -79,7 +79,7 @@ class CombinationPropertiesTest {
     return true;
   }
 
-  /** By plain enumeration: at most 5^7 rows. */
+  /** Enumerates at most 5^7 rows. */
   private static List<int[]> allowedRows(CombinationProblem problem) {
     int[] levels = problem.levels();
     List<int[]> rows = new ArrayList<>();

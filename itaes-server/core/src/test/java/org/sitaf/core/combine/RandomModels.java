@@ -7,7 +7,7 @@ import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
 
-/** Small models of every kind: mixed levels, mixed strength, clauses, arithmetic conditions. */
+/** Generates small models with mixed levels, mixed strength, clauses and arithmetic conditions. */
 final class RandomModels {
   private RandomModels() {}
 

@@ -109,7 +109,7 @@ class TestDataCombinatorTest {
 
   @Test
   void conditions_that_contradict_each_other_leave_no_row_also_for_what_they_do_not_touch() {
-    // Each pair of values is forbidden, but none alone: only a search finds the contradiction.
+    // Pairs of values are forbidden, but no single value: only a search finds the contradiction.
     List<Constraint> none = new ArrayList<>();
     for (int a = 0; a < 2; a++) {
       for (int b = 0; b < 2; b++) {

@@ -31,7 +31,7 @@ class WorldReaderTest {
   }
 
   @Test
-  void refusesWhatItDoesNotKnow() {
+  void rejectsUnknownEntries() {
     assertThatThrownBy(() -> WorldReader.read("mjcf: w.xml\nrobot: {}\n", "w.world.yaml"))
         .isInstanceOf(InvalidInputException.class)
         .hasMessageContaining("robot");

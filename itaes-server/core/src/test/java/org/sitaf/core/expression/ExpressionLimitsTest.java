@@ -20,7 +20,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Whatever an expression says, it ends, and takes bounded work and memory. */
+/** The evaluation of any expression ends, within limits of steps and memory. */
 class ExpressionLimitsTest {
   private static final String DIGITS = "[0,1,2,3,4,5,6,7,8,9]";
 
@@ -50,7 +50,7 @@ class ExpressionLimitsTest {
 
   @ParameterizedTest
   @MethodSource("refused")
-  void anExpressionBeyondTheLimitsIsRefusedBeforeItIsEvaluated(String text) {
+  void rejectsATooLargeExpressionBeforeItsEvaluation(String text) {
     assertThatThrownBy(() -> compiler.compile(text))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("is not a valid expression")
@@ -58,7 +58,7 @@ class ExpressionLimitsTest {
   }
 
   @Test
-  void aRefusalSaysHowManyStepsItWouldTake() {
+  void reportsTheNumberOfStepsOfARejectedExpression() {
     assertThatThrownBy(() -> compiler.compile(nested("all", 14, "true")))
         .hasMessageContaining("steps")
         .hasMessageContaining("5,000,000")
@@ -73,7 +73,8 @@ class ExpressionLimitsTest {
         nestedOver("items", "exists_one", 6, "true"),
         nestedOver("items", "map", 5, "1") + " != []",
         nestedOver("items", "filter", 6, "true") + " != []",
-        // CEL takes an error next to && or || for a value: these must end all the same.
+        // CEL absorbs errors in operands of && and ||, but the limits must still end the
+        // evaluation.
         nestedOver("items", "all", 6, "true") + " || " + nestedOver("items", "all", 6, "true"),
         nestedOver("items", "all", 6, "1 / 0 == 1 || true"),
         "['ab']" + doubled + "[0] == text",
@@ -91,7 +92,7 @@ class ExpressionLimitsTest {
 
   @ParameterizedTest
   @MethodSource("ended")
-  void anEvaluationThatTakesTooMuchEndsAndSaysSo(String text) {
+  void endsATooExpensiveEvaluation(String text) {
     Expression expression = compiler.compile(text);
     assertThatThrownBy(() -> expression.evaluate(variables()))
         .isInstanceOfSatisfying(
@@ -115,12 +116,12 @@ class ExpressionLimitsTest {
 
   @ParameterizedTest
   @MethodSource("usual")
-  void whatPeopleWriteIsEvaluated(String text) throws EvaluationException {
+  void evaluatesCommonExpressions(String text) throws EvaluationException {
     assertThat(compiler.compile(text).isTrue(variables())).isTrue();
   }
 
   @Property(tries = 40)
-  void everyNestingIsRefusedOrEvaluated(
+  void rejectsOrEvaluatesAnyNesting(
       @ForAll @IntRange(min = 0, max = 12) int depth,
       @ForAll @IntRange(min = 0, max = 30) int length,
       @ForAll @IntRange(min = 0, max = 4) int macro) {
@@ -133,7 +134,7 @@ class ExpressionLimitsTest {
     try {
       compiler.compile(text).evaluate(variables());
     } catch (IllegalArgumentException e) {
-      // Whatever does not end soon must have been counted.
+      // An evaluation that takes long must have reached the limit of steps.
       assertThat(Math.pow(length, depth) * 20).isGreaterThan(5_000_000);
     } catch (EvaluationException e) {
       assertThat(e.tooCostly()).isFalse();
@@ -165,7 +166,7 @@ class ExpressionLimitsTest {
   }
 
   @Test
-  void conjunctsAreTheTopPartsOfAnExpression() throws EvaluationException {
+  void conjunctsAreTheTopLevelOperandsOfAnd() throws EvaluationException {
     List<Expression> parts =
         compiler.compile("x == 1 && (text == 'a' || x == 2) && (x < 9)").conjuncts();
     assertThat(parts).hasSize(3);
@@ -176,7 +177,7 @@ class ExpressionLimitsTest {
   }
 
   @Property
-  void repetitionsAreWrittenOut(
+  void expandsRepetitions(
       @ForAll @IntRange(min = 1, max = 40) int inner,
       @ForAll @IntRange(min = 1, max = 40) int outer) {
     assertThat(PatternSize.of("(a{" + inner + "}b){" + outer + "}"))

@@ -17,7 +17,7 @@ import org.sitaf.core.activity.Activity;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.diagnostic.InvalidInputException;
 
-/** The beginnings of adapters, letter by letter, and who is told of them. */
+/** Compares generated adapters with golden files, and checks the errors about missing adapters. */
 class AdapterTest {
   private static final Path RESOURCES = Path.of("src/test/resources/org/sitaf/core/harness");
   private static final boolean RENEW = Boolean.getBoolean("sitaf.golden.renew");
@@ -53,7 +53,7 @@ class AdapterTest {
     "python, planner_adapter.PlannerAdapter",
     "cpp, robot::PlannerAdapter"
   })
-  void theBeginningsAreThoseThatWereReviewed(String language, String className) throws IOException {
+  void generatesTheGoldenAdapters(String language, String className) throws IOException {
     FileTree adapter =
         InterfaceTestApplicationGenerator.adapter(
             Activity.readWithoutComponent(activity(language, className)));
@@ -79,7 +79,7 @@ class AdapterTest {
     "python, planner_adapter.PlannerAdapter",
     "cpp, robot::PlannerAdapter"
   })
-  void whoHasNoAdapterYetIsToldHowToBegin(String language, String className) throws IOException {
+  void explainsHowToCreateAMissingAdapter(String language, String className) throws IOException {
     FileTree files = activity(language, className);
     assertThatThrownBy(() -> Activity.read(files))
         .isInstanceOf(InvalidInputException.class)
@@ -103,7 +103,7 @@ class AdapterTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"Planner", "RangeFinder", "Mode", "Hardware"})
-  void aJavaAdapterMayHaveTheNameOfATypeThatItUses(String name) throws IOException {
+  void aJavaAdapterMayHaveTheNameOfAUsedType(String name) throws IOException {
     String source =
         InterfaceTestApplicationGenerator.adapter(
                 Activity.readWithoutComponent(activity("java", "robot." + name)))
@@ -117,7 +117,7 @@ class AdapterTest {
   }
 
   @Test
-  void namesThatALanguageCannotSpellAreRefused() throws IOException {
+  void rejectsNamesThatAreInvalidInALanguage() throws IOException {
     for (String[] bad :
         new String[][] {
           {"java", "robot.Plan ner"},

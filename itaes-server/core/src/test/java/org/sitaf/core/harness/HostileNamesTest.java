@@ -28,14 +28,13 @@ import org.sitaf.core.model.InputKind;
 import org.sitaf.core.suite.CaseParameter;
 
 /**
- * Names of interfaces, methods, parameters, structs, members, enumerations and exceptions that mean
- * something to a language or to generated code: each is refused, or what comes out of all that are
- * not refused compiles.
+ * Names of interfaces, methods, parameters, structs, members, enumerations and exceptions with a
+ * meaning in a language or in generated code. Each is rejected, or the generated sources compile.
  */
 @Tag("slow")
 class HostileNamesTest {
 
-  /** No name in any language: each must be refused wherever it would be one. */
+  /** Invalid names in all languages: each must be rejected in every position. */
   private static final List<String> NO_NAMES =
       List.of(
           "",
@@ -58,7 +57,7 @@ class HostileNamesTest {
           "x; std::abort(); int y",
           "\u202ea");
 
-  /** Words that languages, their libraries, the runtimes and the templates use. */
+  /** Words of languages, their libraries, the runtimes and the templates. */
   private static final List<String> WORDS =
       Arrays.stream(
               """
@@ -98,31 +97,32 @@ class HostileNamesTest {
 
   @ParameterizedTest
   @MethodSource("everywhere")
-  void aNameIsRefusedOrCompiles(Language language, NamePosition position)
+  void rejectsOrCompilesEveryName(Language language, NamePosition position)
       throws IOException, InterruptedException {
     LanguageCompiler compiler = new LanguageCompiler(language, folder);
     Assumptions.assumeTrue(compiler.isInstalled(), language + ": no compiler is installed");
     List<String> accepted = new ArrayList<>();
     for (String name : Stream.concat(NO_NAMES.stream(), WORDS.stream()).toList()) {
-      Throwable refused = catchThrowable(() -> generate(language, position, List.of(name)));
-      if (refused == null) {
+      Throwable rejection = catchThrowable(() -> generate(language, position, List.of(name)));
+      if (rejection == null) {
         assertThat(NO_NAMES).doesNotContain(name);
         accepted.add(name);
       } else {
-        assertThat(refused).as(name).isInstanceOf(InvalidInputException.class);
+        assertThat(rejection).as(name).isInstanceOf(InvalidInputException.class);
       }
     }
     assertThat(accepted).contains("lowerCamel", "UpperCamel", "snake_case", "x", "X1");
-    TestApplication application = generate(language, position, together(language, accepted));
-    assertThat(compiler.complaints(application)).isEmpty();
+    TestApplication application = generate(language, position, compatible(language, accepted));
+    assertThat(compiler.compile(application)).isEmpty();
   }
 
   /**
-   * Of names that differ in case and underscores only, Python and Java get one: the modules and
-   * aliases of the others would be the same, and so would files where the system tells no cases
-   * apart. What Python calls the stub of another interface stands for itself alone.
+   * Selects names that one application may contain together. In Python and Java, names that differ
+   * only in case and underscores would give the same module, alias, or file on a case-insensitive
+   * file system. In Python, a name that ends with Stub may be that of another interface's stub, so
+   * it is only tested alone.
    */
-  private static List<String> together(Language language, List<String> accepted) {
+  private static List<String> compatible(Language language, List<String> accepted) {
     Map<String, String> first = new HashMap<>();
     List<String> kept = new ArrayList<>();
     for (String name : accepted) {
@@ -167,7 +167,7 @@ class HostileNamesTest {
         .application();
   }
 
-  /** A component whose method takes so many texts, whatever they are called. */
+  /** A component whose method has the given number of string parameters. */
   private static FileTree component(Language language, int texts) {
     String sources =
         switch (language) {

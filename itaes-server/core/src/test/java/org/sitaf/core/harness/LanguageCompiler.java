@@ -13,12 +13,12 @@ import org.sitaf.core.activity.ActivityProfile.Language;
 import org.sitaf.core.activity.FileTree;
 
 /**
- * What reads the sources of a language on this machine and says what is wrong with them.
+ * Compiles sources of a language with the tools of this machine.
  *
- * @param folder empty
+ * @param folder an empty folder for the sources
  */
 public record LanguageCompiler(Language language, Path folder) {
-  /** Whether this machine has it. */
+  /** Whether the tools are installed. */
   public boolean isInstalled() {
     String program =
         switch (language) {
@@ -37,10 +37,11 @@ public record LanguageCompiler(Language language, Path folder) {
   }
 
   /**
-   * What the compiler says of component and harness, which are put into the folder; empty when it
-   * takes them.
+   * Writes component and harness to the folder and compiles them.
+   *
+   * @return the output of the compiler; empty if the sources compile
    */
-  String complaints(TestApplication application) throws IOException, InterruptedException {
+  String compile(TestApplication application) throws IOException, InterruptedException {
     for (String path : application.harness().paths()) {
       write(path, application.harness().content(path).orElseThrow());
     }
@@ -74,7 +75,7 @@ public record LanguageCompiler(Language language, Path folder) {
                   folder.resolve(application.entryPoint()).toString(),
                   "-I",
                   runtimes.resolve("runtime-cpp/include").toString());
-          // Modules run when they are imported: all but the entry point, which is imported, too.
+          // Importing the entry point executes the other modules, but not its main function.
           case PYTHON ->
               List.of(
                   "python3",
@@ -91,7 +92,7 @@ public record LanguageCompiler(Language language, Path folder) {
         paths.map(Path::toString).filter(p -> p.endsWith(".java")).forEach(whole::add);
       }
     } else if (language == Language.CPP) {
-      // In one unit, the headers are read once.
+      // As one unit, so that the headers are read once.
       StringBuilder all = new StringBuilder();
       application.harness().paths().stream()
           .filter(p -> p.endsWith(".cpp"))
@@ -101,7 +102,7 @@ public record LanguageCompiler(Language language, Path folder) {
       whole.add(unit.toString());
     }
     Process compiler = new ProcessBuilder(whole).redirectErrorStream(true).start();
-    String said = new String(compiler.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-    return compiler.waitFor() == 0 ? "" : "failed: " + said;
+    String output = new String(compiler.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    return compiler.waitFor() == 0 ? "" : "failed: " + output;
   }
 }

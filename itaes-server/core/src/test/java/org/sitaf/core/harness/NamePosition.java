@@ -14,7 +14,7 @@ import org.sitaf.core.description.Method;
 import org.sitaf.core.description.Parameter;
 import org.sitaf.core.description.ScalarType;
 
-/** Where a name stands, and the interfaces that hold some names there. */
+/** A position of a name in an interface, and interfaces with given names at that position. */
 enum NamePosition {
   PARAMETER,
   STUB,
@@ -31,7 +31,7 @@ enum NamePosition {
   private static final DataType INT = new DataType.Scalar(ScalarType.INT32);
   private static final DataType VOID = new DataType.Scalar(ScalarType.VOID);
 
-  /** The first method of the first is the one that is called. */
+  /** The first method of the first interface is the method under test. */
   List<InterfaceDescription> provided(List<String> names) {
     List<Parameter> parameters =
         this == PARAMETER
@@ -93,7 +93,7 @@ enum NamePosition {
     return required("Neighbour", names.stream().map(method).toList());
   }
 
-  /** Java takes no more than 255 parameters, and two of these for each double. */
+  /** A Java method has at most 255 parameters, and a double counts as two. */
   private static Map<Integer, List<String>> chunks(List<String> names) {
     Map<Integer, List<String>> chunks = new TreeMap<>();
     for (int i = 0; i < names.size(); i++) {
@@ -102,7 +102,7 @@ enum NamePosition {
     return chunks;
   }
 
-  /** A method for each type that gives and takes it. */
+  /** For each type, a method with a parameter and a return value of the type. */
   private static InterfaceDescription numbered(
       List<String> names, Function<String, DataType> type) {
     List<Method> methods = new ArrayList<>();

@@ -21,13 +21,13 @@ import org.sitaf.core.suite.TestCase;
 import org.sitaf.core.suite.TestSuite;
 
 /**
- * A test application of one case that calls the first method of the first provided interface: for
- * what its texts and names come to.
+ * A test application with one case, which calls the first method of the first provided interface.
+ * For tests of texts and names in generated sources.
  *
- * @param className of the component
- * @param description of activity and model
- * @param before calls that prepare the component
- * @param files of the activity
+ * @param className class of the component
+ * @param description description of activity and model
+ * @param before set-up calls of the component
+ * @param files files of the activity
  */
 public record OneCase(
     Language language,
@@ -41,7 +41,7 @@ public record OneCase(
     List<InterfaceDescription> required,
     List<CaseParameter> columns,
     List<String> values) {
-  /** What is generated of it. */
+  /** Generates the test application. */
   public TestApplication application() {
     TestModel model = model();
     TestSuite suite =

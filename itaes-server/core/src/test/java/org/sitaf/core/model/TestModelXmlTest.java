@@ -35,7 +35,7 @@ class TestModelXmlTest {
   }
 
   @Test
-  void everyContradictionIsToldAtOnceWithItsElementAndLine() {
+  void reportsAllContradictionsWithElementAndLine() {
     List<Diagnostic> problems =
         problems(
             """
@@ -86,7 +86,7 @@ class TestModelXmlTest {
   }
 
   @Test
-  void aDocumentTypeDeclarationIsRefused() {
+  void rejectsADocumentTypeDeclaration() {
     String hostile =
         "<!DOCTYPE test_model [<!ENTITY x SYSTEM \"file:///etc/passwd\">]>"
             + "<test_model><name>&x;</name></test_model>";
@@ -96,7 +96,7 @@ class TestModelXmlTest {
   }
 
   @Test
-  void whatIsNotXmlIsAnsweredWithTheLineOfTheMistake() {
+  void reportsTheLineOfASyntaxError() {
     List<Diagnostic> problems = problems("<test_model>\n<name>M</nam>\n</test_model>");
     assertThat(problems).hasSize(1);
     assertThat(problems.get(0).line()).isEqualTo(2);
@@ -104,13 +104,13 @@ class TestModelXmlTest {
   }
 
   @Test
-  void anotherRootIsNamed() {
+  void reportsAnotherRootElement() {
     assertThat(problems("<suite/>").get(0).message())
         .isEqualTo("the root element must be <test_model>");
   }
 
   @Test
-  void aMisspeltElementIsNotPassedOver() {
+  void reportsAMisspeltElement() {
     String misspelt =
         model(
             """
@@ -124,7 +124,7 @@ class TestModelXmlTest {
   }
 
   @Test
-  void everyMisspeltElementIsToldHoweverManyThereAreAndHoweverManyWereToldBefore() {
+  void reportsAllMisspeltElementsInEveryDocument() {
     String element =
         """
         <test_element abstract_type="NUMERIC" real_type="int">
@@ -145,7 +145,7 @@ class TestModelXmlTest {
   }
 
   @Test
-  void settingsMayStandAsElementsOrAsAttributes() {
+  void readsSettingsFromElementsOrAttributes() {
     String element =
         """
         <test_element abstract_type="NUMERIC" real_type="double">
@@ -170,7 +170,7 @@ class TestModelXmlTest {
   }
 
   @Test
-  void thePapersSpellingsAreAccepted() {
+  void acceptsTheSpellingsOfThePaper() {
     TestModel model =
         read(
             model(
@@ -186,7 +186,7 @@ class TestModelXmlTest {
   }
 
   @Test
-  void aNumberThatOnlyExhaustsMemoryIsNotANumber() {
+  void rejectsANumberThatWouldExhaustMemory() {
     assertThat(
             problems(
                     model(
@@ -202,7 +202,7 @@ class TestModelXmlTest {
   }
 
   @Test
-  void boundsOfAWholeNumberMustBeWhole() {
+  void boundsOfAnIntegerMustBeIntegers() {
     assertThat(
             problems(
                 model(

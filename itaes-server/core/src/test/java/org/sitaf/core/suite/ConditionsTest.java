@@ -43,7 +43,7 @@ class ConditionsTest {
   }
 
   @Test
-  void aCaseThatBreaksAPreConditionIsNeverGeneratedAndItsCombinationsAreReported() {
+  void generatesNoCaseThatViolatesAPreConditionAndReportsImpossibleCombinations() {
     GeneratedSuite generated = generate("a <= pose.x", "1.0");
     assertThat(generated.suite().cases())
         .extracting(TestCase::values)
@@ -54,7 +54,7 @@ class ConditionsTest {
   }
 
   @Test
-  void wholeAndFloatingPointNumbersCompare() {
+  void comparesIntegersWithFloatingPointNumbers() {
     assertThat(generate("true", "a < pose.x ? 1.0 : 0.0").suite().cases())
         .allSatisfy(
             c -> {
@@ -65,13 +65,13 @@ class ConditionsTest {
   }
 
   @Test
-  void anExpectedValueTakesTheTypeOfItsOutput() {
+  void anExpectedValueHasTheTypeOfItsOutput() {
     assertThat(generate("true", "a").suite().cases())
         .allMatch(c -> c.expected().get(0).literal().matches("[012]\\.0"));
   }
 
   @Test
-  void anExpectedValueThatHasNoValueIsMarkedAndReported() {
+  void marksAndReportsAnExpectedValueThatCannotBeEvaluated() {
     GeneratedSuite generated = generate("true", "1 / a");
     assertThat(generated.suite().cases())
         .filteredOn(c -> c.values().get(0).equals("0"))
@@ -81,7 +81,7 @@ class ConditionsTest {
   }
 
   @Test
-  void anUnknownNameIsToldBeforeAnythingIsGenerated() {
+  void reportsAnUnknownNameBeforeTheGeneration() {
     assertThatThrownBy(() -> generate("b > 1", "Distanz"))
         .isInstanceOf(InvalidInputException.class)
         .hasMessageContaining(
@@ -98,7 +98,7 @@ class ConditionsTest {
   }
 
   @Test
-  void keptCasesStayUnderTheirNumbersAndOnlyWhatIsMissingIsAdded() {
+  void keepsCasesWithTheirNumbersAndAddsMissingCombinationsOnly() {
     GeneratedSuite generated =
         generate(
             "true",

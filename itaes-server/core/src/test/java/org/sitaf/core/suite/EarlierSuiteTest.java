@@ -15,7 +15,7 @@ import org.sitaf.core.diagnostic.Diagnostic;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.model.TestModelXml;
 
-/** A changed model keeps the cases that a user already has; a number never changes its meaning. */
+/** A suite of a changed model keeps existing cases, and numbers of cases are never reused. */
 class EarlierSuiteTest {
   private static TestModel model(String... elements) {
     return model("", List.of(elements));
@@ -70,7 +70,7 @@ class EarlierSuiteTest {
   }
 
   @Test
-  void aNewValueAddsOnlyWhatIsMissingAndEveryOldCaseKeepsItsNumber() {
+  void aNewValueAddsMissingCombinationsOnlyAndKeepsNumbers() {
     TestSuite old =
         fresh(model("a " + values(1, 2, 3), "b " + values(1, 2, 3), "c " + values(1, 2, 3)));
     TestSuite grown =
@@ -84,7 +84,7 @@ class EarlierSuiteTest {
   }
 
   @Test
-  void aNewElementCompletesOldCasesUnderNewNumbers() {
+  void aNewElementCompletesOldCasesWithNewNumbers() {
     TestSuite old = fresh(model("a " + values(1, 2), "b " + values(1, 2)));
     GeneratedSuite grown =
         after(model("a " + values(1, 2), "b " + values(1, 2), "c " + values(5, 6)), old);
@@ -95,7 +95,7 @@ class EarlierSuiteTest {
   }
 
   @Test
-  void aCaseThatBreaksANewConditionIsLeftOutAloneAndItsNumberIsNotUsedAgain() {
+  void dropsOnlyCasesThatViolateANewConditionAndDoesNotReuseTheirNumbers() {
     String[] elements = {"a " + values(1, 2, 3), "b " + values(1, 2, 3), "c " + values(1, 2)};
     TestSuite old = fresh(model(elements));
     String different =
@@ -116,7 +116,7 @@ class EarlierSuiteTest {
   }
 
   @Test
-  void whatAPersonExpectedByHandStays() {
+  void keepsManuallyExpectedValues() {
     TestModel model = model("a " + values(1, 2), "b " + values(1, 2));
     TestSuite old = fresh(model);
     List<TestCase> filled = new ArrayList<>(old.cases());
@@ -138,7 +138,7 @@ class EarlierSuiteTest {
   }
 
   @Test
-  void anInvalidValueIsStillIsolatedAmongKeptCases() {
+  void isolatesInvalidValuesAmongKeptCases() {
     TestModel model = model("a " + range(1, 5), "b " + range(1, 5));
     TestSuite old = fresh(model);
     TestSuite kept =

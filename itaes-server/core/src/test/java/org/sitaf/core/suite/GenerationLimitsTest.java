@@ -19,10 +19,10 @@ import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.model.TestModelXml;
 
-/** Whatever a model asks for, its generation ends: with the cases, or with a refusal in numbers. */
+/** The generation for any model ends: with the cases, or with an error that states the limit. */
 class GenerationLimitsTest {
   @Test
-  void aConjunctionOverManyCombinationsIsJudgedByItsParts() {
+  void evaluatesTheOperandsOfAConjunctionSeparately() {
     TestSuite one =
         generate(six(10), "a == 1 && b == 2 && c == 3 && d == 4 && e == 5 && f == 6", "2");
     assertThat(one.cases())
@@ -42,8 +42,8 @@ class GenerationLimitsTest {
   }
 
   @Test
-  void aPartWithoutAValueIsJudgedWithTheWholeAsCelHasIt() {
-    // Where f is 0, the first part is false, and the second one does not count.
+  void evaluatesAConjunctionAsAWholeIfAnOperandFails() {
+    // If f is 0, the first operand is false, and the second one is not evaluated.
     TestSuite suite = generate(six(10), "f != 0 && 10 / f >= 2 && a < b && c < d && e < 9", "2");
     assertThat(suite.cases()).extracting(c -> c.values().get(5)).doesNotContain("0", "6", "9");
     assertThatThrownBy(() -> generate(six(10), "10 / f >= 2 && a < b && c < d && e < 9", "2"))
@@ -57,7 +57,7 @@ class GenerationLimitsTest {
         "a + b + c + d + e + f == 20",
         "(a * 3 + b * 5 + c * 7 + d * 11 + e * 13 + f * 17) % 10 != 3 && a < 9"
       })
-  void aConditionThatCannotBeSplitIsRefusedWithNumbersOrJudged(String condition) {
+  void evaluatesOrRejectsAConditionThatCannotBeSplit(String condition) {
     try {
       assertThat(generate(six(10), condition, "2").cases()).isNotEmpty();
     } catch (InvalidInputException e) {
@@ -68,7 +68,7 @@ class GenerationLimitsTest {
   }
 
   @Test
-  void manyValuesOfOneParameterTakeTimeAndMemoryInProportion() {
+  void manyValuesOfAParameterNeedProportionalTimeAndMemory() {
     String inputs = random("a", 100_000) + listed("b", 3) + listed("c", 3);
     assertThat(generate(inputs, "", "2").cases()).hasSizeGreaterThanOrEqualTo(300_000);
     assertThatThrownBy(() -> generate(inputs, "a != c", "2"))
@@ -80,7 +80,7 @@ class GenerationLimitsTest {
   }
 
   @Test
-  void tooManyCasesAreRefusedBeforeTheyAreMade() {
+  void rejectsTooManyCasesBeforeTheGeneration() {
     assertThatThrownBy(() -> generate(listed("a", 3_000) + listed("b", 3_000), "", "2"))
         .hasMessageContaining("at least 9,000,000 cases")
         .hasMessageContaining("at most 1,000,000");
@@ -92,7 +92,7 @@ class GenerationLimitsTest {
   }
 
   @Test
-  void anExpectedValueThatTakesTooMuchIsAnErrorOfTheModelAtTheFirstCase() {
+  void aTooExpensiveExpectedValueIsAnErrorAtTheFirstCase() {
     String grown = "['ab']" + ".map(s, s + s)".repeat(30) + "[0] == '' ? 1 : 2";
     assertThatThrownBy(() -> generate(read(listed("a", 1_000), "", "1", grown)))
         .isInstanceOfSatisfying(
@@ -105,7 +105,7 @@ class GenerationLimitsTest {
   }
 
   @Test
-  void longTextsAreRefusedBeforeTheyFillTheMemory() {
+  void rejectsTooLongTexts() {
     String text =
         "<test_element abstract_type=\"STRING\" real_type=\"string\"><name>t</name>"
             + "<type>TDI</type><test_spec type=\"RANDOM_STRING\" min_length=\"1000000\""

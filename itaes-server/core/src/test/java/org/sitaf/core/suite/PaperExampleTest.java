@@ -16,8 +16,8 @@ import org.sitaf.core.model.TestModelXml;
 import org.sitaf.core.suite.document.TestSuiteXml;
 
 /**
- * The evaluation of the paper (section 4, Table 2): where its tool made 60 cases, 55 and 49 are the
- * optima.
+ * The evaluation of the paper (section 4, Table 2): its tool generated 60 cases; the optimal
+ * numbers are 55 and 49.
  */
 class PaperExampleTest {
   private static TestModel model() {
@@ -46,7 +46,7 @@ class PaperExampleTest {
   }
 
   @Test
-  void validCasesStandFirstAndAreNumberedFromOne() {
+  void validCasesAreFirstAndNumberedFromOne() {
     List<TestCase> cases = generate(InvalidValues.ISOLATE, 1).cases();
     for (int i = 0; i < cases.size(); i++) {
       assertThat(cases.get(i).no()).isEqualTo(i + 1);
@@ -55,7 +55,7 @@ class PaperExampleTest {
   }
 
   @Test
-  void noIsolatedCaseHoldsTwoInvalidValues() {
+  void noIsolatedCaseHasTwoInvalidValues() {
     Set<String> invalid = Set.of("0", "8", "-0.5", "10.5");
     for (TestCase testCase : generate(InvalidValues.ISOLATE, 1).cases()) {
       long count = testCase.values().stream().filter(invalid::contains).count();
@@ -64,7 +64,7 @@ class PaperExampleTest {
   }
 
   @Test
-  void everyPairOfValidValuesStandsInAValidCase() {
+  void everyPairOfValidValuesIsInAValidCase() {
     Set<String> pairs = new HashSet<>();
     for (TestCase c : generate(InvalidValues.ISOLATE, 1).cases()) {
       if (c.valid()) {
@@ -95,7 +95,7 @@ class PaperExampleTest {
   }
 
   @Test
-  void aSuiteReadsBackAsItWasWritten() {
+  void readsAWrittenSuiteUnchanged() {
     TestSuite suite = generate(InvalidValues.ISOLATE, 1);
     TestSuite read = TestSuiteXml.read(new ByteArrayInputStream(bytes(suite)), "suite.xml");
     assertThat(read).isEqualTo(suite);

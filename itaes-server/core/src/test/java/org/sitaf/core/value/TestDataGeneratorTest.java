@@ -43,7 +43,7 @@ class TestDataGeneratorTest {
     return new TestSpec.EquivalencePartitioning(declared, 1, BigDecimal.ONE);
   }
 
-  /** Values in their order, invalid ones with a star. */
+  /** Values in their order; invalid ones are marked with an asterisk. */
   private static String values(InputElement element) {
     return TestDataGenerator.generate(element, 1).values().stream()
         .map(v -> v.value().literal() + (v.valid() ? "" : "*"))
@@ -58,19 +58,19 @@ class TestDataGeneratorTest {
   }
 
   @Test
-  void boundaryValuesOfOneBoundaryAreThree() {
+  void oneBoundaryHasThreeBoundaryValues() {
     var below10 = new EquivalenceClass.OneBoundary(BigDecimal.TEN, false, false);
     assertThat(values(element("int", bva(below10, "1")))).isEqualTo("9 10* 11*");
   }
 
   @Test
-  void duplicatesAreRemoved() {
+  void removesDuplicates() {
     assertThat(values(element("int", bva(between("1", "2"), "1"), "2", "5")))
         .isEqualTo("0* 1 2 3* 5*");
   }
 
   @Test
-  void theMiddleOfIntegersIsRoundedDown() {
+  void roundsTheMiddleOfIntegersDown() {
     assertThat(values(element("int", bva(between("-4", "1"), "1")))).contains(" -2 ");
   }
 
@@ -81,7 +81,7 @@ class TestDataGeneratorTest {
   }
 
   @Test
-  void unrepresentableValuesAreSkippedAndReported() {
+  void skipsAndReportsUnrepresentableValues() {
     TestData data = TestDataGenerator.generate(element("uint8", bva(between("0", "255"), "1")), 1);
     assertThat(data.unrepresentable()).containsExactly("-1", "256");
     assertThat(data.values()).allMatch(TestValue::valid).hasSize(5);
@@ -108,7 +108,7 @@ class TestDataGeneratorTest {
   }
 
   @Test
-  void aBooleanWithoutSpecificationTakesBothValues() {
+  void aBooleanWithoutSpecificationHasBothValues() {
     assertThat(values(element("bool", null))).isEqualTo("false true");
   }
 

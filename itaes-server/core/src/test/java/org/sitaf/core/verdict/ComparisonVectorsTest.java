@@ -21,7 +21,10 @@ import org.sitaf.core.model.Tolerance;
 import org.sitaf.core.suite.ExpectedValue;
 import org.sitaf.core.suite.TestCase;
 
-/** The comparisons of the compliance suite: one verdict and one message for all languages. */
+/**
+ * The comparison vectors of the compliance suite, whose verdicts and messages apply to all
+ * languages.
+ */
 class ComparisonVectorsTest {
   private static final Path VECTORS = Path.of("../../tests/compliance/comparisons.tsv");
   private static final DataType DOUBLE = new DataType.Scalar(ScalarType.DOUBLE);
@@ -67,7 +70,7 @@ class ComparisonVectorsTest {
 
   @ParameterizedTest
   @MethodSource("vectors")
-  void verdictAndMessageAreThoseOfTheTable(List<String> row) {
+  void verdictAndMessageEqualTheTable(List<String> row) {
     DataType type = type(row.get(0));
     Tolerance tolerance =
         new Tolerance(

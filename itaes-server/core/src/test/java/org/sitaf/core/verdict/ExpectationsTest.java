@@ -20,7 +20,7 @@ import org.sitaf.core.suite.TestCase;
 import org.sitaf.core.suite.TestCaseGenerator;
 import org.sitaf.core.suite.TestSuite;
 
-/** Verdict and message of a recorded case, by the expected values of the suite. */
+/** Verdict and message of recorded cases with expected values. */
 class ExpectationsTest {
   private static final String MODEL =
       """
@@ -38,9 +38,9 @@ class ExpectationsTest {
 
   private static String output(String name, String kind, String type) {
     return """
-        <test_element abstract_type="NUMERIC" real_type="%s"><name>%s</name><type>%s</type>
-        </test_element>
-        """
+    <test_element abstract_type="NUMERIC" real_type="%s"><name>%s</name><type>%s</type>
+    </test_element>
+    """
         .formatted(type, name, kind);
   }
 
@@ -79,7 +79,7 @@ class ExpectationsTest {
   }
 
   @Test
-  void theResultHasTheValuesOfTheSuiteAndTheOutputWithoutItsName() {
+  void theResultHasTheValuesOfTheSuiteAndAnUnnamedOutput() {
     CaseResult result = judged("1.0", returned(new NamedValue("return", "-999.0")));
 
     assertThat(result)
@@ -104,7 +104,7 @@ class ExpectationsTest {
   }
 
   @Test
-  void anExpectedErrorIsMetByItsNameAlone() {
+  void comparesAnExpectedErrorByItsName() {
     CaseResult met = judged("!error:TooFast", threw("TooFast"));
 
     assertThat(met.verdict()).isEqualTo(Verdict.PASS);
@@ -118,14 +118,14 @@ class ExpectationsTest {
   }
 
   @Test
-  void aStringThatReadsLikeAnErrorIsNone() {
+  void aStringThatLooksLikeAnErrorIsNotAnError() {
     CaseRecord record = returned(new NamedValue("return", "!error:TooFast"));
 
     assertThat(judged("!error:TooFast", record).verdict()).isEqualTo(Verdict.FAIL);
   }
 
   @Test
-  void anExpectedErrorMeetsWhatIsExpectedOfTheOtherOutputs() {
+  void anExpectedErrorReplacesTheValuesOfOtherOutputs() {
     String outputs = output("return", "RETURN", "double") + output("way", "OUT", "double");
     List<ExpectedValue> expected =
         List.of(new ExpectedValue("return", "!error:TooFast"), new ExpectedValue("way", "2.0"));
@@ -141,7 +141,7 @@ class ExpectationsTest {
   }
 
   @Test
-  void everyOutputIsComparedByItsName() {
+  void comparesOutputsByName() {
     String outputs = output("return", "RETURN", "double") + output("way", "OUT", "double");
     List<ExpectedValue> expected =
         List.of(new ExpectedValue("return", "1.0"), new ExpectedValue("way", "2.0"));
@@ -155,7 +155,7 @@ class ExpectationsTest {
   }
 
   @Test
-  void anElementThatIsNotThereIsAWrongValue() {
+  void aMissingElementIsAWrongValue() {
     String outputs = output("return[3]", "RETURN", "double");
     CaseResult result =
         judged(
@@ -169,7 +169,7 @@ class ExpectationsTest {
 
   @ParameterizedTest
   @CsvSource({"ERROR, ERROR", "NOT_CALLED, DONT"})
-  void aCaseThatDidNotGetToItsEndKeepsItsReason(CaseRecord.Outcome outcome, Verdict verdict) {
+  void aCaseThatDidNotReturnKeepsItsMessage(CaseRecord.Outcome outcome, Verdict verdict) {
     CaseResult result =
         judged(
             "1.0",
@@ -203,7 +203,7 @@ class ExpectationsTest {
   }
 
   @Test
-  void structsCompareByTheMembersThatAreExpected() {
+  void comparesTheExpectedMembersOfStructs() {
     String actual = "{name: \"a, {\\\"b\", x: 0.1, path: [1, 2]}";
 
     assertThat(difference(POSE, "{path: [1, 2.0]}", actual)).isEmpty();
@@ -219,7 +219,7 @@ class ExpectationsTest {
   }
 
   @Test
-  void literalsOfUnknownTypeCompareByTheirForm() {
+  void comparesLiteralsOfUnknownTypeByTheirForm() {
     DataType unknown = new DataType.Unknown("");
 
     assertThat(difference(unknown, "[1, {a: 2.0}]", "[1.0, {a: 2, b: 3}]")).isEmpty();
@@ -228,7 +228,7 @@ class ExpectationsTest {
   }
 
   @Test
-  void noLiteralTakesLong() {
+  void comparesAnyLiteralQuickly() {
     DataType nested = new DataType.Unknown("");
     String deep = "[".repeat(500_000) + "]".repeat(500_000);
     char[] digits = new char[1 << 20];

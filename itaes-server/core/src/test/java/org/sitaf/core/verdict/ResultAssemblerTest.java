@@ -65,14 +65,14 @@ class ResultAssemblerTest {
   }
 
   @Test
-  void aBrokenPostConditionFailsACaseThatPassedSoFar() {
+  void aViolatedPostConditionFailsACaseWithTheExpectedValue() {
     CaseResult judged = assembler.judge(returned(2, "1.5", 1));
     assertThat(judged.verdict()).isEqualTo(Verdict.FAIL);
     assertThat(judged.message()).isEqualTo("post-condition violated: actual * 2.0 == n");
   }
 
   @Test
-  void aConditionThatTakesTooMuchIsAnErrorThatSaysSo() {
+  void aTooExpensiveConditionIsAnError() {
     String all = "actual.all(a, actual.all(b, actual.all(c, actual.all(d, a + b + c + d > -1))))";
     String costly =
         MODEL
@@ -90,7 +90,7 @@ class ResultAssemblerTest {
   }
 
   @Test
-  void aConditionThatHasNoValueIsAnErrorAndNoFailure() {
+  void aConditionThatCannotBeEvaluatedIsAnError() {
     CaseResult judged = assembler.judge(returned(2, "one", 1));
     assertThat(judged.verdict()).isEqualTo(Verdict.ERROR);
     int line = (int) MODEL.substring(0, MODEL.indexOf("actual * 2.0")).lines().count();
@@ -100,7 +100,7 @@ class ResultAssemblerTest {
   }
 
   @Test
-  void everyCaseIsAccountedForAndTimesAreThoseOfPassAndFail() {
+  void countsAllCasesAndTheTimesOfPassAndFail() {
     List<CaseResult> results = List.of(first(), assembler.judge(returned(2, "7", 4)));
     TestResult result = assembler.assemble(results, "the agent was stopped", PROVENANCE);
     Summary summary = result.summary();
@@ -114,7 +114,7 @@ class ResultAssemblerTest {
   }
 
   @Test
-  void aResultReadsBackAsItWasWritten() {
+  void readsAWrittenResultUnchanged() {
     TestResult result =
         assembler.assemble(
             List.of(first().withVerdict(Verdict.FAIL, "a\rb \"<&")), "why not", PROVENANCE);
@@ -125,7 +125,7 @@ class ResultAssemblerTest {
   }
 
   @Test
-  void junitCountsWhatTheSummaryCounts() {
+  void junitCountsEqualTheSummary() {
     TestResult result = assembler.assemble(List.of(first()), "stopped", PROVENANCE);
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     JunitXml.write("activity", List.of(result), out);
@@ -136,7 +136,7 @@ class ResultAssemblerTest {
   }
 
   @Test
-  void aSuspectResultReadsBackAndIsAnErrorInJunit() {
+  void aSuspectResultIsAnErrorInJunit() {
     TestResult result =
         assembler
             .assemble(List.of(first()), "stopped", PROVENANCE)

@@ -13,7 +13,7 @@ class StatisticsTest {
   }
 
   @Test
-  void aCaseWithAnExpectedValueOfItsOwnIsJudgedWhateverTheModelSays() {
+  void aCaseWithAnExpectedValueIsJudged() {
     List<CaseResult> cases =
         List.of(
             result(1, Verdict.PASS, EXPECTED),
@@ -23,7 +23,7 @@ class StatisticsTest {
   }
 
   @Test
-  void aPostConditionJudgesEveryCase() {
+  void aPostConditionAppliesToEveryCase() {
     List<CaseResult> cases = List.of(result(1, Verdict.PASS, List.of()));
     assertThat(Statistics.of(cases, true).unjudged()).isZero();
   }

@@ -26,7 +26,7 @@ import org.sitaf.core.suite.TestCaseGenerator;
 import org.sitaf.core.verdict.document.CaseRecordLine;
 import org.sitaf.core.verdict.document.TestResultXml;
 
-/** Post-conditions over what the component asked of its required interfaces, and over parts. */
+/** Post-conditions about calls of required interfaces and about elements of outputs. */
 class StubCallsTest {
   private static final DataType VOID = new DataType.Scalar(ScalarType.VOID);
   private static final DataType DOUBLE = new DataType.Scalar(ScalarType.DOUBLE);
@@ -94,7 +94,7 @@ class StubCallsTest {
           actual.x == 1.5 && actual.path[1].y == 2.0                   ; PASS
           actual.name == "a, }b"                                       ; PASS
           """)
-  void conditionsSeeTheCallsInTheirOrderAndPartsOfOutputs(String condition, Verdict verdict) {
+  void evaluatesConditionsOnCallsAndElementsOfOutputs(String condition, Verdict verdict) {
     String calls = drive("1.0") + drive("0.25") + "<call method=\"Wheels.Stop\"></call>";
     CaseResult judged =
         judge(condition, "{x: 1.5, path: [{y: 1.0}, {y: 2.0}], name: \"a, }b\"}", calls);
@@ -102,13 +102,13 @@ class StubCallsTest {
   }
 
   @Test
-  void aMethodThatWasNeverCalledIsAKeyAllTheSame() {
+  void aMethodWithoutCallsIsAKey() {
     assertThat(judge("calls[\"Wheels.Stop\"].size() == 0", "{}", "").verdict())
         .isEqualTo(Verdict.PASS);
   }
 
   @Test
-  void acceptsNoVerdictOverCallsThatWereNotRecorded() {
+  void aConditionOnOmittedCallsIsAnError() {
     CaseResult judged =
         judge(
             "calls[\"Wheels.Drive\"].size() < 5",
@@ -119,7 +119,7 @@ class StubCallsTest {
   }
 
   @Property(tries = 50)
-  void everyRecordedCallIsCountedOnce(
+  void countsEveryRecordedCallOnce(
       @ForAll @Size(max = 30) List<@IntRange(min = -9, max = 9) Integer> speeds) {
     StringBuilder calls = new StringBuilder();
     speeds.forEach(s -> calls.append(drive(s)));
@@ -133,7 +133,7 @@ class StubCallsTest {
   }
 
   @Test
-  void aResultKeepsItsCallsWhenItIsWrittenAndRead() {
+  void readsTheCallsOfAWrittenResultUnchanged() {
     CaseResult result = judge("true", "{}", drive(2) + "<calls_left_out>3</calls_left_out>");
     assertThat(result.calls())
         .isEqualTo(

@@ -46,13 +46,13 @@ class IdlImporterTest {
     "string<8>,string<8>",
     "sequence<long>,sequence<int32>"
   })
-  void widthsAreThoseOfIdlAndNotOfCpp(String idl, String resolved) {
+  void integersHaveTheWidthsOfIdl(String idl, String resolved) {
     assertThat(prototypes("interface A { " + idl + " get(); };"))
         .containsExactly(resolved + " get()");
   }
 
   @Test
-  void namesAreFoundInTheInnermostScopeAndInInheritedOnes() {
+  void findsNamesInTheInnermostAndInheritedScopes() {
     assertThat(
             prototypes(
                 """
@@ -69,7 +69,7 @@ class IdlImporterTest {
   }
 
   @Test
-  void whatTwoBasesInheritFromIsInheritedOnce() {
+  void inheritsACommonBaseOnce() {
     assertThat(
             prototypes(
                 """
@@ -95,7 +95,7 @@ class IdlImporterTest {
     "0xF ^ 0x3,12",
     "255 >> 4,15"
   })
-  void lengthsAreWorkedOut(String expression, int length) {
+  void evaluatesLengths(String expression, int length) {
     String text =
         "const long N = 7; module M { const long K = N + 5; };"
             + "typedef octet T["
@@ -113,7 +113,7 @@ class IdlImporterTest {
     "LOOP,the constant 'LOOP' is defined in terms of itself",
     "TEXT,'\"four\" is not a whole number'"
   })
-  void aLengthThatIsNoneIsToldWithItsLine(String expression, String problem) {
+  void reportsAnInvalidLengthWithItsLine(String expression, String problem) {
     ImportResult result =
         read(
             "const long LOOP = LOOP + 1;\nconst string TEXT = \"four\";\ntypedef long T["
@@ -126,7 +126,7 @@ class IdlImporterTest {
   }
 
   @Test
-  void aOnewayMethodDoesNotWaitAndBringsNothingBack() {
+  void aOnewayMethodIsNonblockingAndReturnsNothing() {
     Method method =
         read("interface A { oneway void go(in long x); };").provided().get(0).methods().get(0);
     assertThat(method.callType()).isEqualTo(CallType.NONBLOCKING);
@@ -135,7 +135,7 @@ class IdlImporterTest {
   }
 
   @Test
-  void linesOfThePreprocessorAndCommentsArePassedOver() {
+  void ignoresPreprocessorLinesAndComments() {
     assertThat(
             prototypes(
                 """
@@ -151,7 +151,7 @@ class IdlImporterTest {
   }
 
   @Test
-  void typesAreFoundInFilesBesideTheOneThatIsAskedFor() {
+  void findsTypesInOtherFiles() {
     ImportResult result =
         InterfaceText.read(
             Map.of(
@@ -167,7 +167,7 @@ class IdlImporterTest {
   }
 
   @Test
-  void interfacesOfOneNameInTwoModulesAreToldApart() {
+  void distinguishesInterfacesOfTheSameNameInTwoModules() {
     assertThat(
             read("module M { interface A { void f(); }; }; module N { interface A { void f(); };"
                     + " };")
@@ -177,7 +177,7 @@ class IdlImporterTest {
   }
 
   @Test
-  void everySyntaxErrorIsToldWithLineAndColumn() {
+  void reportsAllSyntaxErrorsWithLineAndColumn() {
     assertThat(InterfaceText.lines(read("interface A {\n  void f(in long);\n  long g(;\n};")))
         .hasSize(2)
         .satisfies(l -> assertThat(l.get(0)).startsWith("a.idl:2: error: column 17: "))
@@ -185,7 +185,7 @@ class IdlImporterTest {
   }
 
   @Test
-  void contradictionsAreToldWithTheirLines() {
+  void reportsContradictionsWithTheirLines() {
     assertThat(
             InterfaceText.lines(
                 read(

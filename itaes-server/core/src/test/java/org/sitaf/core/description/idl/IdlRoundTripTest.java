@@ -24,7 +24,7 @@ import org.sitaf.core.description.ScalarType;
 import org.sitaf.core.description.importer.InterfaceText;
 import org.sitaf.core.description.source.ImportResult;
 
-/** An interface that is written in IDL is read as the same interface. */
+/** Interfaces that are written as IDL and read again are unchanged. */
 class IdlRoundTripTest {
   private static final Map<ScalarType, String> SPELLINGS =
       Map.ofEntries(
@@ -43,7 +43,7 @@ class IdlRoundTripTest {
           Map.entry(ScalarType.STRING, "string"));
 
   @Property(tries = 300)
-  void whatIsWrittenIsRead(@ForAll("interfaces") List<Method> methods) {
+  void readsWrittenInterfacesUnchanged(@ForAll("interfaces") List<Method> methods) {
     ImportResult result = InterfaceText.read("a.idl", new Writer().write(methods));
     assertThat(InterfaceText.lines(result)).isEmpty();
     InterfaceDescription read = result.provided().get(result.provided().size() - 1);
@@ -124,7 +124,7 @@ class IdlRoundTripTest {
         Combinators.combine(inner, number).as((e, b) -> new DataType.Sequence(e, b));
     Arbitrary<DataType> array =
         Combinators.combine(inner, number).as((e, n) -> new DataType.FixedArray(e, n + 1));
-    // A name by the content, so that the same name never means two types.
+    // The name is derived from the content, so equal names mean equal types.
     Arbitrary<DataType> struct =
         inner
             .list()
@@ -142,7 +142,7 @@ class IdlRoundTripTest {
     return Arbitraries.oneOf(scalar, bounded, sequence, array, struct, enumeration);
   }
 
-  /** Writes interfaces as a person would: types first, then what uses them. */
+  /** Writes interfaces as IDL: types first, then the methods that use them. */
   private static final class Writer {
     private final Map<String, String> declarations = new LinkedHashMap<>();
     private int aliases;

@@ -17,7 +17,7 @@ import org.sitaf.core.activity.Activity;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.diagnostic.InvalidInputException;
 
-/** The example of the paper, with its interface in each kind of file. */
+/** The example of the paper, with its interface in each supported format. */
 class ActivityInterfacesTest {
   private static final Path EXAMPLE = Path.of("../../examples/ir-sensor");
 
@@ -50,7 +50,7 @@ class ActivityInterfacesTest {
     "srv/GetInfraredData.srv,'int32 IndexOfSensor|int32 NumOfSensor|---|float64 distance',"
         + "ir_sensor"
   })
-  void anActivityMayNameInterfacesOfEveryKind(String path, String text, String name)
+  void anActivityMayUseInterfacesOfEveryFormat(String path, String text, String name)
       throws IOException {
     FileTree files = example(path, text.replace('|', '\n'));
     if (name.equals("ir_sensor")) {
@@ -64,7 +64,7 @@ class ActivityInterfacesTest {
   }
 
   @Test
-  void aComponentProfileLeadsToTheInterfacesThatItProvides() throws IOException {
+  void findsTheProvidedInterfacesOfAComponentProfile() throws IOException {
     String profile = Files.readString(EXAMPLE.resolve("InfraredSensorComp.xml"));
     Activity activity = Activity.read(example("InfraredSensorComp.xml", profile));
     assertThat(activity.provided())
@@ -73,7 +73,7 @@ class ActivityInterfacesTest {
   }
 
   @Test
-  void whatIsWrongWithAnInterfaceIsToldWithItsLine() throws IOException {
+  void reportsErrorsOfAnInterfaceWithTheirLines() throws IOException {
     FileTree files = example("Infrared.idl", "interface A {\n double GetInfraredData(in long); };");
     assertThatThrownBy(() -> Activity.read(files))
         .isInstanceOf(InvalidInputException.class)

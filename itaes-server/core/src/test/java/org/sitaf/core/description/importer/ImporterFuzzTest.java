@@ -27,10 +27,10 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.sitaf.core.description.source.ImportResult;
 import org.sitaf.core.description.source.SourceFiles;
 
-/** No input does more to an importer than to make it report diagnostics, and soon. */
+/** Importers handle any input in limited time: they report diagnostics and do not fail. */
 @Tag("slow")
 class ImporterFuzzTest {
-  /** For a million characters on a busy machine; most take a small part of a second. */
+  /** Limit for a million characters on a busy machine; most inputs take a fraction of a second. */
   private static final Duration SOON = Duration.ofSeconds(20);
 
   private static final List<String> VALID =
@@ -61,13 +61,13 @@ class ImporterFuzzTest {
   private static void survives(String path, byte[] content) {
     ImportResult result = read(path, content);
     result.diagnostics().forEach(d -> assertThat(d.file()).isNotNull());
-    // Whatever was understood can be printed, and has an end.
+    // The result can be printed and is finite.
     result.provided().forEach(i -> assertThat(InterfaceText.prototypes(i)).isNotNull());
     assertThat(result.hashCode()).isEqualTo(result.hashCode());
   }
 
   @Example
-  void theFilesThatAreDamagedBelowAreThemselvesUnderstood() {
+  void undamagedFilesAreValid() {
     for (String name : VALID) {
       assertThat(read(name, valid(name)).diagnostics())
           .as(name)
@@ -77,12 +77,12 @@ class ImporterFuzzTest {
   }
 
   @Property(tries = 1500)
-  void damagedFilesAreAnswered(@ForAll("damaged") Input input) {
+  void handlesDamagedFiles(@ForAll("damaged") Input input) {
     survives(input.path(), input.content());
   }
 
   @Property(tries = 300)
-  void anyBytesAreAnswered(@ForAll("names") String name, @ForAll byte[] content) {
+  void handlesArbitraryBytes(@ForAll("names") String name, @ForAll byte[] content) {
     survives(name, content);
   }
 
@@ -133,7 +133,7 @@ class ImporterFuzzTest {
     return flipped;
   }
 
-  /** Two tokens change places, or all within a stretch. */
+  /** Swaps two tokens, or shuffles the tokens of a range. */
   private static byte[] shuffled(byte[] content, Random random, boolean two) {
     List<String> tokens =
         new ArrayList<>(
@@ -148,7 +148,7 @@ class ImporterFuzzTest {
     return String.join("", tokens).getBytes(StandardCharsets.UTF_8);
   }
 
-  /** A stretch is left out, doubled, or replaced by what is special somewhere. */
+  /** Deletes, duplicates or replaces a range by text with a special meaning in some format. */
   private static byte[] spliced(byte[] content, Random random) {
     String text = new String(content, StandardCharsets.ISO_8859_1);
     int from = random.nextInt(text.length());
@@ -240,7 +240,7 @@ class ImporterFuzzTest {
         "&",
         "\u0000"
       })
-  void aLongFileOfOneThingIsAnswered(String thing) {
+  void handlesLongRepetitions(String thing) {
     byte[] content = thing.repeat((1 << 18) / thing.length()).getBytes(StandardCharsets.UTF_8);
     for (String name : List.of("a.xml", "a.idl", "a.msg", "a.srv", "a.proto")) {
       survives(name, content);
@@ -265,14 +265,14 @@ class ImporterFuzzTest {
         "%sinterface a {};|@a ",
         "interface a { void f(%sin long b); };|@a(b=c) "
       })
-  void longListsInIdlAreAnswered(String pattern) {
+  void handlesLongListsInIdl(String pattern) {
     String[] parts = pattern.split("\\|");
     String text = parts[0].formatted(parts[1].repeat((1 << 18) / parts[1].length()));
     survives("a.idl", text.getBytes(StandardCharsets.UTF_8));
   }
 
   @Example
-  void aLineOfAMillionCharactersIsAnsweredInEveryKind() {
+  void handlesALineOfAMillionCharactersInEveryFormat() {
     for (String name : VALID) {
       String line = new String(valid(name), StandardCharsets.UTF_8).replace('\n', ' ');
       survives(name, line.repeat((1 << 20) / line.length()).getBytes(StandardCharsets.UTF_8));
@@ -280,7 +280,7 @@ class ImporterFuzzTest {
   }
 
   @Example
-  void typesThatGrowWithoutBoundAreRefused() {
+  void rejectsTypesThatGrowExponentially() {
     StringBuilder idl = new StringBuilder("struct S0 { long a; };");
     StringBuilder proto = new StringBuilder("syntax = \"proto3\"; message S0 { int32 a = 1; }");
     StringBuilder xml =
@@ -304,7 +304,7 @@ class ImporterFuzzTest {
   }
 
   @Example
-  void chainsOfTypesAreRefusedWhicheverWayTheyAreDeclared() {
+  void rejectsLongChainsOfTypes() {
     StringBuilder upwards = new StringBuilder("typedef sequence<long> T0;");
     StringBuilder downwards = new StringBuilder();
     for (int i = 1; i <= 5000; i++) {
@@ -320,7 +320,7 @@ class ImporterFuzzTest {
   }
 
   @Example
-  void chainsOfConstantsAndOfInheritanceAreAnswered() {
+  void handlesLongChainsOfConstantsAndInheritance() {
     StringBuilder squares = new StringBuilder("const long C0 = 7;");
     StringBuilder backwards = new StringBuilder();
     StringBuilder heirs = new StringBuilder("interface I0 { void f0(); };");

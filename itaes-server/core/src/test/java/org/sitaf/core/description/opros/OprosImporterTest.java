@@ -57,7 +57,7 @@ class OprosImporterTest {
   }
 
   @Test
-  void aProfileLeadsToItsInterfaceAndItsTypes() {
+  void followsReferencesOfAProfileToInterfaceAndTypes() {
     ImportResult result =
         InterfaceText.read(
             Map.of(
@@ -77,7 +77,7 @@ class OprosImporterTest {
   }
 
   @Test
-  void whatIsOnlyRequiredIsNotProvided() {
+  void aRequiredInterfaceIsNotProvided() {
     ImportResult result =
         InterfaceText.readAll(
             Map.of("Mover.xml", component(service("required", "Drive.xml")), "Drive.xml", SERVICE));
@@ -86,7 +86,7 @@ class OprosImporterTest {
   }
 
   @Test
-  void aDanglingReferenceIsToldWithItsLine() {
+  void reportsADanglingReferenceWithItsLine() {
     ImportResult result =
         InterfaceText.read("Mover.xml", component(service("provided", "Drive.xml")));
     assertThat(InterfaceText.lines(result))
@@ -97,7 +97,7 @@ class OprosImporterTest {
   }
 
   @Test
-  void aReferenceToAFileWithAnotherInterfaceIsToldWithWhatIsThere() {
+  void reportsTheInterfaceThatAReferencedFileContainsInstead() {
     ImportResult result =
         InterfaceText.read(
             Map.of(
@@ -112,7 +112,7 @@ class OprosImporterTest {
   }
 
   @Test
-  void everyProblemOfAProfileIsToldAtItsLine() {
+  void reportsAllProblemsOfAProfileWithTheirLines() {
     ImportResult result =
         InterfaceText.read(
             "Mover.xml",
@@ -140,7 +140,7 @@ class OprosImporterTest {
   }
 
   @Test
-  void theSignOfAPointerBeforeANameBelongsToTheType() {
+  void anAsteriskBeforeANameBelongsToTheType() {
     ImportResult result =
         InterfaceText.read(
             "Drive.xml", SERVICE.replace("<name>to", "<name>*to").replace("Pose", "double"));
@@ -153,7 +153,7 @@ class OprosImporterTest {
   }
 
   @Test
-  void aStructWithinItselfIsKeptByItsNameThere() {
+  void keepsTheNameOfAStructInsideItself() {
     ImportResult result =
         InterfaceText.readAll(
             Map.of("Types.xml", TYPES.replace("Point", "Pose"), "Drive.xml", SERVICE));
@@ -165,7 +165,7 @@ class OprosImporterTest {
   }
 
   @Test
-  void theDeclaredEncodingCounts() {
+  void usesTheDeclaredEncoding() {
     byte[] profile =
         ("<?xml version=\"1.0\" encoding=\"euc-kr\"?>"
                 + component("")

@@ -35,7 +35,7 @@ class ServiceProfilesTest {
   }
 
   @Test
-  void parametersStandInTheOrderOfTheirIndexWhicheverWayTheyAreWritten() {
+  void sortsParametersByIndex() {
     List<InterfaceDescription> interfaces =
         read(
             """
@@ -57,7 +57,7 @@ class ServiceProfilesTest {
   }
 
   @Test
-  void theDeclaredEncodingCounts() {
+  void usesTheDeclaredEncoding() {
     byte[] document =
         """
         <?xml version="1.0" encoding="euc-kr"?>
@@ -70,7 +70,7 @@ class ServiceProfilesTest {
   }
 
   @Test
-  void anUnknownTypeIsKeptByItsNameAndReported() {
+  void keepsTheNameOfAnUnknownTypeAndReportsIt() {
     ImportResult result =
         describe(
             "<service_port_type><type_name>S</type_name>\n<method name='Get' return_type='Pose2D'/></service_port_type>"
@@ -81,7 +81,7 @@ class ServiceProfilesTest {
   }
 
   @Test
-  void namesThatAreNoIdentifiersAreRefusedWithTheirLine() {
+  void rejectsNamesThatAreNotIdentifiers() {
     assertThatThrownBy(
             () ->
                 read(
@@ -92,9 +92,9 @@ class ServiceProfilesTest {
   }
 
   @Test
-  void everyRealServiceProfileImports() throws IOException {
+  void importsRealServiceProfiles() throws IOException {
     Path profiles = Path.of("../../../shared/opros-profiles");
-    Assumptions.assumeTrue(Files.isDirectory(profiles), "needs ../shared beside the checkout");
+    Assumptions.assumeTrue(Files.isDirectory(profiles), "needs ../shared next to the checkout");
     int services = 0;
     try (Stream<Path> files = Files.walk(profiles)) {
       for (Path file : files.filter(f -> f.toString().endsWith(".xml")).toList()) {

@@ -39,7 +39,7 @@ class ProtoImporterTest {
     "'map<string, Inner>',sequence<p.M.FEntry>",
     "optional E,p.E"
   })
-  void typesAreResolvedFromTheInnermostScopeOutwards(String proto, String resolved) {
+  void resolvesTypesFromTheInnermostScopeOutwards(String proto, String resolved) {
     ImportResult result =
         read(
             "enum E { ZERO = 0; }\nmessage M { message Inner { int32 a = 1; }\n "
@@ -53,7 +53,7 @@ class ProtoImporterTest {
   }
 
   @Test
-  void streamsAreSequencesOfMethodsThatDoNotWait() {
+  void streamsAreSequencesOfNonblockingMethods() {
     ImportResult result =
         read(
             """
@@ -79,7 +79,7 @@ class ProtoImporterTest {
   }
 
   @Test
-  void problemsAreToldWithTheirLines() {
+  void reportsProblemsWithTheirLines() {
     assertThat(
             InterfaceText.lines(
                 read(
@@ -106,7 +106,7 @@ class ProtoImporterTest {
   }
 
   @Test
-  void importedTypesAreFoundAmongTheFilesGiven() {
+  void findsImportedTypesInTheGivenFiles() {
     ImportResult result =
         InterfaceText.read(
             Map.of(

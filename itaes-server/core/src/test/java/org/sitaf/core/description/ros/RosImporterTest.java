@@ -32,7 +32,7 @@ class RosImporterTest {
     "p/msg/P,p/P",
     "P[2],p/P[2]"
   })
-  void typesAreResolved(String ros, String resolved) {
+  void resolvesTypes(String ros, String resolved) {
     ImportResult result =
         InterfaceText.read(
             Map.of("p/srv/Get.srv", ros + " x\n---\n", "p/msg/P.msg", "float64 x"),
@@ -43,7 +43,7 @@ class RosImporterTest {
   }
 
   @Test
-  void aPackageIsAnInterfaceAndItsServicesAndActionsAreMethods() {
+  void importsAPackageAsAnInterfaceWithServicesAndActionsAsMethods() {
     ImportResult result =
         InterfaceText.readAll(
             Map.of(
@@ -64,7 +64,7 @@ class RosImporterTest {
   }
 
   @Test
-  void everyProblemIsToldWithItsLine() {
+  void reportsAllProblemsWithTheirLines() {
     ImportResult result =
         InterfaceText.read(
             "srv/Bad.srv",
@@ -97,7 +97,7 @@ class RosImporterTest {
   }
 
   @Test
-  void aMessageAloneDescribesItsStruct() {
+  void importsASingleMessageAsAStruct() {
     ImportResult result = InterfaceText.read("P.msg", "int32 LIMIT=3\nfloat64 x\nfloat64 y 1.5");
     assertThat(result.provided()).isEmpty();
     assertThat(result.types().toString()).contains("Struct[name=P").contains("name=y");

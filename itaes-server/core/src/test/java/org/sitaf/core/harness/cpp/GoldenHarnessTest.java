@@ -17,7 +17,7 @@ import org.sitaf.core.harness.TestApplication;
 import org.sitaf.core.suite.GenerationOptions;
 import org.sitaf.core.suite.TestCaseGenerator;
 
-/** The C++ sources of examples, letter by letter. */
+/** Compares C++ sources of examples with golden files. */
 class GoldenHarnessTest {
   private static final Path RESOURCES = Path.of("src/test/resources/org/sitaf/core/harness/cpp");
   private static final boolean RENEW = Boolean.getBoolean("sitaf.golden.renew");
@@ -40,12 +40,12 @@ class GoldenHarnessTest {
   }
 
   /**
-   * The paper's example; and one with everything that it lacks: stubs, structs, enumerations,
-   * parts, errors, a period, observations.
+   * The paper's example, and one with the features that it does not use: stubs, structs,
+   * enumerations, members, errors, a period, observed outputs.
    */
   @ParameterizedTest
   @ValueSource(strings = {"ir-sensor", "wide"})
-  void theSourcesAreThoseThatWereReviewed(String name) throws IOException {
+  void generatesTheGoldenSources(String name) throws IOException {
     Path activity =
         name.equals("wide")
             ? RESOURCES.resolve("wide-activity")
@@ -70,7 +70,7 @@ class GoldenHarnessTest {
   }
 
   @Test
-  void theFiveStepsStandInTheirOrder() throws IOException {
+  void theFiveStepsAreInOrder() throws IOException {
     String driver =
         generate(tree(Path.of("../../examples/ir-sensor-cpp")))
             .harness()
@@ -96,7 +96,7 @@ class GoldenHarnessTest {
   }
 
   @Test
-  void aDriverThatTheUserKeepsIsTakenAsItIs() throws IOException {
+  void usesTheDriverOfTheUserUnchanged() throws IOException {
     FileTree files =
         tree(Path.of("../../examples/ir-sensor-cpp"))
             .with(

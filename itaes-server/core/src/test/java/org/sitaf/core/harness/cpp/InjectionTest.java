@@ -22,9 +22,9 @@ import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.harness.LanguageCompiler;
 import org.sitaf.core.harness.TestApplication;
 
-/** Names and values that try to become code: in strings, comments, identifiers and templates. */
+/** Hostile names and values in strings, comments, identifiers and templates do not become code. */
 class InjectionTest {
-  /** Each would run code of its own, or break the source, if it reached a source as it is. */
+  /** Without escaping, each of these texts would run code or make the source invalid. */
   private static final List<String> HOSTILE =
       List.of(
           "\"); std::abort(); //",
@@ -65,7 +65,7 @@ class InjectionTest {
     return text.getBytes(StandardCharsets.UTF_8);
   }
 
-  /** The example with these texts wherever a user's text goes. */
+  /** The example with these texts in all places of users' texts. */
   private static TestApplication generate(String property, String value, String description)
       throws IOException {
     FileTree files = GoldenHarnessTest.tree(Path.of("../../examples/ir-sensor-cpp"));
@@ -93,7 +93,7 @@ class InjectionTest {
                             "<description>" + xml(description) + "</description>")))));
   }
 
-  /** What XML cannot hold is not the point here. */
+  /** Without characters that XML does not allow. */
   private static String xml(String text) {
     return text.replaceAll("[\\x00-\\x08\\x0b-\\x1f]", "")
         .replace("&", "&amp;")
@@ -101,9 +101,9 @@ class InjectionTest {
   }
 
   @Test
-  void everyTextStaysInItsStringOrComment() throws IOException {
+  void noTextLeavesItsStringOrComment() throws IOException {
     for (String text : HOSTILE) {
-      // A key of YAML is short.
+      // The length of a YAML key is limited.
       String name = "x" + text.substring(0, Math.min(text.length(), 200));
       TestApplication application = generate(name, text, text);
       for (String path : application.harness().paths()) {
@@ -124,7 +124,7 @@ class InjectionTest {
 
   @Test
   @Tag("slow")
-  void whatComesOutCompiles() throws IOException, InterruptedException {
+  void hostileTextsCompile() throws IOException, InterruptedException {
     Assumptions.assumeTrue(
         new LanguageCompiler(Language.CPP, folder).isInstalled(), "g++ is not installed");
     TestApplication application =
@@ -144,7 +144,7 @@ class InjectionTest {
     assertThat(compile(GoldenHarnessTest.generate(GoldenHarnessTest.tree(wide)))).isEmpty();
   }
 
-  /** What the compiler says of the sources; empty when it takes them. */
+  /** The output of the compiler; empty if the sources compile. */
   private String compile(TestApplication application) throws IOException, InterruptedException {
     FileTree files = application.files();
     for (String path : files.paths()) {
@@ -189,7 +189,7 @@ class InjectionTest {
         "robot::class",
         "robot.Infra"
       })
-  void aClassMustBeNamedAsCppHasIt(String name) throws IOException {
+  void rejectsClassNamesThatAreNotCppNames(String name) throws IOException {
     FileTree files = GoldenHarnessTest.tree(Path.of("../../examples/ir-sensor-cpp"));
     String profile = files.text("activity.yaml").orElseThrow();
     FileTree changed =
@@ -200,7 +200,7 @@ class InjectionTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"class", "template", "a__b", "_Get", "errno", "assert", "operator"})
-  void aMethodMustBeNamedAsCppHasIt(String name) throws IOException {
+  void rejectsMethodNamesThatAreNotCppIdentifiers(String name) throws IOException {
     FileTree files = GoldenHarnessTest.tree(Path.of("../../examples/ir-sensor-cpp"));
     FileTree changed = files;
     for (String path : List.of("InfraredSensorService.xml", "GetInfraredData.xml")) {

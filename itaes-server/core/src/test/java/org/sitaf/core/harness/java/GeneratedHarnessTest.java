@@ -17,8 +17,8 @@ import org.sitaf.core.suite.GenerationOptions;
 import org.sitaf.core.suite.TestCaseGenerator;
 
 /**
- * Test applications of a component without a world, with required interfaces and every type:
- * generated, compiled, run.
+ * Generates, compiles and runs test applications of a component without a world, with required
+ * interfaces and all types.
  */
 class GeneratedHarnessTest {
   private static final String PROFILE =
@@ -90,7 +90,7 @@ class GeneratedHarnessTest {
           }
           finder.Stop();
           if (finder.Count().signum() != 0 || !finder.Name().isEmpty()) {
-            throw new IllegalStateException("an answer that nobody has set");
+            throw new IllegalStateException("an answer that was not set");
           }
           double range = finder.GetRange(start);
           if (range < 0) {
@@ -143,7 +143,7 @@ class GeneratedHarnessTest {
   }
 
   @Test
-  void aStubbedComponentRunsWithOutParametersSequencesAndSetUp() throws Exception {
+  void runsAStubbedComponentWithOutParametersSequencesAndSetUp() throws Exception {
     TestApplication application = generate(files());
     HarnessBuild build = new HarnessBuild(folder);
     build.compile(application);
@@ -157,7 +157,8 @@ class GeneratedHarnessTest {
     assertThat(refused)
         .contains("outcome=\"THREW\"><thrown>IllegalArgumentException</thrown>")
         .contains(
-            "java.lang.IllegalArgumentException: range -4.0 at robot.Steering.Steer(Steering.java:");
+            "java.lang.IllegalArgumentException: range -4.0 at"
+                + " robot.Steering.Steer(Steering.java:");
   }
 
   @Test
@@ -186,7 +187,7 @@ class GeneratedHarnessTest {
   }
 
   @Test
-  void aTypeThatNoDocumentDefinesIsNamedWithItsMethod() {
+  void reportsAnUndefinedTypeWithItsMethod() {
     Map<String, String> files = files();
     files.put("provided.xml", PROVIDED.replace("vector&lt;double&gt;", "PointCloud"));
     assertThatThrownBy(() -> generate(files))
@@ -196,7 +197,7 @@ class GeneratedHarnessTest {
   }
 
   @Test
-  void aSetUpCallThatDoesNotFitIsRefused() {
+  void rejectsAnInvalidSetUpCall() {
     for (String call :
         List.of(
             "Start()",
@@ -218,7 +219,7 @@ class GeneratedHarnessTest {
   }
 
   @Test
-  void aPeriodicComponentNeedsAWorldWhoseTimeDrivesIt() {
+  void aPeriodicComponentNeedsAWorld() {
     Map<String, String> files = files();
     assertThat(PROFILE).contains("component:\n");
     files.put(

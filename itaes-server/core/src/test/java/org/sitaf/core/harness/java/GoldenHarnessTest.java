@@ -15,7 +15,7 @@ import org.sitaf.core.harness.TestApplication;
 import org.sitaf.core.suite.GenerationOptions;
 import org.sitaf.core.suite.TestCaseGenerator;
 
-/** The sources of the paper's example, letter by letter. */
+/** Compares the sources of the paper's example with golden files. */
 class GoldenHarnessTest {
   private static final Path EXAMPLE = Path.of("../../examples/ir-sensor");
   private static final Path GOLDEN =
@@ -33,7 +33,7 @@ class GoldenHarnessTest {
   }
 
   @Test
-  void theSourcesAreThoseThatWereReviewed() throws IOException {
+  void generatesTheGoldenSources() throws IOException {
     FileTree harness = generate(HarnessBuild.tree(EXAMPLE)).harness();
     assertThat(harness.paths())
         .containsExactly(
@@ -57,7 +57,7 @@ class GoldenHarnessTest {
   }
 
   @Test
-  void theFiveStepsStandInTheirOrder() throws IOException {
+  void theFiveStepsAreInOrder() throws IOException {
     String driver =
         generate(HarnessBuild.tree(EXAMPLE))
             .harness()
@@ -83,12 +83,12 @@ class GoldenHarnessTest {
   }
 
   @Test
-  void whatIsGeneratedCompilesWithoutAWarning() throws IOException {
+  void generatedSourcesCompileWithoutWarnings() throws IOException {
     new HarnessBuild(folder).compile(generate(HarnessBuild.tree(EXAMPLE)));
   }
 
   @Test
-  void aDriverThatTheUserKeepsIsTakenAsItIs() throws IOException {
+  void usesTheDriverOfTheUserUnchanged() throws IOException {
     String mine = "package sitaf.harness.getinfrareddata; // mine\n";
     FileTree files =
         HarnessBuild.tree(EXAMPLE)
@@ -102,7 +102,7 @@ class GoldenHarnessTest {
   }
 
   @Test
-  void anApplicationComesBackFromItsFiles() throws IOException {
+  void readsAnApplicationFromItsFiles() throws IOException {
     TestApplication application = generate(HarnessBuild.tree(EXAMPLE));
     TestApplication again = TestApplication.read(application.files());
     assertThat(again.files()).isEqualTo(application.files());

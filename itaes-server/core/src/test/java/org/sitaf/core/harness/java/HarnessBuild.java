@@ -18,7 +18,7 @@ import javax.tools.ToolProvider;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.harness.TestApplication;
 
-/** Compiles a generated test application and runs it in a process of its own, as an agent does. */
+/** Compiles a generated test application and runs it in its own process, like an agent. */
 final class HarnessBuild {
   private final Path folder;
 
@@ -26,7 +26,7 @@ final class HarnessBuild {
     this.folder = folder;
   }
 
-  /** Files by path, from texts. */
+  /** Creates files from their contents by path. */
   static FileTree tree(Map<String, String> texts) {
     Map<String, byte[]> files = new HashMap<>();
     texts.forEach((path, text) -> files.put(path, text.getBytes(StandardCharsets.UTF_8)));
@@ -44,7 +44,7 @@ final class HarnessBuild {
     return FileTree.of(files);
   }
 
-  /** Compiles harness and component; javac must have nothing to say, warnings included. */
+  /** Compiles harness and component; javac must not report errors or warnings. */
   void compile(TestApplication application) throws IOException {
     FileTree files = application.files();
     files.paths().forEach(path -> write(path, files.content(path).orElseThrow()));
@@ -75,7 +75,7 @@ final class HarnessBuild {
     assertThat(exit).as(messages.toString(StandardCharsets.UTF_8)).isZero();
   }
 
-  /** Runs the suite to its end and gives the result lines. */
+  /** Runs the suite and returns the lines of results. */
   List<String> run(TestApplication application) throws IOException, InterruptedException {
     Path results = folder.resolve("results");
     Path errors = folder.resolve("errors");

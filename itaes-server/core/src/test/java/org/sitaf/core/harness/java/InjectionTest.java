@@ -28,12 +28,12 @@ import org.sitaf.core.harness.TestApplication;
 import org.sitaf.core.model.InputKind;
 import org.sitaf.core.suite.CaseParameter;
 
-/** Names and values that try to become code: in strings, comments, identifiers and templates. */
+/** Hostile names and values in strings, comments, identifiers and templates do not become code. */
 @Tag("slow")
 class InjectionTest {
   private static final DataType STRING = new DataType.Scalar(ScalarType.STRING);
 
-  /** Each would run code of its own, or break the source, if it reached a source as it is. */
+  /** Without escaping, each of these texts would run code or make the source invalid. */
   private static final List<String> HOSTILE =
       List.of(
           "\"; System.exit(9); //",
@@ -94,13 +94,13 @@ class InjectionTest {
         .application();
   }
 
-  /** Gives back, as numbers of characters, everything that it was ever given. */
+  /** Returns all received texts as the codes of their characters. */
   private static final String ECHO =
       """
       package robot;
 
       public final class Echo {
-        private final StringBuilder heard = new StringBuilder();
+        private final StringBuilder received = new StringBuilder();
 
         public void setProperty(String name, String value) {
           Say(name);
@@ -108,9 +108,9 @@ class InjectionTest {
         }
 
         public String Say(String text) {
-          text.chars().forEach(c -> heard.append(c).append(' '));
-          heard.append(';');
-          return heard.toString();
+          text.chars().forEach(c -> received.append(c).append(' '));
+          received.append(';');
+          return received.toString();
         }
       }
       """;
@@ -122,17 +122,17 @@ class InjectionTest {
   }
 
   @Test
-  void everyTextArrivesAsItIsAndNothingElseHappens() throws Exception {
-    StringBuilder heard = new StringBuilder();
+  void passesEveryTextUnchanged() throws Exception {
+    StringBuilder received = new StringBuilder();
     for (int i = 0; i < HOSTILE.size(); i++) {
       properties.put("%02d".formatted(i) + HOSTILE.get(i), HOSTILE.get(i));
     }
-    properties.forEach((name, value) -> heard.append(numbers(name)).append(numbers(value)));
+    properties.forEach((name, value) -> received.append(numbers(name)).append(numbers(value)));
     for (String text : HOSTILE) {
       before.add("Say(\"" + text.replace("\\", "\\\\").replace("\"", "\\\"") + "\")");
-      heard.append(numbers(text));
+      received.append(numbers(text));
     }
-    heard.append(numbers("hello"));
+    received.append(numbers("hello"));
     description = String.join(" ", HOSTILE);
     source = String.join(" ", HOSTILE);
     TestApplication application = generate();
@@ -142,11 +142,11 @@ class InjectionTest {
     assertThat(lines).hasSize(1);
     assertThat(lines.get(0))
         .contains("outcome=\"RETURNED\"")
-        .contains("<actual name=\"return\">" + heard + "</actual>");
+        .contains("<actual name=\"return\">" + received + "</actual>");
   }
 
   @Test
-  void aDescriptionStaysInItsComment() throws Exception {
+  void aDescriptionDoesNotLeaveItsComment() throws Exception {
     for (int i = 0; i < HOSTILE.size(); i++) {
       description = HOSTILE.get(i);
       Path subfolder = Files.createDirectory(folder.resolve("d" + i));
@@ -179,7 +179,7 @@ class InjectionTest {
         "_",
         "true"
       })
-  void aNameThatCodeWouldCallMustBeOneThatJavaHas(String name) {
+  void rejectsNamesThatAreNotJavaIdentifiers(String name) {
     method = name;
     assertThatThrownBy(this::generate).as("method").isInstanceOf(InvalidInputException.class);
     method = "Say";
@@ -224,14 +224,14 @@ class InjectionTest {
         "record",
         "_"
       })
-  void aParameterMayBeNamedLikeAnythingElseInTheSource(String name) throws Exception {
+  void aParameterMayHaveAnyNameUsedInTheSource(String name) throws Exception {
     parameter = name;
     new HarnessBuild(folder).compile(generate());
   }
 
   @ParameterizedTest
   @ValueSource(strings = {"class", "1st", "a-b.c", "../up", "Ünïcode", "a;b"})
-  void aModelOfAnyNameGetsAPackageOfItsOwn(String name) throws Exception {
+  void aModelOfAnyNameHasItsOwnPackage(String name) throws Exception {
     modelName = name;
     TestApplication application = generate();
     assertThat(application.entryPoint())
@@ -241,7 +241,7 @@ class InjectionTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"String", "Object", "TestStub", "Out"})
-  void aRequiredInterfaceMayNotHideATypeOfTheSources(String name) {
+  void rejectsARequiredInterfaceThatHidesATypeOfTheSources(String name) {
     required = List.of(new InterfaceDescription(name, List.of(), "r.xml"));
     assertThatThrownBy(this::generate)
         .isInstanceOf(InvalidInputException.class)
@@ -250,7 +250,7 @@ class InjectionTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"wait", "getClass", "toString"})
-  void aRequiredMethodMayNotBeOneThatEveryObjectHas(String name) {
+  void rejectsARequiredMethodOfClassObject(String name) {
     Method named = new Method(name, STRING, List.of(), CallType.BLOCKING, 1);
     required = List.of(new InterfaceDescription("Finder", List.of(named), "r.xml"));
     assertThatThrownBy(this::generate).isInstanceOf(InvalidInputException.class);

@@ -15,7 +15,10 @@ import org.sitaf.core.harness.TestApplication;
 import org.sitaf.core.suite.GenerationOptions;
 import org.sitaf.core.suite.TestCaseGenerator;
 
-/** Structs, enumerations, exceptions, and stubs that answer call by call: generated and run. */
+/**
+ * Generates and runs harnesses with structs, enumerations, exceptions and stubs with several
+ * answers.
+ */
 @Tag("slow")
 class StructuredHarnessTest {
   private static final String PROFILE =
@@ -165,7 +168,7 @@ class StructuredHarnessTest {
   }
 
   @Test
-  void partsErrorsAndAnswersOfLaterCallsGoThroughARealRun() throws Exception {
+  void runsWithMembersErrorsAndAnswersOfLaterCalls() throws Exception {
     TestApplication application = generate(files());
     HarnessBuild build = new HarnessBuild(folder);
     build.compile(application);
@@ -186,11 +189,11 @@ class StructuredHarnessTest {
         .contains("<actual name=\"count\">14</actual>")
         .contains("<call method=\"GridMap.Release\"></call>");
     double stub = Double.parseDouble(planned.replaceFirst("(?s).* stub=\"([0-9.]+)\".*", "$1"));
-    assertThat(stub).as("the delays are the stub's time").isGreaterThan(20_000);
+    assertThat(stub).as("delays count as time of the stub").isGreaterThan(20_000);
   }
 
   @Test
-  void theBeginningOfAnAdapterCompilesAndSaysWhatIsMissing() throws Exception {
+  void aGeneratedAdapterCompilesAndReportsWhatIsMissing() throws Exception {
     Map<String, String> files = files();
     files.put(
         "activity.yaml",
@@ -215,7 +218,7 @@ class StructuredHarnessTest {
   }
 
   @Test
-  void theSourcesReadAsAPersonWouldWriteThem() {
+  void theSourcesAreReadable() {
     TestApplication application = generate(files());
     assertThat(application.harness().text("sitaf/harness/plan/TestDriver.java").orElseThrow())
         .contains("Pose from = new Pose(new Point(fromPositionX, 0.0), 0.0, fromLabel);")
@@ -240,7 +243,7 @@ class StructuredHarnessTest {
   }
 
   @Test
-  void aNonblockingCallIsMadeBesideTheDriver() throws Exception {
+  void aNonblockingCallRunsInItsOwnThread() throws Exception {
     Map<String, String> files = files();
     files.put(
         "planner.idl",
@@ -251,14 +254,15 @@ class StructuredHarnessTest {
         COMPONENT.replace(
             "public void start()",
             """
-        public void Go(double x) {
-          if (!Thread.currentThread().getName().equals("call under test")) {
-            throw new IllegalStateException("in the driver's thread");
-          }
-          map.Release();
-        }
+            public void Go(double x) {
+              if (!Thread.currentThread().getName().equals("call under test")) {
+                throw new IllegalStateException("in the driver's thread");
+              }
+              map.Release();
+            }
 
-        public void start()"""));
+            public void start()\
+            """));
     files.put(
         "model.xml",
         """

@@ -20,7 +20,7 @@ import org.sitaf.core.suite.TestCase;
 import org.sitaf.core.suite.TestCaseGenerator;
 import org.sitaf.core.suite.TestSuite;
 
-/** Errors and delays among the values of test stubs, whatever their type, from model to run. */
+/** Errors and delays as answers of test stubs, from the model to the run. */
 class StubAnswersTest {
   private static final Map<String, String> FILES =
       Map.of(
@@ -120,7 +120,7 @@ class StubAnswersTest {
   }
 
   @Test
-  void theSuiteKeepsThemLetterByLetterAndTheyAreValid() {
+  void theSuiteContainsErrorsAndDelaysAsValidValues() {
     TestSuite suite = suite(activity().models().get(0));
     assertThat(suite.cases())
         .flatExtracting(TestCase::values)
@@ -134,7 +134,7 @@ class StubAnswersTest {
   }
 
   @Test
-  void anEarlierSuiteWithThemIsKept() {
+  void keepsAnEarlierSuiteWithErrorsAndDelays() {
     TestModel model = activity().models().get(0);
     TestSuite earlier = suite(model);
     var again =
@@ -144,7 +144,7 @@ class StubAnswersTest {
   }
 
   @Test
-  void exceptionsOfAModuleLoseTheirScopeUnlessTwoWouldHaveOneName() {
+  void exceptionsHaveNoScopeAndAmbiguousNamesAreRejected() {
     Activity activity = activity();
     TestModel model = activity.models().get(0);
     assertThat(
@@ -167,7 +167,7 @@ class StubAnswersTest {
 
   @Tag("slow")
   @Test
-  void theStubThrowsAndWaitsInARealRun() throws Exception {
+  void theStubThrowsAndWaits() throws Exception {
     Activity activity = activity();
     TestModel model = activity.models().get(0);
     TestSuite suite = suite(model);

@@ -18,8 +18,8 @@ import org.sitaf.core.suite.GenerationOptions;
 import org.sitaf.core.suite.TestCaseGenerator;
 
 /**
- * The sources of two activities, letter by letter: the paper's example, and one with everything
- * that an interface can have. The tests of the Python runtime format, compile and run them.
+ * Compares the sources of two activities with golden files: the paper's example, and one with all
+ * features of interfaces. The tests of the Python runtime format, compile and run them.
  */
 class GoldenPythonHarnessTest {
   private static final Path GOLDENS = Path.of("src/test/resources/org/sitaf/core/harness/python");
@@ -43,7 +43,7 @@ class GoldenPythonHarnessTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"ir-sensor-python", "navigator"})
-  void theSourcesAreThoseThatWereReviewed(String name) throws IOException {
+  void generatesTheGoldenSources(String name) throws IOException {
     Activity activity = Activity.read(tree(activity(name)));
     var model = activity.models().get(0);
     TestApplication application =
@@ -65,7 +65,8 @@ class GoldenPythonHarnessTest {
     for (String path : harness.paths()) {
       assertThat(harness.text(path))
           .as(
-              "%s (after a wanted change: run this test with -Dsitaf.golden.renew=true, and review the diff)",
+              "%s (after a wanted change: run this test with -Dsitaf.golden.renew=true, and review"
+                  + " the diff)",
               path)
           .isEqualTo(golden.text(path));
     }

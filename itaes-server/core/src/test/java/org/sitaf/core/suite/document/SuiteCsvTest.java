@@ -39,7 +39,7 @@ class SuiteCsvTest {
               new TestCase(7, true, List.of(" ", "0.0"), expected("a\r\nb"))));
 
   @Test
-  void whatWasWrittenIsReadAgainWhateverTheTextsHold() throws IOException {
+  void readsWrittenCasesUnchanged() throws IOException {
     ByteArrayOutputStream csv = new ByteArrayOutputStream();
     SuiteCsv.write(SUITE, csv);
     TestSuite read =
@@ -49,7 +49,7 @@ class SuiteCsvTest {
   }
 
   @Test
-  void noCellIsAFormulaForASpreadsheetAndNumbersStayNumbers() throws IOException {
+  void escapesFormulasAndKeepsNumbers() throws IOException {
     for (String formula :
         List.of(
             "=1+1",
@@ -79,7 +79,7 @@ class SuiteCsvTest {
   }
 
   @Property
-  void everyTextIsReadAsItWas(
+  void readsEveryWrittenTextUnchanged(
       @ForAll @Chars({'\'', '=', '+', '-', '1', 'a', ',', '"', '\n', '\t'}) String text)
       throws IOException {
     TestSuite suite =
@@ -90,9 +90,13 @@ class SuiteCsvTest {
   }
 
   @Test
-  void everyLineThatIsNoCaseIsToldWithItsNumber() {
+  void reportsInvalidLinesWithTheirNumbers() {
     String csv =
-        "no,class,Name,Distance,expected\r\n1,valid,a,1.5,2.0\r\nx,valid,a,1.5,\r\n3,perhaps,a,1.5,\r\n4,valid,a\r\n";
+        "no,class,Name,Distance,expected\r\n"
+            + "1,valid,a,1.5,2.0\r\n"
+            + "x,valid,a,1.5,\r\n"
+            + "3,perhaps,a,1.5,\r\n"
+            + "4,valid,a\r\n";
     assertThatThrownBy(() -> read(csv))
         .isInstanceOfSatisfying(
             InvalidInputException.class,
@@ -100,7 +104,7 @@ class SuiteCsvTest {
   }
 
   @Test
-  void casesOfOtherParametersAreRefused() {
+  void rejectsCasesOfOtherParameters() {
     assertThatThrownBy(() -> read("no,class,Other,Distance,expected\r\n1,valid,a,1.5,2.0\r\n"))
         .isInstanceOf(InvalidInputException.class)
         .hasMessageContaining("no,class,Name,Distance");

@@ -29,7 +29,7 @@ class CaseRecordLineTest {
           + "</processing_time></case_record>";
 
   @Test
-  void aLineIsReadAsTheRuntimesWriteIt() {
+  void readsALineOfARuntime() {
     assertThat(CaseRecordLine.read(WHOLE))
         .isEqualTo(
             new CaseRecord(
@@ -47,7 +47,7 @@ class CaseRecordLineTest {
   }
 
   @Test
-  void anExceptionIsReadWithItsTypeAndMessage() {
+  void readsAnExceptionWithTypeAndMessage() {
     CaseRecord record =
         CaseRecordLine.read(
             "<case_record no=\"1\" outcome=\"THREW\"><thrown>NoEcho</thrown>"
@@ -71,15 +71,15 @@ class CaseRecordLineTest {
         "<case_record no=\"1\" outcome=\"ERROR\"><message>a</message></case_record> ",
         "<case_record no=\"1\" outcome=\"RETURNED\"><actual>3</actual></case_record>"
       })
-  void anyOtherLineIsRefusedWithThePlace(String line) {
+  void rejectsAnyOtherLineWithThePosition(String line) {
     assertThatThrownBy(() -> CaseRecordLine.read(line))
         .isInstanceOf(InvalidInputException.class)
         .hasMessageContaining("not a case_record: at character");
   }
 
-  /** A component may write lines of its own, and a killed process leaves torn ones. */
+  /** Components may write lines, too, and a killed process leaves incomplete ones. */
   @Property(tries = 1000)
-  void aDamagedLineIsARecordOrRefused(@ForAll("damage") String damage, @ForAll double where) {
+  void readsOrRejectsDamagedLines(@ForAll("damage") String damage, @ForAll double where) {
     int at = (int) (Math.abs(where) % 1 * WHOLE.length());
     for (String damaged :
         List.of(WHOLE.substring(0, at) + damage + WHOLE.substring(at), WHOLE.substring(0, at))) {

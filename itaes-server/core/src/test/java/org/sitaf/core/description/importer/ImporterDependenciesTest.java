@@ -8,9 +8,9 @@ import com.tngtech.archunit.junit.ArchTest;
 import com.tngtech.archunit.lang.ArchRule;
 import com.tngtech.archunit.library.dependencies.SlicesRuleDefinition;
 
-/** The importers know nothing of each other, and what they read with stays with them. */
+/** The importers do not depend on each other and do not expose their parsers. */
 @AnalyzeClasses(packages = "org.sitaf.core.description", importOptions = DoNotIncludeTests.class)
-class DescriptionWallsTest {
+class ImporterDependenciesTest {
   @ArchTest
   static final ArchRule PACKAGES_HAVE_NO_CYCLES =
       SlicesRuleDefinition.slices()
@@ -19,14 +19,14 @@ class DescriptionWallsTest {
           .beFreeOfCycles();
 
   @ArchTest
-  static final ArchRule IMPORTERS_KNOW_NOTHING_OF_EACH_OTHER =
+  static final ArchRule IMPORTERS_DO_NOT_DEPEND_ON_EACH_OTHER =
       SlicesRuleDefinition.slices()
           .matching("org.sitaf.core.description.(opros|idl|ros|proto)..")
           .should()
           .notDependOnEachOther();
 
   @ArchTest
-  static final ArchRule ANTLR_STAYS_WITH_IDL =
+  static final ArchRule ONLY_IDL_USES_ANTLR =
       noClasses()
           .that()
           .resideOutsideOfPackage("..idl..")
@@ -35,7 +35,7 @@ class DescriptionWallsTest {
           .resideInAPackage("org.antlr..");
 
   @ArchTest
-  static final ArchRule WIRE_STAYS_WITH_PROTOBUF =
+  static final ArchRule ONLY_PROTOBUF_USES_WIRE =
       noClasses()
           .that()
           .resideOutsideOfPackage("..proto..")
