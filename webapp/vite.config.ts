@@ -20,7 +20,7 @@ export default defineConfig({
       '/api': {
         target: process.env['SITAF_SERVER'] ?? 'http://localhost:8080',
         changeOrigin: true,
-        // The server refuses foreign origins; to it, the dev server is none of its own.
+        // The server rejects requests of other origins, such as the dev server.
         configure: (proxy) => {
           proxy.on('proxyReq', (request) => {
             request.removeHeader('origin');

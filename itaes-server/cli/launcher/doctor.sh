@@ -70,7 +70,7 @@ else
 fi
 optional "bubblewrap" "sandbox for components" "$(command -v bwrap >/dev/null && version_of bwrap --version)" bubblewrap
 
-# feature NAME STATE NOTE: a feature of the sandbox; the note tells how to get a missing feature.
+# feature NAME STATE NOTE: a feature of the sandbox; the note explains how to get a missing feature.
 feature() {
   printf '  %-12s %-28s %s\n' "$1" "$2" "${3:-ok}"
 }

@@ -32,7 +32,7 @@ progress_of() {
 
 require() {
   command -v "$1" >/dev/null || {
-    printf "sitaf: %s is missing; './sitaf doctor' tells how to install it\n" "$1" >&2
+    printf "sitaf: %s is missing; './sitaf doctor' shows how to install it\n" "$1" >&2
     exit 2
   }
 }

@@ -43,11 +43,11 @@ final class Builds {
   }
 
   /**
-   * What a build has brought.
+   * The result of a build.
    *
-   * @param files what was compiled, by path; a single one where the compiler refused
-   * @param asked whether the toolchain was asked at all
-   * @param units translation units that a compiler was started for
+   * @param files compiled files by path; a single entry if the compiler reported errors
+   * @param asked whether the toolchain was called
+   * @param units translation units that were compiled
    */
   record Built(Map<String, byte[]> files, boolean asked, Set<String> units) {}
 
@@ -125,7 +125,7 @@ final class Builds {
       // Inputs of this machine are not part of the result.
       brought.remove("inputs");
     } catch (CompilationException e) {
-      brought.put("refused", String.valueOf(e.getMessage()).getBytes());
+      brought.put("rejected", String.valueOf(e.getMessage()).getBytes());
     }
     Set<String> units = units(compilation.scratch(), sources);
     delete(build);

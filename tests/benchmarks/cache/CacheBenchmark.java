@@ -31,7 +31,7 @@ public final class CacheBenchmark {
   private int compiledUnits;
   private int applications;
   private int compiledApplications;
-  private int refused;
+  private int rejected;
   private double cachedSeconds;
   private double cleanSeconds;
 
@@ -68,7 +68,7 @@ public final class CacheBenchmark {
       for (int i = 0; i < edits; i++) {
         Project project = used.get(random.nextInt(used.size()));
         if (begun.add(project)) {
-          build(project, "as it began", cached, clean);
+          build(project, "initial state", cached, clean);
         }
         build(project, changes.edit(project), cached, clean);
         if ((i + 1) % 50 == 0) {
@@ -91,12 +91,12 @@ public final class CacheBenchmark {
     cleanSeconds += (System.nanoTime() - between) / 1e9;
     builds++;
     String what = project.name + ", " + edit;
-    if (without.files().containsKey("refused")) {
-      refused++;
+    if (without.files().containsKey("rejected")) {
+      rejected++;
     }
     if (!same(with.files(), without.files())) {
       stale++;
-      faults.add(what + ": not what is compiled without caches: " + different(with.files(), without.files()));
+      faults.add(what + ": differs from the build without caches: " + different(with.files(), without.files()));
     }
     Set<String> touched = new TreeSet<>();
     if (project.java) {
@@ -117,7 +117,7 @@ public final class CacheBenchmark {
       units += traces.size();
       compiledUnits += with.units().size();
       if (!without.units().equals(traces.keySet())) {
-        faults.add(what + ": the model sees the units " + traces.keySet() + ", the compiler " + without.units());
+        faults.add(what + ": the model has the units " + traces.keySet() + ", the compiler " + without.units());
       }
       count(what, with.units(), touched);
     }
@@ -127,13 +127,13 @@ public final class CacheBenchmark {
     for (String unit : compiled) {
       if (!touched.contains(unit)) {
         needless++;
-        faults.add(what + ": compiled though untouched: " + unit);
+        faults.add(what + ": compiled without a change: " + unit);
       }
     }
     for (String unit : touched) {
       if (!compiled.contains(unit)) {
         missed++;
-        faults.add(what + ": touched and not compiled: " + unit);
+        faults.add(what + ": changed but not compiled: " + unit);
       }
     }
   }
@@ -154,14 +154,14 @@ public final class CacheBenchmark {
     faults.stream().limit(SHOWN).forEach(System.out::println);
     List<String> shortOf = new ArrayList<>();
     row("builds that differ from one without caches, of " + builds, stale, shortOf);
-    row("units and applications compiled though untouched", needless, shortOf);
-    row("units and applications touched and not compiled", missed, shortOf);
-    row("other disagreements of model and compiler", faults.size() - stale - needless - missed, shortOf);
+    row("units and applications compiled without a change", needless, shortOf);
+    row("units and applications changed but not compiled", missed, shortOf);
+    row("other differences between model and compiler", faults.size() - stale - needless - missed, shortOf);
     print("units compiled, of " + units, compiledUnits, "");
     print("applications in Java compiled, of " + applications, compiledApplications, "");
-    print("builds that the compiler refused, with caches and without", refused, "");
-    print("a build with caches", cachedSeconds / builds, "s");
-    print("a build without", cleanSeconds / builds, "s");
+    print("builds that the compiler rejected, with caches and without", rejected, "");
+    print("time of a build with caches", cachedSeconds / builds, "s");
+    print("time of a build without caches", cleanSeconds / builds, "s");
     System.out.println("cache: " + (shortOf.isEmpty() ? "held" : "short: " + String.join(", ", shortOf)));
     return shortOf.isEmpty();
   }

@@ -39,26 +39,26 @@ final class Edits {
   /** Edits a project; returns a short description. */
   String edit(Project project) throws Exception {
     earlier.computeIfAbsent(project, p -> new ArrayList<>()).add(project.copy());
-    int dice = random.nextInt(100);
-    if (dice < 40) {
+    int percent = random.nextInt(100);
+    if (percent < 40) {
       return changeNumber(project, project.java ? "(.*\\.java)" : "(.*\\.(hpp|cpp|cc|txt))");
-    } else if (dice < 50) {
+    } else if (percent < 50) {
       return changeNumber(project, "(.*\\.(txt|csv|properties|yaml))");
-    } else if (dice < 68) {
+    } else if (percent < 68) {
       return project.java ? addOrRemoveClass(project) : addOrRemoveHeader(project);
-    } else if (dice < 78) {
+    } else if (percent < 78) {
       return changeFlags(project);
-    } else if (dice < 84) {
+    } else if (percent < 84) {
       return addOrRemoveUnit(project);
-    } else if (dice < 92) {
+    } else if (percent < 92) {
       List<Project> states = earlier.get(project);
       project.becomeLike(states.get(random.nextInt(states.size())));
-      return "back to an earlier state";
+      return "reverted to an earlier state";
     }
     int at = projects.indexOf(project);
     Project other = projects.get((at + projects.size() / 2) % projects.size());
     project.becomeLike(other);
-    return "as " + other.name;
+    return "replaced by " + other.name;
   }
 
   private <T> T one(List<T> of) {
@@ -78,11 +78,11 @@ final class Edits {
     }
     if (places.isEmpty()) {
       project.put(path, text + (path.matches(".*\\.(yaml|properties|txt|csv)") ? "# " : "// ") + random.nextInt(100) + "\n");
-      return "a remark in " + path;
+      return "added a comment to " + path;
     }
     int[] place = one(places);
     project.put(path, text.substring(0, place[0]) + (1 + random.nextInt(9)) + text.substring(place[1]));
-    return "a number in " + path;
+    return "changed a number in " + path;
   }
 
   /** Before or after the existing file in the search path, or outside of it. */
@@ -97,22 +97,22 @@ final class Edits {
     String path = one(folders) + name;
     if (project.files.containsKey(path) && !path.startsWith("include/") && !path.equals("shared/more/inner.hpp") && !path.endsWith("values/deep.hpp")) {
       project.files.remove(path);
-      return "without " + path;
+      return "removed " + path;
     }
     if (path.endsWith("vector") && random.nextBoolean()) {
       return changeNumber(project, ".*\\.hpp");
     }
     project.put(path, ASKED.get(name));
-    return "with " + path;
+    return "added " + path;
   }
 
   private String addOrRemoveClass(Project project) {
     String path = one(List.of("docs/demo/More.java", project.sources() + "demo/More.java", project.sources() + "demo/more.txt", "world/More.java"));
     if (project.files.remove(path) != null) {
-      return "without " + path;
+      return "removed " + path;
     }
     project.put(path, "package demo;\nclass More { static final int VALUE = " + random.nextInt(9) + "; }\n");
-    return "with " + path;
+    return "added " + path;
   }
 
   private String changeFlags(Project project) throws Exception {
@@ -148,9 +148,9 @@ final class Edits {
     }
     String path = project.sources() + "more.cpp";
     if (project.files.remove(path) != null) {
-      return "without " + path;
+      return "removed " + path;
     }
     project.put(path, "#include \"right.hpp\"\nint more() { return RIGHT + " + random.nextInt(9) + "; }\n");
-    return "with " + path;
+    return "added " + path;
   }
 }

@@ -17,10 +17,10 @@ import org.sitaf.core.suite.TestCaseGenerator;
 
 /**
  * An activity to edit. It has a small driver instead of a generated one, so that hundreds of builds
- * take minutes: what it costs to compile a generated one is not what is measured here.
+ * take minutes; the compile time of generated drivers is not measured here.
  */
 final class Project {
-  /** Of the activity, without those that every one has. */
+  /** Files of the activity, without those that all activities have. */
   final TreeMap<String, byte[]> files = new TreeMap<>();
 
   /** Entries of the profile. */

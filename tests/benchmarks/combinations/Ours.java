@@ -10,14 +10,15 @@ import org.sitaf.core.combine.Effort;
 import org.sitaf.core.combine.TestDataCombinator;
 
 /**
- * Combines the models that standard input names, one a line: strength, effort, levels, forbidden
- * tuples as {@code parameter=value&...}, separated by tabs. Answers each with its rows, the seconds in
- * all, how many findings the check has, and every improvement on the way as {@code rows@seconds}.
+ * Runs SITAF's combinator on models from standard input. Each line has the strength, the effort, the
+ * levels, and the forbidden tuples as {@code parameter=value&...}, separated by tabs. Prints for each
+ * the number of rows, the total seconds, the number of findings of the check, and all improvements
+ * as {@code rows@seconds}.
  */
 public final class Ours {
   private Ours() {}
 
-  /** Reads models and answers them in order; the process is warm after the first one. */
+  /** Processes models in order; the JVM is warm after the first one. */
   public static void main(String[] args) {
     try (Scanner lines = new Scanner(System.in)) {
       while (lines.hasNextLine()) {

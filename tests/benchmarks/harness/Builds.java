@@ -30,15 +30,15 @@ import org.sitaf.core.verdict.TestResult;
 /** Whole builds of activities, as an agent runs them. */
 record Builds(Simulator simulator, Toolchains toolchains, Sandbox sandbox, Path directory) {
   /** The limits of the server. */
-  private static final int MOST_RECORDINGS = 500;
+  private static final int MAX_RECORDINGS = 500;
 
   private static final long MAX_BYTES = 64 << 20;
 
   /**
-   * How a build went.
+   * The times of a build.
    *
-   * @param firstCaseSeconds from the activity's files to the first result
-   * @param casesMicros from the first result to the last
+   * @param firstCaseSeconds time from the activity's files to the first result
+   * @param casesMicros time from the first result to the last
    */
   record Run(int cases, double firstCaseSeconds, double casesMicros, double medianComponentMicros) {
     /** Time from the activity's files to the last result. */
@@ -50,14 +50,14 @@ record Builds(Simulator simulator, Toolchains toolchains, Sandbox sandbox, Path 
   /**
    * Runs the cases of an activity's first model.
    *
-   * @param lengthened makes the suite that is run of the one that the model gives
-   * @param change a remark that is added to each source of the component; empty for none
+   * @param lengthened converts the suite of the model to the suite to run
+   * @param change a comment that is added to each source of the component; empty for none
    */
   Run run(Path activityFolder, UnaryOperator<TestSuite> lengthened, String change) throws Exception {
     return run(activityFolder, lengthened, change, null);
   }
 
-  /** The same, with recordings of these cases; null for none. */
+  /** Runs the cases and records some of them; null for none. */
   Run run(
       Path activityFolder,
       UnaryOperator<TestSuite> lengthened,
@@ -75,7 +75,7 @@ record Builds(Simulator simulator, Toolchains toolchains, Sandbox sandbox, Path 
     if (recorded != null) {
       settings =
           settings.recording(
-              new RecordingOrder(folder.resolve("kept"), recorded, MOST_RECORDINGS, MAX_BYTES));
+              new RecordingOrder(folder.resolve("kept"), recorded, MAX_RECORDINGS, MAX_BYTES));
     }
     BuildOutcome outcome =
         new BuildRun(

@@ -28,7 +28,7 @@ public final class HarnessBenchmark {
   private static final int FEW = 1_000;
   private static final int MANY = 21_000;
 
-  /** As the server records by default. */
+  /** The default number of recorded cases of the server. */
   private static final int RECORDED = 100;
 
   private static final int RECORDED_RUNS = 5;
@@ -57,7 +57,7 @@ public final class HarnessBenchmark {
   private double lineMicros;
   private double clockMicros;
 
-  /** Arguments are languages, and {@code recording}; without any, all are measured. */
+  /** Arguments: languages and {@code recording}; all are measured by default. */
   public static void main(String[] arguments) throws Exception {
     System.exit(new HarnessBenchmark().measure(List.of(arguments)) ? 0 : 1);
   }
@@ -68,7 +68,7 @@ public final class HarnessBenchmark {
    * seconds. Builds with and without recordings alternate.
    */
   private void measureRecordings(Builds builds) throws Exception {
-    measureRecordings("ir-sensor", LongSuite.ofOwnDistances(RECORDED), builds);
+    measureRecordings("ir-sensor", LongSuite.withDistinctDistances(RECORDED), builds);
     measureRecordings("wall-approach", UnaryOperator.identity(), builds);
   }
 
@@ -85,15 +85,15 @@ public final class HarnessBenchmark {
     double micros = median(plain, run -> run.casesMicros() / run.cases());
     double more = median(recorded, run -> run.casesMicros() / run.cases());
     row(
-        example + ": recording adds to a case",
+        example + ": overhead of a recording per case",
         more - micros, "us", Double.NaN, false,
-        more / micros, String.format(Locale.ROOT, "a case without (%.0f us)", micros));
+        more / micros, String.format(Locale.ROOT, "a case without recording (%.0f us)", micros));
     double seconds = median(plain, Builds.Run::seconds);
     double longer = median(recorded, Builds.Run::seconds);
     row(
-        example + ": recording adds to the build of " + plain.get(0).cases() + " cases",
+        example + ": overhead of recordings for a build of " + plain.get(0).cases() + " cases",
         longer - seconds, "s", RECORDING_SECONDS, false,
-        longer / seconds, String.format(Locale.ROOT, "the build without (%.2f s)", seconds));
+        longer / seconds, String.format(Locale.ROOT, "the build without recordings (%.2f s)", seconds));
   }
 
   private static String changed(int i) {
@@ -128,9 +128,9 @@ public final class HarnessBenchmark {
       }
       lineMicros = Alternatives.lineMicros(directory);
       clockMicros = Alternatives.clockMicros();
-      told("the simulation alone, in bulk, a case", bareMicros, "us");
-      told("the writing of a line alone", lineMicros, "us");
-      told("two readings of the clock alone", clockMicros, "us");
+      print("simulation only, in bulk, per case", bareMicros, "us");
+      print("writing a line only", lineMicros, "us");
+      print("reading the clock twice", clockMicros, "us");
       if (languages.isEmpty() || languages.contains("recording")) {
         measureRecordings(builds);
       }
@@ -163,30 +163,30 @@ public final class HarnessBenchmark {
     String name = language.id();
     builds.run(example, UnaryOperator.identity(), "");
     // The baseline prepares each case, so every case must be prepared here, too.
-    Builds.Run few = median(example, LongSuite.ofOwnDistances(FEW), builds);
+    Builds.Run few = median(example, LongSuite.withDistinctDistances(FEW), builds);
     double overhead = few.casesMicros() / few.cases() - bareMicros - few.medianComponentMicros();
     row(
-        name + ": a case of 1,000 beyond simulation and component",
+        name + ": overhead per case, 1,000 cases",
         overhead, "us", targets.overheadMicros(), false,
-        overhead / lineMicros, "the writing of its line alone");
+        overhead / lineMicros, "writing its line");
     if (overhead < 0) {
-      shortOf.add(name + ": what was subtracted is not part of what was measured");
+      shortOf.add(name + ": negative overhead: the baseline was slower than the measured cases");
     }
-    endToEnd(name + ": end to end, 21,000 distances", LongSuite.ofOwnDistances(MANY), example, targets, builds);
-    endToEnd(name + ": end to end, the example's own, repeated", LongSuite.repeated(MANY), example, targets, builds);
+    endToEnd(name + ": end to end, 21,000 distances", LongSuite.withDistinctDistances(MANY), example, targets, builds);
+    endToEnd(name + ": end to end, cases of the example repeated", LongSuite.repeated(MANY), example, targets, builds);
 
     Path empty = EmptyComponent.write(language, builds.directory().resolve("empty-" + name));
     double call = builds.run(empty, LongSuite.repeated(FEW), "").medianComponentMicros();
     row(
         name + ": processing time of an empty component",
         call, "us", targets.emptyMicros(), false,
-        call / clockMicros, "two readings of the clock");
+        call / clockMicros, "reading the clock twice");
 
     double compiler =
         Alternatives.compilerSeconds(
             language, example, home.resolve(".sitaf/dist/agent"), builds.directory());
-    changes(name + ": from a changed source to the first case", example, builds, PAUSE_MS, targets, compiler);
-    changes(name + ": the same, one build directly after another", example, builds, 0, targets, compiler);
+    changes(name + ": changed source to first case", example, builds, PAUSE_MS, targets, compiler);
+    changes(name + ": changed source to first case, without pause", example, builds, 0, targets, compiler);
   }
 
   /** Users pause between two changes, so the agent has prepared the next build; a queue does not pause. */
@@ -205,7 +205,7 @@ public final class HarnessBenchmark {
     row(
         what,
         change, "s", targets.changeSeconds(), false,
-        change / compiler, String.format(Locale.ROOT, "its compiler on the component alone (%.2f s)", compiler));
+        change / compiler, String.format(Locale.ROOT, "compiling the component (%.2f s)", compiler));
   }
 
   private void endToEnd(
@@ -215,7 +215,7 @@ public final class HarnessBenchmark {
     row(
         what,
         1e6 / perCase, "cases/s", targets.casesPerSecond(), true,
-        perCase / bareMicros, "the time of the simulation alone");
+        perCase / bareMicros, "the time of the simulation");
   }
 
   private static Builds.Run median(Path example, UnaryOperator<TestSuite> suite, Builds builds) throws Exception {
@@ -227,7 +227,7 @@ public final class HarnessBenchmark {
     return runs.get(RUNS / 2);
   }
 
-  private static void told(String what, double value, String unit) {
+  private static void print(String what, double value, String unit) {
     System.out.printf(Locale.ROOT, "%-58s %10.2f %s%n", what, value, unit);
   }
 

@@ -29,7 +29,7 @@ final class LongSuite {
    * Repeats the valid cases with different distances, so that no world that was
    * prepared for one case can be reused.
    */
-  static UnaryOperator<TestSuite> ofOwnDistances(int count) {
+  static UnaryOperator<TestSuite> withDistinctDistances(int count) {
     return suite -> {
       List<TestCase> valid = suite.cases().stream().filter(TestCase::valid).toList();
       int place = suite.parameters().stream().map(CaseParameter::name).toList().indexOf("Distance");

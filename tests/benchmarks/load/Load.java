@@ -101,11 +101,11 @@ public final class Load {
     while (registered.get() < count && System.nanoTime() < end) {
       Thread.sleep(50);
     }
-    JsonObject said = new JsonObject();
-    said.addProperty("phase", "connect");
-    said.addProperty("agents", registered.get());
-    said.addProperty("seconds", (System.nanoTime() - began) / 1e9);
-    System.out.println(said);
+    JsonObject report = new JsonObject();
+    report.addProperty("phase", "connect");
+    report.addProperty("agents", registered.get());
+    report.addProperty("seconds", (System.nanoTime() - began) / 1e9);
+    System.out.println(report);
   }
 
   private final class Agent implements StreamObserver<ServerMessage> {
@@ -192,7 +192,7 @@ public final class Load {
             @Override
             public void onError(Throwable error) {
               running.remove(attempt.getFencingToken());
-              System.err.println("a result was not taken: " + error);
+              System.err.println("a result was rejected: " + error);
             }
 
             @Override
@@ -247,21 +247,21 @@ public final class Load {
             .sorted()
             .toArray();
     long[] readTimes = reads.stream().mapToLong(Long::longValue).sorted().toArray();
-    JsonObject said = new JsonObject();
-    said.addProperty("phase", name);
-    said.addProperty("seconds", tookS);
-    said.addProperty("requested", requested.size());
-    said.addProperty("finished", requested.keySet().stream().filter(finished::containsKey).count());
-    said.addProperty("finishedPerSecond", finishedInTime / tookS);
-    said.addProperty("rowsPerSecond", accepted / tookS);
-    said.addProperty("dispatchP50", percentile(dispatch, 0.5));
-    said.addProperty("dispatchP99", percentile(dispatch, 0.99));
-    said.addProperty("reads", readTimes.length);
-    said.addProperty("readP50", percentile(readTimes, 0.5));
-    said.addProperty("readP99", percentile(readTimes, 0.99));
-    said.addProperty("failures", failures.get());
-    said.addProperty("lost", lost.get());
-    System.out.println(said);
+    JsonObject report = new JsonObject();
+    report.addProperty("phase", name);
+    report.addProperty("seconds", tookS);
+    report.addProperty("requested", requested.size());
+    report.addProperty("finished", requested.keySet().stream().filter(finished::containsKey).count());
+    report.addProperty("finishedPerSecond", finishedInTime / tookS);
+    report.addProperty("rowsPerSecond", accepted / tookS);
+    report.addProperty("dispatchP50", percentile(dispatch, 0.5));
+    report.addProperty("dispatchP99", percentile(dispatch, 0.99));
+    report.addProperty("reads", readTimes.length);
+    report.addProperty("readP50", percentile(readTimes, 0.5));
+    report.addProperty("readP99", percentile(readTimes, 0.99));
+    report.addProperty("failures", failures.get());
+    report.addProperty("lost", lost.get());
+    System.out.println(report);
     System.out.flush();
   }
 
@@ -317,7 +317,7 @@ public final class Load {
       times.add(System.nanoTime() - began);
     } catch (Exception e) {
       failures.incrementAndGet();
-      System.err.println("not read: " + e);
+      System.err.println("a request failed: " + e);
     }
   }
 

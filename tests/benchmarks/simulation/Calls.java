@@ -21,9 +21,9 @@ import org.sitaf.sim.v1.SimulationControlGrpc.SimulationControlBlockingStub;
 import org.sitaf.sim.v1.StepSimulationRequest;
 
 /**
- * What calls cost from Java. Prints `name value` lines: microseconds a call (medians over rounds in
- * which the kinds take turns), cases a second, nanoseconds a read. Arguments: target, session of
- * the infrared world, its description.
+ * Measures calls from Java. Prints `name value` lines: microseconds per call (medians over rounds that
+ * alternate between the kinds), cases per second, nanoseconds per reading. Arguments: target, session
+ * of the infrared world, description of the world.
  */
 public final class Calls {
   private static final int ROUNDS = 30;

@@ -40,8 +40,8 @@ function createQueryClient(): QueryClient {
       },
     }),
     defaultOptions: {
-      // No retries: a refusal is final, and all queries are repeated after a reconnect (below).
-      // The online state of the browser says nothing about a server on this machine.
+      // No retries: rejected requests stay rejected, and all queries are repeated after a reconnect (below).
+      // The online state of the browser does not depend on a server on this machine.
       queries: { retry: false, networkMode: 'always' },
       mutations: { retry: false, networkMode: 'always' },
     },

@@ -46,7 +46,7 @@ const CHUNK_HEADER_BYTES = 8;
 
 /**
  * Reads a recording. It is untrusted, because the component under test could have changed it: files
- * that refer to anything outside themselves are refused.
+ * with external references are rejected.
  *
  * @throws Error if the file is not a recording
  */

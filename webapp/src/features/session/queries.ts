@@ -1,7 +1,7 @@
 import { useMutation, useQuery, useQueryClient } from '@tanstack/react-query';
 import { ApiError, dataOf, useApi } from '@/shared/api';
 
-/** The signed-in user; null if nobody is signed in. */
+/** The signed-in user; null if no user is signed in. */
 export function useSession() {
   const api = useApi();
   return useQuery({

@@ -23,7 +23,7 @@ export function createApi(baseUrl: string, connection: Connection): ApiClient {
         connection.report(!GATEWAY_STATUS.includes(response.status));
         return response;
       } catch (cause) {
-        // An aborted request says nothing about the server.
+        // An aborted request does not mean that the connection is lost.
         if (request.signal.aborted) throw cause;
         connection.report(false);
         throw new ConnectionLostError(cause);

@@ -4,13 +4,13 @@
 
 namespace hostile {
 
-/// A component that attacks the machine that tests it, in one of many ways; what it achieves, it
-/// prints as `BREACH ...`.
+/// A component that attacks the machine that tests it, in one of many ways; it reports
+/// successful attacks as `BREACH ...`.
 class HostileComponent {
  public:
   void setKind(const std::string& kind) { kind_ = kind; }
 
-  /// Attacks, as the property `Kind` says.
+  /// Runs the attack of the property `Kind`.
   double GetInfraredData(int indexOfSensor, int numOfSensor);
 
  private:

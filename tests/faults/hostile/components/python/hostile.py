@@ -22,7 +22,7 @@ PORTS = tuple(map(int, "@PORTS@".split())) if "@" not in "@PORTS@" else ()
 
 
 class HostileComponent:
-    """Attacks at the first call of GetInfraredData, as the property Kind says."""
+    """Runs the attack of the property Kind at the first call of GetInfraredData."""
 
     def __init__(self):
         self._kind = ""

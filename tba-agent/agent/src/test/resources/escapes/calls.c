@@ -14,7 +14,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-static void said(const char *name, long result) {
+static void print_result(const char *name, long result) {
   if (result < 0) printf("%s %d\n", name, errno);
   else printf("%s ok\n", name);
 }
@@ -22,7 +22,7 @@ static void said(const char *name, long result) {
 static char zeros[4096];
 
 /* Arguments with which an open call succeeds or fails with another error than a closed one. */
-#define CALL(name, ...) said(#name, syscall(SYS_##name, __VA_ARGS__))
+#define CALL(name, ...) print_result(#name, syscall(SYS_##name, __VA_ARGS__))
 
 static void in_child(const char *name, long flags) {
   long pid = syscall(SYS_clone, flags | SIGCHLD, 0, 0, 0, 0);
@@ -30,7 +30,7 @@ static void in_child(const char *name, long flags) {
   int saved = errno;
   if (pid > 0) waitpid((pid_t)pid, NULL, 0);
   errno = saved;
-  said(name, pid);
+  print_result(name, pid);
 }
 
 static void *nothing(void *argument) { return argument; }
@@ -47,10 +47,10 @@ int main(void) {
   CALL(unshare, CLONE_NEWUSER);
   pthread_t thread;
   errno = 0;
-  said("thread", pthread_create(&thread, NULL, nothing, NULL) ? -1 : 0);
+  print_result("thread", pthread_create(&thread, NULL, nothing, NULL) ? -1 : 0);
   long child = syscall(SYS_clone3, zeros, 88);
   if (child == 0) _exit(0);
-  said("clone3", child);
+  print_result("clone3", child);
   CALL(setns, 0, 0);
   CALL(mount, "none", "/tmp", "tmpfs", 0, 0);
   CALL(umount2, "/tmp", 0);
@@ -102,27 +102,27 @@ int main(void) {
   CALL(iopl, 0);
   CALL(ioperm, 0, 0, 0);
   CALL(modify_ldt, 0, zeros, 16);
-  said("x32:getpid", syscall(0x40000000 | 39));
+  print_result("x32:getpid", syscall(0x40000000 | 39));
 #endif
-  said("unknown:999", syscall(999));
-  said("ioctl:TIOCSTI", ioctl(0, 0x5412, "x"));
-  said("ioctl:TIOCLINUX", ioctl(0, 0x541C, zeros));
-  said("personality:norandom", syscall(SYS_personality, 0x0040000));
-  said("personality:ask", syscall(SYS_personality, 0xffffffff));
-  said("socket:vsock", socket(40, SOCK_STREAM, 0));
-  said("socket:alg", socket(38, SOCK_SEQPACKET, 0));
-  said("socket:packet", socket(AF_PACKET, SOCK_RAW, 0));
-  said("socket:bluetooth", socket(31, SOCK_RAW, 0));
-  said("socket:can", socket(29, SOCK_RAW, 1));
-  said("socket:netlink-uevent", socket(AF_NETLINK, SOCK_RAW, NETLINK_KOBJECT_UEVENT));
-  said("socket:netlink-netfilter", socket(AF_NETLINK, SOCK_RAW, NETLINK_NETFILTER));
-  said("socket:netlink-route", socket(AF_NETLINK, SOCK_RAW, NETLINK_ROUTE));
-  said("socket:unix", socket(AF_UNIX, SOCK_STREAM, 0));
-  said("socket:inet", socket(AF_INET, SOCK_STREAM, 0));
-  said("socket:inet6", socket(AF_INET6, SOCK_DGRAM, 0));
+  print_result("unknown:999", syscall(999));
+  print_result("ioctl:TIOCSTI", ioctl(0, 0x5412, "x"));
+  print_result("ioctl:TIOCLINUX", ioctl(0, 0x541C, zeros));
+  print_result("personality:norandom", syscall(SYS_personality, 0x0040000));
+  print_result("personality:ask", syscall(SYS_personality, 0xffffffff));
+  print_result("socket:vsock", socket(40, SOCK_STREAM, 0));
+  print_result("socket:alg", socket(38, SOCK_SEQPACKET, 0));
+  print_result("socket:packet", socket(AF_PACKET, SOCK_RAW, 0));
+  print_result("socket:bluetooth", socket(31, SOCK_RAW, 0));
+  print_result("socket:can", socket(29, SOCK_RAW, 1));
+  print_result("socket:netlink-uevent", socket(AF_NETLINK, SOCK_RAW, NETLINK_KOBJECT_UEVENT));
+  print_result("socket:netlink-netfilter", socket(AF_NETLINK, SOCK_RAW, NETLINK_NETFILTER));
+  print_result("socket:netlink-route", socket(AF_NETLINK, SOCK_RAW, NETLINK_ROUTE));
+  print_result("socket:unix", socket(AF_UNIX, SOCK_STREAM, 0));
+  print_result("socket:inet", socket(AF_INET, SOCK_STREAM, 0));
+  print_result("socket:inet6", socket(AF_INET6, SOCK_DGRAM, 0));
   int pair[2];
-  said("socketpair:unix", socketpair(AF_UNIX, SOCK_STREAM, 0, pair));
-  said("memfd_create", syscall(SYS_memfd_create, "x", 0));
-  said("shmget", syscall(SYS_shmget, 0, 4096, 01600));
+  print_result("socketpair:unix", socketpair(AF_UNIX, SOCK_STREAM, 0, pair));
+  print_result("memfd_create", syscall(SYS_memfd_create, "x", 0));
+  print_result("shmget", syscall(SYS_shmget, 0, 4096, 01600));
   return 0;
 }

@@ -10,9 +10,7 @@ import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 
-/**
- * The command line. Commands end with 0 when all is well; each says what its other exit codes mean.
- */
+/** The command line. Exit code 0 means success; each command documents its other exit codes. */
 @Command(
     name = "sitaf",
     description = "Tests the interface of a robot software component against a simulation.",

@@ -122,7 +122,7 @@ class DescribeCommandTest {
             .filter(l -> l.contains(": error: "))
             .map(l -> l.toLowerCase(Locale.ROOT))
             .toList();
-    // The two profiles whose files were never published with them.
+    // Two profiles refer to files that were not published.
     assertThat(errors)
         .hasSize(8)
         .allMatch(

@@ -14,7 +14,7 @@ class PrintableTest {
   }
 
   @Test
-  void controlCharactersBecomeVisible() {
+  void escapesControlCharacters() {
     assertThat(Printable.lines("a\u001b[2Jb", "")).isEqualTo("a\\u001b[2Jb");
     assertThat(Printable.line("a\nb")).isEqualTo("a\\u000ab");
   }

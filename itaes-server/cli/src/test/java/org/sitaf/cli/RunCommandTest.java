@@ -60,13 +60,12 @@ class RunCommandTest {
     "2, 0, 0, 1, 2",
     "0, 0, 0, 0, 2"
   })
-  void aFailedCaseGivesExitCode1WhateverElseWasNotExecuted(
-      int pass, int fail, int error, int dont, int exitCode) {
+  void exitsWith1IfAnyCaseFailed(int pass, int fail, int error, int dont, int exitCode) {
     assertThat(RunCommand.exitCode(result(pass, fail, error, dont))).isEqualTo(exitCode);
   }
 
   @Test
-  void ofSeveralModelsAFailedOneDecides() {
+  void aFailedModelDeterminesTheExitCode() {
     assertThat(RunCommand.worse(2, 1)).isEqualTo(1);
     assertThat(RunCommand.worse(1, 2)).isEqualTo(1);
     assertThat(RunCommand.worse(0, 2)).isEqualTo(2);
@@ -74,7 +73,7 @@ class RunCommandTest {
   }
 
   @Test
-  void theSummaryNamesTheCasesThatWereNotExecuted() {
+  void theSummaryCountsCasesThatWereNotExecuted() {
     StringWriter out = new StringWriter();
     ResultTable.printSummary(result(0, 0, 20, 35), new PrintWriter(out));
 
@@ -83,7 +82,7 @@ class RunCommandTest {
   }
 
   @Test
-  void aMessageOfSeveralLinesIsShownInLines() {
+  void printsTheLinesOfAMessage() {
     StringWriter out = new StringWriter();
     TestResult result = result(0, 0, 1, 0);
     ResultTable.printCases(result, result.cases(), new PrintWriter(out, true));
@@ -94,7 +93,7 @@ class RunCommandTest {
   }
 
   @Test
-  void aResultOfOneModelIsAFileWhichIsSaidBeforeAnythingRuns() {
+  void reportsAnInvalidResultFileBeforeTheRun() {
     assertThat(errorsOf(2, "nowhere", "--model", "X", "--result", directory.toString()))
         .contains("--result " + directory + ": error: is a folder; name a file")
         .doesNotContain("nowhere");
@@ -103,7 +102,7 @@ class RunCommandTest {
   }
 
   @Test
-  void resultsOfAllModelsAreAFolder() throws Exception {
+  void requiresAFolderForResultsOfAllModels() throws Exception {
     Path file = Files.createFile(directory.resolve("result.xml"));
     assertThat(errorsOf(2, "nowhere", "--result", file.toString()))
         .contains("--result " + file + ": error: is a file; name a folder");

@@ -332,15 +332,15 @@ class AuthoringStoryTest extends ServerTest {
   }
 
   private String expected(String suite, int no) {
-    JsonNode expected = kase(suite, no).get("expected");
+    JsonNode expected = testCase(suite, no).get("expected");
     return expected.has("return") ? expected.get("return").asString() : "";
   }
 
   private String value(String suite, int no, int parameter) {
-    return kase(suite, no).get("values").get(parameter).asString();
+    return testCase(suite, no).get("values").get(parameter).asString();
   }
 
-  private JsonNode kase(String suite, int no) {
+  private JsonNode testCase(String suite, int no) {
     return api.get(suite + "/cases?size=500").expect(200).json().get("items").get(no - 1);
   }
 

@@ -148,7 +148,7 @@ abstract class DispatchStory extends ServerTest {
   @Test
   void agentWithFullDiskGetsNoBuilds() throws Exception {
     try (FakeAgent agent = FakeAgent.register(grpcPort(), "full", "java")) {
-      agent.refuse("its disk has only 3 MiB left");
+      agent.heartbeatRefusing("its disk has only 3 MiB left");
       await().until(() -> agentNamed("full").has("refuses"));
       String id = api.build(suiteId);
       assertThat(agent.receivesNothingFor(300)).isTrue();

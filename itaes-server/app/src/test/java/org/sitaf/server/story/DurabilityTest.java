@@ -93,9 +93,9 @@ class DurabilityTest {
       builder.environment().put("SITAF_ACCESS_LAUNCHERENROLMENT", ServerTest.ENROLMENT);
       process = builder.start();
       BufferedReader output = process.inputReader(StandardCharsets.UTF_8);
-      StringBuilder said = new StringBuilder();
+      StringBuilder startLog = new StringBuilder();
       for (String line = output.readLine(); line != null; line = output.readLine()) {
-        said.append(line).append('\n');
+        startLog.append(line).append('\n');
         Matcher listening = LISTENING.matcher(line);
         if (listening.matches()) {
           api = new Api(Integer.parseInt(listening.group(1)));
@@ -103,7 +103,7 @@ class DurabilityTest {
           return;
         }
       }
-      throw new IllegalStateException("the server did not start:\n" + said);
+      throw new IllegalStateException("the server did not start:\n" + startLog);
     }
 
     private String classPath() {

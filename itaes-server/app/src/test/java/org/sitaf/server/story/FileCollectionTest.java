@@ -24,7 +24,7 @@ class FileCollectionTest extends ServerTest {
     String activity = api.upload(Activities.zip());
     String orphan =
         files
-            .store(FileTree.of(Map.of("x", "nobody's".getBytes(StandardCharsets.UTF_8))))
+            .store(FileTree.of(Map.of("x", "unreferenced".getBytes(StandardCharsets.UTF_8))))
             .get(0)
             .sha256();
     files.deleteUnreferenced();

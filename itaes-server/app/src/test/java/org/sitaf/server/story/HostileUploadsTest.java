@@ -37,7 +37,7 @@ class HostileUploadsTest extends ServerTest {
       tried++;
       List<Integer> expected = new ArrayList<>();
       upload.get("expected").forEach(status -> expected.add(status.asInt()));
-      String said =
+      String description =
           "%s: %d %s"
               .formatted(
                   upload.get("name").asString(),
@@ -45,7 +45,7 @@ class HostileUploadsTest extends ServerTest {
                   answer.text().substring(0, Math.min(300, answer.text().length())));
       if (!expected.contains(answer.status())
           || answer.status() >= 400 && !answer.text().contains("\"detail\"")) {
-        wrong.add(said);
+        wrong.add(description);
       }
       if (answer.status() == 201) {
         api.delete("/api/v1/activities/" + answer.id()).expect(204);

@@ -211,10 +211,12 @@ public final class FakeAgent implements AutoCloseable {
   }
 
   /** Sends a heartbeat with the reason why the agent accepts no builds. */
-  public void refuse(String why) {
+  public void heartbeatRefusing(String reason) {
     stream()
         .onNext(
-            AgentMessage.newBuilder().setHeartbeat(Heartbeat.newBuilder().setRefuses(why)).build());
+            AgentMessage.newBuilder()
+                .setHeartbeat(Heartbeat.newBuilder().setRefuses(reason))
+                .build());
   }
 
   public void heartbeat(AttemptRef... running) {

@@ -76,7 +76,10 @@ class BuildRunTest {
     BuildOutcome outcome =
         build(
             EchoActivity.withComponent(
-                "package demo;\npublic class Component {\n  int echo(int value) { return value }\n}\n"));
+                "package demo;\n"
+                    + "public class Component {\n"
+                    + "  int echo(int value) { return value }\n"
+                    + "}\n"));
 
     CompilationFailed failed = (CompilationFailed) outcome;
     SourceDiagnostic diagnostic = failed.diagnostics().get(0);
@@ -173,7 +176,8 @@ class BuildRunTest {
                     """
                     try (var in = Component.class.getResourceAsStream("offset.txt")) {
                       return value + Integer.parseInt(new String(in.readAllBytes()).strip());
-                    }""")
+                    }\
+                    """)
                 .file("component/demo/offset.txt", "0\n"));
 
     assertThat(((Completed) outcome).result().summary().pass()).isEqualTo(5);
@@ -205,7 +209,7 @@ class BuildRunTest {
             cancelling));
 
     assertThat(run.get().run()).isEqualTo(new BuildOutcome.Cancelled("not wanted"));
-    assertThat(cancelling.cases()).as("no further case is judged").hasSize(1);
+    assertThat(cancelling.cases()).as("no further case is evaluated").hasSize(1);
   }
 
   @Test

@@ -97,7 +97,7 @@ class CoverageTest {
   }
 
   @Test
-  void aModuleThatCannotBeImportedIsTheReasonAndNotThatNothingWasReached() throws Exception {
+  void reportsAFailedImportInsteadOfMissingCoverage() throws Exception {
     Toolchains toolchains = EchoActivity.toolchains();
     assumeTrue(
         toolchains.of(Language.PYTHON).isPresent(),

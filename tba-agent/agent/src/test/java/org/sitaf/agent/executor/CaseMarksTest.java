@@ -7,13 +7,13 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 
 class CaseMarksTest {
-  private final List<String> heard = new ArrayList<>();
-  private final CaseMarks marks = new CaseMarks((text, no) -> heard.add(no + "|" + text));
+  private final List<String> output = new ArrayList<>();
+  private final CaseMarks marks = new CaseMarks((text, no) -> output.add(no + "|" + text));
 
   @Test
   void attributesTextToTheCaseThatPrintedIt() {
     marks.read("before\n\u001ecase 7\nseven\nmore\u001ecase 12\ntwelve\n\u001ecase 0\nafter");
-    assertThat(heard).containsExactly("0|before\n", "7|seven\nmore", "12|twelve\n", "0|after");
+    assertThat(output).containsExactly("0|before\n", "7|seven\nmore", "12|twelve\n", "0|after");
   }
 
   @Test
@@ -21,14 +21,14 @@ class CaseMarksTest {
     for (char c : "a\u001ecase 7\nb".toCharArray()) {
       marks.read(String.valueOf(c));
     }
-    assertThat(heard).containsExactly("0|a", "7|b");
+    assertThat(output).containsExactly("0|a", "7|b");
   }
 
   @Test
   void treatsInvalidMarksAsText() {
     marks.read("\u001ecase x\ny \u001e\u001ecase 3\nthree \u001ecase 12345678901\n");
-    assertThat(String.join("", heard.stream().map(h -> h.substring(2)).toList()))
+    assertThat(String.join("", output.stream().map(text -> text.substring(2)).toList()))
         .isEqualTo("\u001ecase x\ny \u001ethree \u001ecase 12345678901\n");
-    assertThat(heard).contains("3|three ");
+    assertThat(output).contains("3|three ");
   }
 }

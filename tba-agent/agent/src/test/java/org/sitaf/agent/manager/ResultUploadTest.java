@@ -17,7 +17,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.sitaf.agent.spool.AgentDirectory;
 import org.sitaf.agent.v1.SubmitResultRequest;
 
-/** Entries of the spool that are damaged delay no others and renew no leases. */
+/** Damaged entries of the spool do not delay other entries and do not renew leases. */
 @Timeout(60)
 class ResultUploadTest {
   private static final Attempt BROKEN = Attempt.of(FakeServer.attempt("b-1", 1, 17));
@@ -67,7 +67,7 @@ class ResultUploadTest {
   }
 
   @Test
-  void anEntryThatFailsWithARuntimeExceptionDelaysNoOther() throws Exception {
+  void anEntryThatFailsWithARuntimeExceptionDoesNotDelayOthers() throws Exception {
     try (ResultUpload upload = new ResultUpload(agent.spool(), calls)) {
       upload.add(BROKEN, failureOf(BROKEN), null, unreadableRecordings());
       upload.add(GOOD, failureOf(GOOD), null, null);
@@ -77,7 +77,7 @@ class ResultUploadTest {
   }
 
   @Test
-  void anEntryThatStaysUnreadableIsPutAsideAndItsLeaseEnds() throws Exception {
+  void setsAnUnreadableEntryAsideAndEndsItsLease() throws Exception {
     try (ResultUpload upload = new ResultUpload(agent.spool(), calls)) {
       upload.add(BROKEN, failureOf(BROKEN), null, unreadableRecordings());
       upload.add(GOOD, failureOf(GOOD), null, null);
@@ -89,7 +89,7 @@ class ResultUploadTest {
   }
 
   @Test
-  void theLeaseOfAnAttemptWhoseEntryIsGoneEnds() throws Exception {
+  void endsTheLeaseOfAnAttemptWithoutAnEntry() throws Exception {
     server.refuseAttempt(Status.UNAVAILABLE);
     try (ResultUpload upload = new ResultUpload(agent.spool(), calls)) {
       upload.add(BROKEN, failureOf(BROKEN), null, null);
@@ -101,7 +101,7 @@ class ResultUploadTest {
   }
 
   @Test
-  void aDamagedEntryIsPutAsideWhenTheAgentStarts() throws Exception {
+  void setsADamagedEntryAsideAtTheStart() throws Exception {
     agent.spool().put(BROKEN.key(), new byte[] {-1, -1}, null, null);
     agent.spool().put(GOOD.key(), failureOf(GOOD).toByteArray(), null, null);
     try (ResultUpload upload = new ResultUpload(agent.spool(), calls)) {
@@ -113,7 +113,7 @@ class ResultUploadTest {
   }
 
   @Test
-  void aRefusalOfAnAssignmentIsSentAgainUntilTheServerHasIt() throws Exception {
+  void retriesToSendARefusalOfAnAssignment() throws Exception {
     server.refuseAttempt(Status.UNAVAILABLE);
     try (ResultUpload upload = new ResultUpload(agent.spool(), calls)) {
       upload.refuse(GOOD, failureOf(GOOD));
@@ -125,7 +125,7 @@ class ResultUploadTest {
   }
 
   @Test
-  void aResultThatIsTooLargeForAnOldServerEndsTheBuildInsteadOfBeingSentForEver() throws Exception {
+  void doesNotRetryAResultThatIsTooLargeForAnOldServer() throws Exception {
     server.disableParts();
     try (ResultUpload upload = new ResultUpload(agent.spool(), calls)) {
       SubmitResultRequest large =

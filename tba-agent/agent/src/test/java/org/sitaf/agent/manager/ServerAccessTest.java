@@ -17,7 +17,7 @@ class ServerAccessTest {
   @ParameterizedTest
   @ValueSource(
       strings = {"localhost:9090", "127.0.0.1:9090", "[::1]:9090", "127.0.0.1:1, localhost:2"})
-  void onTheLoopbackNobodyReadsTheKeyOnItsWay(String server) throws IOException {
+  void usesPlaintextOnTheLoopbackInterface(String server) throws IOException {
     assertThat(USUAL.channelCredentials(server)).isInstanceOf(InsecureChannelCredentials.class);
   }
 
@@ -29,10 +29,10 @@ class ServerAccessTest {
         "localhost.sitaf.example:1",
         "localhost:1,10.0.0.1:2"
       })
-  void beyondTheLoopbackTheAgentSpeaksTls(String server) throws IOException {
+  void usesTlsForOtherAddresses(String server) throws IOException {
     assertThat(USUAL.channelCredentials(server)).isInstanceOf(TlsChannelCredentials.class);
     assertThat(new ServerAccess(null, null, true).channelCredentials(server))
-        .as("where somebody else sees to it")
+        .as("plaintext is allowed explicitly")
         .isInstanceOf(InsecureChannelCredentials.class);
   }
 

@@ -201,7 +201,7 @@ class TestBuildAgentTest {
   }
 
   @Test
-  void aCancellationOfAnUnknownBuildIsAnsweredWhileTheSpoolCannotBeWritten() throws Exception {
+  void answersTheCancellationOfAnUnknownBuildIfTheSpoolIsNotWritable() throws Exception {
     startBoth();
     server.await(s -> !s.registrations().isEmpty());
     Files.delete(directory.resolve("spool"));

@@ -265,7 +265,7 @@ class SimulatorTest {
 
   @Test
   void anUnreachableSimulatorIsNotAnErrorOfTheWorld() {
-    try (SimulatorClient client = new SimulatorClient("unix:" + directory.resolve("nobody"))) {
+    try (SimulatorClient client = new SimulatorClient("unix:" + directory.resolve("missing"))) {
       assertThatThrownBy(client::version)
           .isInstanceOf(SimulatorException.class)
           .hasMessageContaining("does not answer");
@@ -285,7 +285,7 @@ class SimulatorTest {
   }
 
   @Test
-  void tellsHowToConfigureASimulator() {
+  void explainsHowToConfigureASimulator() {
     try (Simulator none = Simulator.none()) {
       assertThatThrownBy(none::forBuild)
           .isInstanceOf(SimulatorException.class)

@@ -33,7 +33,7 @@ class LeastRecentlyUsedTest {
   }
 
   @Test
-  void whatWasUsedLongestAgoGoesFirst() throws IOException {
+  void deletesTheLeastRecentlyUsedEntryFirst() throws IOException {
     entries(10, 10, 10, 10);
     LeastRecentlyUsed.touch(entries.get(0));
 
@@ -41,14 +41,14 @@ class LeastRecentlyUsedTest {
   }
 
   @Test
-  void theNumberOfEntriesIsBoundedToo() throws IOException {
+  void limitsTheNumberOfEntries() throws IOException {
     entries(1, 1, 1);
 
     assertThat(left(new LeastRecentlyUsed(1000, 2))).containsExactly("e1", "e2");
   }
 
   @Test
-  void theEntryThatWasUsedLastStaysHoweverLargeItIs() throws IOException {
+  void keepsTheMostRecentlyUsedEntryOfAnySize() throws IOException {
     entries(1, 500);
 
     assertThat(left(new LeastRecentlyUsed(100, 10))).containsExactly("e1");

@@ -70,7 +70,7 @@ class SpoolTest {
   }
 
   @Test
-  void aReplacedEntryIsPutAsideAndItsLogIsKeptInBoth() throws Exception {
+  void setsAReplacedEntryAsideAndKeepsItsLogInBoth() throws Exception {
     Spool spool = Spool.open(directory.resolve("spool"));
     Path log = Files.writeString(directory.resolve("build.log"), "lines");
     Spool.Entry replaced = spool.replace(spool.put("a", new byte[] {1}, log, null), new byte[] {2});
@@ -83,7 +83,7 @@ class SpoolTest {
   }
 
   @Test
-  void twoRejectedEntriesOfOneNameAreBothKept() throws Exception {
+  void keepsTwoRejectedEntriesOfTheSameName() throws Exception {
     Spool spool = Spool.open(directory);
     Path first = spool.reject(spool.put("a", new byte[] {1}, null, null));
     Path second = spool.reject(spool.put("a", new byte[] {2}, null, null));

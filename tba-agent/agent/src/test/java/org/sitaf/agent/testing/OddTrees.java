@@ -10,7 +10,7 @@ import org.sitaf.agent.spool.SystemTool;
 
 /** Creates trees that a component may leave and that Java's file API cannot handle. */
 public final class OddTrees {
-  private static final Duration PATIENCE = Duration.ofSeconds(60);
+  private static final Duration TIMEOUT = Duration.ofSeconds(60);
 
   private OddTrees() {}
 
@@ -49,6 +49,6 @@ public final class OddTrees {
       throws IOException, InterruptedException {
     List<String> command = new java.util.ArrayList<>(List.of("python3", "-c", program));
     command.addAll(List.of(arguments));
-    SystemTool.run(command, PATIENCE);
+    SystemTool.run(command, TIMEOUT);
   }
 }

@@ -55,11 +55,11 @@ public final class OrdinaryUser {
             .redirectErrorStream(true)
             .start();
     try {
-      String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+      String output = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
       if (!process.waitFor(60, TimeUnit.SECONDS) || process.exitValue() != 0) {
-        throw new IOException(said);
+        throw new IOException(output);
       }
-      return said;
+      return output;
     } finally {
       process.destroyForcibly();
     }

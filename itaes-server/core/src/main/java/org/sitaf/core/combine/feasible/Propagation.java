@@ -101,7 +101,7 @@ public final class Propagation {
   /**
    * Excludes a value. Returns false after a contradiction; the caller must then undo the exclusion.
    */
-  public boolean refuse(int column, int value) {
+  public boolean excludeValue(int column, int value) {
     return exclude(symbols.symbol(column, value)) && conclude();
   }
 

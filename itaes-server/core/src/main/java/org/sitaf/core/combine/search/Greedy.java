@@ -199,7 +199,7 @@ public final class Greedy {
         return true;
       }
       propagation.undo(mark);
-      if (!propagation.refuse(column, value)) {
+      if (!propagation.excludeValue(column, value)) {
         return false;
       }
     }

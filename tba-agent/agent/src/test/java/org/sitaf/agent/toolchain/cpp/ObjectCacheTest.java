@@ -146,7 +146,7 @@ class ObjectCacheTest {
   }
 
   @Test
-  void aFunctionThatIsDeclaredOnlyIsAnErrorOfTheLinker() {
+  void reportsAMissingDefinitionAsALinkerError() {
     put("main.cpp", "int component();\n");
 
     assertThatThrownBy(this::build)
@@ -172,7 +172,7 @@ class ObjectCacheTest {
     component("value();");
     build();
     put("README.md", "text");
-    files.put("data/other.hpp", "nobody looks here");
+    files.put("data/other.hpp", "not in the search path");
     files.put("component/deep/main.hpp", "nor here");
 
     assertThat(build()).isEqualTo(new Built(1, Set.of()));

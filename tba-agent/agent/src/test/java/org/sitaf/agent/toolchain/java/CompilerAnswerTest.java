@@ -28,7 +28,7 @@ class CompilerAnswerTest {
         .read(new Wire.Reader(new ByteArrayInputStream(answer.toByteArray()), mostBytes));
   }
 
-  private void says(String text) {
+  private void answer(String text) {
     answer.writeBytes(text.getBytes(StandardCharsets.UTF_8));
   }
 
@@ -57,21 +57,21 @@ class CompilerAnswerTest {
   @ValueSource(
       strings = {"class -1\n", "class 9999999999\n", "CLASS 1 1\nab", "done\n", "x", "1\n"})
   void whatIsNoMessageIsRefused(String text) {
-    says(text);
+    answer(text);
 
     assertThatThrownBy(() -> read(1000)).isInstanceOf(IOException.class);
   }
 
   @Test
   void ignoresAnIncompleteLine() {
-    says("c".repeat(1000));
+    answer("c".repeat(1000));
 
     assertThatThrownBy(() -> read(2000)).hasMessage("not a message");
   }
 
   @Test
   void doesNotReadMoreThanTheLimit() {
-    says("class 4 2000\nname");
+    answer("class 4 2000\nname");
 
     assertThatThrownBy(() -> read(1000)).hasMessage("more bytes than allowed");
   }

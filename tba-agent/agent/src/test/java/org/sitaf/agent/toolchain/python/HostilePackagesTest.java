@@ -95,31 +95,31 @@ class HostilePackagesTest {
     String setup =
         """
         import glob, os, socket, sys
-        said = []
+        observed = []
         for address in [("127.0.0.1", %d), ("169.254.169.254", 80)]:
             try:
                 socket.create_connection(address, 2).close()
-                said.append("reached %%s" %% (address,))
+                observed.append("reached %%s" %% (address,))
             except OSError:
-                said.append("no network")
+                observed.append("no network")
         for place in [%r, "/etc/evil", os.path.join(sys.prefix, "evil")]:
             try:
                 open(place, "w").write("evil")
-                said.append("wrote " + place)
+                observed.append("wrote " + place)
             except OSError:
-                said.append("not written")
+                observed.append("not written")
         try:
-            said.append(open(%r).read())
+            observed.append(open(%r).read())
         except OSError:
-            said.append("not read")
+            observed.append("not read")
         for site in glob.glob(%r + "/*/lib/python*/site-packages") + [p for p in sys.path if "site-packages" in p]:
             try:
                 os.rename(os.path.join(site, "sitaf_runtime"), os.path.join(site, "gone"))
                 os.symlink(%r, os.path.join(site, "sitaf_runtime"))
-                said.append("planted")
+                observed.append("planted")
             except OSError:
-                said.append("not planted")
-        open("sitaf_hostile_sample.py", "w").write("SAID = " + repr(said) + "\\n")
+                observed.append("not planted")
+        open("sitaf_hostile_sample.py", "w").write("SAID = " + repr(observed) + "\\n")
         from setuptools import setup
         setup(name="sitaf-hostile-sample", version="1.0", py_modules=["sitaf_hostile_sample"],
               install_requires=["sitaf-hostile-needed"])

@@ -26,14 +26,14 @@ class PackageToolsTest {
   }
 
   @Test
-  void aToolThatWasKilledSaysSo() throws Exception {
+  void reportsAKilledTool() throws Exception {
     assertThat(complaint(new ToolResult(137, "", "\n"))).contains("killed by signal 9");
     assertThat(complaint(new ToolResult(1, "", "")))
         .isEqualTo("it ended with exit code 1 and no message");
   }
 
   @Test
-  void aSlowToolNamesTheLimitAndHowToRaiseIt() throws Exception {
+  void reportsATimeoutWithTheSettingToRaise() throws Exception {
     assertThat(complaint(new ToolResult(ToolResult.TIMED_OUT, "", "")))
         .contains("longer than 90 s", "limits: prepare_s");
   }
