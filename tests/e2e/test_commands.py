@@ -68,7 +68,7 @@ def test_doctor_finds_all_required_software(sitaf):
         assert re.search(r"memory +(control groups v[12]|polled by the agent) ", doctor.stdout)
 
 
-def test_doctor_tells_how_to_install_missing_software(sitaf, tmp_path):
+def test_doctor_explains_how_to_install_missing_software(sitaf, tmp_path):
     for tool in ("bash", "dirname", "readlink", "grep", "head", "sort", "python3", "flock", "date"):
         found = next(Path(p) / tool for p in os.environ["PATH"].split(":") if (Path(p) / tool).exists())
         (tmp_path / tool).symlink_to(found)

@@ -10,13 +10,13 @@ set_up_postgres() {
     [ -d "$folder" ] && exit 0
     set -e
     printf 'fetching PostgreSQL ...\n' >&2
-    # The folder gets its name when it is complete, so that an interrupted set-up leaves nothing that a later one uses.
+    # The folder is renamed when it is complete, so that an interrupted set-up leaves no folder that is used later.
     rm -rf "$folder.new"
     mkdir -p "$folder.new/classes" "$folder.new/unpacked"
     mvn -q -B -ntp -f "$sources/pom.xml" dependency:copy-dependencies -DincludeScope=runtime \
       -DoutputDirectory="$folder.new/classes" >&2
     javac -proc:none -d "$folder.new/classes" -cp "$folder.new/classes/*" "$sources/Postgres.java"
-    # Unpacking takes more memory than serving; the first start does it.
+    # The first start unpacks the programs, which needs more memory than running them.
     java -cp "$folder.new/classes:$folder.new/classes/*" Postgres "$folder.new/unpacked" </dev/null >/dev/null
     mv "$folder.new" "$folder"
   ) 8>"$home/.sitaf/postgres.lock"

@@ -58,7 +58,7 @@ class Api:
     """The REST interface of a server."""
 
     def __init__(self, port, tls=None):
-        """Of the server at this port; `tls` knows which certificates to trust, where it speaks TLS."""
+        """Create a client of the server at this port; `tls` has the trusted certificates if it uses TLS."""
         self.root, self.tls = f"{'https' if tls else 'http'}://127.0.0.1:{port}", tls
 
     def call(self, method, path, body=None, content_type="application/json"):
@@ -79,8 +79,8 @@ class Api:
                 content = answer.read()
                 return json.loads(content) if answer.headers.get_content_type() == "application/json" else content
         except urllib.error.HTTPError as error:
-            said = error.read().decode(errors="replace")
-            raise Refused(f"{request.method} {request.selector}: {error.code} {said}") from error
+            text = error.read().decode(errors="replace")
+            raise Refused(f"{request.method} {request.selector}: {error.code} {text}") from error
 
     def get(self, path):
         return self.call("GET", path)
@@ -138,9 +138,9 @@ class Part:
         self.stop()
 
     def has_logged(self, words, since=0):
-        with self.log.open("rb") as said:
-            said.seek(since)
-            return re.search(words, said.read(), re.MULTILINE) is not None
+        with self.log.open("rb") as log:
+            log.seek(since)
+            return re.search(words, log.read(), re.MULTILINE) is not None
 
     def kill(self):
         self.process.kill()
@@ -279,7 +279,7 @@ def await_true(condition, limit_s, step_s=0.25):
 
 
 class Table:
-    """Rows with their targets, and a last line that tells whether all were met."""
+    """Prints rows with their targets, and a last line that states whether all were met."""
 
     def __init__(self, name):
         self.name, self.short = name, []

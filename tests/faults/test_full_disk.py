@@ -24,7 +24,7 @@ def central(installed, tmp_path):
         yield part
 
 
-def test_an_agent_whose_disk_is_full_takes_no_build_and_keeps_its_results(central, disk, tmp_path):
+def test_an_agent_with_a_full_disk_accepts_no_builds_and_keeps_its_results(central, disk, tmp_path):
     api = central.api
     worker = agent(disk, "worker", central.grpc, "--min-free-mib", str(NEEDED_MIB), *own_bridge())
     worker.log = tmp_path / "worker.log"
@@ -45,7 +45,7 @@ def test_an_agent_whose_disk_is_full_takes_no_build_and_keeps_its_results(centra
         assert await_true(lambda: api.state(second) == "DONE", TIMEOUT_S)
 
 
-def test_a_disk_that_runs_full_during_a_build_blames_no_case(central, disk, tmp_path):
+def test_a_disk_that_fills_up_during_a_build_affects_no_verdict(central, disk, tmp_path):
     api = central.api
     worker = agent(disk, "worker", central.grpc, "--min-free-mib", str(NEEDED_MIB), *own_bridge())
     worker.log = tmp_path / "worker.log"

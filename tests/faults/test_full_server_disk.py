@@ -78,7 +78,7 @@ def spooled(worker):
     return list((worker.directory / "spool").glob("*/message"))
 
 
-def test_results_wait_for_room_on_the_disk_of_the_server(central, worker, disk):
+def test_results_wait_for_free_space_on_the_server(central, worker, disk):
     api = central.api
     see = person(central)
     suite = api.suite(60)
@@ -120,7 +120,7 @@ def test_results_wait_for_room_on_the_disk_of_the_server(central, worker, disk):
     assert {b["id"]: b["state"] for b in api.builds()} == {build: "DONE", after: "DONE"}
 
 
-def test_little_room_is_kept_for_the_work_that_was_taken(central, worker, disk):
+def test_space_is_reserved_for_accepted_builds(central, worker, disk):
     api = central.api
     suite = api.suite(60)
     build = api.build(suite)
@@ -140,7 +140,7 @@ def test_little_room_is_kept_for_the_work_that_was_taken(central, worker, disk):
     assert health(central) == ("UP", "UP")
 
 
-def test_a_database_that_could_not_write_is_opened_anew(installed, disk, tmp_path):
+def test_the_database_is_reopened_after_a_failed_write(installed, disk, tmp_path):
     # Nothing checks the free space here, so the database hits the end of the disk.
     part = server(disk, "--sitaf.min-free=0")
     part.log = tmp_path / "server.log"

@@ -15,11 +15,11 @@ def ran(installed, *arguments):
     assert done.stdout.splitlines()[-1] == "hostile: held"
 
 
-def test_hostile_components_stay_where_they_were_put(installed):
+def test_hostile_components_do_not_escape(installed):
     ran(installed, "--short")
 
 
-def test_so_they_do_where_the_agent_is_an_ordinary_user(installed):
+def test_hostile_components_do_not_escape_from_an_unprivileged_agent(installed):
     if os.getuid() != 0:
         pytest.skip("the agent of the other tests is an ordinary user's already")
     try:

@@ -10,14 +10,14 @@ LIMIT_S = 400
 @pytest.fixture(scope="module")
 def outage(installed, tmp_path_factory):
     """Start the outage, which mostly waits, so that the others run at the same time."""
-    said = tmp_path_factory.mktemp("outage") / "said"
-    with said.open("wb") as out:
+    log = tmp_path_factory.mktemp("outage") / "log"
+    with log.open("wb") as out:
         process = subprocess.Popen(
             # Few agents: the twenty of the full program compile at the same time and would slow down the others.
             [installed.root / "sitaf", "bench", "outage", "--away-s", "60", "--agents", "8"],
             cwd=installed.root, stdin=subprocess.DEVNULL, stdout=out, stderr=out,
         )
-    yield process, said
+    yield process, log
     if process.poll() is None:
         # Like Ctrl-C: the program ends the processes that it started.
         process.terminate()
@@ -29,15 +29,15 @@ def outage(installed, tmp_path_factory):
     [("lease", ()), ("cluster", ("--kills", "3")), ("kill", ("--kills", "20"))],
     ids=["lease", "cluster", "kill"],
 )
-def test_what_dies_or_falls_silent_costs_no_result(installed, outage, program, arguments):
+def test_no_result_is_lost_after_kills_and_pauses(installed, outage, program, arguments):
     ran = installed("bench", program, *arguments)
     assert ran.returncode == 0, ran.stdout + ran.stderr
     assert ran.stdout.splitlines()[-1] == f"{program}: held"
 
 
-def test_results_wait_for_a_server_that_is_away(outage):
-    process, said = outage
+def test_results_wait_until_the_server_is_back(outage):
+    process, log = outage
     process.wait(LIMIT_S)
-    output = said.read_text()
+    output = log.read_text()
     assert process.returncode == 0, output
     assert "outage: held" in output.splitlines(), output

@@ -1,4 +1,4 @@
-"""Agents of the previous and next release work with a server; others get a message what to replace."""
+"""Agents of the previous and next release work with a server; others get a message that names what to update."""
 
 import re
 import shutil
@@ -40,15 +40,15 @@ def release_of(server_log, steps):
 
 
 @pytest.fixture(scope="module")
-def said(central, tmp_path_factory):
+def output(central, tmp_path_factory):
     """The output of an agent of the same release."""
     with agent(tmp_path_factory.mktemp("same"), "same", central.grpc) as same:
         return same.log.read_text()
 
 
 @pytest.mark.parametrize("steps", [-1, 1])
-def test_one_release_apart_works(central, said, tmp_path, steps):
-    release = release_of(said, steps) if not said.count("(server 0.0.") else pytest.skip("there is no release before")
+def test_one_release_apart_works(central, output, tmp_path, steps):
+    release = release_of(output, steps) if not output.count("(server 0.0.") else pytest.skip("there is no release before")
     other = installation(tmp_path / "agent", release)
     with agent(tmp_path, f"release-{steps + 1}", central.grpc, *own_bridge(), installation=other):
         build = central.api.build(central.suite)
@@ -57,8 +57,8 @@ def test_one_release_apart_works(central, said, tmp_path, steps):
         assert known[f"release-{steps + 1}"]["version"] == release.decode()
 
 
-def test_two_releases_apart_is_refused_and_told(central, said, tmp_path):
-    other = installation(tmp_path / "agent", release_of(said, 2))
+def test_two_releases_apart_is_rejected_with_a_message(central, output, tmp_path):
+    other = installation(tmp_path / "agent", release_of(output, 2))
     newer = agent(tmp_path, "too-new", central.grpc, installation=other)
     try:
         newer.start(wait=False)

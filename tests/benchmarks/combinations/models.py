@@ -88,14 +88,14 @@ def read(path: Path) -> Model:
 
 def like(shape: str) -> Model:
     """A model of a published shape: random forbidden tuples that leave at least one valid row."""
-    dice = random.Random(zlib.crc32(shape.encode()))
+    rng = random.Random(zlib.crc32(shape.encode()))
     levels = powers(SHAPES[shape][0])
-    hidden = [dice.randrange(n) for n in levels]
+    hidden = [rng.randrange(n) for n in levels]
     conditions = []
     for size in powers(SHAPES[shape][1]):
-        chosen = dice.sample(range(len(levels)), size)
-        free = dice.choice(chosen)
-        values = {p: dice.randrange(levels[p]) for p in chosen}
+        chosen = rng.sample(range(len(levels)), size)
+        free = rng.choice(chosen)
+        values = {p: rng.randrange(levels[p]) for p in chosen}
         if all(values[p] == hidden[p] for p in chosen):
             values[free] = (values[free] + 1) % levels[free]
         conditions.append([(p, False, v) for p, v in values.items()])

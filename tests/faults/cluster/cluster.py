@@ -21,7 +21,7 @@ def main():
     parser.add_argument("--kills", type=int, default=10)
     parser.add_argument("--seed", type=int, default=1)
     given = parser.parse_args()
-    dice, table = random.Random(given.seed), Table("cluster")
+    rng, table = random.Random(given.seed), Table("cluster")
     with tempfile.TemporaryDirectory(prefix="sitaf-cluster-") as folder, Postgres() as database:
         folder = Path(folder)
         servers = [server(folder, name=f"server-{i}", database=database.url) for i in (1, 2)]
@@ -37,10 +37,10 @@ def main():
             schedules = [api.post("/api/v1/schedules", request)["id"] for _ in range(SCHEDULES)]
             began = datetime.datetime.now(datetime.UTC)
             for kill in range(given.kills):
-                time.sleep(dice.uniform(2, 6))
-                victim = servers[kill % 2] if dice.random() < 0.8 else dice.choice(servers)
+                time.sleep(rng.uniform(2, 6))
+                victim = servers[kill % 2] if rng.random() < 0.8 else rng.choice(servers)
                 victim.kill()
-                time.sleep(dice.uniform(1, 4))
+                time.sleep(rng.uniform(1, 4))
                 victim.start()
             # The other server may catch up on the last fire times.
             time.sleep(3 * EVERY_S)

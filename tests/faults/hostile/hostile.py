@@ -83,8 +83,8 @@ class Trial:
     def victim(self, hostile):
         self.victim_s, passed, found = self.system.victim.build()
         if passed != CASES:
-            self.faults.append(f"somebody else's build: {found['state']}, {passed} PASS, {found.get('failure')}")
-        # Other work may slow this machine down, so a late build is repeated, but only next to the hostile one: after it, nothing is shown.
+            self.faults.append(f"another user's build: {found['state']}, {passed} PASS, {found.get('failure')}")
+        # Other load may slow this machine down, so a late build is repeated while the hostile build still runs.
         for _ in range(ANOTHER_LOOK):
             if not self.is_late() or self.api.state(hostile) in OVER:
                 break
@@ -94,7 +94,7 @@ class Trial:
         return self.victim_s > VICTIM_FACTOR * (usual_s or self.system.victim.usual_s) + VICTIM_ALLOWANCE_S
 
     def judge_delay(self):
-        """Blames the hostile build for a late one only where the machine, without it, is as fast as it was."""
+        """Attributes a late build to the hostile one only if the machine is as fast as before without it."""
         if self.is_late() and self.is_late(self.system.victim.alone_s(3)):
             self.faults.append(f"another user's build took {self.victim_s:.1f} s")
 
@@ -239,7 +239,7 @@ def uploads(system, table, chosen):
         other.start()
         took, passed, _ = system.victim.build()
         if passed != CASES or took > VICTIM_FACTOR * system.victim.usual_s + VICTIM_ALLOWANCE_S:
-            faults.append(f"somebody else's build: {passed} PASS in {took:.1f} s")
+            faults.append(f"another user's build: {passed} PASS in {took:.1f} s")
         other.join(HOSTILE_LIMIT_S)
         if answer.get("status") not in expected:
             faults.append(f"answered {answer.get('status')}, not one of {sorted(expected)}")
@@ -272,7 +272,7 @@ def afterwards(system, table):
     took = time.monotonic() - began
     table.row("s until a killed agent is there again", took, "<= 60", took <= 60)
     _, passed, _ = system.victim.build()
-    table.row("somebody else's build afterwards, PASS", passed, CASES, passed == CASES)
+    table.row("another user's build afterwards, PASS", passed, CASES, passed == CASES)
 
 
 def main():
@@ -289,7 +289,7 @@ def main():
         system = System(Path(folder), given.user)
         try:
             stack.enter_context(system)
-            table.row("usual s of somebody else's build", system.victim.usual_s, "", True)
+            table.row("usual s of another user's build", system.victim.usual_s, "", True)
             if "components" in parts:
                 components(system, table, given.languages.split(","), chosen, given.short)
             if "worlds" in parts:

@@ -51,19 +51,19 @@ class Client:
             self.changed.append(build)
 
 
-def strike(dice, main, agents):
-    """Kill one process, restart it if nobody else does, and return its kind and time of death."""
-    kind = dice.choice(["server", "agent", "simulation", "harness"])
+def kill_one(rng, main, agents):
+    """Kill one process, restart it unless its parent does, and return its kind and time of death."""
+    kind = rng.choice(["server", "agent", "simulation", "harness"])
     if kind in ("simulation", "harness"):
         word = "sitaf_bridge" if kind == "simulation" else "execution"
         # There is none while agents start or compile.
         await_true(lambda: victims(agents, word), TIMEOUT_S, 0.05)
         found = victims(agents, word)
-        return (kind, time.monotonic()) if found and kill_process(dice.choice(found)) else (None, 0)
-    part = main if kind == "server" else dice.choice(agents)
+        return (kind, time.monotonic()) if found and kill_process(rng.choice(found)) else (None, 0)
+    part = main if kind == "server" else rng.choice(agents)
     part.kill()
     died = time.monotonic()
-    time.sleep(dice.uniform(0, 1))
+    time.sleep(rng.uniform(0, 1))
     part.start(wait=kind == "server")
     return kind, died
 
@@ -74,7 +74,7 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--pause-ms", type=int, default=30, help="of the component in each of the 55 cases")
     given = parser.parse_args()
-    dice, table = random.Random(given.seed), Table("kill")
+    rng, table = random.Random(given.seed), Table("kill")
     counts = {}
     with tempfile.TemporaryDirectory(prefix="sitaf-kill-") as folder:
         folder = Path(folder)
@@ -87,8 +87,8 @@ def main():
             client.thread.start()
             began = last = time.monotonic()
             while sum(counts.values()) < given.kills:
-                time.sleep(dice.uniform(0.2, 1.5))
-                kind, died = strike(dice, central, agents)
+                time.sleep(rng.uniform(0.2, 1.5))
+                kind, died = kill_one(rng, central, agents)
                 if kind:
                     counts[kind] = counts.get(kind, 0) + 1
                     last = died

@@ -1,4 +1,4 @@
-"""A component that attacks the machine that tests it, in one of many ways; what it achieves, it prints as `BREACH ...`."""
+"""A component that attacks the machine that tests it, in one of many ways; it reports successful attacks as `BREACH ...`."""
 
 import ctypes
 import errno
@@ -41,7 +41,7 @@ def breach(text):
 
 
 def writable_folders():
-    """Folders of this sandbox in which files can be made."""
+    """The writable folders of this sandbox."""
     known = [os.getcwd(), tempfile.gettempdir(), "/tmp", "/dev/shm"]
     for line in pathlib.Path("/proc/self/mountinfo").read_text().splitlines():
         known.append(line.split()[4])
@@ -49,7 +49,7 @@ def writable_folders():
 
 
 def fill(write_mib, limit_bytes=MUCH):
-    """Calls until it fails or so much is taken; answers the bytes."""
+    """Allocates memory until a call fails or the limit is reached; returns the bytes."""
     done = 0
     try:
         while done < limit_bytes:
@@ -66,7 +66,7 @@ def too_much(what, done, limit=2 << 30):
 
 
 def in_child(work, seconds=20):
-    """Does something in a child; answers whether it exited with 0."""
+    """Runs a function in a child process; returns whether it exited with 0."""
     pid = os.fork()
     if pid == 0:
         try:
@@ -90,7 +90,7 @@ def syscall(*numbers):
 
 
 def other_descriptors():
-    """Descriptors that are open for writing and none of the standard streams."""
+    """Descriptors that are open for writing, without the standard streams."""
     found = []
     for name in os.listdir("/proc/self/fd"):
         fd = int(name)
@@ -110,7 +110,7 @@ def results_path():
 
 
 def everywhere(content):
-    """Writes to whatever the results may go to."""
+    """Writes to all possible destinations of results."""
     for fd in other_descriptors():
         try:
             os.write(fd, content)
@@ -129,9 +129,9 @@ def forged(no):
 
 
 class Attacks:
-    """One method a kind, the hyphens being underscores."""
+    """One method per kind, with underscores instead of hyphens."""
 
-    # What is the agent's or the system's.
+    # Files and processes of the agent and the system.
 
     def reads_agent_key():
         folder = pathlib.Path.cwd()
@@ -223,7 +223,7 @@ class Attacks:
             except OSError:
                 continue
 
-    # What it leaves behind.
+    # Files and processes left behind.
 
     def links_left():
         for folder in writable_folders():
@@ -457,7 +457,7 @@ class Attacks:
         except OSError:
             return
         total, block = 0, b"x" * MIB
-        # Several: a file's size is limited.
+        # Several files, because the size of a file is limited.
         for _ in range(20):
             total += fill(lambda: os.write(fd, block), min(200 * MIB, MUCH - total))
             try:

@@ -30,7 +30,7 @@ final class Combination {
   /**
    * An algebraic array within this factor of the lower bound is used without trying greedy growth.
    */
-  private static final double NEAR = 1.1;
+  private static final double NEAR_BOUND_FACTOR = 1.1;
 
   private final CombinationProblem problem;
   private final Symbols symbols;
@@ -105,7 +105,7 @@ final class Combination {
   private void createFirst(
       List<Row> rows, Optional<List<int[]>> algebra, int bound, Coverage coverage, Greedy greedy) {
     int tries = effort == Effort.FAST ? 1 : 4;
-    if (algebra.isPresent() && algebra.get().size() <= NEAR * bound) {
+    if (algebra.isPresent() && algebra.get().size() <= NEAR_BOUND_FACTOR * bound) {
       replace(rows, algebra.get(), coverage);
     }
     greedy.grow(rows, tries, Integer.MAX_VALUE);

@@ -35,7 +35,7 @@ public final class CoveringCheck {
       int strength = Math.min(interaction.strength(), parameters.length);
       for (int[] set : subsets(parameters, strength)) {
         for (int[] values : missing(problem.levels(), set, rows)) {
-          if (!holdsImpossible(set, values, impossible) && exhaustiveSearch.finds(set, values)) {
+          if (!containsImpossible(set, values, impossible) && exhaustiveSearch.finds(set, values)) {
             add(findings, "not covered: " + Arrays.toString(set) + "=" + Arrays.toString(values));
           }
         }
@@ -133,7 +133,8 @@ public final class CoveringCheck {
   }
 
   /** Whether the tuple or a part of it is impossible. */
-  private static boolean holdsImpossible(int[] set, int[] values, Set<List<Integer>> impossible) {
+  private static boolean containsImpossible(
+      int[] set, int[] values, Set<List<Integer>> impossible) {
     for (int members = 1; members < 1 << set.length; members++) {
       int size = Integer.bitCount(members);
       int[] someColumns = new int[size];

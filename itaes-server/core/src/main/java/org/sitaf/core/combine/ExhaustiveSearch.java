@@ -13,14 +13,14 @@ import java.util.Set;
 final class ExhaustiveSearch {
   private final int[] levels;
   private final List<Constraint> constraints;
-  private final List<List<Constraint>> through = new ArrayList<>();
+  private final List<List<Constraint>> constraintsByParameter = new ArrayList<>();
 
   ExhaustiveSearch(CombinationProblem problem) {
     this.levels = problem.levels();
     this.constraints = problem.constraints();
     for (int p = 0; p < levels.length; p++) {
       int parameter = p;
-      through.add(
+      constraintsByParameter.add(
           constraints.stream()
               .filter(c -> Arrays.stream(c.parameters()).anyMatch(q -> q == parameter))
               .toList());
@@ -55,7 +55,7 @@ final class ExhaustiveSearch {
       int p = open.removeFirst();
       if (seen.add(p)) {
         order.add(p);
-        for (Constraint constraint : through.get(p)) {
+        for (Constraint constraint : constraintsByParameter.get(p)) {
           Arrays.stream(constraint.parameters()).forEach(open::addFirst);
         }
       }
@@ -73,8 +73,8 @@ final class ExhaustiveSearch {
     }
     for (int v = 0; v < levels[p]; v++) {
       row[p] = v;
-      boolean keeps = through.get(p).stream().allMatch(c -> isSatisfied(c, row));
-      if (keeps && finds(row, order, depth + 1)) {
+      boolean satisfied = constraintsByParameter.get(p).stream().allMatch(c -> isSatisfied(c, row));
+      if (satisfied && finds(row, order, depth + 1)) {
         return true;
       }
     }

@@ -96,13 +96,13 @@ final class Expectations {
    * are not compared.
    */
   private CaseResult thrown(TestCase testCase, CaseRecord record) {
-    List<NamedValue> met = new ArrayList<>();
+    List<NamedValue> matched = new ArrayList<>();
     for (ExpectedValue expected : testCase.expected()) {
       if (expected.literal().strip().equals(ERROR + record.thrown())) {
-        met.add(new NamedValue(expected.output(), ERROR + record.thrown()));
+        matched.add(new NamedValue(expected.output(), ERROR + record.thrown()));
       }
     }
-    if (met.isEmpty()) {
+    if (matched.isEmpty()) {
       return result(testCase, record.withoutTime(), Verdict.ERROR, record.message());
     }
     return new CaseResult(
@@ -110,7 +110,7 @@ final class Expectations {
         Verdict.PASS,
         testCase.values(),
         expected(testCase),
-        met,
+        matched,
         record.calls(),
         record.time(),
         "");

@@ -16,7 +16,7 @@ public final class Constructions {
    * A construction with more rows than this multiple of the lower bound is not better than greedy
    * growth.
    */
-  private static final double NEAR = 3;
+  private static final double MAX_BOUND_FACTOR = 3;
 
   private static final int MAX_VALUES = 16;
   private static final double MAX_TUPLES = 20_000;
@@ -25,7 +25,7 @@ public final class Constructions {
    * Minimum share of columns with the maximum number of values; below, folding wastes too many
    * rows.
    */
-  private static final double ALIKE = 0.75;
+  private static final double MIN_EQUAL_SHARE = 0.75;
 
   private Constructions() {}
 
@@ -40,7 +40,7 @@ public final class Constructions {
     if (strength < 2 || most > MAX_ORDER) {
       return Optional.empty();
     }
-    double limit = Math.min(MAX_ROWS, NEAR * product(levels, strength));
+    double limit = Math.min(MAX_ROWS, MAX_BOUND_FACTOR * product(levels, strength));
     Optional<int[][]> array = orthogonal(strength, most, levels.length, limit);
     if (array.isEmpty() && strength == 3) {
       array = doubled(most, levels.length, limit);
@@ -109,9 +109,9 @@ public final class Constructions {
   public static SearchResult develop(
       int strength, int[] levels, int size, SeededRandom random, Budget budget) {
     int most = Arrays.stream(levels).max().orElse(0);
-    long alike = Arrays.stream(levels).filter(n -> n == most).count();
+    long equal = Arrays.stream(levels).filter(n -> n == most).count();
     boolean fits = strength >= 2 && most <= MAX_VALUES && Math.pow(most, strength) <= MAX_TUPLES;
-    if (!fits || levels.length <= strength || alike < ALIKE * levels.length) {
+    if (!fits || levels.length <= strength || equal < MIN_EQUAL_SHARE * levels.length) {
       return new SearchResult(Optional.empty(), Optional.empty());
     }
     GroupDevelopment search = new GroupDevelopment(strength, most, levels.length, random);

@@ -79,7 +79,7 @@ public final class Greedy {
       if (row == null) {
         throw new IllegalStateException("no allowed row for a possible tuple");
       }
-      int covered = worth(row);
+      int covered = countNewlyCovered(row);
       if (covered > most) {
         most = covered;
         best = row;
@@ -89,7 +89,7 @@ public final class Greedy {
   }
 
   /** The number of tuples that a row would newly cover, counted once per column. */
-  private int worth(Row row) {
+  private int countNewlyCovered(Row row) {
     int sum = 0;
     for (int c = 0; c < order.length; c++) {
       sum += coverage.gain(row, c, row.value(c));
