@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Format and tests of the runtime, as far as this machine can: what needs the simulator is tested across rooms.
+# Checks format and tests of the runtime with the tools of this machine. Tests with the simulator are in tests/ of the project.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 if ! command -v g++ >/dev/null || [ ! -e /usr/include/doctest/doctest.h ] || [ ! -e /usr/include/expat.h ]; then

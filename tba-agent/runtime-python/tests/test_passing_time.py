@@ -84,7 +84,7 @@ def test_a_call_that_is_given_up_waits_in_vain():
     with pytest.raises(TimeoutError):
         beside.outcome()
     beside.give_up()
-    assert seen == ["the case is over, and no more of its time passes"]
+    assert seen == ["the case has ended, and its simulation time no longer advances"]
     assert acted == [0, 3, 6, 9]
     assert threading.active_count() == 1
 

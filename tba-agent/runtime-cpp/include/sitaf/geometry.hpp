@@ -2,14 +2,14 @@
 
 namespace sitaf {
 
-/// Three numbers along x, y and z; the unit stands where it is used.
+/// A vector; the method that returns it documents the unit.
 struct Vector {
   double x = 0;
   double y = 0;
   double z = 0;
 };
 
-/// A rotation, of unit length.
+/// A rotation as a unit quaternion.
 struct Quaternion {
   double x = 0;
   double y = 0;

@@ -22,12 +22,12 @@
 
 namespace sitaf {
 
-/// The robot's hardware, as a component under test sees it. A component gets it by a constructor argument of this type, or by
+/// The robot's hardware as a component under test sees it. A component gets it as a constructor argument of this type, or from
 /// current().
 ///
-/// Only the test driver moves time: between two steps of the simulation every reading stays the same, however often it is read,
-/// and reading costs no round trip to the simulator. Devices live as long as the hardware; a name that the robot does not have, or
-/// that is of another kind, is a std::invalid_argument whose message lists what there is.
+/// Only the test driver advances time. Between two steps of the simulation all readings stay the same, and reading needs no round
+/// trip to the simulator. Devices live as long as the hardware. A name that the robot does not have, or of a device of another
+/// kind, throws std::invalid_argument with a message that lists the existing devices.
 class Hardware {
  public:
   virtual ~Hardware() = default;
@@ -38,7 +38,7 @@ class Hardware {
   /// A laser scanner.
   virtual LaserScanner& laserScanner(std::string_view name) = 0;
 
-  /// An inertial unit.
+  /// An inertial measurement unit.
   virtual ImuSensor& imu(std::string_view name) = 0;
 
   /// The encoder of a joint.
@@ -50,13 +50,13 @@ class Hardware {
   /// A force and torque sensor.
   virtual ForceTorqueSensor& forceTorqueSensor(std::string_view name) = 0;
 
-  /// A bumper.
+  /// A contact sensor, such as a bumper.
   virtual ContactSensor& contactSensor(std::string_view name) = 0;
 
   /// A camera.
   virtual Camera& camera(std::string_view name) = 0;
 
-  /// A compass.
+  /// A magnetometer.
   virtual Magnetometer& magnetometer(std::string_view name) = 0;
 
   /// A battery.
@@ -77,7 +77,7 @@ class Hardware {
   /// Simulation time since the case began.
   virtual std::chrono::nanoseconds time() const = 0;
 
-  /// Waits in simulation time, rounded up to whole steps; other readings are current afterwards. A negative duration is a
+  /// Waits in simulation time, rounded up to whole steps; then devices have new readings. A negative duration throws
   /// std::invalid_argument.
   virtual void sleep(std::chrono::nanoseconds duration) = 0;
 

@@ -17,7 +17,7 @@ namespace sitaf::runtime {
 #if defined(__GLIBC__) && defined(__GLIBCXX__)
 namespace {
 
-/// A process runs one suite; components may print from any thread.
+/// Global because a process runs a single suite; volatile because components may print from any thread.
 volatile int current = 0;
 
 struct Stream {
@@ -43,7 +43,7 @@ bool writeAll(int descriptor, const char* data, size_t size) {
   return true;
 }
 
-/// The C library calls it under the stream's lock.
+/// The C library calls this while it holds the lock of the stream.
 ssize_t writeMarked(void* cookie, const char* data, size_t size) {
   auto& stream = *static_cast<Stream*>(cookie);
   const int no = current;
@@ -53,7 +53,7 @@ ssize_t writeMarked(void* cookie, const char* data, size_t size) {
     const int length = std::snprintf(mark, sizeof mark, "%ccase %d\n", '\x1e', no);
     writeAll(stream.descriptor, mark, static_cast<size_t>(length));
   }
-  // 0 is an error to the C library.
+  // The C library treats 0 as an error.
   return writeAll(stream.descriptor, data, size) ? static_cast<ssize_t>(size) : 0;
 }
 
@@ -71,13 +71,12 @@ void markCases() {
   if (markedOut == nullptr || markedErr == nullptr) {
     return;
   }
-  // A component may ask for the same later, which would bind std::cout to a descriptor that these streams do not have; asked now, it is
-  // done.
+  // A component may call this, too. As only the first call has an effect, a later one cannot bind std::cout to the unmarked descriptor.
   std::ios::sync_with_stdio(false);
   std::setvbuf(markedErr, nullptr, _IONBF, 0);
   stdout = markedOut;
   stderr = markedErr;
-  // Never destroyed: destructors of static objects print, too.
+  // Never destroyed, because destructors of static objects may print.
   static auto& outBuffer = *new __gnu_cxx::stdio_sync_filebuf<char>(stdout);
   static auto& errBuffer = *new __gnu_cxx::stdio_sync_filebuf<char>(stderr);
   std::cout.rdbuf(&outBuffer);

@@ -2,11 +2,11 @@
 
 namespace sitaf::runtime {
 
-/// Has stdout, stderr, std::cout, std::cerr and std::clog say from now on which case prints: before the first output of a case stands its
-/// mark; a case that prints nothing costs nothing. What is written to the descriptors past them belongs to the case that printed before it.
+/// Replaces stdout, stderr, std::cout, std::cerr and std::clog by streams that mark which case printed what: the first output of each case
+/// follows a mark with its number. Output directly to the descriptors has no mark and is attributed to the previous case that printed.
 void markCases();
 
-/// What is printed from now on is printed by this case; 0 for what belongs to none.
+/// Attributes the following output to a case; 0 for output that belongs to no case.
 void beginCase(int no);
 
 }  // namespace sitaf::runtime

@@ -7,22 +7,22 @@
 
 namespace sitaf::runtime {
 
-/// How a test application is started.
+/// The command line of a test application.
 struct CommandLine {
   std::string suite;
   std::string results;
-  /// gRPC target of the simulator and the world description; both or none.
+  /// gRPC target of the simulator and the world description; both or neither.
   std::optional<std::string> bridge;
   std::optional<std::string> world;
   std::uint64_t seed = 1;
   /// The number of the first case to run; 0 for all.
   int from = 0;
-  /// Where a file of each case goes that shows what moved in it; none where it is empty.
+  /// Folder for a recording of the motion in each case; empty for none.
   std::string recording;
-  /// Simulation time that one case may take.
+  /// Maximum simulation time of a case.
   std::optional<std::chrono::nanoseconds> caseTime;
 
-  /// Reads the arguments; CannotRun when they are wrong.
+  /// Reads the arguments; throws CannotRun when they are wrong.
   static CommandLine parse(int argc, char** argv);
 };
 

@@ -22,7 +22,7 @@ namespace {
 
 constexpr int maxFrames = 64;
 constexpr int shownFrames = 16;
-/// A stack overflow leaves no room for its own report.
+/// Size of the signal stack: after a stack overflow the handler cannot use the normal stack.
 constexpr std::size_t alternateStackBytes = 1U << 16U;
 
 char alternateStack[alternateStackBytes];
@@ -34,13 +34,13 @@ void write(const char* text) {
   (void)ignored;
 }
 
-/// Function, file and line of an address by addr2line, which comes with the compiler; the symbol alone where it is not there.
+/// Function, file and line of an address from addr2line, which is part of the compiler; only the symbol when it is missing.
 std::string placeOf(void* address) {
   Dl_info info{};
   if (::dladdr(address, &info) == 0 || info.dli_fname == nullptr) {
     return "";
   }
-  // A return address stands behind the call.
+  // A return address is the one after the call.
   const auto offset = static_cast<char*>(address) - static_cast<char*>(info.dli_fbase) - 1;
   const std::string module = info.dli_fname;
   const bool ofSystem =
@@ -95,7 +95,7 @@ void report(void** frames, int count, const char* what) {
   write((std::string(what) + (innermost.empty() ? "" : " in " + innermost) + "\n").c_str());
 }
 
-/// Frames and names are found by a child, since what is broken may be the heap; it has two seconds.
+/// Finds frames and names in a child process, because the heap of this one may be corrupt. The child has two seconds.
 void onSignal(int number) {
   void* frames[maxFrames];
   const int count = ::backtrace(frames, maxFrames);
@@ -141,7 +141,7 @@ void onSignal(int number) {
 
 void sayLastWords(void (*coverage)()) {
   flushCoverage = coverage;
-  // Loads what backtrace needs while all is well.
+  // The first call loads the library that backtrace needs; later it may be too late.
   void* frame[1];
   ::backtrace(frame, 1);
   stack_t stack{};
@@ -154,7 +154,7 @@ void sayLastWords(void (*coverage)()) {
   for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGSYS, SIGQUIT}) {
     ::sigaction(signal, &action, nullptr);
   }
-  // A JVM blocks SIGQUIT in its threads, and so in what it starts.
+  // A JVM blocks SIGQUIT in its threads, and child processes inherit that.
   sigset_t asked;
   ::sigemptyset(&asked);
   ::sigaddset(&asked, SIGQUIT);

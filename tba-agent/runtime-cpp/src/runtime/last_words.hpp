@@ -2,13 +2,13 @@
 
 namespace sitaf::runtime {
 
-/// From now on a process that ends by a signal or by std::terminate says on its error stream where it was: frames first, and last one line
-/// that names what happened and the component's innermost frame. How it ends stays as it is.
+/// Installs handlers that print a stack trace when the process ends by a signal or by std::terminate: first the frames, then one line with
+/// the cause and the component's innermost frame. The exit status does not change.
 ///
-/// - coverage: writes out which lines were reached; null where the component was not built for it
+/// - coverage: saves the coverage; null when the component was not built for it
 void sayLastWords(void (*coverage)());
 
-/// Writes coverage out, where the component was built for it; no more often than twice a second unless it is the end.
+/// Saves the coverage if the component was built for it, at most twice per second unless `end` is true.
 void keepCoverage(bool end);
 
 }  // namespace sitaf::runtime

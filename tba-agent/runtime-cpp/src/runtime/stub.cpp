@@ -6,7 +6,7 @@
 namespace sitaf::runtime {
 namespace {
 
-/// Recorded calls per case; a component may make any number of calls.
+/// Maximum number of recorded calls per case; a component may make any number of calls.
 constexpr std::size_t maxRecordedCalls = 1000;
 
 }  // namespace

@@ -15,7 +15,7 @@
 namespace sitaf {
 namespace {
 
-/// A process runs one suite, so one place is enough.
+/// Global because a process runs a single suite.
 Hardware* currentHardware = nullptr;
 
 }  // namespace
@@ -43,7 +43,7 @@ int cannotRun(const std::string& reason) {
   return exitCannotRun;
 }
 
-/// Does the work after a case. A failure is printed and does not change the result.
+/// Runs a clean-up step after a case. A failure is printed and does not change the result.
 template <class Closing>
 void closing(const std::string& what, Closing close) {
   try {
@@ -81,7 +81,7 @@ class TestRun::State {
     results.save(result);
   }
 
-  /// Throws when the simulator was lost: what was measured since then does not count.
+  /// Throws when the simulator was lost, because later measurements are invalid.
   void requireSimulator() {
     if (simulation) {
       simulation->requireThere();
@@ -129,7 +129,7 @@ class TestRun::State {
     closing("closing the component after case " + std::to_string(testCase.no()), [&] { driver.endCase(); });
   }
 
-  /// Ends the record of a case that did not get to save(result); rethrows when no further case can run.
+  /// Completes the record of a case that did not save its result; rethrows when no further case can run.
   void end(suite::CaseResult& result, const std::exception_ptr& thrown) {
     requireSimulator();
     const std::string text = describe(thrown);

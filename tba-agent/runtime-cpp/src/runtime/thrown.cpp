@@ -12,7 +12,7 @@ namespace {
 
 constexpr int maxCauses = 3;
 
-/// The thrown type; what std::throw_with_nested makes carries it in brackets.
+/// The thrown type; std::throw_with_nested wraps it in a template type.
 std::string plainType(const char* name) {
   std::string type = demangled(name);
   const std::string nested = "std::_Nested_exception<";
@@ -72,7 +72,7 @@ std::string describe(const std::exception_ptr& thrown) {
       } catch (int code) {
         text += ": " + std::to_string(code);
       } catch (...) {
-        // Nothing is known of it but its type.
+        // Only its type is known.
       }
     }
   }

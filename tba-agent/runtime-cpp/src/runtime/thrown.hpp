@@ -5,8 +5,8 @@
 
 namespace sitaf::runtime {
 
-/// Says in one message what was thrown: type and `what()`, of the exception and of those nested in it. Only inside of a catch block does it
-/// know the type of what is no std::exception.
+/// Describes an exception in one message: type and `what()`, also of nested exceptions. The type of an object that is no std::exception is
+/// known only within a catch block.
 std::string describe(const std::exception_ptr& thrown);
 
 /// The name of the thrown type without its scope, such as `NoEcho`.

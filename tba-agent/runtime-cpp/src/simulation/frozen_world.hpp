@@ -10,17 +10,17 @@
 
 namespace sitaf::simulation {
 
-/// A device of the world, and where its numbers stand in a row of readings.
+/// A device of the world, and the position of its numbers in a row of readings.
 struct Device {
   std::string name;
   std::string kind;
   std::size_t first = 0;
   std::size_t count = 0;
-  /// What of a reading never changes: the limits of a range sensor, the angles and limits of a laser scanner.
+  /// The constant numbers of a reading: limits of a range sensor, angles and limits of a laser scanner.
   std::vector<double> constants;
 };
 
-/// Which number of a row is what: first those of each device, then the observations. The bulk call names its columns in the same way.
+/// The columns of a row: the numbers of each device, then the observations. PrepareMany uses the same names for its columns.
 class Layout {
  public:
   explicit Layout(const sim::v1::CreateSessionResponse& created);
@@ -32,7 +32,7 @@ class Layout {
   std::size_t width() const { return firstObservation_ + observations_.size(); }
   const std::vector<std::string>& columns() const { return columns_; }
 
-  /// A state's numbers in this order; what a state does not say is NaN.
+  /// The numbers of a state in this order; NaN for numbers that the state does not contain.
   void flatten(const sim::v1::WorldState& state, std::vector<double>& row) const;
 
  private:
@@ -42,20 +42,20 @@ class Layout {
   std::size_t firstObservation_ = 0;
 };
 
-/// What the robot's devices read, and what can be observed, at one step. Components may read it from any thread.
+/// Readings of all devices and observations at one step. Thread-safe.
 class FrozenWorld {
  public:
   explicit FrozenWorld(const Layout& layout) : layout_(layout), numbers_(layout.width()) {}
 
-  /// Takes over a state of the live session.
+  /// Stores a state of the session.
   void freeze(const sim::v1::WorldState& state);
 
-  /// Takes over a row of the bulk call, `Layout::width` numbers.
+  /// Stores a row of PrepareMany, `Layout::width` numbers.
   void freeze(std::chrono::nanoseconds time, const double* row);
 
   std::chrono::nanoseconds time() const;
 
-  /// Gives the numbers of a row to a reader while none of them changes.
+  /// Calls a reader with the numbers of the row under the lock, so that they are consistent.
   template <class Reader>
   auto read(std::size_t first, Reader reader) const {
     const std::lock_guard<std::mutex> lock(mutex_);

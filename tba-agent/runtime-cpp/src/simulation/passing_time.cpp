@@ -90,7 +90,7 @@ std::uint64_t PassingTime::nextTick() {
   if (!periods_ || periods_->atWork) {
     return never;
   }
-  // A component that let time pass itself skips the ticks that it slept through.
+  // Ticks during a sleep of the component itself are skipped.
   while (at(*periods_) <= step_) {
     ++periods_->count;
   }
@@ -151,16 +151,16 @@ void PassingTime::await(std::uint64_t steps) {
   changed_.wait(lock, [&] { return ended_ || givenUp_ == self || waiting_.count(self) == 0; });
   if (givenUp_ == self) {
     waiting_.erase(self);
-    throw SimulationError("the case is over, and no more of its time passes", false);
+    throw SimulationError("the case has ended, and its simulation time no longer advances", false);
   }
 }
 
-/// Until the thread that is followed waits for simulation time, or is at its end.
+/// Waits until the followed thread waits for simulation time or has left.
 void PassingTime::awaitFollowed(std::unique_lock<std::mutex>& lock) {
   changed_.wait(lock, [&] { return followed_ == std::thread::id() || waiting_.count(followed_) > 0; });
 }
 
-/// Steps that the thread that is followed waits for; 0 when it is at its end.
+/// Steps that the followed thread waits for; 0 when it has left.
 std::uint64_t PassingTime::awaited() {
   std::unique_lock<std::mutex> lock(mutex_);
   awaitFollowed(lock);

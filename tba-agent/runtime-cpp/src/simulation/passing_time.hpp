@@ -11,42 +11,42 @@
 
 namespace sitaf::simulation {
 
-/// Lets simulation time pass in pieces that end where a component has something to do: at each of its periods, and when a wait of one of
-/// its threads is over. Time is counted in steps since the case was prepared, and moves in the driver's thread only.
+/// Advances simulation time in pieces that end when the component has something to do: at each of its periods, and when a wait of one of
+/// its threads ends. Time is counted in steps since the case was prepared; only the driver's thread advances it.
 class PassingTime {
  public:
   using Duration = std::chrono::nanoseconds;
 
-  /// A clock at 0; the simulator moves the world by a number of steps.
+  /// Creates a clock at 0; `simulator` advances the world by a number of steps.
   PassingTime(Duration timestep, std::function<void(std::uint64_t)> simulator)
       : timestep_(timestep.count()), simulator_(std::move(simulator)) {}
 
-  /// No case takes more simulation time than this.
+  /// Limits the simulation time of each case.
   void limit(Duration mostOfCase) { most_ = mostOfCase; }
 
-  /// A new case begins, whose driver is the calling thread, with time that has passed already; what waited for the last one goes on.
+  /// Starts a new case with the calling thread as its driver and with time that has already passed; waits of the previous case end.
   void restart(Duration settled);
 
-  /// A tick falls on the first step at or after each whole period from now on; ends with the case.
+  /// Calls `tick` at the first step at or after each period from now, until the case ends.
   void every(Duration period, std::function<void()> tick);
 
-  /// Time passes only while this thread waits for it, until it leaves or the next case begins: what it does then happens at the same
-  /// simulation time in every run. The thread must do nothing before.
+  /// Lets time pass only while a thread waits for it, until the thread leaves or the next case starts. Everything that the thread does then
+  /// happens at the same simulation time in every run. Call this before the thread starts its work.
   void follow(std::thread::id thread);
 
-  /// The calling thread is at its end, and is not followed any longer.
+  /// Stops following the calling thread, which calls this at its end.
   void leave();
 
-  /// Lets pass what the thread that is followed still waits for; nothing where none is.
+  /// Lets time pass until the followed thread leaves; does nothing when no thread is followed.
   void passUntilItLeaves();
 
-  /// Ends the waits of the thread that is followed, each by a SimulationError.
+  /// Stops following the thread: its current and later waits throw a SimulationError.
   void giveUp();
 
-  /// Waits are over.
+  /// Ends all waits.
   void end();
 
-  /// Moves time in the driver's thread; in any other, waits for the driver to have moved it.
+  /// Advances time in the driver's thread; other threads wait until the driver has advanced it.
   void pass(Duration time);
 
  private:
@@ -72,11 +72,11 @@ class PassingTime {
   std::mutex mutex_;
   std::condition_variable changed_;
   std::thread::id driver_ = std::this_thread::get_id();
-  /// The steps at which waiting threads go on.
+  /// The step at which each waiting thread continues.
   std::map<std::thread::id, std::uint64_t> waiting_;
   std::uint64_t step_ = 0;
   std::optional<Periods> periods_;
-  /// No thread where none is followed, or given up.
+  /// Default-constructed when no thread is followed or given up.
   std::thread::id followed_;
   std::thread::id givenUp_;
   std::optional<Duration> most_;

@@ -9,7 +9,7 @@
 
 namespace sitaf::simulation {
 
-/// One device's way to its readings and to the simulator; all time in it counts as hardware.
+/// Access of one device to its readings and the simulator; measured as hardware time.
 class Access {
  public:
   Access(const Device& device, const FrozenWorld& world, runtime::Stopwatch& stopwatch, Simulator& simulator)
@@ -38,7 +38,7 @@ class Access {
     return world_.read(device_.first, [this](const double* at) { return std::vector<double>(at, at + device_.count); });
   }
 
-  /// A number that never changes.
+  /// A constant number of the reading.
   double constant(std::size_t index) const { return device_.constants.at(index); }
 
   void write(sim::v1::DeviceCommand command) const {
@@ -60,7 +60,7 @@ class Access {
   Simulator& simulator_;
 };
 
-/// Any device, as a view of its readings.
+/// Base of all devices, which read the numbers of the current step.
 template <class Interface>
 class Simulated : public Interface {
  public:

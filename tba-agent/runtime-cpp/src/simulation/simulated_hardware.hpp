@@ -11,7 +11,7 @@
 
 namespace sitaf::simulation {
 
-/// What needs the simulator.
+/// Operations that call the simulator.
 class Simulator {
  public:
   virtual ~Simulator() = default;
@@ -20,8 +20,8 @@ class Simulator {
   virtual void sleep(std::chrono::nanoseconds time) = 0;
 };
 
-/// The devices of a simulated robot. Readings come from the frozen world that the last step left, without a round trip; commands, pictures
-/// and waiting go to the simulator.
+/// The devices of a simulated robot. Readings come from the state after the last step, without a round trip; commands, images and waits
+/// are calls to the simulator.
 class SimulatedHardware : public Hardware {
  public:
   /// All arguments must live as long as the hardware.

@@ -19,14 +19,14 @@ namespace {
 namespace wire = sim::v1;
 using Control = wire::SimulationControl::Stub;
 
-/// The first bulk call is small, so that the first case does not wait for it; then they grow.
+/// The first batch is small, so that the first case starts soon; later batches grow.
 constexpr std::size_t firstBatch = 64;
 constexpr std::size_t largestBatch = 4096;
 constexpr std::size_t growth = 8;
 
-/// Simulation time between two frames of a recording: 50 a second.
+/// Simulation time between two frames of a recording: 50 frames per second.
 constexpr std::int64_t frameNanos = 20000000;
-constexpr std::size_t mostRecorded = 64U << 20U;
+constexpr std::size_t maxRecordedBytes = 64U << 20U;
 
 wire::CreateSessionResponse create(Wire& wire, const std::string& worldDescription, std::uint64_t seed) {
   wire::CreateSessionRequest request;
@@ -35,12 +35,12 @@ wire::CreateSessionResponse create(Wire& wire, const std::string& worldDescripti
   const std::string file = worldDescription.substr(worldDescription.rfind('/') + 1);
   auto created = wire.control("opening the world " + file, &Control::CreateSession, request);
   if (created.world().timestep_ns() <= 0) {
-    throw SimulationError("the simulator names no length of a step", false);
+    throw SimulationError("the simulator reported no timestep", false);
   }
   return created;
 }
 
-std::string spelled(const Simulation::Names& parameters, const std::vector<double>& values) {
+std::string describeParameters(const Simulation::Names& parameters, const std::vector<double>& values) {
   std::string text = "setting {";
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     text += (i == 0 ? "" : ", ") + parameters[i] + "=" + suite::literals::write(values[i]);
@@ -48,12 +48,12 @@ std::string spelled(const Simulation::Names& parameters, const std::vector<doubl
   return text + "}";
 }
 
-/// Cases that were prepared in one call, from the first that has not run yet. Cases of the same values share a row: each begins from a
-/// clean reset.
+/// Cases that were prepared in one call, and the next of them to run. Every case starts from a reset, so cases with the same values share
+/// a row.
 struct Batch {
   wire::PrepareManyResponse answer;
   std::vector<int> numbers;
-  /// Of each case, which row of values and readings is its own.
+  /// Index of the row of values and readings of each case.
   std::vector<std::size_t> rows;
   std::vector<double> values;
   std::size_t columns = 0;
@@ -70,7 +70,7 @@ struct Batch {
     return false;
   }
 
-  /// Whether a case is among those that have not run yet; those before it were never prepared, and are passed over.
+  /// Moves to a case; false when it is not among those that have not run yet. Cases before it are skipped.
   bool reaches(int no) {
     while (next < cases && numbers[next] != no) {
       ++next;
@@ -78,10 +78,10 @@ struct Batch {
     return next < cases;
   }
 
-  /// The row of the next case, if it is one of these values and went well; null otherwise.
+  /// The readings of the next case if it has the wanted values and did not diverge; otherwise null.
   const double* take(const std::vector<double>& wanted) {
     const std::size_t row = rows[next++];
-    // Bits, not numbers: -0.0 is another value than 0.0.
+    // Values are compared by their bits, so -0.0 and 0.0 differ.
     const bool same = parameters == 0 || (wanted.size() == parameters &&
                                           std::memcmp(wanted.data(), values.data() + row * parameters, parameters * sizeof(double)) == 0);
     return same && !diverged(row) ? answer.readings().data() + row * columns : nullptr;
@@ -112,7 +112,7 @@ class Simulation::Session : public Simulator {
     try {
       wire_.control("closing the session", &Control::DeleteSession, request);
     } catch (const SimulationError&) {
-      // A lost simulator has already done so.
+      // A lost simulator has no session to delete.
     }
   }
 
@@ -168,7 +168,7 @@ class Simulation::Session : public Simulator {
   }
 
   void saveMotion(int no) {
-    if (recording_.empty() || recorded_ >= mostRecorded) {
+    if (recording_.empty() || recordedBytes_ >= maxRecordedBytes) {
       return;
     }
     wire::TakeMotionRequest request;
@@ -180,15 +180,15 @@ class Simulation::Session : public Simulator {
       if (e.isLost()) {
         throw;
       }
-      // A world that diverged has nothing to show.
+      // The simulation diverged, so there is no recording.
       return;
     }
-    if (recorded_ + taken.gltf().size() > mostRecorded) {
-      // What was taken out of the folder meanwhile makes room.
-      recorded_ = present();
+    if (recordedBytes_ + taken.gltf().size() > maxRecordedBytes) {
+      // The agent may have removed files from the folder.
+      recordedBytes_ = present();
     }
-    recorded_ += taken.gltf().size();
-    if (recorded_ <= mostRecorded) {
+    recordedBytes_ += taken.gltf().size();
+    if (recordedBytes_ <= maxRecordedBytes) {
       std::ofstream file(recording_ + "/" + std::to_string(no) + ".glb", std::ios::binary);
       file.write(taken.gltf().data(), static_cast<std::streamsize>(taken.gltf().size()));
     }
@@ -223,7 +223,7 @@ class Simulation::Session : public Simulator {
     request.add_devices(camera);
     const auto answer = wire_.hardware("looking through " + camera, &wire::VirtualHardware::Stub::ReadDevices, request);
     if (answer.state().readings_size() == 0) {
-      throw SimulationError("simulator: looking through " + camera + ": no picture came", false);
+      throw SimulationError("simulator: looking through " + camera + ": the response contains no image", false);
     }
     return answer.state().readings(0).image();
   }
@@ -245,7 +245,7 @@ class Simulation::Session : public Simulator {
     }
     request.set_settle_ns(prepared.settle.count());
     pending_.reset();
-    world_.freeze(wire_.control(spelled(prepared.parameters, prepared.values), &Control::Prepare, request).state());
+    world_.freeze(wire_.control(describeParameters(prepared.parameters, prepared.values), &Control::Prepare, request).state());
   }
 
   void step(std::uint64_t steps) {
@@ -256,7 +256,7 @@ class Simulation::Session : public Simulator {
     world_.freeze(wire_.control("advancing by " + std::to_string(steps) + " steps", &Control::StepSimulation, request).state());
   }
 
-  /// The component acts: the session is brought to where the bulk call saw the world, and from now on each case is prepared alone.
+  /// Brings the session to the current case, because the component acts; later cases are prepared separately.
   void makeLive() {
     const std::lock_guard<std::recursive_mutex> lock(acting_);
     if (pending_) {
@@ -266,8 +266,8 @@ class Simulation::Session : public Simulator {
     }
   }
 
-  /// Prepares the cases from the current one on. Where the simulator refuses one of them, they are prepared alone, each with its own
-  /// answer.
+  /// Prepares the current and the following cases. When the simulator rejects one of them, each is prepared separately and reports its own
+  /// failure.
   void fetch(const Names& parameters, std::chrono::nanoseconds settle, suite::Upcoming& upcoming) {
     batch_ = Batch();
     batch_.parameters = parameters.size();
@@ -279,7 +279,7 @@ class Simulation::Session : public Simulator {
         std::transform(parameters.begin(), parameters.end(), row.begin(),
                        [ahead](const std::string& name) { return ahead->value<double>(name); });
       } catch (const suite::CaseDataError&) {
-        // Told when that case is read.
+        // Reported when that case is read.
         break;
       }
       const std::string bits(reinterpret_cast<const char*>(row.data()), row.size() * sizeof(double));
@@ -308,7 +308,7 @@ class Simulation::Session : public Simulator {
         throw;
       }
       batchSize_ = firstBatch;
-      refuseAll();
+      rejectBatch();
       return;
     }
     batch_.columns = static_cast<std::size_t>(batch_.answer.columns_size());
@@ -322,8 +322,8 @@ class Simulation::Session : public Simulator {
     batchSize_ = std::min(largestBatch, batchSize_ * growth);
   }
 
-  /// The cases of this batch are each prepared alone: no row is any of theirs.
-  void refuseAll() {
+  /// Marks all rows as diverged, so that each case of this batch is prepared separately.
+  void rejectBatch() {
     batch_.answer.Clear();
     const std::size_t rows = batch_.rows.empty() ? 0 : *std::max_element(batch_.rows.begin(), batch_.rows.end()) + 1;
     for (std::size_t i = 0; i < rows; ++i) {
@@ -340,7 +340,7 @@ class Simulation::Session : public Simulator {
   PassingTime time_;
   std::recursive_mutex acting_;
   std::string recording_;
-  std::size_t recorded_ = 0;
+  std::size_t recordedBytes_ = 0;
   Batch batch_;
   std::size_t batchSize_ = firstBatch;
   std::optional<Pending> pending_;

@@ -9,7 +9,7 @@
 namespace sitaf::simulation {
 namespace {
 
-/// Longest wait for one answer; a case has its own, shorter limit, which the agent watches.
+/// Timeout of a call to the simulator; the agent enforces a shorter limit for a case.
 constexpr std::chrono::minutes longestCall{5};
 constexpr int maxMessageBytes = 64 << 20;
 constexpr std::chrono::milliseconds shortestRenewal{100};

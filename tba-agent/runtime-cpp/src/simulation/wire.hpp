@@ -12,12 +12,12 @@
 
 namespace sitaf::simulation {
 
-/// The simulator's services, with failures as exceptions.
+/// Client of the simulator's services; failures throw exceptions.
 class Wire {
  public:
   explicit Wire(const std::string& target);
 
-  /// Makes a unary call of the simulation control; SimulationError when it fails, with what was being done.
+  /// Makes a unary call of SimulationControl; a failure throws a SimulationError that names the operation.
   template <class Request, class Response>
   Response control(const std::string& what,
                    grpc::Status (sim::v1::SimulationControl::Stub::*rpc)(grpc::ClientContext*, const Request&, Response*),
@@ -26,7 +26,7 @@ class Wire {
         what, false, [&](grpc::ClientContext* context, Response* response) { return (control_.get()->*rpc)(context, request, response); });
   }
 
-  /// As control, of the virtual hardware. What a device does not take is the component's doing: a std::invalid_argument.
+  /// As control, for VirtualHardware. A command that a device rejects is an error of the component and throws std::invalid_argument.
   template <class Request, class Response>
   Response hardware(const std::string& what,
                     grpc::Status (sim::v1::VirtualHardware::Stub::*rpc)(grpc::ClientContext*, const Request&, Response*),
@@ -35,7 +35,7 @@ class Wire {
         what, true, [&](grpc::ClientContext* context, Response* response) { return (hardware_.get()->*rpc)(context, request, response); });
   }
 
-  /// SimulationError when a call found the simulator or the session lost, even if the component caught the exception.
+  /// Throws SimulationError when an earlier call found the simulator or the session lost, even if the component caught the exception.
   void requireThere();
 
  private:
@@ -57,7 +57,7 @@ class Wire {
   std::unique_ptr<sim::v1::VirtualHardware::Stub> hardware_;
 };
 
-/// Renews a session's lease in the background, so that a long call of the component does not end it.
+/// Renews the lease of a session in the background, so that it does not expire during a long call of the component.
 class Lease {
  public:
   Lease(Wire& wire, std::string session, std::chrono::milliseconds length);

@@ -59,7 +59,7 @@ std::string wholeDigits(std::string_view literal, bool& negative) {
     }
     digits.pop_back();
   }
-  // Every number of more digits is out of range: 1e999999999 would take all memory.
+  // A number with more digits is out of range anyway, and expanding 1e999999999 would exhaust memory.
   digits.append(static_cast<std::size_t>(std::min(exponent, maxDigits)), '0');
   return digits;
 }
@@ -155,7 +155,7 @@ std::string unquoted(std::string_view text) {
   return result;
 }
 
-/// The shortest digits that read back as the same number: in decimal notation from 1e-3 to below 1e7, otherwise with an exponent.
+/// The shortest text that is read back as the same number: in decimal notation from 1e-3 to below 1e7, otherwise with an exponent.
 template <class Number>
 std::string shortest(Number number) {
   if (std::isnan(number)) {
@@ -209,7 +209,7 @@ double real(std::string_view literal) {
   double number = 0;
   const auto [stop, problem] = std::from_chars(from, end, number);
   if (problem == std::errc::result_out_of_range && stop == end) {
-    // Too large or too small: strtod tells which. The locale does not matter here, as the number is out of range anyway.
+    // Too large or too small; strtod returns infinity or zero. The locale does not matter for a number that is out of range.
     return std::strtod(lower.c_str(), nullptr);
   }
   if (problem != std::errc() || stop != end || lower.find_first_of("in") != std::string::npos || lower.compare(0, 2, "+-") == 0) {

@@ -7,7 +7,7 @@
 namespace sitaf::suite {
 namespace {
 
-/// Longest message in bytes; exceptions of components may have messages of any length.
+/// Maximum length of a message in bytes; messages of a component's exceptions may have any length.
 constexpr std::size_t maxMessageLength = 8000;
 
 std::string_view nameOf(Outcome outcome) {
@@ -24,7 +24,7 @@ std::string_view nameOf(Outcome outcome) {
   return "ERROR";
 }
 
-/// The character at a position and its length in bytes. A byte that is not UTF-8 is a character of its own value, with length 0.
+/// The character at a position and its length in bytes. For a byte that is not UTF-8, the value of the byte and length 0.
 struct Character {
   std::uint32_t code;
   std::size_t length;
@@ -144,7 +144,7 @@ void RecordLine::escape(std::string_view text) {
       case '"':
         xml_ += "&quot;";
         break;
-      // Readers that split lines by the rules of Unicode must find one line, too.
+      // Also the line separators of Unicode, for readers that split lines at them.
       case '\n':
       case '\r':
       case '\t':

@@ -13,16 +13,16 @@ namespace {
 
 constexpr const char* prefix = "fd:";
 constexpr std::size_t longestToken = 128;
-/// Far from the numbers that programs use.
+/// Higher than the numbers that programs usually use.
 constexpr int lowestDescriptor = 64;
-/// So that a fast component seldom waits for the agent; a system may give less.
+/// Large, so that a fast component rarely waits for the agent; the system may limit it.
 constexpr int pipeBytes = 1 << 20;
 
-// Plain data: it is filled before any constructor of C++ runs.
+// No types with constructors: these variables are set before C++ constructors run.
 int heldDescriptor = -1;
 char heldToken[longestToken + 1];
 
-/// The line on standard input, and nothing behind it, which is the component's.
+/// Reads one line of standard input; the input after it belongs to the component.
 bool readToken() {
   std::size_t length = 0;
   while (length <= longestToken) {
@@ -60,7 +60,7 @@ void hold(const char* results) {
 #endif
 }
 
-/// The runtime is a shared library that the program needs, so this runs before the initialisers of the component's own code.
+/// The runtime is a shared library of the program, so this runs before the initialisers of the component's code.
 __attribute__((constructor(101))) void takeBeforeTheComponent(int argc, char** argv, char** /*environment*/) {
   for (int i = 1; i + 1 < argc; ++i) {
     if (std::strcmp(argv[i], "--results") == 0 && std::strncmp(argv[i + 1], prefix, std::strlen(prefix)) == 0) {

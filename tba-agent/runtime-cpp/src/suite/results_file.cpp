@@ -12,7 +12,7 @@
 namespace sitaf::suite {
 namespace {
 
-/// A power failure loses at most so many results; a killed process loses none.
+/// Maximum number of results that a power failure loses; a killed process loses none.
 constexpr int linesToSync = 4096;
 
 [[noreturn]] void fail(const std::string& path) { throw std::system_error(errno, std::generic_category(), path); }

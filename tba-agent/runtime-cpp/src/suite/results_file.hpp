@@ -6,19 +6,19 @@
 
 namespace sitaf::suite {
 
-/// Where the results go, one line a case. Each line is one write when its case ends, so a killed process loses none of
-/// them. Through a descriptor that the agent opened, each line begins with its number and a token. A failure
-/// to write is a std::system_error.
+/// The output file for results, with one line per case. Each line is written in one call when its case ends, so a killed process
+/// loses no results. When the output is a descriptor of the agent, each line starts with its number and a token. A failure to write
+/// throws std::system_error.
 class ResultsFile {
  public:
-  /// Creates a file or appends to it; a last line that a killed process left unfinished is ended first. Takes the
-  /// descriptor where the path names one: `fd:3`.
+  /// Creates a file or appends to it; an incomplete last line from a killed process is terminated first. A path such as `fd:3` names an
+  /// open descriptor.
   ResultsFile(const std::string& path, bool append);
   ~ResultsFile();
   ResultsFile(const ResultsFile&) = delete;
   ResultsFile& operator=(const ResultsFile&) = delete;
 
-  /// Writes an empty line: set-up is complete and the first case begins. From now on the time limit of a case applies.
+  /// Writes an empty line, which reports that set-up is complete. The agent then applies the time limit of a case.
   void ready();
 
   /// Writes the line of a case.
@@ -29,7 +29,7 @@ class ResultsFile {
 
   std::string path_;
   int file_;
-  /// Empty where lines are not numbered.
+  /// Empty when lines are not numbered.
   std::string token_;
   long number_ = 0;
   int unsynced_ = 0;

@@ -27,7 +27,7 @@ const char* attribute(const char** attributes, const char* name) {
 
 }  // namespace
 
-/// The parser pushes; cases that were not requested yet wait in a queue.
+/// The parser delivers cases through callbacks; a queue holds those that were not requested yet.
 class SuiteReader::Document {
  public:
   explicit Document(const std::string& path)
@@ -128,7 +128,7 @@ class SuiteReader::Document {
     } else if (collecting_) {
       fail("<" + element + "> is unknown inside a value");
     } else if (inCase_) {
-      // Expected values are read over: only the judge of the results needs them.
+      // Expected values are skipped: only the agent uses them.
       collecting_ = element == "value" || element == "expected";
       if (!collecting_) {
         fail("<" + element + "> is unknown inside <case>");

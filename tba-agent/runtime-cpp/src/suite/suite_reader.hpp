@@ -7,8 +7,8 @@
 
 namespace sitaf::suite {
 
-/// Reads a `test_suite_data` document (paper, Fig. 9) case by case, so that a suite of any length needs no memory. A document with a DTD is
-/// refused. Every problem of the document is a CaseDataError, thrown when its place is reached.
+/// Reads a `test_suite_data` document (paper, Fig. 9) case by case, so that memory does not grow with the suite. A document with a DTD is
+/// rejected. An error in the document throws CaseDataError when the reader reaches it.
 class SuiteReader : public Upcoming {
  public:
   /// Opens a suite; std::system_error when the file cannot be read.
@@ -20,7 +20,7 @@ class SuiteReader : public Upcoming {
   /// Goes to the next case; false after the last.
   bool next();
 
-  /// The case that `next` came to.
+  /// The current case.
   const TestCase& current();
 
   const TestCase* peek(std::size_t ahead) override;

@@ -4,7 +4,7 @@
 
 namespace sitaf {
 
-/// A base on two driven wheels.
+/// A mobile base with two driven wheels.
 class DifferentialDrive {
  public:
   virtual ~DifferentialDrive() = default;
@@ -12,19 +12,19 @@ class DifferentialDrive {
   /// The device's name in the world description.
   virtual const std::string& name() const = 0;
 
-  /// Measured speed in metres per second, forward.
+  /// Measured linear speed in metres per second, forward.
   virtual double linear() const = 0;
 
-  /// Measured turning in radians per second, counterclockwise.
+  /// Measured angular speed in radians per second, counterclockwise.
   virtual double angular() const = 0;
 
-  /// Radians that the left wheel has turned.
+  /// Rotation of the left wheel in radians.
   virtual double leftPosition() const = 0;
 
-  /// Radians that the right wheel has turned.
+  /// Rotation of the right wheel in radians.
   virtual double rightPosition() const = 0;
 
-  /// Commands a speed in m/s and a turning in rad/s; std::invalid_argument beyond its limits.
+  /// Commands a linear speed in m/s and an angular speed in rad/s; std::invalid_argument beyond the limits.
   virtual void drive(double linear, double angular) = 0;
 };
 

@@ -15,10 +15,10 @@ class Gripper {
   /// Measured distance between the fingers in metres.
   virtual double width() const = 0;
 
-  /// What the fingers exert, in newtons; closing is negative.
+  /// Force of the fingers in newtons; closing is negative.
   virtual double effort() const = 0;
 
-  /// Goes to a width in metres; std::invalid_argument beyond its limits.
+  /// Moves to a width in metres; std::invalid_argument beyond the limits.
   virtual void move(double width) = 0;
 };
 

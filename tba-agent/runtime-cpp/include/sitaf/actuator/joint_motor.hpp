@@ -4,20 +4,20 @@
 
 namespace sitaf {
 
-/// A motor at a joint. The world decides which of the commands it takes: a command that it does not take, or beyond its
-/// limits, is a std::invalid_argument.
+/// A motor of a joint. The world description defines which command it supports. An unsupported command, or one beyond the
+/// limits, throws std::invalid_argument.
 class JointMotor : public JointEncoder {
  public:
-  /// What it exerts, in newton metres or newtons.
+  /// Measured effort in newton metres or newtons.
   virtual double effort() const = 0;
 
-  /// Goes to a position in radians or metres.
+  /// Commands a position in radians or metres.
   virtual void setPosition(double target) = 0;
 
-  /// Keeps a velocity in radians or metres per second.
+  /// Commands a velocity in radians or metres per second.
   virtual void setVelocity(double target) = 0;
 
-  /// Exerts an effort in newton metres or newtons.
+  /// Commands an effort in newton metres or newtons.
   virtual void setEffort(double target) = 0;
 };
 

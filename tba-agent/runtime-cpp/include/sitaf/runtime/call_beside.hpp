@@ -10,17 +10,17 @@
 
 namespace sitaf::runtime {
 
-/// A nonblocking call: runs on its own thread, so that time passes during the call.
+/// A nonblocking call. It runs on its own thread, so that simulation time passes during the call.
 template <class Returned>
 class CallBeside {
  public:
-  /// Begins a call. Time of the simulation, where there is one, passes only while the call waits for it.
+  /// Starts a call. With a simulation, simulation time passes only while the call waits for it.
   template <class Call>
   CallBeside(Stopwatch& stopwatch, simulation::Simulation* simulation, Call call) : simulation_(simulation) {
     std::promise<void> begin;
     std::packaged_task<Returned()> task([&stopwatch, call = std::move(call)]() -> Returned {
       stopwatch.start();
-      // When it throws, the watch goes on: that is how the run knows who threw it.
+      // When the call throws, the stopwatch keeps running, so the run attributes the exception to the component.
       if constexpr (std::is_void_v<Returned>) {
         call();
         stopwatch.stop();
@@ -46,8 +46,8 @@ class CallBeside {
   CallBeside(const CallBeside&) = delete;
   CallBeside& operator=(const CallBeside&) = delete;
 
-  /// Waits for the end of a call whose outcome was not asked for, so that it does nothing to the next case; wherever it waits for
-  /// simulation time, it gets an exception.
+  /// Ends a call whose outcome was not read, so that it does not affect the next case: its waits for simulation time throw an
+  /// exception. Returns when the call has ended.
   ~CallBeside() {
     if (thread_.joinable()) {
       if (simulation_ != nullptr) {
@@ -57,7 +57,7 @@ class CallBeside {
     }
   }
 
-  /// What the call returns, or what it throws; until then the simulation time that it waits for passes.
+  /// Waits for the call and returns its value or throws its exception; meanwhile simulation time passes when the call waits for it.
   Returned outcome() {
     if (simulation_ != nullptr) {
       simulation_->advanceUntilItLeaves();

@@ -13,15 +13,15 @@
 #include "sitaf/runtime/cannot_run.hpp"
 #include "sitaf/suite/literals.hpp"
 
-/// Makes a component, sets its properties and leads it through its life, by what its class offers.
+/// Creates a component, sets its properties and calls its life-cycle methods, depending on the members of its class.
 namespace sitaf::runtime {
 namespace detail {
 
 template <class Wanted, class... Offered>
 constexpr bool isOffered = (std::is_same_v<std::remove_cv_t<Wanted>, Offered> || ...);
 
-/// Stands for any argument of a constructor, and becomes the object at hand that the parameter is of: by reference, pointer or shared
-/// pointer. To all other types it converts in no way, so that the constructor is not one to call.
+/// An argument for any parameter of a constructor. It converts to each available object, as a reference, pointer or shared pointer, and to
+/// no other type, so that std::is_constructible tells which constructors can be called.
 template <class... Offered>
 class Offer {
  public:
@@ -35,7 +35,7 @@ class Offer {
   operator Wanted*() const {
     return std::get<std::remove_cv_t<Wanted>*>(objects_);
   }
-  /// The object is not the pointer's own: it lives as long as the test.
+  /// A non-owning pointer; the object lives as long as the test.
   template <class Wanted, std::enable_if_t<isOffered<Wanted, Offered...>, int> = 0>
   operator std::shared_ptr<Wanted>() const {
     return std::shared_ptr<Wanted>(std::shared_ptr<void>(), std::get<std::remove_cv_t<Wanted>*>(objects_));
@@ -55,7 +55,7 @@ std::unique_ptr<Component> make(const Argument& argument, std::index_sequence<In
   return std::make_unique<Component>(((void)Index, argument)...);
 }
 
-/// A property's value, which becomes what the setter takes.
+/// The value of a property, which converts to the parameter type of the setter.
 class PropertyText {
  public:
   PropertyText(std::string name, std::string text) : name_(std::move(name)), text_(std::move(text)) {}
@@ -86,8 +86,8 @@ constexpr bool never = false;
 
 }  // namespace detail
 
-/// Makes a component. Of its public constructors the one with the most parameters is taken that asks for nothing but the objects at hand,
-/// each by its type: a reference, a pointer or a shared pointer.
+/// Creates a component with the public constructor that has the most parameters and whose parameters are all references, pointers or
+/// shared pointers to available objects.
 template <class Component, class... Offered>
 std::unique_ptr<Component> createComponent(Offered&... offered) {
   static_assert(!std::is_abstract_v<Component>,
@@ -119,11 +119,11 @@ std::unique_ptr<Component> createComponent(Offered&... offered) {
 /// A setter, for setProperty.
 #define SITAF_SETTER(name) [](auto& component, const auto& value) -> decltype(component.name(value)) { return component.name(value); }
 
-/// Where the name of a property gives no setter.
+/// Used when no setter can be derived from the name of a property.
 struct NoSetter {};
 
-/// Sets a property by `setProperty(name, value)` where the class has it, else by the setter of its name, which the last argument calls with
-/// the value made into the type of its parameter. A value that does not fit is a std::invalid_argument.
+/// Sets a property with `setProperty(name, value)` if the class has this method, otherwise with the setter of its name. The last argument
+/// calls the setter and converts the value to its parameter type. A value that cannot be converted throws std::invalid_argument.
 template <class Component, class Setter>
 void setProperty(Component& component, const char* name, const char* value, Setter setter) {
   if constexpr (detail::HasSetProperty<Component>::value) {
@@ -136,11 +136,11 @@ void setProperty(Component& component, const char* name, const char* value, Sett
   }
 }
 
-/// What a component has of a name: a method without parameters, or a public member.
+/// A member of a component by its name: a method without parameters, or a public data member.
 #define SITAF_METHOD(name) [](auto& component) -> decltype(component.name()) { return component.name(); }
 #define SITAF_MEMBER(name) [](auto& component) -> decltype((component.name)) { return (component.name); }
 
-/// What a component last sent through an output data port: the method of the port's name or its getter, else the public member of its
+/// Reads the last value of an output data port, from the method with the port's name, its getter, or the public data member with its
 /// name.
 template <class Component, class Method, class Getter, class Member>
 decltype(auto) dataPort(Component& component, Method method, Getter getter, Member member) {
@@ -156,7 +156,7 @@ decltype(auto) dataPort(Component& component, Method method, Getter getter, Memb
   }
 }
 
-/// Methods of a component's interfaces that are for the test to call, and are no hooks.
+/// Methods of a component's interfaces. The test calls them, so they are never called as hooks.
 using NotHooks = std::vector<std::string_view>;
 
 #define SITAF_HOOK(Hook, method)                                                                        \
@@ -188,7 +188,7 @@ SITAF_HOOK(OnDestroy, onDestroy);
 SITAF_HOOK(OnExecute, onExecute);
 SITAF_HOOK(Execute, execute);
 
-/// Calls the first of several hooks that a component has; whether it has one.
+/// Calls the first of several hooks that the component has; returns whether it has one.
 template <class Component, template <class, class> class... Hooks>
 bool callFirst(Component& component, const NotHooks& notHooks) {
   return (Hooks<Component, void>::call(component, notHooks) || ...);
@@ -196,21 +196,21 @@ bool callFirst(Component& component, const NotHooks& notHooks) {
 }  // namespace detail
 #undef SITAF_HOOK
 
-/// Begins the life of a component that was made: `initialise` and `start` (or `initialize`, `onInitialize`, `onStart`), where it has them.
+/// Initialises and starts a component: `initialise` and `start` (or `initialize`, `onInitialize`, `onStart`), if it has them.
 template <class Component>
 void beginLife(Component& component, const NotHooks& notHooks) {
   detail::callFirst<Component, detail::Initialise, detail::Initialize, detail::OnInitialize>(component, notHooks);
   detail::callFirst<Component, detail::Start, detail::OnStart>(component, notHooks);
 }
 
-/// Ends the life of a component: `stop` and `destroy` (or `onStop`, `onDestroy`), where it has them.
+/// Stops a component: `stop` and `destroy` (or `onStop`, `onDestroy`), if it has them.
 template <class Component>
 void endLife(Component& component, const NotHooks& notHooks) {
   detail::callFirst<Component, detail::Stop, detail::OnStop>(component, notHooks);
   detail::callFirst<Component, detail::Destroy, detail::OnDestroy>(component, notHooks);
 }
 
-/// One period of a periodic component: `onExecute` or `execute`.
+/// Executes one period of a periodic component: `onExecute` or `execute`.
 template <class Component>
 void execute(Component& component, const NotHooks& notHooks) {
   static_assert(detail::OnExecute<Component>::value || detail::Execute<Component>::value,

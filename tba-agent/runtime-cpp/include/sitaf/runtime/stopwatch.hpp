@@ -6,13 +6,13 @@
 
 namespace sitaf::runtime {
 
-/// Measures one call of the component by the monotonic clock, and apart from it what the call spends in virtual hardware and in stubs.
-/// Only the thread that started the watch counts: what other threads of the component do is not part of the call.
+/// Measures one call of the component with the monotonic clock, and separately the time that the call spends in virtual hardware and in
+/// stubs. Only the thread that started the stopwatch is measured; other threads of the component are not part of the call.
 class Stopwatch {
  public:
   using Moment = std::chrono::steady_clock::time_point;
 
-  /// Starts the measurement; an earlier one is cleared.
+  /// Starts a new measurement.
   void start() {
     hardware_ = {};
     stub_ = {};
@@ -35,13 +35,13 @@ class Stopwatch {
     called_ = false;
   }
 
-  /// Whether a call is being measured: an exception now comes from the component.
+  /// Whether a call is being measured. Then an exception comes from the component.
   bool isRunning() const { return running_; }
 
-  /// Whether a call was begun since the last reset.
+  /// Whether a call was started since the last reset.
   bool wasStarted() const { return called_; }
 
-  /// Counts the time of its life as spent in virtual hardware or in a stub; nested ones count once.
+  /// Counts its lifetime as spent in virtual hardware or in a stub; nested objects count once.
   class Aside {
    public:
     enum class Kind { hardware, stub };
@@ -69,7 +69,7 @@ class Stopwatch {
     Moment entered_;
   };
 
-  /// The component's own time in microseconds: the call without virtual hardware and stubs.
+  /// Time of the call in microseconds, without virtual hardware and stubs.
   double componentMicros() const {
     const double own = micros(total_) - micros(hardware_) - micros(stub_);
     return own > 0 ? own : 0;

@@ -21,18 +21,18 @@ using suite::Answer;
 using suite::answer;
 using suite::Nothing;
 
-/// What all stubs of a test share: how they throw and wait, and the record of their calls.
+/// State that all stubs of a test share: how they throw and wait, and the recorded calls.
 class Stubbing {
  public:
-  /// Throws the error of a name.
+  /// Throws the declared error with a name.
   using Raise = void (*)(const std::string& name);
 
-  /// The record of the calls goes into each result of the run.
+  /// Adds the recorded calls to each result of the run.
   Stubbing(TestRun& run, Raise raise);
   Stubbing(const Stubbing&) = delete;
   Stubbing& operator=(const Stubbing&) = delete;
 
-  /// Forgets the calls of the case before; from now on every method of these has a record.
+  /// Starts a case: clears the recorded calls, and sets the count of each of these methods to 0.
   void begin(const std::vector<std::string>& methods);
 
   Stopwatch& stopwatch() { return run_.stopwatch(); }
@@ -49,15 +49,15 @@ class Stubbing {
   suite::StubCalls calls_;
 };
 
-/// A call that the component makes of a required interface; its life counts as the stub's time.
+/// A call of the component to a required interface; its lifetime counts as time in stubs.
 class StubbedCall {
  public:
   StubbedCall(Stubbing& stubbing, std::string_view method, std::vector<std::pair<std::string, suite::Value>> arguments);
 
-  /// Which call of this method in this case it is, from 1.
+  /// Number of this call of the method in the case, from 1.
   std::size_t number() const { return number_; }
 
-  /// Waits and throws, as the answer says.
+  /// Waits for the delay of the answer and throws its error, if it has one.
   void act(double delay, const std::string& error) const { stubbing_.act(delay, error); }
 
  private:
@@ -66,16 +66,16 @@ class StubbedCall {
   std::size_t number_;
 };
 
-/// What a method answers over its calls in a case: each answer holds from its call on to the next that has its own.
+/// The answers of a method in a case; each applies from its call until the next call that has an answer.
 template <class T>
 class Answers {
  public:
-  /// Goes back to the zero of the type.
+  /// Resets the answers to the default value of the type.
   void reset() { byCall_.clear(); }
 
   void set(std::size_t fromCall, Answer<T> answer) { byCall_[fromCall] = std::move(answer); }
 
-  /// Waits, throws or answers a call.
+  /// Handles a call: waits, then throws or returns the answer.
   T give(const StubbedCall& call) const {
     auto next = byCall_.upper_bound(call.number());
     if (next == byCall_.begin()) {
@@ -90,7 +90,7 @@ class Answers {
   std::map<std::size_t, Answer<T>> byCall_;
 };
 
-/// An argument for the record of a call.
+/// An argument in the record of a call.
 template <class T>
 std::pair<std::string, suite::Value> argument(const char* name, const T& value) {
   return {name, suite::valueOf(value)};

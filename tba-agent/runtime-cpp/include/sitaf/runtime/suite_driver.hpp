@@ -9,31 +9,31 @@
 
 namespace sitaf::runtime {
 
-/// When a component under test is made and destroyed.
+/// How long an instance of the component under test is used.
 enum class LifeCycle {
-  /// Anew for each case.
+  /// A new instance for each case.
   perCase,
-  /// Once for all cases of a process.
+  /// One instance for all cases of a process.
   suite
 };
 
-/// What a run knows of a test driver.
+/// The interface of a test driver for its run.
 class Driver {
  public:
   virtual ~Driver() = default;
   Driver(const Driver&) = delete;
   Driver& operator=(const Driver&) = delete;
 
-  /// Runs a case and says whether it got as far as saving its result.
+  /// Runs a case and returns whether its result was saved.
   bool runAndSave(const suite::TestCase& testCase, suite::CaseResult& result);
 
-  /// Whether the result of the current case is in the file.
+  /// Whether the result of the current case was saved.
   bool isSaved() const { return saved_; }
 
-  /// Ends the component's life where it lives for one case.
+  /// Stops and destroys the component if it is created for each case.
   virtual void endCase() = 0;
 
-  /// Ends the component's life.
+  /// Stops and destroys the component.
   virtual void close() = 0;
 
  protected:
@@ -45,12 +45,12 @@ class Driver {
   /// Measures the call under test.
   Stopwatch& stopwatch() { return run_.stopwatch(); }
 
-  /// Hands the result of the case, with the time of its call, over to the results file.
+  /// Writes the result of the case, with the time of its call, to the results file.
   void save(suite::CaseResult& result);
 
   TestRun& run() { return run_; }
 
-  /// Begins a nonblocking call; it is timed on its own thread.
+  /// Starts a nonblocking call; it is measured on its own thread.
   template <class Call>
   auto beside(Call call) {
     return CallBeside<decltype(call())>(run_.stopwatch(), run_.simulationIfAny(), std::move(call));
@@ -61,7 +61,7 @@ class Driver {
   bool saved_ = false;
 };
 
-/// Base of the generated test drivers: life cycle of the component and results.
+/// Base class of the generated test drivers: life cycle of the component and results.
 template <class Component>
 class SuiteDriver : public Driver {
  public:
@@ -80,20 +80,20 @@ class SuiteDriver : public Driver {
   }
 
  protected:
-  /// A driver within a run; notHooks are methods of the component's interfaces, which its life must not call.
+  /// Creates the driver of a run; notHooks are methods of the component's interfaces, which are never called as hooks.
   SuiteDriver(TestRun& run, LifeCycle lifeCycle, NotHooks notHooks = {})
       : Driver(run), lifeCycle_(lifeCycle), notHooks_(std::move(notHooks)) {}
 
-  /// Makes the component and sets it up.
+  /// Creates the component and sets its properties.
   virtual std::unique_ptr<Component> createComponent() = 0;
 
-  /// Runs before each call, when the world and the stubs are set.
+  /// Called before each call under test, after the world and the stubs are set up.
   virtual void beforeCase(Component& /*component*/, const suite::TestCase& /*testCase*/) {}
 
-  /// Runs after each call, before the result is judged.
+  /// Called after each call under test, before the result is saved.
   virtual void afterCase(Component& /*component*/, const suite::TestCase& /*testCase*/) {}
 
-  /// The component of this case: made now, or that of the case before where it lives as long as the suite.
+  /// The component of this case: a new one, or that of the previous case when one instance serves the whole suite.
   Component& component() {
     if (component_ == nullptr) {
       component_ = createComponent();
@@ -102,7 +102,7 @@ class SuiteDriver : public Driver {
     return *component_;
   }
 
-  /// Initialises and starts a component, where its class has methods named so. A component that begins its life twice does it once.
+  /// Initialises and starts a component if its class has the methods. Further calls for the same component do nothing.
   void begin(Component& component) {
     if (begun_ != &component) {
       begun_ = &component;
@@ -110,7 +110,7 @@ class SuiteDriver : public Driver {
     }
   }
 
-  /// Does the work of one period of a periodic component.
+  /// Executes one period of a periodic component.
   void execute(Component& component) { runtime::execute(component, notHooks_); }
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
 
-// Everything that a generated test application includes, for one precompiled header.
+// The precompiled header with everything that generated test applications include.
 
 #include "sitaf/runtime/stub.hpp"
 #include "sitaf/runtime/suite_driver.hpp"

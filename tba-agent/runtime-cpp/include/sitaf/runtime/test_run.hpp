@@ -11,14 +11,14 @@
 #include "sitaf/suite/test_case.hpp"
 #include "sitaf/suite/upcoming.hpp"
 
-// What a program that is built for coverage has, and only itself can call.
+// Defined only in programs that are built for coverage.
 extern "C" void __gcov_dump() __attribute__((weak));
 extern "C" void __gcov_reset() __attribute__((weak));
 
 namespace sitaf::runtime {
 namespace detail {
 
-/// Writes out which lines were reached since the last time.
+/// Saves the coverage since the last call.
 inline void flushCoverage() {
   __gcov_dump();
   __gcov_reset();
@@ -28,35 +28,35 @@ inline void flushCoverage() {
 
 class Driver;
 
-/// One process that runs a suite: reads the cases, hands each to the test driver, and writes a record of every case,
-/// whatever the component does.
+/// Runs a suite in this process: reads the cases, passes each to the test driver, and writes a record of every case, even when
+/// the component fails.
 class TestRun {
  public:
-  /// Makes the test driver of a run.
+  /// Creates the test driver of a run.
   using Factory = std::function<std::unique_ptr<Driver>(TestRun&)>;
 
   TestRun(const TestRun&) = delete;
   TestRun& operator=(const TestRun&) = delete;
 
-  /// The simulator's session; CannotRun where the test was started without one.
+  /// The simulator's session; throws CannotRun when the test was started without one.
   simulation::Simulation& simulation();
 
-  /// The simulator's session; null where there is none.
+  /// The simulator's session; null when there is none.
   simulation::Simulation* simulationIfAny();
 
-  /// What the component may be given; null where there is no simulation.
+  /// The hardware for the component; null when there is no simulation.
   Hardware* hardware();
 
   /// Measures the calls of this run.
   Stopwatch& stopwatch();
 
-  /// The cases that follow.
+  /// The following cases.
   suite::Upcoming& upcoming();
 
-  /// Adds to each result before it is saved.
+  /// Registers a function that completes each result before it is saved.
   void beforeSaving(std::function<void(suite::CaseResult&)> addition);
 
-  /// Hands a result over to the results file.
+  /// Writes a result to the results file.
   void save(suite::CaseResult& result);
 
  private:
@@ -67,11 +67,11 @@ class TestRun {
   State& state_;
 };
 
-/// What `main` of a test application does: runs the suite that the arguments name. The exit code is 0 when every case has a result, and 3,
-/// with one line on the error stream, when the suite could not be run.
+/// The `main` of a test application: runs the suite that the arguments name. The exit code is 0 when every case has a result, and 3, with
+/// one line on the error stream, when the suite could not be run.
 int start(int argc, char** argv, const TestRun::Factory& driver, void (*coverage)());
 
-/// As start, with a driver that is made of the run alone.
+/// As start, with a driver whose constructor takes only the run.
 template <class ConcreteDriver>
 int start(int argc, char** argv) {
   return start(

@@ -6,7 +6,7 @@
 
 namespace sitaf {
 
-/// A picture, row by row from the top.
+/// An image, row by row from the top.
 struct Image {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
@@ -15,7 +15,7 @@ struct Image {
   std::vector<std::uint8_t> data;
 };
 
-/// A camera; shape of sensor_msgs/Image. Unlike all others it is read from the simulator at each call.
+/// A camera; shape of sensor_msgs/Image. Unlike other devices, each call reads it from the simulator.
 class Camera {
  public:
   virtual ~Camera() = default;
@@ -23,7 +23,7 @@ class Camera {
   /// The device's name in the world description.
   virtual const std::string& name() const = 0;
 
-  /// The picture at the current step.
+  /// The image at the current step.
   virtual Image image() const = 0;
 };
 

@@ -4,7 +4,7 @@
 
 namespace sitaf {
 
-/// A bumper.
+/// A contact sensor, such as a bumper.
 class ContactSensor {
  public:
   virtual ~ContactSensor() = default;
@@ -12,10 +12,10 @@ class ContactSensor {
   /// The device's name in the world description.
   virtual const std::string& name() const = 0;
 
-  /// Whether anything presses on it.
+  /// Whether it is pressed.
   virtual bool isPressed() const = 0;
 
-  /// How hard, in newtons.
+  /// Contact force in newtons.
   virtual double force() const = 0;
 };
 

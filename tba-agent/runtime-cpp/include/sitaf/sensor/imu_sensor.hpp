@@ -6,7 +6,7 @@
 
 namespace sitaf {
 
-/// An inertial unit; shape of sensor_msgs/Imu, in its own frame.
+/// An inertial measurement unit; shape of sensor_msgs/Imu, in its own frame.
 class ImuSensor {
  public:
   virtual ~ImuSensor() = default;
@@ -20,7 +20,7 @@ class ImuSensor {
   /// Radians per second.
   virtual Vector angularVelocity() const = 0;
 
-  /// Metres per second squared; at rest it reads gravity upwards.
+  /// Metres per second squared, including gravity: at rest it points upwards.
   virtual Vector linearAcceleration() const = 0;
 };
 

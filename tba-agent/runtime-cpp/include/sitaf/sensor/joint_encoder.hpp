@@ -4,7 +4,7 @@
 
 namespace sitaf {
 
-/// What is measured at a joint.
+/// An encoder of a joint.
 class JointEncoder {
  public:
   virtual ~JointEncoder() = default;
@@ -12,7 +12,7 @@ class JointEncoder {
   /// The device's name in the world description.
   virtual const std::string& name() const = 0;
 
-  /// Radians, or metres for a slide.
+  /// Radians, or metres for a prismatic joint.
   virtual double position() const = 0;
 
   /// Radians or metres per second.

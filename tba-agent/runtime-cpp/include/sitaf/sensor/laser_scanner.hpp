@@ -28,7 +28,7 @@ class LaserScanner {
   /// Largest distance that it measures, in metres.
   virtual double maxRange() const = 0;
 
-  /// Metres, from the first ray on; infinities and NaN as REP-117 has them.
+  /// Distances in metres, one for each ray; infinities and NaN as in REP-117.
   virtual std::vector<double> ranges() const = 0;
 };
 

@@ -6,7 +6,7 @@
 
 namespace sitaf {
 
-/// A compass, in its own frame.
+/// A magnetometer, in its own frame.
 class Magnetometer {
  public:
   virtual ~Magnetometer() = default;
@@ -14,7 +14,7 @@ class Magnetometer {
   /// The device's name in the world description.
   virtual const std::string& name() const = 0;
 
-  /// Tesla.
+  /// Magnetic field in tesla.
   virtual Vector field() const = 0;
 };
 

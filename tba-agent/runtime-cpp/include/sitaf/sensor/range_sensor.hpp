@@ -12,8 +12,8 @@ class RangeSensor {
   /// The device's name in the world description.
   virtual const std::string& name() const = 0;
 
-  /// The distance at the current step in metres. As REP-117 has it: positive infinity when nothing is within maxRange(),
-  /// negative infinity when something is nearer than minRange() or around the sensor, NaN when the reading failed.
+  /// The distance at the current step in metres. As in REP-117: positive infinity when nothing is within maxRange(),
+  /// negative infinity when an object is nearer than minRange() or the sensor is inside an object, NaN when the reading is invalid.
   virtual double range() const = 0;
 
   /// Smallest distance that the sensor measures, in metres, inclusive.

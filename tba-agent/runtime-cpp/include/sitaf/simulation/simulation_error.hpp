@@ -7,20 +7,20 @@
 
 namespace sitaf::simulation {
 
-/// The simulator did not do what it was asked to.
+/// A call to the simulator failed.
 class SimulationError : public std::runtime_error {
  public:
   SimulationError(const std::string& message, bool lost) : std::runtime_error(message), lost_(lost) {}
 
-  /// Whether the simulator or the session is gone, so that no further case can run; otherwise it refused one request, and the next may
-  /// succeed.
+  /// Whether the simulator or the session is lost, so that no further case can run. Otherwise the simulator rejected one request, and the
+  /// next may succeed.
   bool isLost() const { return lost_; }
 
  private:
   bool lost_;
 };
 
-/// A case lets more simulation time pass than it may.
+/// A case exceeded its limit of simulation time.
 class CaseTooLong : public std::runtime_error {
  public:
   explicit CaseTooLong(std::chrono::nanoseconds most) : std::runtime_error(message(std::chrono::duration<double>(most).count())) {}

@@ -12,12 +12,12 @@ namespace sitaf::suite {
 /// The return type of a method without a return value.
 struct Nothing {};
 
-/// What a stubbed method does when it is called: `VALUE`, `!error:NAME`, `!delay:SECONDS`, or a delay, a space and one of the others.
+/// The behaviour of a stubbed method: `VALUE`, `!error:NAME` or `!delay:SECONDS`; a value or an error may follow a delay after a space.
 template <class T>
 struct Answer {
-  /// In seconds of simulation time where there is a world, otherwise of real time.
+  /// In seconds of simulation time; of real time when there is no world.
   double delay = 0;
-  /// Name of the error to throw; empty where a value is returned.
+  /// Name of the error to throw; empty when a value is returned.
   std::string error;
   /// The value to return.
   T value{};

@@ -13,13 +13,13 @@
 
 namespace sitaf::suite {
 
-/// What is recorded of one case. The test driver fills it in and saves it; expected values and verdicts are not known here.
+/// The record of a case. The test driver fills it in and saves it; the agent adds expected values and verdicts.
 class CaseResult {
  public:
-  /// An empty record of a case; the case must live as long.
+  /// Creates an empty record of a case; the case must live as long as the record.
   explicit CaseResult(const TestCase& testCase) : testCase_(testCase) {}
 
-  /// Sets the processing time in microseconds; `component` is without the other two.
+  /// Sets the processing time in microseconds; `component` excludes the other two.
   void setTime(double component, double hardware, double stub);
 
   /// Records the value of an output.
@@ -28,7 +28,7 @@ class CaseResult {
     recordValue(output, valueOf(value));
   }
 
-  /// Records a part of an output, which `read` returns; `null` where the value has no such element.
+  /// Records a part of an output, which `read` returns; `null` when the value has no such element.
   template <class Read>
   void recordPart(std::string_view output, Read read) {
     try {
@@ -47,10 +47,10 @@ class CaseResult {
   /// Ends the case with an exception of the call under test; `type` is its name without its scope.
   void threw(const std::string& type, std::string_view description);
 
-  /// Ends the case with another outcome than a return; the reason is added to the message.
+  /// Sets the outcome of a case that did not return; the reason is appended to the message.
   void endWith(Outcome outcome, std::string_view reason);
 
-  /// The record as one line of XML, with its line feed.
+  /// The record as one line of XML that ends with a line feed.
   std::string line() const;
 
  private:

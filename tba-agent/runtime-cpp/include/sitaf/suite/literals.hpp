@@ -13,7 +13,7 @@
 
 /// Reads and writes literals (docs/test-application.md, Literals): numbers in decimal, `NaN`, `Infinity` and `-Infinity`, `true` and
 /// `false`, strings without quotes, sequences as `[1.0, 2.5]` and structs as `{x: 1.0, y: 2.0}`, with nested strings in double quotes. A
-/// literal that cannot be read is a CaseDataError.
+/// literal that cannot be read throws CaseDataError.
 namespace sitaf::suite::literals {
 
 /// A floating-point number.
@@ -38,11 +38,11 @@ std::vector<std::pair<std::string, std::string>> members(std::string_view litera
 /// The literal of a value.
 std::string write(const Value& value);
 
-/// The shortest digits that read back as the same number: in decimal notation from 1e-3 to below 1e7, otherwise with an exponent.
+/// The shortest text that is read back as the same number: in decimal notation from 1e-3 to below 1e7, otherwise with an exponent.
 std::string write(double number);
 std::string write(float number);
 
-/// The literal without white space around it.
+/// The literal without leading and trailing white space.
 std::string_view stripped(std::string_view literal);
 
 /// Throws a CaseDataError that quotes the literal.

@@ -2,7 +2,7 @@
 
 namespace sitaf::suite {
 
-/// How a case ended. The verdict is given later, by the process that knows the expected values.
+/// How a case ended. The agent, which knows the expected values, decides the verdict later.
 enum class Outcome {
   /// The call returned, and its outputs are recorded.
   returned,

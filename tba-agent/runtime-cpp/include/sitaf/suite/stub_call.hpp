@@ -8,19 +8,19 @@
 
 namespace sitaf::suite {
 
-/// A call that the component made of a required interface.
+/// A call of the component to a required interface.
 struct StubCall {
   /// `Interface.Method`
   std::string method;
-  /// Name and literal of each parameter that carries something in.
+  /// Name and literal of each input parameter.
   std::vector<std::pair<std::string, std::string>> arguments;
 };
 
 /// The calls of a case.
 struct StubCalls {
-  /// How many calls each method got; every method of a required interface is here.
+  /// Number of calls of each method, for all methods of required interfaces.
   std::map<std::string, std::size_t> counts;
-  /// The first calls, in their order.
+  /// The first calls, in order.
   std::vector<StubCall> first;
 };
 

@@ -28,10 +28,10 @@ class TestCase {
   /// Whether the suite has such a parameter.
   bool has(std::string_view parameter) const;
 
-  /// The literal of a parameter; CaseDataError where the suite has no such parameter.
+  /// The literal of a parameter; throws CaseDataError when the suite has no such parameter.
   const std::string& literal(std::string_view parameter) const;
 
-  /// The value of a parameter; CaseDataError where the suite has no such parameter, or the type cannot hold its value.
+  /// The value of a parameter; throws CaseDataError when the suite has no such parameter or the type cannot hold its value.
   template <class T>
   T value(std::string_view parameter) const {
     const std::string& text = literal(parameter);

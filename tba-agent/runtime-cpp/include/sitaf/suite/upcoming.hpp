@@ -6,12 +6,12 @@
 
 namespace sitaf::suite {
 
-/// The cases that follow, for those who prepare several at once.
+/// Access to the following cases, to prepare several at once.
 class Upcoming {
  public:
   virtual ~Upcoming() = default;
 
-  /// The case that runs now (0), the next (1), and so on; null behind the last, and where the suite cannot be read.
+  /// The current case (0), the next (1), and so on; null after the last case and after an error in the suite.
   virtual const TestCase* peek(std::size_t ahead) = 0;
 };
 

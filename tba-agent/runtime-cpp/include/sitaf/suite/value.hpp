@@ -20,7 +20,7 @@ struct Structure;
 template <class T>
 struct Enumeration;
 
-/// A value that a component gave, as documents know values.
+/// A value of a component, independent of its C++ type, as it is written to documents.
 class Value {
  public:
   using Elements = std::vector<Value>;
@@ -55,7 +55,7 @@ struct IsSequence<std::array<E, N>> : std::true_type {};
 
 }  // namespace detail
 
-/// A component's value as documents know it: bool, numbers, char and strings, enumerations, sequences, arrays and structs.
+/// Converts a component's value: bool, numbers, char and strings, enumerations, sequences, arrays and structs.
 template <class T>
 Value valueOf(const T& value) {
   if constexpr (std::is_same_v<T, bool>) {
@@ -83,7 +83,7 @@ Value valueOf(const T& value) {
     Value::Elements elements;
     elements.reserve(value.size());
     for (auto&& element : value) {
-      // Elements of a vector<bool> are no bool by themselves.
+      // The elements of a vector<bool> are proxies, which are converted to bool here.
       elements.push_back(valueOf<typename T::value_type>(element));
     }
     return Value(Value::Content(std::move(elements)));

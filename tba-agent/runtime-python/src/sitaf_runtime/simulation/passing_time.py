@@ -142,7 +142,7 @@ class PassingTime:
                 self._changed.wait()
             if me is self._given_up:
                 self._waiting.pop(me, None)
-                raise SimulationError("the case is over, and no more of its time passes")
+                raise SimulationError("the case has ended, and its simulation time no longer advances")
 
     def _await_followed(self) -> None:
         """Wait until the followed thread waits for simulation time or has left."""

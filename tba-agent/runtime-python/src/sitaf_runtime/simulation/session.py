@@ -78,7 +78,7 @@ class Simulation:
         self._session: str = created.session_id
         self._timestep_ns: int = created.world.timestep_ns
         if self._timestep_ns <= 0:
-            raise SimulationError("the simulator names no length of a step", lost=True)
+            raise SimulationError("the simulator reported no timestep", lost=True)
         self._layout = Layout(created.world)
         self._hardware = SimulatedHardware(
             self._layout,

@@ -206,7 +206,7 @@ public final class PassingTime {
     }
     if (self == givenUp) {
       waiting.remove(self);
-      throw new SimulationException("the case is over, and no more of its time passes");
+      throw new SimulationException("the case has ended, and its simulation time no longer advances");
     }
   }
 

@@ -140,7 +140,7 @@ public final class Simulation implements AutoCloseable {
               "opening the world " + worldDescription.getFileName(),
               () -> stub(channel).createSession(request));
       if (created.getWorld().getTimestepNs() <= 0) {
-        throw new SimulationException("the simulator names no length of a step");
+        throw new SimulationException("the simulator reported no timestep");
       }
       return new Simulation(channel, created, stopwatch, coming);
     } catch (RuntimeException e) {
