@@ -16,7 +16,7 @@ class BuildWithStubs(build_py):
     """Generates the messages in `sitaf_runtime.simulation.wire` from the proto files, then builds; also for `-e`."""
 
     def run(self) -> None:
-        """Generate into the source tree (ignored by git), where regular and editable installations find the messages."""
+        """Generate into the source tree (ignored by git), where both kinds of installation find them."""
         generate_stubs()
         # Otherwise modules of an earlier version would be installed, too.
         shutil.rmtree(Path(self.build_lib) / "sitaf_runtime", ignore_errors=True)
@@ -25,9 +25,9 @@ class BuildWithStubs(build_py):
 
 def generate_stubs() -> None:
     """Run protoc on the simulator's protocol."""
-    from importlib.resources import files  # noqa: PLC0415
+    from importlib.resources import files
 
-    from grpc_tools import protoc  # noqa: PLC0415  # only the build environment has it
+    from grpc_tools import protoc  # only the build environment has it
 
     if not (PROTO_ROOT / PROTO).is_file():
         raise SystemExit(f"{PROTO_ROOT / PROTO} is missing: build sitaf-runtime inside a checkout of the project")

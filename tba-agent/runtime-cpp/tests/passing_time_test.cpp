@@ -24,7 +24,7 @@ struct World {
   std::uint64_t now = 0;
   PassingTime time{milliseconds(2), [this](std::uint64_t steps) { now += steps; }};
 
-  /// Acts and waits 6 ms, again and again.
+  /// Acts and waits 6 ms, repeatedly.
   void act(Moments& acted, int times) {
     for (int i = 0; i < times; ++i) {
       acted.push_back(now);
@@ -32,7 +32,7 @@ struct World {
     }
   }
 
-  /// A thread that is followed from its first step on.
+  /// A thread that is followed from its start.
   template <class Work>
   std::thread follow(Work work) {
     auto begin = std::make_shared<std::promise<void>>();
@@ -49,7 +49,7 @@ struct World {
 
 }  // namespace
 
-TEST_CASE("ticks fall on the first step at or after each period") {
+TEST_CASE("ticks run at the first step at or after each period") {
   World world;
   Moments ticks;
   world.time.every(milliseconds(5), [&] { ticks.push_back(world.now); });
@@ -58,7 +58,7 @@ TEST_CASE("ticks fall on the first step at or after each period") {
   CHECK(ticks == Moments{3, 5, 8, 10});
 }
 
-TEST_CASE("a thread that is followed acts at the same times in every run, and has as much time as it waits for") {
+TEST_CASE("a followed thread acts at the same times in every run, and time passes until it leaves") {
   World world;
   Moments acted;
   std::thread component = world.follow([&] { world.act(acted, 5); });
@@ -72,26 +72,26 @@ TEST_CASE("a thread that is followed acts at the same times in every run, and ha
   CHECK(world.now == 15);
 }
 
-TEST_CASE("a thread that is given up waits in vain") {
+TEST_CASE("giving up a thread ends its waits") {
   World world;
   world.time.limit(milliseconds(20));
   Moments acted;
-  bool told = false;
+  bool reported = false;
   std::thread component = world.follow([&] {
     try {
       world.act(acted, 1000000);
     } catch (const SimulationError&) {
-      told = true;
+      reported = true;
     }
   });
   CHECK_THROWS_WITH_AS(world.time.passUntilItLeaves(), "the case took more than 0.02 s of simulation time", CaseTooLong);
   world.time.giveUp();
   component.join();
-  CHECK(told);
+  CHECK(reported);
   CHECK(acted == Moments{0, 3, 6, 9});
 }
 
-TEST_CASE("what has settled counts for the limit of a case") {
+TEST_CASE("the settle time counts towards the limit of a case") {
   World world;
   world.time.limit(milliseconds(20));
   world.time.restart(milliseconds(12));

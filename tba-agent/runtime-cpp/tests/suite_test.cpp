@@ -69,7 +69,7 @@ TEST_CASE("written values read back") {
   CHECK(literals::write(valueOf(std::numeric_limits<double>::infinity())) == "Infinity");
 }
 
-TEST_CASE("what a type cannot hold is refused") {
+TEST_CASE("values that a type cannot hold are rejected") {
   CHECK(literals::read<std::uint8_t>("255") == 255);
   CHECK(literals::read<int>("7e2") == 700);
   CHECK_THROWS_AS(literals::read<std::uint8_t>("256"), CaseDataError);
@@ -82,7 +82,7 @@ TEST_CASE("what a type cannot hold is refused") {
   CHECK_THROWS_AS(literals::read<std::vector<std::string>>("[\"a]"), CaseDataError);
 }
 
-TEST_CASE("a record is one line, whatever is in it") {
+TEST_CASE("a record with any text is one line") {
   const TestCase testCase = oneCase({}, {});
   CaseResult result(testCase);
   result.record("return", std::string("<&\n\"\x01\xff\xc3\xbc\xe2\x80\xa8"));
@@ -92,7 +92,7 @@ TEST_CASE("a record is one line, whatever is in it") {
         "<processing_time unit=\"us\" hardware=\"0.250\" stub=\"0.000\">1.500</processing_time></case_record>\n");
 }
 
-TEST_CASE("an exception is recorded by the name of its type") {
+TEST_CASE("the type name of an exception is recorded") {
   const TestCase testCase = oneCase({}, {});
   CaseResult result(testCase);
   result.threw("NoEcho", "sitaf::interfaces::NoEcho: too far");
@@ -101,7 +101,7 @@ TEST_CASE("an exception is recorded by the name of its type") {
         "far</message></case_record>\n");
 }
 
-TEST_CASE("a part that is not there is null, and so is a return without a value") {
+TEST_CASE("a missing part is null, and so is the return of a void method") {
   const TestCase testCase = oneCase({}, {});
   CaseResult result(testCase);
   const std::vector<double> path{0.5};
@@ -132,7 +132,7 @@ TEST_CASE("a suite is read case by case, and ahead") {
   std::remove(path.c_str());
 }
 
-TEST_CASE("a document that is no suite is refused") {
+TEST_CASE("a document that is no suite is rejected") {
   for (const char* text :
        {"<!DOCTYPE a [<!ENTITY x \"y\">]><test_suite_data><case_list/></test_suite_data>", "<other/>", "<test_suite_data/>", "nonsense",
         "<test_suite_data><param name=\"a\"/><param name=\"a\"/><case_list/></test_suite_data>"}) {
@@ -146,7 +146,7 @@ TEST_CASE("a document that is no suite is refused") {
   std::remove(path.c_str());
 }
 
-TEST_CASE("through a descriptor each line begins with its number and the token") {
+TEST_CASE("lines on a descriptor start with number and token") {
   int input[2];
   int results[2];
   REQUIRE(::pipe(input) == 0);
@@ -177,7 +177,7 @@ TEST_CASE("through a descriptor each line begins with its number and the token")
   }
 }
 
-TEST_CASE("a torn line is ended before results go on") {
+TEST_CASE("an incomplete line is terminated before results are appended") {
   const std::string path = write("\n<case_record no=\"1\"");
   const TestCase testCase = oneCase({}, {});
   {
@@ -213,8 +213,8 @@ struct Shared {
 };
 
 struct General {
-  std::string heard;
-  void setProperty(const std::string& name, const std::string& value) { heard += name + "=" + value; }
+  std::string received;
+  void setProperty(const std::string& name, const std::string& value) { received += name + "=" + value; }
 };
 struct Particular {
   double gain = 0;
@@ -230,7 +230,7 @@ struct Living {
 
 }  // namespace
 
-TEST_CASE("a component is made by the constructor that asks for the most") {
+TEST_CASE("a component is created by the constructor with the most parameters") {
   Finder finder;
   Wheels wheels;
   CHECK(sitaf::runtime::createComponent<Nothing>(finder, wheels) != nullptr);
@@ -241,17 +241,17 @@ TEST_CASE("a component is made by the constructor that asks for the most") {
   CHECK(sitaf::runtime::createComponent<Shared>(finder)->finder_.get() == &finder);
 }
 
-TEST_CASE("a property is set by whichever setter there is") {
+TEST_CASE("a property is set by the general setter or its own") {
   General general;
   sitaf::runtime::setProperty(general, "Gain", "0.5", sitaf::runtime::NoSetter{});
-  CHECK(general.heard == "Gain=0.5");
+  CHECK(general.received == "Gain=0.5");
   Particular particular;
   sitaf::runtime::setProperty(particular, "Gain", "0.5", SITAF_SETTER(setGain));
   CHECK(particular.gain == 0.5);
   CHECK_THROWS_AS(sitaf::runtime::setProperty(particular, "Gain", "much", SITAF_SETTER(setGain)), std::invalid_argument);
 }
 
-TEST_CASE("a component is led through the life that it has") {
+TEST_CASE("the life-cycle methods of a component are called") {
   Living living;
   sitaf::runtime::beginLife(living, {});
   sitaf::runtime::endLife(living, {});
@@ -260,14 +260,14 @@ TEST_CASE("a component is led through the life that it has") {
   sitaf::runtime::beginLife(nothing, {});
 }
 
-TEST_CASE("a method of an interface is no step in a component's life") {
+TEST_CASE("a method of an interface is no life-cycle method") {
   Living living;
   sitaf::runtime::beginLife(living, {"start"});
   sitaf::runtime::endLife(living, {"stop"});
   CHECK(living.life == "ip");
 }
 
-TEST_CASE("a data port is a method of its name, its getter or a member") {
+TEST_CASE("a data port is read from a method, a getter or a member") {
   struct Sender {
     double speed() { return 1.5; }
     int getCount() { return 3; }

@@ -1,4 +1,4 @@
-"""Runs test applications in processes of their own."""
+"""Runs test applications in separate processes."""
 
 import os
 import subprocess
@@ -11,7 +11,7 @@ GOLDENS = PROJECT / "itaes-server/core/src/test/resources/org/sitaf/core/harness
 
 
 def run(entry, suite, results, path, *arguments):
-    """Run an application; gives the process and the results by the numbers of their cases."""
+    """Run an application; return the process and the results by case number."""
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join(map(str, path))}
     command = [sys.executable, "-m", "sitaf_runtime", entry, "--suite", suite, "--results", results, *arguments]
     ended = subprocess.run([str(word) for word in command], env=environment, capture_output=True, text=True, timeout=60)

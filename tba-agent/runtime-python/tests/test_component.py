@@ -1,4 +1,4 @@
-"""How a component is made, set up and called."""
+"""Creating components, setting properties and calling methods."""
 
 from typing import Protocol
 
@@ -19,7 +19,7 @@ class Stub(RangeFinder):
         return 1.0
 
 
-def test_a_constructor_gets_what_it_asks_for_by_type_or_by_name():
+def test_constructor_parameters_are_matched_by_type_or_name():
     class ByType:
         def __init__(self, finder: RangeFinder, gain: float = 2.0) -> None:
             self.finder, self.gain = finder, gain
@@ -37,7 +37,7 @@ def test_a_constructor_gets_what_it_asks_for_by_type_or_by_name():
         assert create(type_, [stub]).finder is stub
 
 
-def test_what_no_test_can_give_is_told():
+def test_unavailable_constructor_parameters_are_reported():
     class Needy:
         def __init__(self, port: int) -> None: ...
 
@@ -45,7 +45,7 @@ def test_what_no_test_can_give_is_told():
         create(Needy, [Stub()])
 
 
-def test_properties_are_set_by_whatever_there_is():
+def test_properties_are_set_by_setters_or_attributes():
     class General:
         def set_property(self, name, value):
             self.seen = (name, value)
@@ -72,7 +72,7 @@ def test_properties_are_set_by_whatever_there_is():
         set_property(setters, "Size", "many")
 
 
-def test_methods_are_found_by_either_spelling():
+def test_methods_are_found_in_camel_case_and_snake_case():
     class Pythonic:
         def get_infrared_data(self):
             return 1
@@ -84,7 +84,7 @@ def test_methods_are_found_by_either_spelling():
         method_of(Pythonic(), "GetSpeed")
 
 
-def test_out_parameters_come_back_either_way():
+def test_out_parameters_are_returned_or_set():
     class Tuples:
         def both(self, a):
             return a > 0, a + 1
@@ -114,5 +114,5 @@ def test_out_parameters_come_back_either_way():
         call_with_outs(Tuples().both, 1, Out(), Out(), returns=True)
 
 
-def test_parts_are_reached_by_path():
+def test_parts_are_found_by_path():
     assert part_of({"path": [type("P", (), {"x": 3})]}, "path", 0, "x") == 3

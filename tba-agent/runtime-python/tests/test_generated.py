@@ -1,4 +1,4 @@
-"""The sources that the project generates, as the tests of the generator keep them: formatted, and run for real."""
+"""The expected sources of the generator tests are formatted, and they run."""
 
 import subprocess
 import sys
@@ -27,7 +27,7 @@ def test_generated_sources_are_formatted_and_have_nothing_to_lint(name):
     assert linted.returncode == 0, linted.stdout
 
 
-def test_structs_enumerations_stubs_and_out_parameters_go_through(tmp_path):
+def test_structs_enumerations_stubs_and_out_parameters_work(tmp_path):
     ended, results = run(ENTRY, NAVIGATOR / "suite.xml", tmp_path / "results", NAVIGATOR_PATH)
     assert (ended.returncode, ended.stderr) == (0, "")
     first = results[1]
@@ -47,7 +47,7 @@ def test_structs_enumerations_stubs_and_out_parameters_go_through(tmp_path):
 
 
 def with_component(tmp_path, body):
-    """The navigator with another body of its step."""
+    """The navigator with another implementation of its step."""
     folder = tmp_path / "component/navigation"
     folder.mkdir(parents=True)
     source = (NAVIGATOR / "activity/component/navigation/navigator.py").read_text()
@@ -66,7 +66,7 @@ def with_component(tmp_path, body):
         (["def again(): again()", "again()"], "RecursionError"),
     ],
 )
-def test_what_a_component_raises_is_an_error_of_its_case(tmp_path, body, message):
+def test_exceptions_of_a_component_are_errors_of_the_case(tmp_path, body, message):
     path = with_component(tmp_path, body)
     ended, results = run(ENTRY, NAVIGATOR / "suite.xml", tmp_path / "results", path)
     assert ended.returncode == 0, ended.stderr
@@ -91,7 +91,7 @@ def test_a_component_that_ends_the_process_loses_no_result(tmp_path):
     assert sorted(results) == [1, 2]
 
 
-def test_a_thread_that_is_left_over_holds_nothing_up(tmp_path):
+def test_the_process_does_not_wait_for_running_threads(tmp_path):
     path = with_component(
         tmp_path,
         [
@@ -104,7 +104,7 @@ def test_a_thread_that_is_left_over_holds_nothing_up(tmp_path):
     assert (ended.returncode, len(results)) == (0, 2)
 
 
-def test_a_component_that_cannot_be_imported_is_told_before_any_case(tmp_path):
+def test_a_component_that_cannot_be_imported_is_reported_before_any_case(tmp_path):
     path = with_component(tmp_path, ["return 1", "", "", "import nowhere"])
     source = tmp_path / "component/navigation/navigator.py"
     source.write_text("import nowhere_to_be_found\n" + source.read_text())
@@ -115,7 +115,7 @@ def test_a_component_that_cannot_be_imported_is_told_before_any_case(tmp_path):
     assert "navigation/navigator.py:1" in ended.stderr
 
 
-def test_a_test_without_its_simulation_says_so(tmp_path):
+def test_a_missing_simulation_is_reported(tmp_path):
     path = [GOLDENS / "ir-sensor-python/harness", PROJECT / "examples/ir-sensor-python/component"]
     ended, _ = run(
         "sitaf_harness.get_infrared_data.concrete_test_driver",

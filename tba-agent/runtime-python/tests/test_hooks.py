@@ -1,4 +1,4 @@
-"""The steps in the life of a component."""
+"""Life-cycle methods of components."""
 
 import pytest
 
@@ -7,7 +7,7 @@ from sitaf_runtime.hooks import Hooks
 
 
 class Recorded:
-    """Keeps what is called, by any name."""
+    """Records the methods that are called."""
 
     def __init__(self):
         self.called = []
@@ -39,7 +39,7 @@ def test_the_first_hook_of_each_step_is_called(names, begun, ended):
     assert made.called == ended
 
 
-def test_a_method_of_an_interface_is_no_hook_in_either_spelling():
+def test_a_method_of_an_interface_is_no_hook():
     made = component("start", "Stop", "stop", "on_stop")
     hooks = Hooks(["start", "Stop"])
     hooks.begin(made)
@@ -53,7 +53,7 @@ def test_a_method_with_parameters_is_no_hook():
     assert made.called == []
 
 
-def test_a_periodic_component_without_a_method_for_it_is_told():
+def test_a_periodic_component_without_an_execute_method_is_reported():
     Hooks().execution(component("execute"))()
     with pytest.raises(CannotRunError, match="execution: periodic"):
         Hooks().execution(component("run"))

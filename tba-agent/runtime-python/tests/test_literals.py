@@ -1,4 +1,4 @@
-"""Values between documents and Python."""
+"""Reading and writing of literals."""
 
 import enum
 from dataclasses import dataclass
@@ -49,7 +49,7 @@ def test_a_struct_is_written_by_its_members():
 
 
 @pytest.mark.parametrize("literal", ["", "1_0", "0x10", "--1", "1e", "one", "1.5.2", "٣", "sNaN", "1e9999999999"])
-def test_what_is_no_number_is_refused(literal):
+def test_text_that_is_no_number_is_rejected(literal):
     with pytest.raises(CaseDataError):
         kinds.INT64.parse(literal)
     with pytest.raises(CaseDataError):
@@ -57,7 +57,7 @@ def test_what_is_no_number_is_refused(literal):
 
 
 @pytest.mark.parametrize("literal", ["1e300000000", "-1e999999999", "128", "-129", "1.5"])
-def test_a_number_that_does_not_fit_is_refused_at_once(literal):
+def test_a_number_out_of_range_is_rejected_without_expansion(literal):
     with pytest.raises(CaseDataError):
         kinds.INT8.parse(literal)
 
@@ -68,7 +68,7 @@ def test_whole_numbers_may_be_written_as_real_ones():
     assert kinds.INT8.parse("-1.28e2") == -128
 
 
-def test_enumerations_go_by_their_literals():
+def test_enumerations_are_read_and_written_by_name():
     kind = kinds.enumeration(Mode)
     assert kind.parse("BUSY") is Mode.BUSY
     assert [literals.write(kind.shaped(value)) for value in (Mode.BUSY, "BUSY", 1)] == ["BUSY"] * 3

@@ -1,4 +1,4 @@
-"""A module that cannot be imported is reported as what it is: the component's, or the runtime's."""
+"""A module that cannot be imported is attributed to the component or to the runtime."""
 
 import os
 import shutil
@@ -16,7 +16,7 @@ from sensors import Sensor
 
 
 @pytest.mark.parametrize(
-    ("part", "missing", "told"),
+    ("part", "missing", "reported"),
     [
         ("built", "sensors", "there is no module sensors: component.class"),
         (
@@ -27,7 +27,7 @@ from sensors import Sensor
         ("uses", "not_generated", "the runtime of Python tests is incomplete: it has no module not_generated"),
     ],
 )
-def test_a_missing_module_is_blamed_on_its_owner(tmp_path, part, missing, told):
+def test_a_missing_module_is_attributed_to_component_or_runtime(tmp_path, part, missing, reported):
     runtime = tmp_path / "sitaf_runtime"
     shutil.copytree(SOURCES, runtime, ignore=shutil.ignore_patterns("__pycache__"))
     (runtime / "uses.py").write_text("import not_generated\n")
@@ -44,5 +44,5 @@ def test_a_missing_module_is_blamed_on_its_owner(tmp_path, part, missing, told):
         timeout=60,
     )
     assert ended.returncode == 3, ended.stderr
-    assert told in ended.stderr
+    assert reported in ended.stderr
     assert ("component.class" in ended.stderr) == (missing == "sensors")

@@ -1,4 +1,4 @@
-"""How simulation time passes for the threads of a component, and for a call beside the driver's."""
+"""Simulation time for threads of a component and for nonblocking calls."""
 
 import threading
 
@@ -14,7 +14,7 @@ MS = 1_000_000
 
 
 class World:
-    """A simulation that only counts; `most` bounds its steps."""
+    """A simulation that only counts steps, up to `most`."""
 
     def __init__(self, most=None):
         self.now = 0
@@ -33,7 +33,7 @@ class World:
         return "done"
 
 
-def test_ticks_fall_on_the_first_step_at_or_after_each_period():
+def test_ticks_run_at_the_first_step_at_or_after_each_period():
     world, ticks = World(), []
     world.time.every(5 * MS, lambda: ticks.append(world.now))
     world.time.let_pass(13 * MS)
@@ -41,7 +41,7 @@ def test_ticks_fall_on_the_first_step_at_or_after_each_period():
     assert ticks == [3, 5, 8, 10]
 
 
-def test_a_call_beside_acts_at_the_same_times_in_every_run():
+def test_a_nonblocking_call_acts_at_the_same_times_in_every_run():
     world, acted, watch = World(), [], Stopwatch()
     beside = CallBeside(watch, world, lambda: world.act(acted, 5))
     world.time.let_pass(20 * MS)
@@ -58,7 +58,7 @@ def test_a_call_that_does_not_wait_takes_no_time():
     assert CallBeside(Stopwatch(), None, lambda: 8).outcome() == 8
 
 
-def test_what_a_call_beside_raises_comes_out_of_its_outcome():
+def test_outcome_raises_the_exception_of_a_nonblocking_call():
     world, watch = World(), Stopwatch()
 
     def slip():
@@ -70,7 +70,7 @@ def test_what_a_call_beside_raises_comes_out_of_its_outcome():
     assert watch.is_running
 
 
-def test_a_call_that_is_given_up_waits_in_vain():
+def test_giving_up_a_call_ends_its_waits():
     world, acted, seen = World(most=10), [], []
 
     def endless():
@@ -89,7 +89,7 @@ def test_a_call_that_is_given_up_waits_in_vain():
     assert threading.active_count() == 1
 
 
-def test_a_new_case_lets_threads_of_the_last_one_go_on():
+def test_a_new_case_ends_waits_of_the_previous_one():
     world, acted = World(), []
     thread = threading.Thread(target=world.act, args=(acted, 1))
     thread.start()

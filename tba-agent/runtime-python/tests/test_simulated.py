@@ -1,4 +1,4 @@
-"""A test application with a simulator of its own: the paper's example."""
+"""The example of the paper with a simulator."""
 
 import importlib.util
 import subprocess
@@ -60,7 +60,7 @@ def test_the_infrared_sensor_passes_every_case(bridge, tmp_path):
     assert any(float(r.find("processing_time").attrib["hardware"]) > 0 for r in results.values())
 
 
-def test_a_component_that_moves_time_gets_the_same_readings_live(bridge, tmp_path):
+def test_a_component_that_waits_gets_the_same_readings(bridge, tmp_path):
     folder = tmp_path / "component"
     folder.mkdir()
     source = (EXAMPLE / "component/infrared_sensor.py").read_text()
@@ -72,7 +72,7 @@ def test_a_component_that_moves_time_gets_the_same_readings_live(bridge, tmp_pat
     assert_as_expected(results)
 
 
-def test_a_value_that_the_world_refuses_is_dont_and_the_others_run(bridge, tmp_path):
+def test_a_value_that_the_world_rejects_is_dont_and_the_others_run(bridge, tmp_path):
     suite = tmp_path / "suite.xml"
     text = (GOLDEN / "suite.xml").read_text()
     assert "<value>10.5</value>" in text
@@ -86,7 +86,7 @@ def test_a_value_that_the_world_refuses_is_dont_and_the_others_run(bridge, tmp_p
     assert set(outcomes(results).values()) == {"RETURNED", "NOT_CALLED"}
 
 
-def test_a_case_may_not_take_more_simulation_time_than_it_is_given(bridge, tmp_path):
+def test_a_case_is_limited_in_simulation_time(bridge, tmp_path):
     folder = tmp_path / "component"
     folder.mkdir()
     source = (EXAMPLE / "component/infrared_sensor.py").read_text()
@@ -108,7 +108,7 @@ def test_a_case_may_not_take_more_simulation_time_than_it_is_given(bridge, tmp_p
     assert set(errors) == {"the case took more than 2 s of simulation time"}
 
 
-def test_what_moved_in_each_case_is_recorded(bridge, tmp_path):
+def test_the_motion_of_each_case_is_recorded(bridge, tmp_path):
     folder = tmp_path / "recording"
     ended, results = run(
         ENTRY,

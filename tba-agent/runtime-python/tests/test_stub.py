@@ -1,4 +1,4 @@
-"""What stubs answer."""
+"""Answers of stubs."""
 
 import pytest
 
@@ -8,7 +8,7 @@ from sitaf_runtime.stub import StubbedMethod, Stubbing, answer
 from sitaf_runtime.suite.kinds import FLOAT64, INT32
 
 
-def test_answers_hold_from_a_call_on():
+def test_an_answer_applies_until_the_next_one():
     calls = Stubbing(Stopwatch())
     method = StubbedMethod(calls, "I.M", FLOAT64, {"bearing": FLOAT64})
     assert method.call(1) == 0.0
@@ -19,7 +19,7 @@ def test_answers_hold_from_a_call_on():
     assert [c.arguments for c in calls.calls][1:] == [{"bearing": f"{b}.0"} for b in (1, 2, 3, 4)]
 
 
-def test_errors_are_raised_and_delays_count_as_the_stubs():
+def test_errors_are_raised_and_delays_count_as_time_in_stubs():
     watch = Stopwatch()
     kind = answer(INT32, {"NoEcho": RuntimeError})
     method = StubbedMethod(Stubbing(watch), "I.M", INT32)
@@ -44,7 +44,7 @@ def test_out_parameters_follow_the_return_value():
     assert method.call() == (1, 0.0, 0.5)
 
 
-def test_calls_beyond_the_most_are_counted():
+def test_calls_beyond_the_limit_are_only_counted():
     calls = Stubbing(Stopwatch())
     method = StubbedMethod(calls, "I.M", None)
     for _ in range(Stubbing.MOST + 5):

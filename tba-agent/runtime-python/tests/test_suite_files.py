@@ -1,4 +1,4 @@
-"""Suites in, results out."""
+"""Reading suites and writing results."""
 
 import os
 import xml.etree.ElementTree as ElementTree
@@ -57,12 +57,12 @@ def test_a_long_suite_is_read_to_its_end(tmp_path):
         ("", "no element found"),
     ],
 )
-def test_what_is_no_suite_is_refused(tmp_path, text, problem):
+def test_a_document_that_is_no_suite_is_rejected(tmp_path, text, problem):
     with pytest.raises(CaseDataError, match=problem):
         read(tmp_path, text)
 
 
-def test_cases_before_a_mistake_are_handed_out_first(tmp_path):
+def test_cases_before_an_error_are_returned_first(tmp_path):
     file = tmp_path / "suite.xml"
     file.write_text(HEAD + CASE + CASE + "<case><oops>")
     reader = SuiteReader(file)
@@ -73,7 +73,7 @@ def test_cases_before_a_mistake_are_handed_out_first(tmp_path):
     assert seen == [1, 2]
 
 
-def test_a_record_is_one_line_of_xml_whatever_is_in_it(tmp_path):
+def test_a_record_with_any_text_is_one_line_of_xml(tmp_path):
     nasty = "a\nb\t<c>&\"'\u2028\x85\0\ud800"
     result = CaseResult(TestCase(3, True, {}))
     result.record("return", nasty, STRING)
@@ -87,7 +87,7 @@ def test_a_record_is_one_line_of_xml_whatever_is_in_it(tmp_path):
     assert element.find("processing_time").attrib["hardware"] == "0.250"
 
 
-def test_an_exception_is_recorded_by_the_name_of_its_type():
+def test_the_type_name_of_an_exception_is_recorded():
     result = CaseResult(TestCase(1, True, {}))
     result.threw(ValueError("no"), "ValueError: no")
     assert result.line() == (
@@ -102,7 +102,7 @@ def test_a_return_without_a_value_is_null():
     assert b'<actual name="return">null</actual>' in result.line()
 
 
-def test_results_go_on_behind_a_torn_line(tmp_path):
+def test_results_are_appended_after_an_incomplete_line(tmp_path):
     file = tmp_path / "results"
     first = ResultsFile(file, append=False)
     first.ready()
@@ -121,7 +121,7 @@ def test_results_go_on_behind_a_torn_line(tmp_path):
 
 @pytest.fixture
 def standard_input():
-    """Standard input that holds a text; gives what writes it."""
+    """Replace standard input; the returned function sets its text."""
     before = os.dup(0)
 
     def holds(text):
@@ -136,7 +136,7 @@ def standard_input():
     os.close(before)
 
 
-def test_through_a_descriptor_each_line_begins_with_its_number_and_the_token(standard_input):
+def test_lines_on_a_descriptor_start_with_number_and_token(standard_input):
     standard_input(b"secret\nrest")
     reading, writing = os.pipe()
     results = ResultsFile(Path(f"fd:{writing}"), append=True)
@@ -150,7 +150,7 @@ def test_through_a_descriptor_each_line_begins_with_its_number_and_the_token(sta
     os.close(reading)
 
 
-def test_a_descriptor_without_a_token_is_refused(standard_input):
+def test_a_descriptor_without_a_token_is_rejected(standard_input):
     standard_input(b"")
     with pytest.raises(CannotRunError, match="no line with a token"):
         ResultsFile(Path("fd:1"), append=False)

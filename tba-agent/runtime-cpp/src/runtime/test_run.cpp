@@ -84,20 +84,20 @@ class TestRun::State {
   /// Throws when the simulator was lost, because later measurements are invalid.
   void requireSimulator() {
     if (simulation) {
-      simulation->requireThere();
+      simulation->requireNotLost();
     }
   }
 
   void runAll(Driver& driver) {
-    bool there = suite.next();
-    while (there && from_ > 0 && suite.current().no() != from_) {
-      there = suite.next();
+    bool hasCase = suite.next();
+    while (hasCase && from_ > 0 && suite.current().no() != from_) {
+      hasCase = suite.next();
     }
-    if (from_ > 0 && !there) {
+    if (from_ > 0 && !hasCase) {
       throw CannotRun("--from " + std::to_string(from_) + ": the suite has no case of that number");
     }
     results.ready();
-    for (; there; there = suite.next()) {
+    for (; hasCase; hasCase = suite.next()) {
       runOne(driver, suite.current());
       keepCoverage(false);
     }

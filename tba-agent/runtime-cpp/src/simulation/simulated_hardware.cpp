@@ -14,11 +14,11 @@ Simulated& SimulatedHardware::device(std::string_view name, const char* kind, co
   const auto made = made_.find(name);
   const Device* device = layout_.device(name);
   if (device == nullptr) {
-    std::string there;
+    std::string existing;
     for (const std::string& known : devices()) {
-      there += (there.empty() ? "" : ", ") + known;
+      existing += (existing.empty() ? "" : ", ") + known;
     }
-    throw std::invalid_argument("the robot has no device '" + std::string(name) + "'; it has [" + there + "]");
+    throw std::invalid_argument("the robot has no device '" + std::string(name) + "'; it has [" + existing + "]");
   }
   if (device->kind != kind) {
     throw std::invalid_argument("device '" + device->name + "' is of kind " + device->kind + ", not " + article);

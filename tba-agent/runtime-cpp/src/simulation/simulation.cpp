@@ -118,11 +118,11 @@ class Simulation::Session : public Simulator {
 
   Hardware& hardware() { return hardware_; }
 
-  void requireThere() { wire_.requireThere(); }
+  void requireNotLost() { wire_.requireNotLost(); }
 
   void prepare(const Names& parameters, const std::vector<double>& values, std::chrono::nanoseconds settle) {
     time_.restart(settle);
-    prepareAlone({parameters, values, settle});
+    prepareSeparately({parameters, values, settle});
   }
 
   void prepareAhead(const Names& parameters, const std::vector<double>& values, std::chrono::nanoseconds settle,
@@ -196,19 +196,19 @@ class Simulation::Session : public Simulator {
 
   double observation(std::string_view name) const {
     const auto& names = layout_.observations();
-    std::string there;
+    std::string existing;
     for (std::size_t i = 0; i < names.size(); ++i) {
       if (names[i] == name) {
         return world_.read(layout_.firstObservation() + i, [](const double* at) { return *at; });
       }
-      there += (there.empty() ? "" : ", ") + names[i];
+      existing += (existing.empty() ? "" : ", ") + names[i];
     }
-    throw SimulationError("the world has no observation '" + std::string(name) + "'; it has [" + there + "]", false);
+    throw SimulationError("the world has no observation '" + std::string(name) + "'; it has [" + existing + "]", false);
   }
 
   void write(wire::DeviceCommand command) override {
     const std::lock_guard<std::recursive_mutex> lock(acting_);
-    makeLive();
+    updateSession();
     const std::string device = command.device();
     wire::WriteDevicesRequest request;
     request.set_session_id(created_.session_id());
@@ -217,11 +217,11 @@ class Simulation::Session : public Simulator {
   }
 
   wire::Image look(const std::string& camera) override {
-    makeLive();
+    updateSession();
     wire::ReadDevicesRequest request;
     request.set_session_id(created_.session_id());
     request.add_devices(camera);
-    const auto answer = wire_.hardware("looking through " + camera, &wire::VirtualHardware::Stub::ReadDevices, request);
+    const auto answer = wire_.hardware("reading the camera " + camera, &wire::VirtualHardware::Stub::ReadDevices, request);
     if (answer.state().readings_size() == 0) {
       throw SimulationError("simulator: looking through " + camera + ": the response contains no image", false);
     }
@@ -237,7 +237,7 @@ class Simulation::Session : public Simulator {
     std::chrono::nanoseconds settle;
   };
 
-  void prepareAlone(const Pending& prepared) {
+  void prepareSeparately(const Pending& prepared) {
     wire::PrepareRequest request;
     request.set_session_id(created_.session_id());
     for (std::size_t i = 0; i < prepared.parameters.size(); ++i) {
@@ -249,7 +249,7 @@ class Simulation::Session : public Simulator {
   }
 
   void step(std::uint64_t steps) {
-    makeLive();
+    updateSession();
     wire::StepSimulationRequest request;
     request.set_session_id(created_.session_id());
     request.set_steps(steps);
@@ -257,12 +257,12 @@ class Simulation::Session : public Simulator {
   }
 
   /// Brings the session to the current case, because the component acts; later cases are prepared separately.
-  void makeLive() {
+  void updateSession() {
     const std::lock_guard<std::recursive_mutex> lock(acting_);
     if (pending_) {
       const Pending pending = *pending_;
       alone_ = true;
-      prepareAlone(pending);
+      prepareSeparately(pending);
     }
   }
 
@@ -354,7 +354,7 @@ Simulation::~Simulation() = default;
 
 Hardware& Simulation::hardware() { return session_->hardware(); }
 
-void Simulation::requireThere() { session_->requireThere(); }
+void Simulation::requireNotLost() { session_->requireNotLost(); }
 
 void Simulation::prepare(const Names& parameters, const std::vector<double>& values, std::chrono::nanoseconds settle) {
   session_->prepare(parameters, values, settle);

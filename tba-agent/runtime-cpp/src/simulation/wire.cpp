@@ -70,7 +70,7 @@ void Wire::require(const grpc::Status& status, const std::string& what, bool ofC
   throw SimulationError(message, isLost(code));
 }
 
-void Wire::requireThere() {
+void Wire::requireNotLost() {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!gone_.empty()) {
     throw SimulationError("the simulator is gone: " + gone_, true);

@@ -36,7 +36,7 @@ class Wire {
   }
 
   /// Throws SimulationError when an earlier call found the simulator or the session lost, even if the component caught the exception.
-  void requireThere();
+  void requireNotLost();
 
  private:
   static void limit(grpc::ClientContext& context);

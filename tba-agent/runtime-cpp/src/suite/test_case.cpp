@@ -17,11 +17,11 @@ const std::string& TestCase::literal(std::string_view parameter) const {
       return values_[i];
     }
   }
-  std::string there;
+  std::string existing;
   for (const std::string& name : *names_) {
-    there += (there.empty() ? "" : ", ") + name;
+    existing += (existing.empty() ? "" : ", ") + name;
   }
-  throw CaseDataError("the suite has no parameter '" + std::string(parameter) + "'; it has [" + there +
+  throw CaseDataError("the suite has no parameter '" + std::string(parameter) + "'; it has [" + existing +
                       "]: generate the test application again");
 }
 

@@ -55,7 +55,7 @@ class TestRun:
             from sitaf_runtime.simulation.session import Simulation
 
             self._simulation = Simulation(
-                command.bridge, command.world, command.seed, self.stopwatch, self._coming, command.case_sim_s
+                command.bridge, command.world, command.seed, self.stopwatch, self._upcoming, command.case_sim_s
             )
             if command.recording is not None:
                 self._simulation.record(command.recording)
@@ -122,7 +122,7 @@ class TestRun:
                 return
             yield case
 
-    def _coming(self, count: int) -> Sequence[TestCase]:
+    def _upcoming(self, count: int) -> Sequence[TestCase]:
         """Up to `count` cases after the current one."""
         try:
             self._read.extend(islice(self._cases, max(0, count - len(self._read))))

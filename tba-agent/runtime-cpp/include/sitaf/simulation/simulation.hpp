@@ -34,7 +34,7 @@ class Simulation {
   Hardware& hardware();
 
   /// Throws SimulationError when an earlier call found the simulator or the session lost, even if the component caught the exception.
-  void requireThere();
+  void requireNotLost();
 
   /// Names of the world's parameters that a case sets, in the same order for all cases; others get their default.
   using Names = std::vector<std::string>;

@@ -12,9 +12,9 @@ from sitaf_runtime.suite.kinds import FLOAT64
 from sitaf_runtime.suite.test_case import TestCase
 
 # The first batch is small, so that the first case starts soon.
-_FIRST = 32
-_MOST = 4096
-_MOST_NUMBERS = 1_000_000
+_FIRST_BATCH_SIZE = 32
+_MAX_BATCH_SIZE = 4096
+_MAX_NUMBERS = 1_000_000
 
 Values = tuple[float, ...]
 
@@ -29,16 +29,16 @@ class Preparation:
     def __init__(
         self,
         layout: Layout,
-        coming: Callable[[int], Sequence[TestCase]],
+        upcoming: Callable[[int], Sequence[TestCase]],
         ask: Callable[[pb.PrepareManyRequest], pb.PrepareManyResponse | None],
     ) -> None:
         self._layout = layout
-        self._coming = coming
+        self._upcoming = upcoming
         self._ask = ask
         self._known: dict[bytes, Sequence[float]] = {}
-        self._size = _FIRST
+        self._size = _FIRST_BATCH_SIZE
         self._stopped = False
-        self._alone = 0
+        self._cases_to_prepare_separately = 0
 
     def stop(self) -> None:
         """Stop preparing in bulk, because the component commands its hardware or waits."""
@@ -52,14 +52,14 @@ class Preparation:
         key = _key(parameters.values())
         numbers = self._known.get(key)
         if numbers is None:
-            if self._alone > 0:
-                self._alone -= 1
+            if self._cases_to_prepare_separately > 0:
+                self._cases_to_prepare_separately -= 1
                 return None
-            self._look_ahead(list(parameters), tuple(parameters.values()), settle_ns)
+            self._prepare_batch(list(parameters), tuple(parameters.values()), settle_ns)
             numbers = self._known.get(key)
         return None if numbers is None else FrozenWorld(time_ns, numbers)
 
-    def _look_ahead(self, names: list[str], current: Values, settle_ns: int) -> None:
+    def _prepare_batch(self, names: list[str], current: Values, settle_ns: int) -> None:
         self._known = {}
         rows = self._rows(names, current)
         request = pb.PrepareManyRequest(parameters=names, cases=len(rows), settle_ns=settle_ns)
@@ -68,7 +68,7 @@ class Preparation:
         response = self._ask(request)
         if response is None:
             # One case was rejected. Preparing each case separately reports which one.
-            self._alone = len(rows)
+            self._cases_to_prepare_separately = len(rows)
             return
         try:
             order = self._layout.order_of(response.columns)
@@ -82,13 +82,13 @@ class Preparation:
             numbers = readings[i * width : (i + 1) * width]
             if i not in diverged:
                 self._known[_key(row)] = numbers if order is None else [numbers[at] for at in order]
-        self._size = min(self._size * 4, _MOST)
+        self._size = min(self._size * 4, _MAX_BATCH_SIZE)
 
     def _rows(self, names: list[str], current: Values) -> list[Values]:
         """The values of the current case and of the following cases, each combination once."""
         rows = {_key(current): current}
         width = max(1, len(self._layout.columns), len(names))
-        for case in self._coming(min(self._size, max(1, _MOST_NUMBERS // width))):
+        for case in self._upcoming(min(self._size, max(1, _MAX_NUMBERS // width))):
             try:
                 row = tuple(case.read(name, FLOAT64) for name in names)
             except CaseDataError:

@@ -54,7 +54,7 @@ class Simulation:
         world_description: Path,
         seed: int,
         stopwatch: Stopwatch,
-        coming: Callable[[int], Sequence[TestCase]] = lambda _: (),
+        upcoming: Callable[[int], Sequence[TestCase]] = lambda _: (),
         limit_s: float | None = None,
     ) -> None:
         self._gone: SimulationError | None = None
@@ -87,9 +87,9 @@ class Simulation:
             self._layout.freeze(created.state),
             self,
         )
-        self._ahead = Preparation(self._layout, coming, self._prepare_many)
+        self._ahead = Preparation(self._layout, upcoming, self._prepare_many)
         # The case that the session itself still has to prepare; set while readings come in bulk.
-        self._behind: pb.PrepareRequest | None = None
+        self._pending_preparation: pb.PrepareRequest | None = None
         self._recording: Recording | None = None
         self._limit_ns = None if limit_s is None else round(limit_s * _NANOS)
         self._passed_ns = 0
@@ -122,7 +122,7 @@ class Simulation:
         request = pb.PrepareRequest(session_id=self._session, parameters=parameters, settle_ns=settle_ns)
         known = self._ahead.world(parameters, settle_ns, settled_ns)
         if known is not None:
-            self._behind = request
+            self._pending_preparation = request
             self._hardware.world = known
         else:
             self._prepare(request)
@@ -194,7 +194,7 @@ class Simulation:
 
     def write(self, command: pb.DeviceCommand) -> None:
         """Send a command to a device. Raises ValueError, an error of the component, when the device rejects it."""
-        self._catch_up()
+        self._update_session()
         request = pb.WriteDevicesRequest(session_id=self._session, commands=[command])
         try:
             state = self._devices.WriteDevices(request, timeout=_LONGEST_CALL_S).state
@@ -207,16 +207,16 @@ class Simulation:
 
     def look(self, camera: str) -> pb.Reading:
         """Get the current image of a camera."""
-        self._catch_up()
+        self._update_session()
         request = pb.ReadDevicesRequest(session_id=self._session, devices=[camera])
-        return self._ask(f"looking through {camera}", self._devices.ReadDevices, request).state.readings[0]
+        return self._ask(f"reading the camera {camera}", self._devices.ReadDevices, request).state.readings[0]
 
     def wait(self, time_ns: int) -> None:
         """Let simulation time pass, also for a sleep of the component."""
         self._time.let_pass(time_ns)
 
     def _step(self, steps: int) -> None:
-        self._catch_up()
+        self._update_session()
         self._spend(steps * self._timestep_ns)
         request = pb.StepSimulationRequest(session_id=self._session, steps=steps)
         what = f"advancing by {steps * self._timestep_ns / _NANOS:g} s"
@@ -228,14 +228,14 @@ class Simulation:
         if too_long:
             raise TimeoutError(too_long)
 
-    def _catch_up(self) -> None:
+    def _update_session(self) -> None:
         """Bring the session to the current case, and stop preparing cases in bulk."""
-        if self._behind is not None:
+        if self._pending_preparation is not None:
             self._ahead.stop()
-            self._prepare(self._behind)
+            self._prepare(self._pending_preparation)
 
     def _prepare(self, request: pb.PrepareRequest) -> None:
-        self._behind = None
+        self._pending_preparation = None
         what = "setting " + ", ".join(f"{name} = {value:g}" for name, value in request.parameters.items())
         self._hardware.world = self._layout.freeze(self._ask(what, self._control.Prepare, request).state)
 

@@ -10,8 +10,8 @@ final class CoverageRecord implements Runnable {
   /** Set by the process that started this JVM with the JaCoCo agent. */
   private static final String WANTED = "sitaf.coverage";
 
-  private static final long FIRST_MS = 50;
-  private static final long LONGEST_MS = 2000;
+  private static final long FIRST_PAUSE_MS = 50;
+  private static final long MAX_PAUSE_MS = 2000;
 
   private final Object recorder;
   private final Method dump;
@@ -41,7 +41,7 @@ final class CoverageRecord implements Runnable {
   @Override
   public void run() {
     try {
-      for (long pause = FIRST_MS; ; pause = Math.min(2 * pause, LONGEST_MS)) {
+      for (long pause = FIRST_PAUSE_MS; ; pause = Math.min(2 * pause, MAX_PAUSE_MS)) {
         Thread.sleep(pause);
         dump.invoke(recorder, false);
       }

@@ -46,7 +46,7 @@ public final class TestRun {
     this.simulation =
         bridge == null || world == null
             ? null
-            : Simulation.open(bridge, world, command.seed(), stopwatch, suite::coming);
+            : Simulation.open(bridge, world, command.seed(), stopwatch, suite::upcoming);
     Duration atMost = command.caseSimulation();
     if (atMost != null && simulation != null) {
       simulation.limit(atMost);
@@ -143,7 +143,7 @@ public final class TestRun {
   /** Writes the record of a case with the calls of its stubs. */
   void save(CaseResult result) throws IOException {
     if (simulation != null) {
-      simulation.requireThere();
+      simulation.requireNotLost();
     }
     stubbing.writeTo(result);
     results.save(result);
@@ -221,7 +221,7 @@ public final class TestRun {
     // An interrupt that the component leaves behind must not affect the next case.
     Thread.interrupted();
     if (simulation != null) {
-      simulation.requireThere();
+      simulation.requireNotLost();
     }
     if (thrown instanceof CaseTooLongException tooLong) {
       result.endWith(Outcome.ERROR, String.valueOf(tooLong.getMessage()));

@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 class ComponentUnderTestTest {
   private final IntSupplier stub = () -> 42;
 
-  /** Takes what it can get. */
+  /** Has several constructors. */
   public static class Choosy {
     final Object given;
 
@@ -26,12 +26,12 @@ class ComponentUnderTestTest {
     }
   }
 
-  /** Cannot be made of what a test has. */
+  /** Has a constructor whose parameter no test provides. */
   public static class Demanding {
     public Demanding(Hardware hardware, Thread thread) {}
   }
 
-  /** Fails in its constructor. */
+  /** Throws in its constructor. */
   public static class Failing {
     public Failing() {
       throw new IllegalStateException("no calibration");
@@ -66,7 +66,7 @@ class ComponentUnderTestTest {
     }
   }
 
-  /** Takes any property. */
+  /** Has a general setter. */
   public static class General extends Settable {
     String last = "";
 
@@ -76,13 +76,13 @@ class ComponentUnderTestTest {
   }
 
   @Test
-  void theRichestConstructorThatCanBeServedIsTaken() throws Exception {
+  void usesTheConstructorWithTheMostAvailableParameters() throws Exception {
     assertThat(ComponentUnderTest.create(Choosy.class, stub).given).isSameAs(stub);
     assertThat(ComponentUnderTest.create(Choosy.class).given).isEqualTo("nothing");
   }
 
   @Test
-  void aConstructorThatCannotBeServedIsNamedWithWhatThereIs() {
+  void reportsAConstructorWhoseParametersAreNotAvailable() {
     assertThatThrownBy(() -> ComponentUnderTest.create(Demanding.class, stub))
         .isInstanceOf(CannotRunException.class)
         .hasMessageContaining("ComponentUnderTestTest$Demanding has no public constructor")
@@ -94,7 +94,7 @@ class ComponentUnderTestTest {
   }
 
   @Test
-  void whatAConstructorOrSetterThrowsIsTheComponents() {
+  void rethrowsExceptionsOfConstructorsAndSetters() {
     assertThatThrownBy(() -> ComponentUnderTest.create(Failing.class))
         .isInstanceOf(IllegalStateException.class)
         .hasMessage("no calibration");
@@ -104,7 +104,7 @@ class ComponentUnderTestTest {
   }
 
   @Test
-  void propertiesAreConvertedToWhatTheSetterTakes() throws Exception {
+  void convertsPropertiesToTheTypeOfTheSetter() throws Exception {
     Settable component = new Settable();
     ComponentUnderTest.setProperty(component, "Size", "7");
     ComponentUnderTest.setProperty(component, "gain", "0.5");
@@ -117,7 +117,7 @@ class ComponentUnderTestTest {
   }
 
   @Test
-  void theGeneralSetterComesFirst() throws Exception {
+  void prefersTheGeneralSetter() throws Exception {
     General component = new General();
     ComponentUnderTest.setProperty(component, "Size", "7");
     assertThat(component.last).isEqualTo("Size=7");
@@ -125,7 +125,7 @@ class ComponentUnderTestTest {
   }
 
   @Test
-  void aPropertyThatCannotBeSetIsNamed() {
+  void reportsAPropertyThatCannotBeSet() {
     assertThatThrownBy(() -> ComponentUnderTest.setProperty(new Settable(), "Colour", "red"))
         .isInstanceOf(CannotRunException.class)
         .hasMessageContaining("has neither setProperty(String, String) nor setColour(...)");

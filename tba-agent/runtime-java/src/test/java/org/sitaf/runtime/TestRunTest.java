@@ -23,7 +23,7 @@ class TestRunTest {
   private Path suite;
   private Path results;
 
-  /** Divides, and counts how often it lives. */
+  /** Divides, and counts its instances. */
   public static class Divider implements AutoCloseable {
     static final List<String> LIFE = new ArrayList<>();
 
@@ -52,7 +52,7 @@ class TestRunTest {
     }
   }
 
-  /** A driver as the generator writes them. */
+  /** A driver like the generated ones. */
   static class DividerDriver extends SuiteDriver<Divider> {
     DividerDriver(TestRun run, LifeCycle lifeCycle) {
       super(run, lifeCycle);
@@ -90,8 +90,8 @@ class TestRunTest {
   private void suiteOf(String... divisors) throws IOException {
     StringBuilder document =
         new StringBuilder(
-            "<test_suite_data><name>s</name><case_param_info><param name='Divisor' type='TDI' real_type='int'/>"
-                + "</case_param_info><case_list>");
+            "<test_suite_data><name>s</name><case_param_info><param name='Divisor' type='TDI'"
+                + " real_type='int'/></case_param_info><case_list>");
     IntStream.range(0, divisors.length)
         .forEach(
             i ->
@@ -125,7 +125,7 @@ class TestRunTest {
   }
 
   @Test
-  void everyCaseGetsAResultWhateverTheComponentDoes() throws IOException {
+  void savesAResultForEveryCaseEvenWhenTheComponentFails() throws IOException {
     suiteOf("5", "4", "0", "99", "5");
     assertThat(run(LifeCycle.CASE)).isZero();
     assertThat(lines()).hasSize(5);
@@ -145,14 +145,14 @@ class TestRunTest {
   }
 
   @Test
-  void anEmptyLineSaysThatTheFirstCaseBegins() throws IOException {
+  void writesAnEmptyLineBeforeTheFirstCase() throws IOException {
     suiteOf("5");
     run(LifeCycle.CASE);
     assertThat(Files.readString(results)).startsWith("\n<case_record no=\"1\"");
   }
 
   @Test
-  void aCaseWhoseDataCannotBeReadIsNotExecuted() throws IOException {
+  void doesNotExecuteACaseWithInvalidData() throws IOException {
     suiteOf("five", "5");
     assertThat(run(LifeCycle.CASE)).isZero();
     assertThat(lines().get(0))
@@ -163,7 +163,7 @@ class TestRunTest {
   }
 
   @Test
-  void aComponentLivesAsLongAsItsLifeCycleSays() throws IOException {
+  void createsComponentsAccordingToTheLifeCycle() throws IOException {
     suiteOf("5", "5");
     run(LifeCycle.CASE);
     assertThat(Divider.LIFE).containsExactly("made", "closed", "made", "closed");
@@ -173,7 +173,7 @@ class TestRunTest {
   }
 
   @Test
-  void aRunGoesOnFromACase() throws IOException {
+  void continuesARunFromACase() throws IOException {
     suiteOf("5", "4", "5");
     run(LifeCycle.CASE);
     assertThat(run(LifeCycle.CASE, "--from", "2")).isZero();
@@ -183,7 +183,7 @@ class TestRunTest {
   }
 
   @Test
-  void whatIsWrongWithTheStartIsSaidInOneLine() throws IOException {
+  void reportsInvalidArgumentsInOneLine() throws IOException {
     suiteOf("5");
     String[][] wrong = {
       {"--bridge", "127.0.0.1:1"},
@@ -201,7 +201,7 @@ class TestRunTest {
   }
 
   @Test
-  void aSimulatorThatIsNotThereEndsTheRunAtOnce() throws IOException {
+  void endsTheRunWhenTheSimulatorIsUnavailable() throws IOException {
     suiteOf("5");
     Path world = Files.writeString(folder.resolve("w.world.yaml"), "mjcf: w.xml\n");
     String errors =
@@ -214,7 +214,7 @@ class TestRunTest {
   }
 
   @Test
-  void anInterruptThatTheComponentLeavesBehindCostsNoResult() throws IOException {
+  void keepsResultsWhenTheComponentLeavesAnInterrupt() throws IOException {
     suiteOf("5", "98", "5");
 
     assertThat(run(LifeCycle.CASE)).isZero();
@@ -224,7 +224,7 @@ class TestRunTest {
   }
 
   @Test
-  void aProcessThatDiesHasLostNoResult() throws Exception {
+  void keepsResultsWhenTheProcessIsKilled() throws Exception {
     suiteOf("5", "4", "13", "5");
     Process process =
         new ProcessBuilder(

@@ -49,7 +49,7 @@ import org.sitaf.sim.v1.WriteDevicesRequest;
  */
 public final class Simulation implements AutoCloseable {
   /** Timeout of a call to the simulator; the agent enforces a shorter limit for a case. */
-  private static final Duration LONGEST_CALL = Duration.ofMinutes(5);
+  private static final Duration CALL_TIMEOUT = Duration.ofMinutes(5);
 
   private static final int MAX_MESSAGE_BYTES = 64 << 20;
 
@@ -74,10 +74,10 @@ public final class Simulation implements AutoCloseable {
   private volatile FrozenWorld world;
 
   /** Why the simulator or the session is lost, so that no result counts; null while they work. */
-  private volatile @Nullable SimulationException gone;
+  private volatile @Nullable SimulationException loss;
 
   /** The case that the session itself still has to prepare; set while readings come in bulk. */
-  private @Nullable Prepared behind;
+  private @Nullable Prepared pendingPreparation;
 
   private @Nullable Recording recording;
 
@@ -88,12 +88,12 @@ public final class Simulation implements AutoCloseable {
       ManagedChannel channel,
       CreateSessionResponse created,
       Stopwatch stopwatch,
-      IntFunction<List<TestCase>> coming) {
+      IntFunction<List<TestCase>> upcoming) {
     this.channel = channel;
     this.session = created.getSessionId();
     this.timestepNanos = created.getWorld().getTimestepNs();
     this.time = new PassingTime(timestepNanos, this::step);
-    this.preparation = new Preparation(created, coming, this::prepareMany);
+    this.preparation = new Preparation(created, upcoming, this::prepareMany);
     this.world = FrozenWorld.of(created.getState());
     Map<String, String> kinds = new HashMap<>();
     created.getWorld().getDevicesList().forEach(d -> kinds.put(d.getName(), d.getKind()));
@@ -112,7 +112,8 @@ public final class Simulation implements AutoCloseable {
    * @param worldDescription a {@code *.world.yaml}; all files of its folder belong to the world
    * @param seed seed of all random values in the simulation
    * @param stopwatch measures the time that components spend in the hardware
-   * @param coming returns up to a number of cases after the current one, to prepare them in advance
+   * @param upcoming returns up to a number of cases after the current one, to prepare them in
+   *     advance
    * @throws IOException when the world cannot be read
    */
   public static Simulation open(
@@ -120,7 +121,7 @@ public final class Simulation implements AutoCloseable {
       Path worldDescription,
       long seed,
       Stopwatch stopwatch,
-      IntFunction<List<TestCase>> coming)
+      IntFunction<List<TestCase>> upcoming)
       throws IOException {
     CreateSessionRequest request =
         CreateSessionRequest.newBuilder()
@@ -136,13 +137,13 @@ public final class Simulation implements AutoCloseable {
             .build();
     try {
       CreateSessionResponse created =
-          asked(
+          callOrThrow(
               "opening the world " + worldDescription.getFileName(),
               () -> stub(channel).createSession(request));
       if (created.getWorld().getTimestepNs() <= 0) {
         throw new SimulationException("the simulator reported no timestep");
       }
-      return new Simulation(channel, created, stopwatch, coming);
+      return new Simulation(channel, created, stopwatch, upcoming);
     } catch (RuntimeException e) {
       channel.shutdownNow();
       throw e;
@@ -165,14 +166,14 @@ public final class Simulation implements AutoCloseable {
   public void prepare(Map<String, Double> parameters, Duration settle) {
     Prepared current = new Prepared(parameters, settle);
     synchronized (acting) {
-      behind = null;
+      pendingPreparation = null;
       Optional<FrozenWorld> known =
           preparation.world(parameters, settle.toNanos(), time.stepsIn(settle) * timestepNanos);
       if (known.isPresent()) {
-        behind = current;
+        pendingPreparation = current;
         show(known.get());
       } else {
-        prepareAlone(current);
+        prepareSeparately(current);
       }
     }
     time.restart(settle);
@@ -205,8 +206,8 @@ public final class Simulation implements AutoCloseable {
    *
    * @throws SimulationException when they were, with {@link SimulationException#isLost()}
    */
-  public void requireThere() {
-    SimulationException found = gone;
+  public void requireNotLost() {
+    SimulationException found = loss;
     if (found != null) {
       throw new SimulationException("the simulator is gone: " + found.getMessage(), true, found);
     }
@@ -259,7 +260,7 @@ public final class Simulation implements AutoCloseable {
       films.save(no, stub(channel).takeMotion(request).getGltf().toByteArray());
     } catch (StatusRuntimeException e) {
       if (e.getStatus().getCode() != Status.Code.DATA_LOSS) {
-        throw noted(failure("taking the recording of case " + no, e), e);
+        throw rememberLoss(failure("taking the recording of case " + no, e), e);
       }
     }
   }
@@ -278,7 +279,7 @@ public final class Simulation implements AutoCloseable {
     }
   }
 
-  private void prepareAlone(Prepared prepared) {
+  private void prepareSeparately(Prepared prepared) {
     PrepareRequest request =
         PrepareRequest.newBuilder()
             .setSessionId(session)
@@ -300,19 +301,19 @@ public final class Simulation implements AutoCloseable {
   }
 
   /** Brings the session to the state that the readings of the current case show. */
-  private void goLive() {
+  private void updateSession() {
     synchronized (acting) {
-      Prepared current = behind;
+      Prepared current = pendingPreparation;
       if (current != null) {
-        behind = null;
+        pendingPreparation = null;
         preparation.stop();
-        prepareAlone(current);
+        prepareSeparately(current);
       }
     }
   }
 
   private void step(long steps) {
-    goLive();
+    updateSession();
     StepSimulationRequest request =
         StepSimulationRequest.newBuilder().setSessionId(session).setSteps(steps).build();
     freeze(
@@ -338,23 +339,23 @@ public final class Simulation implements AutoCloseable {
   private final class Wire implements SimulatedHardware.Simulator {
     @Override
     public void write(DeviceCommand command) {
-      goLive();
+      updateSession();
       WriteDevicesRequest request =
           WriteDevicesRequest.newBuilder().setSessionId(session).addCommands(command).build();
       try {
         freeze(devices().writeDevices(request).getState());
       } catch (StatusRuntimeException e) {
-        throw refusedByDevice(command.getDevice(), e);
+        throw rejectedByDevice(command.getDevice(), e);
       }
     }
 
     @Override
     public Reading look(String camera) {
-      goLive();
+      updateSession();
       ReadDevicesRequest request =
           ReadDevicesRequest.newBuilder().setSessionId(session).addDevices(camera).build();
       return ask(
-          "looking through " + camera,
+          "reading the camera " + camera,
           () -> devices().readDevices(request).getState().getReadings(0));
     }
 
@@ -365,33 +366,33 @@ public final class Simulation implements AutoCloseable {
 
     private VirtualHardwareBlockingStub devices() {
       return VirtualHardwareGrpc.newBlockingStub(channel)
-          .withDeadlineAfter(LONGEST_CALL.toSeconds(), TimeUnit.SECONDS);
+          .withDeadlineAfter(CALL_TIMEOUT.toSeconds(), TimeUnit.SECONDS);
     }
   }
 
   /** A command that the device rejects is an error of the component, not of the simulator. */
-  private RuntimeException refusedByDevice(String device, StatusRuntimeException e) {
+  private RuntimeException rejectedByDevice(String device, StatusRuntimeException e) {
     return switch (e.getStatus().getCode()) {
       case INVALID_ARGUMENT, OUT_OF_RANGE ->
           new IllegalArgumentException(String.valueOf(e.getStatus().getDescription()), e);
-      default -> noted(failure("commanding " + device, e), e);
+      default -> rememberLoss(failure("commanding " + device, e), e);
     };
   }
 
   private static SimulationControlBlockingStub stub(ManagedChannel channel) {
     return SimulationControlGrpc.newBlockingStub(channel)
-        .withDeadlineAfter(LONGEST_CALL.toSeconds(), TimeUnit.SECONDS);
+        .withDeadlineAfter(CALL_TIMEOUT.toSeconds(), TimeUnit.SECONDS);
   }
 
   private <T> T ask(String what, Supplier<T> call) {
     try {
       return call.get();
     } catch (StatusRuntimeException e) {
-      throw noted(failure(what, e), e);
+      throw rememberLoss(failure(what, e), e);
     }
   }
 
-  private static <T> T asked(String what, Supplier<T> call) {
+  private static <T> T callOrThrow(String what, Supplier<T> call) {
     try {
       return call.get();
     } catch (StatusRuntimeException e) {
@@ -400,10 +401,10 @@ public final class Simulation implements AutoCloseable {
   }
 
   /** Remembers a loss of the simulator, in case the component catches the exception. */
-  private SimulationException noted(SimulationException failure, StatusRuntimeException e) {
+  private SimulationException rememberLoss(SimulationException failure, StatusRuntimeException e) {
     Status.Code code = e.getStatus().getCode();
     if (code == Status.Code.UNAVAILABLE || code == Status.Code.NOT_FOUND) {
-      gone = failure;
+      loss = failure;
     }
     return failure;
   }

@@ -68,15 +68,15 @@ public final class ResultsFile implements AutoCloseable {
 
   /** Appends to a file. An incomplete last line from a killed process is terminated first. */
   public static ResultsFile append(Path file) throws IOException {
-    boolean torn = false;
+    boolean incomplete = false;
     try (RandomAccessFile before = new RandomAccessFile(file.toFile(), "rw")) {
       if (before.length() > 0) {
         before.seek(before.length() - 1);
-        torn = before.read() != '\n';
+        incomplete = before.read() != '\n';
       }
     }
     FileOutputStream appended = new FileOutputStream(file.toFile(), true);
-    if (torn) {
+    if (incomplete) {
       appended.write('\n');
     }
     return new ResultsFile(appended, false);

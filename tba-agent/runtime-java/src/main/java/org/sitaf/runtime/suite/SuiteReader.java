@@ -82,7 +82,7 @@ public final class SuiteReader implements AutoCloseable {
    * Up to {@code count} of the cases that {@link #next} will return, up to the first error in the
    * document; {@code next} throws when it reaches the error.
    */
-  public List<TestCase> coming(int count) {
+  public List<TestCase> upcoming(int count) {
     try {
       while (ahead.size() < count && failure == null) {
         Optional<TestCase> next = read();

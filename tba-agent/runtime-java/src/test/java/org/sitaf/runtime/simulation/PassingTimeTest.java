@@ -17,7 +17,7 @@ class PassingTimeTest {
   private final PassingTime time = new PassingTime(STEP_NANOS, now::addAndGet);
 
   @Test
-  void ticksFallOnTheFirstStepAtOrAfterEachPeriodWithoutDrift() {
+  void ticksAtTheFirstStepAtOrAfterEachPeriodWithoutDrift() {
     List<Long> ticks = new ArrayList<>();
     time.every(Duration.ofMillis(5), () -> ticks.add(now.get()));
 
@@ -30,7 +30,7 @@ class PassingTimeTest {
   }
 
   @Test
-  void aPeriodOfWholeStepsTicksExactlyAsOftenAsItFitsIn() {
+  void ticksOncePerPeriodOfWholeSteps() {
     List<Long> ticks = new ArrayList<>();
     time.every(Duration.ofMillis(10), () -> ticks.add(now.get()));
 
@@ -40,7 +40,7 @@ class PassingTimeTest {
   }
 
   @Test
-  void aTickThatLetsTimePassSkipsWhatItSleptThrough() {
+  void skipsTicksDuringASleepOfATick() {
     List<Long> ticks = new ArrayList<>();
     time.every(
         Duration.ofMillis(10),
@@ -55,7 +55,7 @@ class PassingTimeTest {
   }
 
   @Test
-  void whatATickThrowsComesOutAsItIs() {
+  void throwsExceptionsOfTicksUnchanged() {
     time.every(
         Duration.ofMillis(10),
         () -> {
@@ -69,7 +69,7 @@ class PassingTimeTest {
   }
 
   @Test
-  void aNewCaseHasNoTicksOfTheLastOne() {
+  void stopsTicksWhenANewCaseStarts() {
     List<Long> ticks = new ArrayList<>();
     time.every(Duration.ofMillis(10), () -> ticks.add(now.get()));
 
@@ -82,7 +82,7 @@ class PassingTimeTest {
   }
 
   @Test
-  void aThreadThatIsFollowedActsAtTheSameTimesInEveryRun() throws Exception {
+  void runsAFollowedThreadAtTheSameTimesInEveryRun() throws Exception {
     List<Long> acted = Collections.synchronizedList(new ArrayList<>());
     Thread component = beginFollowed(() -> act(acted, 5));
 
@@ -96,7 +96,7 @@ class PassingTimeTest {
   }
 
   @Test
-  void asMuchTimePassesAsTheFollowedThreadStillWaitsFor() throws Exception {
+  void letsTimePassUntilTheFollowedThreadLeaves() throws Exception {
     List<Long> acted = Collections.synchronizedList(new ArrayList<>());
     Thread component = beginFollowed(() -> act(acted, 5));
 
@@ -111,7 +111,7 @@ class PassingTimeTest {
   }
 
   @Test
-  void aFollowedThreadThatIsGivenUpWaitsInVain() throws Exception {
+  void endsTheWaitsOfAFollowedThreadThatIsGivenUp() throws Exception {
     List<Long> acted = Collections.synchronizedList(new ArrayList<>());
     List<Throwable> thrown = Collections.synchronizedList(new ArrayList<>());
     Thread component =
@@ -136,7 +136,7 @@ class PassingTimeTest {
   }
 
   @Test
-  void whatHasSettledCountsForTheLimit() {
+  void countsTheSettleTimeTowardsTheLimit() {
     time.limit(Duration.ofMillis(20));
     time.restart(Duration.ofMillis(12));
 

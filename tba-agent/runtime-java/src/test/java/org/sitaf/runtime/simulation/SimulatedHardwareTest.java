@@ -30,7 +30,7 @@ import org.sitaf.sim.v1.Reading;
 import org.sitaf.sim.v1.Vector3;
 import org.sitaf.sim.v1.WorldState;
 
-/** Every kind of device reads what its message holds, and says what it is told. */
+/** Readings and commands of each kind of device. */
 class SimulatedHardwareTest {
   private static final Map<String, String> KINDS =
       Map.of(
@@ -105,7 +105,7 @@ class SimulatedHardwareTest {
   }
 
   @Test
-  void sensorsReadTheFrozenWorld() {
+  void sensorsReadTheStateOfTheCurrentStep() {
     ImuSensor imu = hardware.imu("imu");
     assertThat(imu.linearAcceleration()).isEqualTo(new Vector(1, 2, 9.81));
     assertThat(imu.orientation()).isEqualTo(new Quaternion(0, 0, 0, 1));
@@ -117,14 +117,14 @@ class SimulatedHardwareTest {
   }
 
   @Test
-  void aScanBelongsToItsReader() {
+  void returnsANewArrayForEachScan() {
     LaserScanner lidar = hardware.laserScanner("lidar");
     lidar.ranges()[0] = 99;
     assertThat(lidar.ranges()[0]).isEqualTo(0.5);
   }
 
   @Test
-  void actuatorsSayWhatTheyAreTold() {
+  void actuatorsSendTheirCommands() {
     JointMotor motor = hardware.jointMotor("motor");
     motor.velocity(1.5);
     hardware.differentialDrive("base").drive(0.3, -1);
@@ -142,7 +142,7 @@ class SimulatedHardwareTest {
   }
 
   @Test
-  void aPictureCannotBePaintedOver() {
+  void imagesAreReadOnly() {
     Camera.Image image = hardware.camera("eye").image();
     assertThat(image.width()).isEqualTo(2);
     assertThat(image.data().get(5)).isEqualTo((byte) 6);
@@ -151,7 +151,7 @@ class SimulatedHardwareTest {
   }
 
   @Test
-  void sleepingMovesSimulationTimeAndNeverBack() {
+  void sleepAdvancesSimulationTime() {
     hardware.sleep(Duration.ofMillis(20));
     assertThat(advances).containsExactly(Duration.ofMillis(20));
     assertThatThrownBy(() -> hardware.sleep(Duration.ofMillis(-1)))
@@ -160,7 +160,7 @@ class SimulatedHardwareTest {
   }
 
   @Test
-  void aDeviceOfAnotherKindIsRefusedByName() {
+  void rejectsADeviceOfAnotherKind() {
     assertThatThrownBy(() -> hardware.gripper("motor"))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessage("device 'motor' is of kind joint_motor, not a gripper");

@@ -52,10 +52,7 @@ import org.sitaf.sim.v1.TakeMotionResponse;
 import org.sitaf.sim.v1.WorldDescription;
 import org.sitaf.sim.v1.WorldState;
 
-/**
- * The client's side of the wire, against a server of a few lines; the real simulator meets it in
- * the examples.
- */
+/** The client of the simulator with a minimal server; the examples run it with the simulator. */
 class SimulationTest {
   @TempDir Path folder;
   private final OneSession service = new OneSession();
@@ -63,7 +60,7 @@ class SimulationTest {
   private Server server;
   private Path world;
 
-  /** One session in which the only sensor reads what was set, and x counts steps. */
+  /** One session. Its only sensor reads the value that was set; x counts steps. */
   private static final class OneSession extends SimulationControlGrpc.SimulationControlImplBase {
     final List<String> calls = Collections.synchronizedList(new ArrayList<>());
     volatile CreateSessionRequest created = CreateSessionRequest.getDefaultInstance();
@@ -179,7 +176,7 @@ class SimulationTest {
   }
 
   @Test
-  void theWorldTravelsAsFilesAndNothingOutsideOfItsFolderDoes() throws IOException {
+  void sendsOnlyFilesOfTheWorldFolder() throws IOException {
     open().close();
     assertThat(service.created.getSeed()).isEqualTo(7);
     assertThat(service.created.getWorld().getDescription()).isEqualTo("w.world.yaml");
@@ -189,7 +186,7 @@ class SimulationTest {
   }
 
   @Test
-  void readingsAreThoseOfTheLastStepWithoutARoundTrip() throws IOException {
+  void readsTheLastStepWithoutARoundTrip() throws IOException {
     try (Simulation simulation = open()) {
       RangeSensor sensor = simulation.hardware().rangeSensor("ir1");
       simulation.prepare(Map.of("Distance", 9.5), java.time.Duration.ofMillis(10));
@@ -204,7 +201,7 @@ class SimulationTest {
   }
 
   @Test
-  void timePassesInWholeStepsRoundedUp() throws IOException {
+  void roundsTimeUpToWholeSteps() throws IOException {
     try (Simulation simulation = open()) {
       simulation.prepare(Map.of(), java.time.Duration.ZERO);
       simulation.advance(java.time.Duration.ZERO);
@@ -216,7 +213,7 @@ class SimulationTest {
   }
 
   @Test
-  void aRefusalIsToldFromALoss() throws IOException {
+  void distinguishesARejectedRequestFromALostSimulator() throws IOException {
     try (Simulation simulation = open()) {
       service.refusal = Status.OUT_OF_RANGE.withDescription("Distance: 25 m is beyond 20 m");
       assertThatThrownBy(
@@ -231,7 +228,7 @@ class SimulationTest {
   }
 
   @Test
-  void aUnixSocketServesAsWell() throws IOException, InterruptedException {
+  void connectsThroughAUnixSocket() throws IOException, InterruptedException {
     Path socket = folder.resolve("bridge.sock");
     EpollEventLoopGroup loop = new EpollEventLoopGroup(1);
     Server local =
@@ -251,7 +248,7 @@ class SimulationTest {
   }
 
   @Test
-  void theLeaseIsRenewedWhileTheComponentIsBusy() throws IOException, InterruptedException {
+  void renewsTheLeaseDuringALongCall() throws IOException, InterruptedException {
     try (Simulation simulation = open()) {
       assertThat(simulation.hardware().devices()).containsExactly("cam", "ir1");
       for (int i = 0; i < 100 && service.calls.stream().filter("renew"::equals).count() < 2; i++) {
@@ -262,7 +259,7 @@ class SimulationTest {
   }
 
   @Test
-  void timeInTheHardwareIsCountedApart() throws IOException {
+  void measuresTimeInTheHardwareSeparately() throws IOException {
     try (Simulation simulation = open()) {
       RangeSensor sensor = simulation.hardware().rangeSensor("ir1");
       double sum = 0;
@@ -281,7 +278,7 @@ class SimulationTest {
   }
 
   @Test
-  void aDeviceThatIsNotThereOrOfAnotherKindIsNamed() throws IOException {
+  void reportsAMissingDeviceAndADeviceOfAnotherKind() throws IOException {
     try (Simulation simulation = open()) {
       Hardware hardware = simulation.hardware();
       assertThatThrownBy(() -> hardware.rangeSensor("ir8"))
@@ -311,7 +308,7 @@ class SimulationTest {
   }
 
   @Test
-  void aCaseWhoseSimulationDivergedHasNoMotion() throws IOException {
+  void savesNoMotionWhenTheSimulationDiverged() throws IOException {
     try (Simulation simulation = open()) {
       simulation.record(folder.resolve("films"));
       service.refusal = Status.DATA_LOSS.withDescription("it diverged");

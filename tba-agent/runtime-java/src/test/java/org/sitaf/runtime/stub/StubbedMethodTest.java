@@ -40,7 +40,7 @@ class StubbedMethodTest {
   }
 
   @Test
-  void theLastAnswerOfASequenceRepeats() {
+  void repeatsTheLastAnswer() {
     range.answerWith(
         testCase("Finder.GetRange", "1.5", "Finder.GetRange#2", "NaN", "Finder.GetRange#4", "-2")
             .answers("Finder.GetRange", Double.class, 0.0));
@@ -52,13 +52,13 @@ class StubbedMethodTest {
   }
 
   @Test
-  void aCaseThatSetsNothingGetsTheZero() {
+  void returnsTheDefaultValueInCasesWithoutAnAnswer() {
     range.answerWith(testCase("Other", "5").answers("Finder.GetRange", Double.class, 0.0));
     assertThat(range.call(1, "a")).isZero();
   }
 
   @Test
-  void aDelayIsTheStubsTimeAndTheValueFollowsIt() {
+  void countsADelayAsTimeInStubsAndThenReturnsTheValue() {
     range.answerWith(
         testCase("Finder.GetRange", "!delay:0.02 3", "Finder.GetRange#2", "!delay:0.001")
             .answers("Finder.GetRange", Double.class, 0.0));
@@ -72,7 +72,7 @@ class StubbedMethodTest {
   }
 
   @Test
-  void anErrorWithoutATypeCannotRun() {
+  void reportsAnErrorWithoutAGeneratedType() {
     range.answerWith(
         testCase("Finder.GetRange", "!error:NoEcho").answers("Finder.GetRange", Double.class, 0.0));
     assertThatThrownBy(() -> range.call(1, "a"))
@@ -81,7 +81,7 @@ class StubbedMethodTest {
   }
 
   @Test
-  void callsAreRecordedInTheirOrderUpToABoundAndTheRestIsCounted() throws Exception {
+  void recordsCallsInOrderUpToALimitAndCountsTheRest() throws Exception {
     for (int i = 0; i < StubCalls.MAX_RECORDED + 7; i++) {
       range.call(i, "<\"&\n");
     }
@@ -98,7 +98,7 @@ class StubbedMethodTest {
   }
 
   @Test
-  void outParametersHaveAnswersOfTheirOwn() {
+  void outParametersHaveSeparateAnswers() {
     StubbedOut<Integer> age = new StubbedOut<>(0);
     age.answerWith(testCase("F.M.age", "7", "F.M.age#2", "8").answers("F.M.age", Integer.class, 0));
     Out<Integer> out = new Out<>();

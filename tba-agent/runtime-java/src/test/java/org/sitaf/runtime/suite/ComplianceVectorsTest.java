@@ -19,13 +19,13 @@ class ComplianceVectorsTest {
   private static final Path TABLES = Path.of("../../tests/compliance");
   private static final Pattern ESCAPE = Pattern.compile("\\\\u([0-9A-F]{4})");
 
-  /** As it is generated for an enumeration of an interface. */
+  /** Like the generated enumerations of interfaces. */
   enum Mode {
     SLOW,
     FAST
   }
 
-  /** As it is generated for a struct of an interface. */
+  /** Like the generated structs of interfaces. */
   public record Point(double x, double y) {
     /** All members zero. */
     public Point() {
@@ -74,7 +74,7 @@ class ComplianceVectorsTest {
 
   @ParameterizedTest
   @MethodSource("literals")
-  void literalsAreReadAndWritten(List<String> row) {
+  void readsAndWritesLiterals(List<String> row) {
     String recorded = "";
     String message = "";
     try {
@@ -87,7 +87,7 @@ class ComplianceVectorsTest {
 
   @ParameterizedTest
   @MethodSource("answers")
-  void answersAreRead(List<String> row) {
+  void readsAnswers(List<String> row) {
     Class<?> type = type(row.get(0));
     try {
       Answer<Object> answer =
@@ -107,7 +107,7 @@ class ComplianceVectorsTest {
 
   @ParameterizedTest
   @MethodSource("texts")
-  void textsAreWrittenToTheRecord(List<String> row) {
+  void writesTextsToTheRecord(List<String> row) {
     String text =
         ESCAPE
             .matcher(row.get(0))

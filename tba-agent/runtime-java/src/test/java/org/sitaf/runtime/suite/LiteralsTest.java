@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** A number read fast is, to the last bit, the number that is written. */
+/** The fast path for numbers gives bit-identical results. */
 class LiteralsTest {
   private static final int NUMBERS = 20_000;
 
@@ -28,7 +28,7 @@ class LiteralsTest {
   }
 
   @Test
-  void aRealNumberIsTheNearestToItsDecimals() {
+  void readsTheNearestFloatingPointNumber() {
     Random random = new Random(7);
     for (int i = 0; i < NUMBERS; i++) {
       String text = written(random);
@@ -41,7 +41,7 @@ class LiteralsTest {
   }
 
   @Test
-  void aWholeNumberIsWhatIsWritten() {
+  void readsIntegersExactly() {
     Random random = new Random(8);
     for (int i = 0; i < NUMBERS; i++) {
       String text = written(random).replaceAll("\\..*", "");
@@ -52,7 +52,7 @@ class LiteralsTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"", "-", ".", "1.2.3", "--1", "1-", "0x1", "1d", "one"})
-  void whatIsNoNumberIsRefused(String text) {
+  void rejectsTextThatIsNoNumber(String text) {
     assertThatThrownBy(() -> Literals.real(text)).isInstanceOf(CaseDataException.class);
     assertThatThrownBy(() -> Literals.whole(text, 0, 9)).isInstanceOf(CaseDataException.class);
   }

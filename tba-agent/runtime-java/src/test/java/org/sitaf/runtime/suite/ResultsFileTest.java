@@ -37,21 +37,20 @@ class ResultsFileTest {
   }
 
   @Test
-  void aLineHoldsTheMeasurements() {
+  void writesTheMeasurements() {
     CaseResult result = new CaseResult(aCase(7, "5"));
     result.record("return", 5.0);
     result.record("robot_x", 0.25);
     result.setTime(1.2345, 0.25, 0);
     assertThat(result.line())
         .isEqualTo(
-            "<case_record no=\"7\" outcome=\"RETURNED\"><actual name=\"return\">5.0</actual>"
-                + "<actual name=\"robot_x\">0.25</actual>"
-                + "<processing_time unit=\"us\" hardware=\"0.250\" stub=\"0.000\">1.235</processing_time>"
-                + "</case_record>\n");
+            "<case_record no=\"7\" outcome=\"RETURNED\"><actual name=\"return\">5.0</actual><actual"
+                + " name=\"robot_x\">0.25</actual><processing_time unit=\"us\" hardware=\"0.250\""
+                + " stub=\"0.000\">1.235</processing_time></case_record>\n");
   }
 
   @Test
-  void anExceptionIsRecordedByTheNameOfItsType() {
+  void recordsTheTypeNameOfAnException() {
     CaseResult result = new CaseResult(aCase(7, "5"));
     result.threw(new IllegalStateException("too fast"), "too fast, really");
     assertThat(result.line())
@@ -61,7 +60,7 @@ class ResultsFileTest {
   }
 
   @Test
-  void anyTextStaysOneLineAndComesBackAsItWas() throws Exception {
+  void writesAnyTextOnOneLineWithoutLoss() throws Exception {
     Random random = new Random(4);
     int[] awkward = {
       '<', '>', '&', '"', '\'', '\n', '\r', '\t', ' ', ']', 0x85, 0x2028, 0x1F916, 0xE9
@@ -81,21 +80,21 @@ class ResultsFileTest {
   }
 
   @Test
-  void charactersThatXmlCannotHoldAreSpelledOut() throws Exception {
+  void escapesCharactersThatXmlCannotContain() throws Exception {
     String line = returning(1, "a\u0000b\u001b\uD800\uFFFE").line();
     assertThat(parse(line).getElementsByTagName("actual").item(0).getTextContent())
         .isEqualTo("a\\u0000b\\u001B\\uD800\\uFFFE");
   }
 
   @Test
-  void aMessageWithoutBoundIsCutWithANote() {
+  void truncatesLongMessagesWithANote() {
     CaseResult result = new CaseResult(aCase(1, ""));
     result.endWith(Outcome.ERROR, "x".repeat(100_000));
     assertThat(result.line()).hasSizeLessThan(9000).contains("... (100000 characters)");
   }
 
   @Test
-  void goingOnKeepsWhatIsThereAndEndsATornLine() throws Exception {
+  void appendsAfterTerminatingAnIncompleteLine() throws Exception {
     Path file = folder.resolve("results");
     try (ResultsFile results = ResultsFile.create(file)) {
       results.save(returning(1, "x"));
@@ -114,7 +113,7 @@ class ResultsFileTest {
   }
 
   @Test
-  void throughADescriptorEachLineBeginsWithItsNumberAndTheToken() throws Exception {
+  void startsEachLineWithNumberAndTokenOnADescriptor() throws Exception {
     Path file = Files.createFile(folder.resolve("channel"));
     try (java.io.RandomAccessFile opened = new java.io.RandomAccessFile(file.toFile(), "rw")) {
       try (ResultsFile results = ResultsFile.open("fd:" + descriptorOf(file), false)) {
@@ -131,7 +130,7 @@ class ResultsFileTest {
   }
 
   @Test
-  void aDescriptorWithoutATokenIsRefused() throws Exception {
+  void rejectsADescriptorWithoutAToken() throws Exception {
     Path file = Files.createFile(folder.resolve("channel"));
     try (java.io.RandomAccessFile opened = new java.io.RandomAccessFile(file.toFile(), "rw");
         ResultsFile results = ResultsFile.open("fd:" + descriptorOf(file), false)) {
@@ -143,12 +142,12 @@ class ResultsFileTest {
   }
 
   @Test
-  void aFileNeedsNoToken() throws Exception {
+  void needsNoTokenForAFile() throws Exception {
     Path file = folder.resolve("results");
     try (ResultsFile results = ResultsFile.open(file.toString(), false)) {
       results.authorise(
           () -> {
-            throw new AssertionError("nobody asks for it");
+            throw new AssertionError("must not be called");
           });
       results.ready();
     }

@@ -18,7 +18,8 @@ class SuiteReaderTest {
       """
       <test_suite_data><name>s</name><case_param_info>
         <param name="Index" type="TDI" real_type="int"/><param name="Distance" type="TDSD" real_type="double"/>
-      </case_param_info>""";
+      </case_param_info>\
+      """;
 
   @TempDir Path folder;
 
@@ -36,7 +37,7 @@ class SuiteReaderTest {
   }
 
   @Test
-  void valuesAreReadByTheNamesOfTheParameters() throws IOException {
+  void readsValuesByParameterName() throws IOException {
     List<TestCase> cases =
         read(
             HEAD
@@ -44,7 +45,8 @@ class SuiteReaderTest {
                 <case_list>
                   <case no="3" class="valid"><value>7</value><value>9.5</value><expected>-1.0</expected></case>
                   <case no="9" class="invalid"><value>-8</value><value>NaN</value></case>
-                </case_list></test_suite_data>""");
+                </case_list></test_suite_data>\
+                """);
     assertThat(cases).hasSize(2);
     assertThat(cases.get(0).no()).isEqualTo(3);
     assertThat(cases.get(0).valid()).isTrue();
@@ -56,7 +58,7 @@ class SuiteReaderTest {
   }
 
   @Test
-  void aValueThatItsTypeCannotHoldIsNamed() throws IOException {
+  void reportsAValueThatTheTypeCannotHold() throws IOException {
     TestCase testCase =
         read(HEAD
                 + "<case_list><case no='1'><value>300</value><value>five</value></case></case_list>"
@@ -72,21 +74,22 @@ class SuiteReaderTest {
   }
 
   @Test
-  void aDocumentTypeIsRefused() {
+  void rejectsADocumentTypeDeclaration() {
     String secret = "<!DOCTYPE t [<!ENTITY e SYSTEM 'file:///etc/hostname'>]>";
     assertThatThrownBy(
             () ->
                 read(
                     secret
                         + HEAD
-                        + "<case_list><case no='1'><value>&e;</value><value>1</value></case></case_list>"
+                        + "<case_list><case"
+                        + " no='1'><value>&e;</value><value>1</value></case></case_list>"
                         + "</test_suite_data>"))
         .isInstanceOf(CaseDataException.class)
         .hasMessageContaining("a DTD or an entity is not allowed here");
   }
 
   @Test
-  void malformedDocumentsAreRefusedWithTheirLine() {
+  void rejectsMalformedDocumentsWithTheLine() {
     assertThatThrownBy(() -> read("<x/>")).hasMessageContaining("the root is <x>");
     assertThatThrownBy(() -> read(HEAD + "</test_suite_data>"))
         .hasMessageContaining("there is no <case_list>");
@@ -97,7 +100,7 @@ class SuiteReaderTest {
   }
 
   @Test
-  void lookingAheadTakesNothingAwayAndTellsOfNoTroubleBeforeItsTime() throws IOException {
+  void readsAheadWithoutSkippingCasesOrReportingErrorsEarly() throws IOException {
     Path file =
         Files.writeString(
             folder.resolve("suite.xml"),
@@ -106,22 +109,22 @@ class SuiteReaderTest {
                 + "<case no='5'><value>1</value><value>2</value></case>"
                 + "<case no='6'><value>1</value></case></case_list></test_suite_data>");
     try (SuiteReader reader = SuiteReader.open(file)) {
-      assertThat(reader.coming(1)).extracting(TestCase::no).containsExactly(4);
-      assertThat(reader.coming(10)).extracting(TestCase::no).containsExactly(4, 5);
+      assertThat(reader.upcoming(1)).extracting(TestCase::no).containsExactly(4);
+      assertThat(reader.upcoming(10)).extracting(TestCase::no).containsExactly(4, 5);
       assertThat(reader.next()).map(TestCase::no).contains(4);
-      assertThat(reader.coming(10)).extracting(TestCase::no).containsExactly(5);
+      assertThat(reader.upcoming(10)).extracting(TestCase::no).containsExactly(5);
       assertThat(reader.next()).map(TestCase::no).contains(5);
-      assertThat(reader.coming(10)).isEmpty();
+      assertThat(reader.upcoming(10)).isEmpty();
       assertThatThrownBy(reader::next).hasMessageContaining("case 6 has 1 values");
     }
   }
 
   @Test
-  void sequencesAreReadElementByElement() throws IOException {
+  void readsTheElementsOfSequences() throws IOException {
     TestCase testCase =
         read(HEAD
-                + "<case_list><case no='1'><value>[1, 2, 3]</value><value>[]</value></case></case_list>"
-                + "</test_suite_data>")
+                + "<case_list><case no='1'><value>[1, 2,"
+                + " 3]</value><value>[]</value></case></case_list></test_suite_data>")
             .get(0);
     assertThat(testCase.intArray("Index")).containsExactly(1, 2, 3);
     assertThat(testCase.floatArray("Index")).containsExactly(1f, 2f, 3f);

@@ -21,9 +21,9 @@ import org.sitaf.sim.v1.PrepareManyResponse;
  */
 public final class Preparation {
   /** The first batch is small, so that the first case starts soon; later batches grow. */
-  private static final int FIRST = 32;
+  private static final int FIRST_BATCH_SIZE = 32;
 
-  private static final int MOST = 4096;
+  private static final int MAX_BATCH_SIZE = 4096;
 
   /** Growth of the batch size; slower after a rejection, to avoid further rejected calls. */
   private static final int GROWTH = 8;
@@ -31,31 +31,31 @@ public final class Preparation {
   private static final int CAREFUL_GROWTH = 2;
 
   /** When a batch of at most this size is rejected, its cases are prepared separately. */
-  private static final int FEW = 8;
+  private static final int MIN_BATCH_SIZE = 8;
 
-  private static final int MOST_NUMBERS = 1_000_000;
+  private static final int MAX_NUMBERS = 1_000_000;
 
   private final Layout layout;
-  private final IntFunction<List<TestCase>> coming;
+  private final IntFunction<List<TestCase>> upcoming;
   private final Function<PrepareManyRequest, Optional<PrepareManyResponse>> simulator;
   private @Nullable Batch batch;
-  private int size = FIRST;
+  private int size = FIRST_BATCH_SIZE;
   private int growth = GROWTH;
-  private int alone;
+  private int casesToPrepareSeparately;
   private boolean stopped;
 
   /**
    * Creates a preparation without prepared cases.
    *
-   * @param coming returns up to a number of cases after the current one
+   * @param upcoming returns up to a number of cases after the current one
    * @param simulator prepares many cases; empty when one of them is rejected
    */
   public Preparation(
       CreateSessionResponse created,
-      IntFunction<List<TestCase>> coming,
+      IntFunction<List<TestCase>> upcoming,
       Function<PrepareManyRequest, Optional<PrepareManyResponse>> simulator) {
     this.layout = new Layout(created);
-    this.coming = coming;
+    this.upcoming = upcoming;
     this.simulator = simulator;
   }
 
@@ -78,8 +78,8 @@ public final class Preparation {
     Batch known = batch;
     Integer row = known == null ? null : known.find(parameters, settleNanos);
     if (row == null) {
-      if (alone > 0) {
-        alone--;
+      if (casesToPrepareSeparately > 0) {
+        casesToPrepareSeparately--;
         return Optional.empty();
       }
       if (known != null && known.wasMostlyUnused()) {
@@ -87,17 +87,17 @@ public final class Preparation {
         stop();
         return Optional.empty();
       }
-      known = lookAhead(List.copyOf(parameters.keySet()), parameters, settleNanos);
+      known = prepareBatch(List.copyOf(parameters.keySet()), parameters, settleNanos);
       batch = known;
       row = 0;
     }
     return known == null ? Optional.empty() : known.take(row, timeNanos);
   }
 
-  private @Nullable Batch lookAhead(
+  private @Nullable Batch prepareBatch(
       List<String> names, Map<String, Double> current, long settleNanos) {
     int width = Math.max(1, Math.max(layout.columns().size(), names.size()));
-    List<TestCase> next = coming.apply(Math.min(size, MOST_NUMBERS / width) - 1);
+    List<TestCase> next = upcoming.apply(Math.min(size, MAX_NUMBERS / width) - 1);
     if (next.isEmpty()) {
       return null;
     }
@@ -106,14 +106,14 @@ public final class Preparation {
     if (answer.isEmpty()) {
       growth = CAREFUL_GROWTH;
     }
-    while (answer.isEmpty() && rows.size() > FEW) {
-      rows = rows.subList(0, Math.max(FEW, rows.size() / GROWTH));
+    while (answer.isEmpty() && rows.size() > MIN_BATCH_SIZE) {
+      rows = rows.subList(0, Math.max(MIN_BATCH_SIZE, rows.size() / GROWTH));
       size = rows.size();
       answer = ask(names, rows, settleNanos);
     }
     if (answer.isEmpty()) {
-      alone = FEW - 1;
-      size = FEW;
+      casesToPrepareSeparately = MIN_BATCH_SIZE - 1;
+      size = MIN_BATCH_SIZE;
       return null;
     }
     PrepareManyResponse prepared = answer.get();
@@ -122,7 +122,7 @@ public final class Preparation {
       stop();
       return null;
     }
-    size = Math.min(MOST, size * growth);
+    size = Math.min(MAX_BATCH_SIZE, size * growth);
     return new Batch(layout, names, settleNanos, rows, prepared);
   }
 

@@ -20,12 +20,12 @@ import org.sitaf.sim.v1.Reading;
 import org.sitaf.sim.v1.WorldDescription;
 import org.sitaf.sim.v1.WorldState;
 
-/** What is asked of the simulator for the coming cases, and which case finds which answer. */
+/** Requests for the following cases, and the assignment of responses to cases. */
 class PreparationTest {
   private final List<PrepareManyRequest> asked = new ArrayList<>();
   private double refused = Double.NaN;
 
-  /** A range sensor, which reads what is set. */
+  /** A range sensor that reads the value that was set. */
   private static CreateSessionResponse session() {
     return CreateSessionResponse.newBuilder()
         .setWorld(
@@ -51,7 +51,7 @@ class PreparationTest {
                 .build());
   }
 
-  /** Runs cases with these distances in turn; gives how many found their world prepared. */
+  /** Runs cases with these distances; returns the number of cases with a prepared world. */
   private int run(int count, double... distances) {
     Deque<TestCase> left = new ArrayDeque<>();
     IntStream.range(0, count)
@@ -73,7 +73,7 @@ class PreparationTest {
   }
 
   @Test
-  void eachCombinationOfValuesIsAskedForOnce() {
+  void preparesEachCombinationOfValuesOnce() {
     assertThat(run(500, 1, 2, 3, 0.0, -0.0)).isEqualTo(500);
 
     assertThat(asked).hasSize(1);
@@ -82,25 +82,25 @@ class PreparationTest {
   }
 
   @Test
-  void aWorldThatAllCasesShareIsOneToo() {
+  void preparesOneWorldForCasesWithoutParameters() {
     assertThat(run(100, 4)).isEqualTo(100);
     assertThat(asked).hasSize(1);
   }
 
   @Test
-  void theOnlyCaseIsLeftToTheSession() {
+  void leavesASingleCaseToTheSession() {
     assertThat(run(1, 4)).isZero();
     assertThat(asked).isEmpty();
   }
 
   @Test
-  void manyDifferentValuesAreAskedForInFewCalls() {
+  void preparesManyValuesInFewCalls() {
     assertThat(run(3000, IntStream.range(0, 3000).asDoubleStream().toArray())).isEqualTo(3000);
     assertThat(asked.size()).isLessThan(8);
   }
 
   @Test
-  void aRefusedValueLeavesItsNeighboursToTheSession() {
+  void leavesCasesNextToARejectedOneToTheSession() {
     refused = 7;
     int known = run(400, IntStream.range(0, 400).asDoubleStream().toArray());
 
