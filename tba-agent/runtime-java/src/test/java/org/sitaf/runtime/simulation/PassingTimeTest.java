@@ -132,7 +132,7 @@ class PassingTimeTest {
     component.join();
 
     assertThat(acted).containsExactly(0L, 3L, 6L, 9L);
-    assertThat(thrown).singleElement().asString().contains("the case is over");
+    assertThat(thrown).singleElement().asString().contains("the case has ended");
   }
 
   @Test

@@ -82,7 +82,7 @@ class PreparationTest {
   }
 
   @Test
-  void preparesOneWorldForCasesWithoutParameters() {
+  void preparesOneWorldForCasesWithEqualValues() {
     assertThat(run(100, 4)).isEqualTo(100);
     assertThat(asked).hasSize(1);
   }
