@@ -64,11 +64,11 @@ TEST_CASE("a followed thread acts at the same times in every run, and time passe
   std::thread component = world.follow([&] { world.act(acted, 5); });
   world.time.pass(milliseconds(20));
   CHECK(acted == Moments{0, 3, 6, 9});
-  world.time.passUntilItLeaves();
+  world.time.passUntilThreadLeaves();
   component.join();
   CHECK(acted == Moments{0, 3, 6, 9, 12});
   CHECK(world.now == 15);
-  world.time.passUntilItLeaves();
+  world.time.passUntilThreadLeaves();
   CHECK(world.now == 15);
 }
 
@@ -84,7 +84,7 @@ TEST_CASE("giving up a thread ends its waits") {
       reported = true;
     }
   });
-  CHECK_THROWS_WITH_AS(world.time.passUntilItLeaves(), "the case took more than 0.02 s of simulation time", CaseTooLong);
+  CHECK_THROWS_WITH_AS(world.time.passUntilThreadLeaves(), "the case took more than 0.02 s of simulation time", CaseTooLong);
   world.time.giveUp();
   component.join();
   CHECK(reported);

@@ -14,15 +14,15 @@ MS = 1_000_000
 
 
 class World:
-    """A simulation that only counts steps, up to `most`."""
+    """A simulation that only counts steps, up to `max_steps`."""
 
-    def __init__(self, most=None):
+    def __init__(self, max_steps=None):
         self.now = 0
-        self.most = most
+        self.max_steps = max_steps
         self.time = PassingTime(STEP_NS, self._move)
 
     def _move(self, steps):
-        if self.most is not None and self.now + steps > self.most:
+        if self.max_steps is not None and self.now + steps > self.max_steps:
             raise TimeoutError("too long")
         self.now += steps
 
@@ -43,10 +43,10 @@ def test_ticks_run_at_the_first_step_at_or_after_each_period():
 
 def test_a_nonblocking_call_acts_at_the_same_times_in_every_run():
     world, acted, watch = World(), [], Stopwatch()
-    beside = CallBeside(watch, world, lambda: world.act(acted, 5))
+    call = CallBeside(watch, world, lambda: world.act(acted, 5))
     world.time.let_pass(20 * MS)
     assert acted == [0, 3, 6, 9]
-    assert beside.outcome() == "done"
+    assert call.outcome() == "done"
     assert (acted, world.now) == ([0, 3, 6, 9, 12], 15)
     assert not watch.is_running
 
@@ -71,7 +71,7 @@ def test_outcome_raises_the_exception_of_a_nonblocking_call():
 
 
 def test_giving_up_a_call_ends_its_waits():
-    world, acted, seen = World(most=10), [], []
+    world, acted, seen = World(max_steps=10), [], []
 
     def endless():
         try:
@@ -80,10 +80,10 @@ def test_giving_up_a_call_ends_its_waits():
             seen.append(str(e))
             raise
 
-    beside = CallBeside(Stopwatch(), world, endless)
+    call = CallBeside(Stopwatch(), world, endless)
     with pytest.raises(TimeoutError):
-        beside.outcome()
-    beside.give_up()
+        call.outcome()
+    call.give_up()
     assert seen == ["the case has ended, and its simulation time no longer advances"]
     assert acted == [0, 3, 6, 9]
     assert threading.active_count() == 1

@@ -51,7 +51,7 @@ void Stubbing::act(double delay, const std::string& error) {
 }
 
 StubbedCall::StubbedCall(Stubbing& stubbing, std::string_view method, std::vector<std::pair<std::string, suite::Value>> arguments)
-    : aside_(stubbing.stopwatch(), Stopwatch::Aside::Kind::stub), stubbing_(stubbing), number_(0) {
+    : excluded_(stubbing.stopwatch(), Stopwatch::ExcludedTime::Kind::stub), stubbing_(stubbing), number_(0) {
   suite::StubCall call{std::string(method), {}};
   for (auto& [name, value] : arguments) {
     call.arguments.emplace_back(std::move(name), suite::literals::write(value));

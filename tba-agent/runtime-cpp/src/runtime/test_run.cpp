@@ -6,7 +6,7 @@
 
 #include "runtime/case_streams.hpp"
 #include "runtime/command_line.hpp"
-#include "runtime/last_words.hpp"
+#include "runtime/crash_reports.hpp"
 #include "runtime/thrown.hpp"
 #include "sitaf/runtime/suite_driver.hpp"
 #include "suite/results_file.hpp"
@@ -99,7 +99,7 @@ class TestRun::State {
     results.ready();
     for (; hasCase; hasCase = suite.next()) {
       runOne(driver, suite.current());
-      keepCoverage(false);
+      saveCoverage(false);
     }
     beginCase(0);
     closing("closing the component", [&] { driver.close(); });
@@ -206,7 +206,7 @@ void Driver::save(suite::CaseResult& result) {
 
 int start(int argc, char** argv, const TestRun::Factory& factory, void (*coverage)()) {
   markCases();
-  sayLastWords(coverage);
+  installCrashHandlers(coverage);
   try {
     TestRun::State state(CommandLine::parse(argc, argv));
     TestRun run(state);

@@ -118,7 +118,7 @@ void Layout::flatten(const wire::WorldState& state, std::vector<double>& row) co
   row.assign(width(), std::numeric_limits<double>::quiet_NaN());
   std::size_t next = 0;
   for (const wire::Reading& reading : state.readings()) {
-    // Readings come in the order of the devices; search only where they do not.
+    // Readings usually come in the order of the devices; search only when they do not.
     while (next < devices_.size() && devices_[next].name != reading.device()) {
       ++next;
     }

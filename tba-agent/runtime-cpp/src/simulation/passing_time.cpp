@@ -46,7 +46,7 @@ void PassingTime::leave() {
   }
 }
 
-void PassingTime::passUntilItLeaves() {
+void PassingTime::passUntilThreadLeaves() {
   for (std::uint64_t steps = awaited(); steps > 0; steps = awaited()) {
     move(steps);
   }

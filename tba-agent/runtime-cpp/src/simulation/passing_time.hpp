@@ -38,7 +38,7 @@ class PassingTime {
   void leave();
 
   /// Lets time pass until the followed thread leaves; does nothing when no thread is followed.
-  void passUntilItLeaves();
+  void passUntilThreadLeaves();
 
   /// Stops following the thread: its current and later waits throw a SimulationError.
   void giveUp();

@@ -19,22 +19,22 @@ class Access {
 
   /// A number of the reading at the current step.
   double number(std::size_t index) const {
-    const runtime::Stopwatch::Aside aside(stopwatch_, runtime::Stopwatch::Aside::Kind::hardware);
+    const runtime::Stopwatch::ExcludedTime excluded(stopwatch_, runtime::Stopwatch::ExcludedTime::Kind::hardware);
     return world_.read(device_.first + index, [](const double* at) { return *at; });
   }
 
   Vector vector(std::size_t first) const {
-    const runtime::Stopwatch::Aside aside(stopwatch_, runtime::Stopwatch::Aside::Kind::hardware);
+    const runtime::Stopwatch::ExcludedTime excluded(stopwatch_, runtime::Stopwatch::ExcludedTime::Kind::hardware);
     return world_.read(device_.first + first, [](const double* at) { return Vector{at[0], at[1], at[2]}; });
   }
 
   Quaternion rotation(std::size_t first) const {
-    const runtime::Stopwatch::Aside aside(stopwatch_, runtime::Stopwatch::Aside::Kind::hardware);
+    const runtime::Stopwatch::ExcludedTime excluded(stopwatch_, runtime::Stopwatch::ExcludedTime::Kind::hardware);
     return world_.read(device_.first + first, [](const double* at) { return Quaternion{at[0], at[1], at[2], at[3]}; });
   }
 
   std::vector<double> all() const {
-    const runtime::Stopwatch::Aside aside(stopwatch_, runtime::Stopwatch::Aside::Kind::hardware);
+    const runtime::Stopwatch::ExcludedTime excluded(stopwatch_, runtime::Stopwatch::ExcludedTime::Kind::hardware);
     return world_.read(device_.first, [this](const double* at) { return std::vector<double>(at, at + device_.count); });
   }
 
@@ -42,13 +42,13 @@ class Access {
   double constant(std::size_t index) const { return device_.constants.at(index); }
 
   void write(sim::v1::DeviceCommand command) const {
-    const runtime::Stopwatch::Aside aside(stopwatch_, runtime::Stopwatch::Aside::Kind::hardware);
+    const runtime::Stopwatch::ExcludedTime excluded(stopwatch_, runtime::Stopwatch::ExcludedTime::Kind::hardware);
     command.set_device(device_.name);
     simulator_.write(std::move(command));
   }
 
   Image look() const {
-    const runtime::Stopwatch::Aside aside(stopwatch_, runtime::Stopwatch::Aside::Kind::hardware);
+    const runtime::Stopwatch::ExcludedTime excluded(stopwatch_, runtime::Stopwatch::ExcludedTime::Kind::hardware);
     const sim::v1::Image seen = simulator_.look(device_.name);
     return {seen.width(), seen.height(), seen.encoding(), std::vector<std::uint8_t>(seen.data().begin(), seen.data().end())};
   }

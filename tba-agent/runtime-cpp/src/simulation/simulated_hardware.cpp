@@ -9,7 +9,7 @@ namespace sitaf::simulation {
 
 template <class Simulated>
 Simulated& SimulatedHardware::device(std::string_view name, const char* kind, const char* article) {
-  const runtime::Stopwatch::Aside aside(stopwatch_, runtime::Stopwatch::Aside::Kind::hardware);
+  const runtime::Stopwatch::ExcludedTime excluded(stopwatch_, runtime::Stopwatch::ExcludedTime::Kind::hardware);
   const std::lock_guard<std::mutex> lock(mutex_);
   const auto made = made_.find(name);
   const Device* device = layout_.device(name);
@@ -73,7 +73,7 @@ void SimulatedHardware::sleep(std::chrono::nanoseconds duration) {
   if (duration.count() < 0) {
     throw std::invalid_argument("cannot sleep for " + std::to_string(duration.count()) + " ns");
   }
-  const runtime::Stopwatch::Aside aside(stopwatch_, runtime::Stopwatch::Aside::Kind::hardware);
+  const runtime::Stopwatch::ExcludedTime excluded(stopwatch_, runtime::Stopwatch::ExcludedTime::Kind::hardware);
   simulator_.sleep(duration);
 }
 

@@ -223,7 +223,7 @@ class Simulation::Session : public Simulator {
     request.add_devices(camera);
     const auto answer = wire_.hardware("reading the camera " + camera, &wire::VirtualHardware::Stub::ReadDevices, request);
     if (answer.state().readings_size() == 0) {
-      throw SimulationError("simulator: looking through " + camera + ": the response contains no image", false);
+      throw SimulationError("simulator: reading the camera " + camera + ": the response contains no image", false);
     }
     return answer.state().readings(0).image();
   }
@@ -373,7 +373,7 @@ void Simulation::follow(std::thread::id thread) { session_->time().follow(thread
 
 void Simulation::leave() { session_->time().leave(); }
 
-void Simulation::advanceUntilItLeaves() { session_->time().passUntilItLeaves(); }
+void Simulation::advanceUntilThreadLeaves() { session_->time().passUntilThreadLeaves(); }
 
 void Simulation::giveUp() { session_->time().giveUp(); }
 

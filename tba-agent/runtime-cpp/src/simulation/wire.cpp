@@ -10,7 +10,7 @@ namespace sitaf::simulation {
 namespace {
 
 /// Timeout of a call to the simulator; the agent enforces a shorter limit for a case.
-constexpr std::chrono::minutes longestCall{5};
+constexpr std::chrono::minutes callTimeout{5};
 constexpr int maxMessageBytes = 64 << 20;
 constexpr std::chrono::milliseconds shortestRenewal{100};
 
@@ -51,7 +51,7 @@ Wire::Wire(const std::string& target) {
   hardware_ = sim::v1::VirtualHardware::NewStub(channel);
 }
 
-void Wire::limit(grpc::ClientContext& context) { context.set_deadline(std::chrono::system_clock::now() + longestCall); }
+void Wire::limit(grpc::ClientContext& context) { context.set_deadline(std::chrono::system_clock::now() + callTimeout); }
 
 void Wire::require(const grpc::Status& status, const std::string& what, bool ofComponent) {
   if (status.ok()) {

@@ -12,7 +12,7 @@ namespace sitaf::suite {
 namespace {
 
 constexpr const char* prefix = "fd:";
-constexpr std::size_t longestToken = 128;
+constexpr std::size_t maxTokenLength = 128;
 /// Higher than the numbers that programs usually use.
 constexpr int lowestDescriptor = 64;
 /// Large, so that a fast component rarely waits for the agent; the system may limit it.
@@ -20,12 +20,12 @@ constexpr int pipeBytes = 1 << 20;
 
 // No types with constructors: these variables are set before C++ constructors run.
 int heldDescriptor = -1;
-char heldToken[longestToken + 1];
+char heldToken[maxTokenLength + 1];
 
 /// Reads one line of standard input; the input after it belongs to the component.
 bool readToken() {
   std::size_t length = 0;
-  while (length <= longestToken) {
+  while (length <= maxTokenLength) {
     char c = 0;
     const ssize_t got = ::read(STDIN_FILENO, &c, 1);
     if (got < 0 && errno == EINTR) {
@@ -38,7 +38,7 @@ bool readToken() {
       heldToken[length] = '\0';
       return length > 0;
     }
-    if (length < longestToken) {
+    if (length < maxTokenLength) {
       heldToken[length] = c;
     }
     ++length;

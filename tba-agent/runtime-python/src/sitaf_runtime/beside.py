@@ -46,7 +46,7 @@ class CallBeside(Generic[T]):
         Raises what the component raises.
         """
         if self._time is not None:
-            self._time.pass_until_it_leaves()
+            self._time.pass_until_thread_leaves()
         self._thread.join()
         if self._raised is not None:
             raise self._raised

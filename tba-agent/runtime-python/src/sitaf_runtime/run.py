@@ -81,7 +81,7 @@ class TestRun:
     def require_simulator(self) -> None:
         """Raise SimulationError when the simulator was lost, because later measurements are invalid."""
         if self._simulation is not None:
-            self._simulation.require_there()
+            self._simulation.require_not_lost()
 
     def hardware(self) -> list[object]:
         """The hardware for the component; empty when there is no simulation."""

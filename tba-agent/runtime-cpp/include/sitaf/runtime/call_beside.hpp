@@ -60,7 +60,7 @@ class CallBeside {
   /// Waits for the call and returns its value or throws its exception; meanwhile simulation time passes when the call waits for it.
   Returned outcome() {
     if (simulation_ != nullptr) {
-      simulation_->advanceUntilItLeaves();
+      simulation_->advanceUntilThreadLeaves();
     }
     thread_.join();
     return outcome_.get();

@@ -42,25 +42,25 @@ class Stopwatch {
   bool wasStarted() const { return called_; }
 
   /// Counts its lifetime as spent in virtual hardware or in a stub; nested objects count once.
-  class Aside {
+  class ExcludedTime {
    public:
     enum class Kind { hardware, stub };
 
-    Aside(Stopwatch& watch, Kind kind) : watch_(watch), kind_(kind) {
-      counts_ = watch.running_ && watch.owner_ == std::this_thread::get_id() && !watch.aside_;
+    ExcludedTime(Stopwatch& watch, Kind kind) : watch_(watch), kind_(kind) {
+      counts_ = watch.running_ && watch.owner_ == std::this_thread::get_id() && !watch.excluded_;
       if (counts_) {
-        watch.aside_ = true;
+        watch.excluded_ = true;
         entered_ = std::chrono::steady_clock::now();
       }
     }
-    ~Aside() {
+    ~ExcludedTime() {
       if (counts_) {
         (kind_ == Kind::hardware ? watch_.hardware_ : watch_.stub_) += std::chrono::steady_clock::now() - entered_;
-        watch_.aside_ = false;
+        watch_.excluded_ = false;
       }
     }
-    Aside(const Aside&) = delete;
-    Aside& operator=(const Aside&) = delete;
+    ExcludedTime(const ExcludedTime&) = delete;
+    ExcludedTime& operator=(const ExcludedTime&) = delete;
 
    private:
     Stopwatch& watch_;
@@ -89,7 +89,7 @@ class Stopwatch {
   std::thread::id owner_;
   std::atomic<bool> running_{false};
   bool called_ = false;
-  bool aside_ = false;
+  bool excluded_ = false;
   Moment began_;
   Span total_{};
   Span hardware_{};

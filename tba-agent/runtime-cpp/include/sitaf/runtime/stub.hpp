@@ -61,7 +61,7 @@ class StubbedCall {
   void act(double delay, const std::string& error) const { stubbing_.act(delay, error); }
 
  private:
-  Stopwatch::Aside aside_;
+  Stopwatch::ExcludedTime excluded_;
   Stubbing& stubbing_;
   std::size_t number_;
 };

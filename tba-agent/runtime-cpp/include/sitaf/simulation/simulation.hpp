@@ -61,7 +61,7 @@ class Simulation {
   void leave();
 
   /// Lets time pass until the followed thread leaves.
-  void advanceUntilItLeaves();
+  void advanceUntilThreadLeaves();
 
   /// Stops following the thread: its current and later waits throw a SimulationError.
   void giveUp();

@@ -69,7 +69,7 @@ class PassingTime:
                 self._followed = None
                 self._changed.notify_all()
 
-    def pass_until_it_leaves(self) -> None:
+    def pass_until_thread_leaves(self) -> None:
         """Let time pass until the followed thread leaves; do nothing when no thread is followed."""
         while steps := self._awaited():
             self._move(steps)

@@ -25,12 +25,12 @@ from sitaf_runtime.simulation.world_files import read_world
 from sitaf_runtime.stopwatch import Stopwatch
 from sitaf_runtime.suite.test_case import TestCase
 
-_LONGEST_CALL_S = 60.0
+_CALL_TIMEOUT_S = 60.0
 _MAX_MESSAGE_BYTES = 256 << 20
 _NANOS = 1_000_000_000
 # Simulation time between two frames of a recording: 50 frames per second.
 _FRAME_NS = 20_000_000
-_REFUSED = (
+_REJECTED = (
     grpc.StatusCode.INVALID_ARGUMENT,
     grpc.StatusCode.OUT_OF_RANGE,
     grpc.StatusCode.DATA_LOSS,
@@ -161,7 +161,7 @@ class Simulation:
         request = pb.RecordMotionRequest(session_id=self._session, interval_ns=_FRAME_NS)
         self._ask("recording", self._control.RecordMotion, request)
 
-    def require_there(self) -> None:
+    def require_not_lost(self) -> None:
         """Raise SimulationError when an earlier call found the simulator or the session lost."""
         if self._gone is not None:
             raise SimulationError(f"the simulator is gone: {self._gone}", lost=True)
@@ -172,7 +172,7 @@ class Simulation:
             return
         request = pb.TakeMotionRequest(session_id=self._session)
         try:
-            taken = self._control.TakeMotion(request, timeout=_LONGEST_CALL_S)
+            taken = self._control.TakeMotion(request, timeout=_CALL_TIMEOUT_S)
         except grpc.RpcError as e:
             if _status(e)[0] == grpc.StatusCode.DATA_LOSS:
                 return
@@ -186,7 +186,7 @@ class Simulation:
         try:
             self._control.DeleteSession(pb.DeleteSessionRequest(session_id=self._session), timeout=5)
         except grpc.RpcError:
-            pass  # Nothing of it is needed any more.
+            pass  # The session is no longer needed; its lease expires.
         finally:
             self._channel.close()
 
@@ -197,7 +197,7 @@ class Simulation:
         self._update_session()
         request = pb.WriteDevicesRequest(session_id=self._session, commands=[command])
         try:
-            state = self._devices.WriteDevices(request, timeout=_LONGEST_CALL_S).state
+            state = self._devices.WriteDevices(request, timeout=_CALL_TIMEOUT_S).state
         except grpc.RpcError as e:
             code, details = _status(e)
             if code in (grpc.StatusCode.INVALID_ARGUMENT, grpc.StatusCode.OUT_OF_RANGE):
@@ -242,9 +242,9 @@ class Simulation:
     def _prepare_many(self, request: pb.PrepareManyRequest) -> pb.PrepareManyResponse | None:
         request.session_id = self._session
         try:
-            return self._control.PrepareMany(request, timeout=_LONGEST_CALL_S)
+            return self._control.PrepareMany(request, timeout=_CALL_TIMEOUT_S)
         except grpc.RpcError as e:
-            if _status(e)[0] in _REFUSED:
+            if _status(e)[0] in _REJECTED:
                 return None
             raise self._failure("preparing cases", e) from None
 
@@ -252,7 +252,7 @@ class Simulation:
         """Renew the lease three times per length, so that it does not expire during a long call of the component."""
         while not self._ended.wait(self._lease_s):
             try:
-                self._control.RenewSession(pb.RenewSessionRequest(session_id=self._session), timeout=_LONGEST_CALL_S)
+                self._control.RenewSession(pb.RenewSessionRequest(session_id=self._session), timeout=_CALL_TIMEOUT_S)
             except (grpc.RpcError, ValueError):
                 continue  # The next call of the test driver fails in the same way and reports it.
 
@@ -264,7 +264,7 @@ class Simulation:
 
     def _ask(self, what: str, call: Callable[..., Any], request: object) -> Any:
         try:
-            return call(request, timeout=_LONGEST_CALL_S)
+            return call(request, timeout=_CALL_TIMEOUT_S)
         except grpc.RpcError as e:
             raise self._failure(what, e) from None
 
@@ -277,4 +277,4 @@ def _status(e: grpc.RpcError) -> tuple[grpc.StatusCode, str]:
 def _failure(what: str, e: grpc.RpcError) -> SimulationError:
     code, details = _status(e)
     reason = f": {details}" if details else ""
-    return SimulationError(f"simulator: {what}: {code.name}{reason}", lost=code not in _REFUSED)
+    return SimulationError(f"simulator: {what}: {code.name}{reason}", lost=code not in _REJECTED)

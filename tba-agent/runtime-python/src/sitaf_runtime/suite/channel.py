@@ -15,7 +15,7 @@ from typing import NamedTuple
 from sitaf_runtime.errors import CannotRunError
 
 _NAMED = re.compile("fd:([0-9]{1,4})")
-_LONGEST_TOKEN = 128
+_MAX_TOKEN_LENGTH = 128
 _INPUT = 0
 # Higher than the numbers that programs usually use.
 _LOWEST_DESCRIPTOR = 64
@@ -69,7 +69,7 @@ def _open(results: str) -> Channel:
 def _token() -> str:
     """Read one line of standard input; the input after it belongs to the component."""
     line = b""
-    while len(line) <= _LONGEST_TOKEN:
+    while len(line) <= _MAX_TOKEN_LENGTH:
         c = os.read(_INPUT, 1)
         if c == b"\n":
             return line.decode("ascii", "replace")

@@ -29,10 +29,10 @@ public final class EarlyStart {
    */
   public static void main(String[] arguments) throws Throwable {
     String entryPoint = arguments[0];
-    String[] itsOwn = Arrays.copyOfRange(arguments, 1, arguments.length);
+    String[] applicationArguments = Arrays.copyOfRange(arguments, 1, arguments.length);
     try {
-      opened = TestRun.open(itsOwn);
-      openedWith = itsOwn;
+      opened = TestRun.open(applicationArguments);
+      openedWith = applicationArguments;
     } catch (IOException | RuntimeException e) {
       // The run fails in the same way when it starts, and reports the failure.
     }
@@ -44,7 +44,7 @@ public final class EarlyStart {
     // The Java launcher requires a public method, but not a public class.
     main.setAccessible(true);
     try {
-      main.invoke(null, (Object) itsOwn);
+      main.invoke(null, (Object) applicationArguments);
     } catch (InvocationTargetException e) {
       throw e.getCause();
     }

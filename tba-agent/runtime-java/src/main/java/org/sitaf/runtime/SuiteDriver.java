@@ -23,7 +23,7 @@ public abstract class SuiteDriver<C> {
   private final LifeCycle lifeCycle;
   private final Hooks hooks;
   private @Nullable C component;
-  private @Nullable Object begun;
+  private @Nullable Object started;
   private @Nullable CallBeside<?> pending;
   private boolean saved;
 
@@ -85,8 +85,8 @@ public abstract class SuiteDriver<C> {
    * component do nothing.
    */
   protected final void begin(C instance) throws Exception {
-    if (begun != instance) {
-      begun = instance;
+    if (started != instance) {
+      started = instance;
       hooks.begin(instance);
     }
   }
@@ -103,9 +103,9 @@ public abstract class SuiteDriver<C> {
 
   /** Starts a nonblocking call of the component; it is measured on its own thread. */
   protected final <T> CallBeside<T> beside(Callable<T> call) {
-    CallBeside<T> beside = CallBeside.begin(run.stopwatch(), run.simulationIfAny(), call);
-    pending = beside;
-    return beside;
+    CallBeside<T> nonblocking = CallBeside.begin(run.stopwatch(), run.simulationIfAny(), call);
+    pending = nonblocking;
+    return nonblocking;
   }
 
   /** Measures the call under test. */

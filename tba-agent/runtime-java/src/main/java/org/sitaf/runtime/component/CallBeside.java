@@ -60,7 +60,7 @@ public final class CallBeside<T> {
    */
   public @Nullable T outcome() throws Exception {
     if (simulation != null) {
-      simulation.time().passUntilItLeaves();
+      simulation.time().passUntilThreadLeaves();
     }
     thread.join();
     Throwable problem = thrown;

@@ -100,7 +100,7 @@ public final class PassingTime {
   }
 
   /** Lets time pass until the followed thread leaves; does nothing when no thread is followed. */
-  public void passUntilItLeaves() {
+  public void passUntilThreadLeaves() {
     for (long steps = awaited(); steps > 0; steps = awaited()) {
       move(steps);
     }
@@ -206,7 +206,8 @@ public final class PassingTime {
     }
     if (self == givenUp) {
       waiting.remove(self);
-      throw new SimulationException("the case has ended, and its simulation time no longer advances");
+      throw new SimulationException(
+          "the case has ended, and its simulation time no longer advances");
     }
   }
 

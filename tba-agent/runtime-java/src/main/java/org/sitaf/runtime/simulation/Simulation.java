@@ -251,13 +251,13 @@ public final class Simulation implements AutoCloseable {
    * @throws IOException when it cannot be written
    */
   public void saveMotion(int no) throws IOException {
-    Recording films = recording;
-    if (films == null || films.isFull()) {
+    Recording current = recording;
+    if (current == null || current.isFull()) {
       return;
     }
     TakeMotionRequest request = TakeMotionRequest.newBuilder().setSessionId(session).build();
     try {
-      films.save(no, stub(channel).takeMotion(request).getGltf().toByteArray());
+      current.save(no, stub(channel).takeMotion(request).getGltf().toByteArray());
     } catch (StatusRuntimeException e) {
       if (e.getStatus().getCode() != Status.Code.DATA_LOSS) {
         throw rememberLoss(failure("taking the recording of case " + no, e), e);

@@ -101,12 +101,12 @@ class PassingTimeTest {
     Thread component = beginFollowed(() -> act(acted, 5));
 
     time.pass(Duration.ofMillis(4));
-    time.passUntilItLeaves();
+    time.passUntilThreadLeaves();
     component.join();
 
     assertThat(acted).containsExactly(0L, 3L, 6L, 9L, 12L);
     assertThat(now.get()).isEqualTo(15);
-    time.passUntilItLeaves();
+    time.passUntilThreadLeaves();
     assertThat(now.get()).isEqualTo(15);
   }
 
@@ -125,7 +125,7 @@ class PassingTimeTest {
             });
     time.limit(Duration.ofMillis(20));
 
-    assertThatThrownBy(time::passUntilItLeaves)
+    assertThatThrownBy(time::passUntilThreadLeaves)
         .isInstanceOf(CaseTooLongException.class)
         .hasMessage("the case took more than 0.02 s of simulation time");
     time.giveUp();

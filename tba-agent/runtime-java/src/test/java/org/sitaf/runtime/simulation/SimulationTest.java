@@ -64,7 +64,7 @@ class SimulationTest {
   private static final class OneSession extends SimulationControlGrpc.SimulationControlImplBase {
     final List<String> calls = Collections.synchronizedList(new ArrayList<>());
     volatile CreateSessionRequest created = CreateSessionRequest.getDefaultInstance();
-    volatile Status refusal = Status.OK;
+    volatile Status rejection = Status.OK;
     volatile int motion = 3;
     private double distance = 5;
     private long steps;
@@ -140,11 +140,11 @@ class SimulationTest {
     }
 
     private <T> void answer(StreamObserver<T> out, T message) {
-      if (refusal.isOk()) {
+      if (rejection.isOk()) {
         out.onNext(message);
         out.onCompleted();
       } else {
-        out.onError(refusal.asRuntimeException());
+        out.onError(rejection.asRuntimeException());
       }
     }
   }
@@ -215,13 +215,13 @@ class SimulationTest {
   @Test
   void distinguishesARejectedRequestFromALostSimulator() throws IOException {
     try (Simulation simulation = open()) {
-      service.refusal = Status.OUT_OF_RANGE.withDescription("Distance: 25 m is beyond 20 m");
+      service.rejection = Status.OUT_OF_RANGE.withDescription("Distance: 25 m is beyond 20 m");
       assertThatThrownBy(
               () -> simulation.prepare(Map.of("Distance", 25.0), java.time.Duration.ZERO))
           .isInstanceOfSatisfying(SimulationException.class, e -> assertThat(e.isLost()).isFalse())
           .hasMessage(
               "simulator: setting {Distance=25.0}: OUT_OF_RANGE: Distance: 25 m is beyond 20 m");
-      service.refusal = Status.NOT_FOUND.withDescription("no session s1");
+      service.rejection = Status.NOT_FOUND.withDescription("no session s1");
       assertThatThrownBy(() -> simulation.advance(java.time.Duration.ofSeconds(1)))
           .isInstanceOfSatisfying(SimulationException.class, e -> assertThat(e.isLost()).isTrue());
     }
@@ -290,19 +290,19 @@ class SimulationTest {
 
   @Test
   void savesTheMotionOfEachCaseUntilTheFolderIsFull() throws IOException {
-    Path films = folder.resolve("films");
+    Path recordings = folder.resolve("recordings");
     try (Simulation simulation = open()) {
       simulation.saveMotion(1);
-      assertThat(films).doesNotExist();
-      simulation.record(films);
+      assertThat(recordings).doesNotExist();
+      simulation.record(recordings);
       service.motion = 40 << 20;
       simulation.saveMotion(2);
       simulation.saveMotion(3);
       simulation.saveMotion(4);
     }
 
-    assertThat(films.resolve("2.glb")).hasSize(40 << 20);
-    assertThat(films).isDirectoryNotContaining(file -> !file.endsWith("2.glb"));
+    assertThat(recordings.resolve("2.glb")).hasSize(40 << 20);
+    assertThat(recordings).isDirectoryNotContaining(file -> !file.endsWith("2.glb"));
     assertThat(service.calls).containsOnlyOnce("record every 20000000");
     assertThat(service.calls.stream().filter("take"::equals)).hasSize(2);
   }
@@ -310,15 +310,15 @@ class SimulationTest {
   @Test
   void savesNoMotionWhenTheSimulationDiverged() throws IOException {
     try (Simulation simulation = open()) {
-      simulation.record(folder.resolve("films"));
-      service.refusal = Status.DATA_LOSS.withDescription("it diverged");
+      simulation.record(folder.resolve("recordings"));
+      service.rejection = Status.DATA_LOSS.withDescription("it diverged");
       simulation.saveMotion(1);
-      assertThat(folder.resolve("films")).isEmptyDirectory();
-      service.refusal = Status.UNAVAILABLE;
+      assertThat(folder.resolve("recordings")).isEmptyDirectory();
+      service.rejection = Status.UNAVAILABLE;
       assertThatThrownBy(() -> simulation.saveMotion(2))
           .isInstanceOf(SimulationException.class)
           .hasMessageContaining("case 2");
-      service.refusal = Status.OK;
+      service.rejection = Status.OK;
     }
   }
 }

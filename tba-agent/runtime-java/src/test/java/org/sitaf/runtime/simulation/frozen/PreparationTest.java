@@ -22,8 +22,8 @@ import org.sitaf.sim.v1.WorldState;
 
 /** Requests for the following cases, and the assignment of responses to cases. */
 class PreparationTest {
-  private final List<PrepareManyRequest> asked = new ArrayList<>();
-  private double refused = Double.NaN;
+  private final List<PrepareManyRequest> requests = new ArrayList<>();
+  private double rejected = Double.NaN;
 
   /** A range sensor that reads the value that was set. */
   private static CreateSessionResponse session() {
@@ -41,8 +41,8 @@ class PreparationTest {
   }
 
   private Optional<PrepareManyResponse> answer(PrepareManyRequest request) {
-    asked.add(request);
-    return request.getValuesList().contains(refused)
+    requests.add(request);
+    return request.getValuesList().contains(rejected)
         ? Optional.empty()
         : Optional.of(
             PrepareManyResponse.newBuilder()
@@ -76,32 +76,32 @@ class PreparationTest {
   void preparesEachCombinationOfValuesOnce() {
     assertThat(run(500, 1, 2, 3, 0.0, -0.0)).isEqualTo(500);
 
-    assertThat(asked).hasSize(1);
-    assertThat(asked.get(0).getValuesList()).containsExactly(1.0, 2.0, 3.0, 0.0, -0.0);
-    assertThat(asked.get(0).getCases()).isEqualTo(5);
+    assertThat(requests).hasSize(1);
+    assertThat(requests.get(0).getValuesList()).containsExactly(1.0, 2.0, 3.0, 0.0, -0.0);
+    assertThat(requests.get(0).getCases()).isEqualTo(5);
   }
 
   @Test
   void preparesOneWorldForCasesWithEqualValues() {
     assertThat(run(100, 4)).isEqualTo(100);
-    assertThat(asked).hasSize(1);
+    assertThat(requests).hasSize(1);
   }
 
   @Test
   void leavesASingleCaseToTheSession() {
     assertThat(run(1, 4)).isZero();
-    assertThat(asked).isEmpty();
+    assertThat(requests).isEmpty();
   }
 
   @Test
   void preparesManyValuesInFewCalls() {
     assertThat(run(3000, IntStream.range(0, 3000).asDoubleStream().toArray())).isEqualTo(3000);
-    assertThat(asked.size()).isLessThan(8);
+    assertThat(requests.size()).isLessThan(8);
   }
 
   @Test
   void leavesCasesNextToARejectedOneToTheSession() {
-    refused = 7;
+    rejected = 7;
     int known = run(400, IntStream.range(0, 400).asDoubleStream().toArray());
 
     assertThat(known).isBetween(360, 399);

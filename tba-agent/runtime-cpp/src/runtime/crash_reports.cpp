@@ -1,4 +1,4 @@
-#include "runtime/last_words.hpp"
+#include "runtime/crash_reports.hpp"
 
 #include <dlfcn.h>
 #include <execinfo.h>
@@ -107,7 +107,7 @@ void onSignal(int number) {
     }
     ::alarm(2);
     report(frames, count, what);
-    keepCoverage(true);
+    saveCoverage(true);
     ::_exit(0);
   }
   if (child < 0) {
@@ -139,7 +139,7 @@ void onSignal(int number) {
 
 }  // namespace
 
-void sayLastWords(void (*coverage)()) {
+void installCrashHandlers(void (*coverage)()) {
   flushCoverage = coverage;
   // The first call loads the library that backtrace needs; later it may be too late.
   void* frame[1];
@@ -155,14 +155,14 @@ void sayLastWords(void (*coverage)()) {
     ::sigaction(signal, &action, nullptr);
   }
   // A JVM blocks SIGQUIT in its threads, and child processes inherit that.
-  sigset_t asked;
-  ::sigemptyset(&asked);
-  ::sigaddset(&asked, SIGQUIT);
-  ::pthread_sigmask(SIG_UNBLOCK, &asked, nullptr);
+  sigset_t toUnblock;
+  ::sigemptyset(&toUnblock);
+  ::sigaddset(&toUnblock, SIGQUIT);
+  ::pthread_sigmask(SIG_UNBLOCK, &toUnblock, nullptr);
   std::set_terminate(onTerminate);
 }
 
-void keepCoverage(bool end) {
+void saveCoverage(bool end) {
   static auto last = std::chrono::steady_clock::now();
   const auto now = std::chrono::steady_clock::now();
   if (flushCoverage != nullptr && (end || now - last > std::chrono::milliseconds(500))) {

@@ -6,9 +6,9 @@ namespace sitaf::runtime {
 /// the cause and the component's innermost frame. The exit status does not change.
 ///
 /// - coverage: saves the coverage; null when the component was not built for it
-void sayLastWords(void (*coverage)());
+void installCrashHandlers(void (*coverage)());
 
 /// Saves the coverage if the component was built for it, at most twice per second unless `end` is true.
-void keepCoverage(bool end);
+void saveCoverage(bool end);
 
 }  // namespace sitaf::runtime
