@@ -107,8 +107,8 @@ def test_results_are_appended_after_an_incomplete_line(tmp_path):
     first = ResultsFile(file, append=False)
     first.ready()
     first.close()
-    with file.open("a") as torn:
-        torn.write("<case_record no")
+    with file.open("a") as incomplete:
+        incomplete.write("<case_record no")
     again = ResultsFile(file, append=True)
     again.save(CaseResult(TestCase(1, True, {})))
     again.close()

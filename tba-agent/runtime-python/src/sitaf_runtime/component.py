@@ -49,7 +49,7 @@ def create(type_: type[C], available: Sequence[Any]) -> C:
                 has = ", ".join(_roles(o)[0] for o in available)
             raise CannotRunError(
                 f"{_named(type_)} asks for '{parameter.name}', which no test can give: it has {has}."
-                " Give it a default, annotate it with what it is, or write an adapter"
+                " Give it a default, annotate it with its type, or write an adapter"
             )
     return type_(*positional, **named)
 

@@ -22,10 +22,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.xml.sax.SAXException;
 
-/**
- * Each schema takes the documents it is for, and the classes generated from it lose nothing of
- * them.
- */
+/** Schemas accept their documents, and the generated classes read and write them without loss. */
 class SchemasTest {
   private static Schema schema(String name) throws SAXException {
     return SchemaFactory.newInstance(XMLConstants.W3C_XML_SCHEMA_NS_URI)
@@ -59,7 +56,7 @@ class SchemasTest {
     "test_suite_data, test_suite_data, TestSuiteDocument",
     "test_result_descriptor, test_result_descriptor, TestResultDocument"
   })
-  void aDocumentIsValidAndComesBackAsItWas(String schema, String root, String className)
+  void readsAndWritesValidDocumentsWithoutLoss(String schema, String root, String className)
       throws Exception {
     roundTrip(schema, root, Class.forName("org.sitaf.schemas." + className));
   }
@@ -74,7 +71,7 @@ class SchemasTest {
     assertThat(once.replaceAll("[\\s'\"]", "")).hasSize(normalised(original).length());
   }
 
-  /** Without declaration, comments and the spaces between elements, which carry no content. */
+  /** Without declaration, comments and white space between elements, which have no meaning. */
   private static String normalised(String xml) {
     return ("<?xml version=\"1.0\" encoding=\"UTF-8\" standalone=\"yes\"?>"
             + xml.replaceAll("(?s)<!--.*?-->", "").replaceAll("<\\?xml[^>]*>", ""))
@@ -82,9 +79,9 @@ class SchemasTest {
   }
 
   @Test
-  void thePapersSpellingIsValidToo() throws Exception {
-    String misspelt = document("test_model").replace("TWO_BOUNDARY", "TWO_BOUDARY");
-    assertThat(misspelt).contains("NEC_NUMERIC_TWO_BOUDARY");
-    schema("test_model").newValidator().validate(new StreamSource(new StringReader(misspelt)));
+  void acceptsTheNameOfThePaper() throws Exception {
+    String paperName = document("test_model").replace("TWO_BOUNDARY", "TWO_BOUDARY");
+    assertThat(paperName).contains("NEC_NUMERIC_TWO_BOUDARY");
+    schema("test_model").newValidator().validate(new StreamSource(new StringReader(paperName)));
   }
 }

@@ -21,7 +21,7 @@ public interface Camera extends Device {
     /** Checks the size and makes the data read-only. */
     public Image {
       if (width < 1 || height < 1) {
-        throw new IllegalArgumentException("a picture of " + width + " x " + height + " pixels");
+        throw new IllegalArgumentException("an image of " + width + " x " + height + " pixels");
       }
       data = data.asReadOnlyBuffer();
     }
