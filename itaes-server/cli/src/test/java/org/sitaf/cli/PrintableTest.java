@@ -6,7 +6,7 @@ import org.junit.jupiter.api.Test;
 
 class PrintableTest {
   @Test
-  void aTextOfSeveralLinesStaysOne() {
+  void keepsAndIndentsLines() {
     assertThat(Printable.lines("cannot find symbol\n\tsymbol: x\r\nlocation: y\n", "  "))
         .isEqualTo(
             String.join(

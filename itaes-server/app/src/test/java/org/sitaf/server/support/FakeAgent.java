@@ -414,7 +414,7 @@ public final class FakeAgent implements AutoCloseable {
     TestResultXml.write(
         new ResultAssembler(application.model(), application.suite())
             .assemble(results, "not executed", provenance)
-            .suspected(suspicions),
+            .withSuspicions(suspicions),
         document);
     return document.toByteArray();
   }

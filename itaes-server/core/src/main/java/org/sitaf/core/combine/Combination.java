@@ -58,25 +58,25 @@ final class Combination {
     Coverage coverage = ColumnSets.coverage(symbols, sets);
     Exclusion exclusion = ImpossibleTuples.exclude(symbols, sets, feasibility, coverage);
     TupleReport report = exclusion.report();
-    long most = TestDataCombinator.maxRows(symbols);
-    if (exclusion.bound() > most) {
+    long maxRows = TestDataCombinator.maxRows(symbols);
+    if (exclusion.bound() > maxRows) {
       throw new TooManyCombinationsException(
-          "minimum number of cases", BigInteger.valueOf(exclusion.bound()), most);
+          "minimum number of cases", BigInteger.valueOf(exclusion.bound()), maxRows);
     }
     SeededRandom random = new SeededRandom(seed);
     Budget budget = new Budget(operations());
     Greedy greedy = new Greedy(symbols, coverage, feasibility, random, budget);
 
     List<Row> rows = new ArrayList<>();
-    List<int[]> kept = problem.seeds();
-    for (int[] values : kept) {
+    List<int[]> seeds = problem.seeds();
+    for (int[] values : seeds) {
       Row filled =
           Objects.requireNonNull(greedy.fill(new Row(symbols, values)), "seed was checked before");
       filled.keep(values);
       coverage.add(filled);
       rows.add(filled);
     }
-    boolean plain = kept.isEmpty() && feasibility.rules().isEmpty();
+    boolean plain = seeds.isEmpty() && feasibility.rules().isEmpty();
     Optional<SingleInteraction> columns =
         plain ? SingleInteraction.of(problem, symbols) : Optional.empty();
     createFirst(
@@ -90,12 +90,13 @@ final class Combination {
     }
     progress.report(rows.size(), 0);
 
-    int enough = Math.max(exclusion.bound(), kept.size());
+    int targetSize = Math.max(exclusion.bound(), seeds.size());
     List<int[]> best = rows.stream().map(Row::values).toList();
     if (effort != Effort.FAST) {
-      best = shrink(rows, best, enough, columns, coverage, greedy, random, budget);
+      best = shrink(rows, best, targetSize, columns, coverage, greedy, random, budget);
     }
-    return new CoveringArray(ordered(best, kept.size()), report, best.size() <= enough, List.of());
+    return new CoveringArray(
+        ordered(best, seeds.size()), report, best.size() <= targetSize, List.of());
   }
 
   /**
@@ -118,15 +119,15 @@ final class Combination {
   private List<int[]> shrink(
       List<Row> rows,
       List<int[]> complete,
-      int enough,
+      int targetSize,
       Optional<SingleInteraction> columns,
       Coverage coverage,
       Greedy greedy,
       SeededRandom random,
       Budget budget) {
     TupleForcing search = new TupleForcing(symbols, coverage, feasibility, greedy, random, rows);
-    List<int[]> best = search.shrink(complete, enough, budget.part(0.1), listener(budget));
-    if (best.size() > enough && columns.isPresent()) {
+    List<int[]> best = search.shrink(complete, targetSize, budget.part(0.1), listener(budget));
+    if (best.size() > targetSize && columns.isPresent()) {
       SearchResult found = columns.get().develop(best.size(), random, budget.part(0.3));
       if (found.array().isPresent()) {
         replace(rows, found.array().get(), coverage);
@@ -137,11 +138,11 @@ final class Combination {
       if (found.nearMiss().isPresent()) {
         replace(rows, found.nearMiss().get(), coverage);
         greedy.grow(rows, 4, best.size() - 1);
-        best = search.shrink(best, enough, budget.part(0.3), listener(budget));
+        best = search.shrink(best, targetSize, budget.part(0.3), listener(budget));
       }
       replace(rows, best, coverage);
     }
-    return search.shrink(best, enough, budget.withStallLimit(stallLimit()), listener(budget));
+    return search.shrink(best, targetSize, budget.withStallLimit(stallLimit()), listener(budget));
   }
 
   private TupleForcing.Listener listener(Budget budget) {
@@ -176,15 +177,16 @@ final class Combination {
     }
 
     Optional<List<int[]>> direct() {
-      return Constructions.direct(strength, levels).map(this::whole);
+      return Constructions.direct(strength, levels).map(this::toFullRows);
     }
 
     SearchResult develop(int size, SeededRandom random, Budget budget) {
       SearchResult found = Constructions.develop(strength, levels, size, random, budget);
-      return new SearchResult(found.array().map(this::whole), found.nearMiss().map(this::whole));
+      return new SearchResult(
+          found.array().map(this::toFullRows), found.nearMiss().map(this::toFullRows));
     }
 
-    private List<int[]> whole(List<int[]> rows) {
+    private List<int[]> toFullRows(List<int[]> rows) {
       List<int[]> whole = new ArrayList<>();
       for (int[] row : rows) {
         int[] values = new int[symbols.columns()];
@@ -216,11 +218,11 @@ final class Combination {
     };
   }
 
-  /** Kept rows first, then the others in ascending order without duplicates. */
-  private static int[][] ordered(List<int[]> rows, int kept) {
-    List<int[]> all = new ArrayList<>(rows.subList(0, kept));
+  /** Seeds first, then the others in ascending order without duplicates. */
+  private static int[][] ordered(List<int[]> rows, int seedCount) {
+    List<int[]> all = new ArrayList<>(rows.subList(0, seedCount));
     TreeSet<int[]> others = new TreeSet<>(Comparator.comparing((int[] a) -> a, Arrays::compare));
-    others.addAll(rows.subList(kept, rows.size()));
+    others.addAll(rows.subList(seedCount, rows.size()));
     all.forEach(others::remove);
     all.addAll(others);
     return all.toArray(int[][]::new);

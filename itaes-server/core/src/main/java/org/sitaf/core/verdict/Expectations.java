@@ -27,14 +27,14 @@ final class Expectations {
   /** The result of a case before its post-conditions are evaluated. */
   CaseResult judge(TestCase testCase, CaseRecord record) {
     return switch (record.outcome()) {
-      case RETURNED -> compared(testCase, record);
-      case THREW -> thrown(testCase, record);
+      case RETURNED -> compareOutputs(testCase, record);
+      case THREW -> checkException(testCase, record);
       case ERROR -> result(testCase, record, Verdict.ERROR, record.message());
       case NOT_CALLED -> result(testCase, record, Verdict.DONT, record.message());
     };
   }
 
-  private CaseResult compared(TestCase testCase, CaseRecord record) {
+  private CaseResult compareOutputs(TestCase testCase, CaseRecord record) {
     Verdict verdict = Verdict.PASS;
     List<String> messages = new ArrayList<>();
     for (ExpectedValue expected : testCase.expected()) {
@@ -95,7 +95,7 @@ final class Expectations {
    * If the expected exception was thrown, the case passes: the expected values of the other outputs
    * are not compared.
    */
-  private CaseResult thrown(TestCase testCase, CaseRecord record) {
+  private CaseResult checkException(TestCase testCase, CaseRecord record) {
     List<NamedValue> matched = new ArrayList<>();
     for (ExpectedValue expected : testCase.expected()) {
       if (expected.literal().strip().equals(ERROR + record.thrown())) {

@@ -62,10 +62,10 @@ public final class ResultAssembler {
       throw new IllegalArgumentException("the suite has no case " + record.no());
     }
     CaseResult result = expectations.judge(testCase, record);
-    boolean ended =
+    boolean completed =
         record.outcome() == CaseRecord.Outcome.RETURNED
             || record.outcome() == CaseRecord.Outcome.THREW && result.verdict() == Verdict.PASS;
-    return ended ? withPostConditions(testCase, result) : result;
+    return completed ? withPostConditions(testCase, result) : result;
   }
 
   private CaseResult withPostConditions(TestCase testCase, CaseResult result) {
@@ -99,7 +99,7 @@ public final class ResultAssembler {
                     + condition.text()
                     + ": "
                     + e.getMessage()
-                    + place(condition));
+                    + location(condition));
       }
     }
     return judged;
@@ -150,7 +150,7 @@ public final class ResultAssembler {
   }
 
   /** File and line of a condition in parentheses; empty if unknown. */
-  private String place(Expression condition) {
+  private String location(Expression condition) {
     int line = model.postConditions().get(postConditions.indexOf(condition)).line();
     return line == 0 ? "" : " (" + model.source() + ":" + line + ")";
   }

@@ -46,7 +46,7 @@ public record TestResult(
   }
 
   /** A copy that is suspect for these reasons. */
-  public TestResult suspected(List<String> reasons) {
+  public TestResult withSuspicions(List<String> reasons) {
     return new TestResult(name, provenance, summary, parameters, cases, coverage, reasons);
   }
 

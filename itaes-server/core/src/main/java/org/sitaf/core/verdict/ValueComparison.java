@@ -118,53 +118,62 @@ record ValueComparison(DataType type, Tolerance tolerance) {
   private @Nullable Mismatch compareElements(
       String path, String expected, String actual, DataType element, int depth)
       throws IncomparableException {
-    List<String> wanted;
+    List<String> expectedElements;
     try {
-      wanted = Literals.elements(expected);
+      expectedElements = Literals.elements(expected);
     } catch (IllegalArgumentException e) {
       throw new IncomparableException(path, String.valueOf(e.getMessage()));
     }
-    List<String> got;
+    List<String> actualElements;
     try {
-      got = Literals.elements(actual);
+      actualElements = Literals.elements(actual);
     } catch (IllegalArgumentException e) {
       return different(path, expected, actual, false);
     }
-    for (int i = 0; i < Math.min(wanted.size(), got.size()); i++) {
-      Mismatch found = compare(path + "[" + i + "]", wanted.get(i), got.get(i), element, depth + 1);
+    for (int i = 0; i < Math.min(expectedElements.size(), actualElements.size()); i++) {
+      Mismatch found =
+          compare(
+              path + "[" + i + "]",
+              expectedElements.get(i),
+              actualElements.get(i),
+              element,
+              depth + 1);
       if (found != null) {
         return found;
       }
     }
-    return wanted.size() == got.size()
+    return expectedElements.size() == actualElements.size()
         ? null
         : new Mismatch(
             Verdict.FAIL,
             path,
-            "expected " + wanted.size() + " elements, but there are " + got.size());
+            "expected "
+                + expectedElements.size()
+                + " elements, but there are "
+                + actualElements.size());
   }
 
   private @Nullable Mismatch compareMembers(
       String path, String expected, String actual, DataType type, int depth)
       throws IncomparableException {
-    Map<String, String> wanted;
+    Map<String, String> expectedMembers;
     try {
-      wanted = Literals.members(expected);
+      expectedMembers = Literals.members(expected);
     } catch (IllegalArgumentException e) {
       throw new IncomparableException(path, String.valueOf(e.getMessage()));
     }
     if (type instanceof DataType.Struct struct) {
-      requireMembers(path, struct, wanted);
+      requireMembers(path, struct, expectedMembers);
     }
-    Map<String, String> got;
+    Map<String, String> actualMembers;
     try {
-      got = Literals.members(actual);
+      actualMembers = Literals.members(actual);
     } catch (IllegalArgumentException e) {
       return different(path, expected, actual, false);
     }
-    for (Map.Entry<String, String> member : wanted.entrySet()) {
+    for (Map.Entry<String, String> member : expectedMembers.entrySet()) {
       String name = member.getKey();
-      String value = got.get(name);
+      String value = actualMembers.get(name);
       Mismatch found =
           value == null
               ? new Mismatch(
@@ -181,11 +190,11 @@ record ValueComparison(DataType type, Tolerance tolerance) {
 
   /** An expected member that the type does not have is an error in the suite, not a wrong value. */
   private static void requireMembers(
-      String path, DataType.Struct struct, Map<String, String> wanted)
+      String path, DataType.Struct struct, Map<String, String> expectedMembers)
       throws IncomparableException {
     List<String> known = struct.members().stream().map(DataType.Member::name).toList();
     String unknown =
-        wanted.keySet().stream()
+        expectedMembers.keySet().stream()
             .filter(name -> !known.contains(name))
             .collect(Collectors.joining(", "));
     if (!unknown.isEmpty()) {
@@ -224,12 +233,12 @@ record ValueComparison(DataType type, Tolerance tolerance) {
 
   private static @Nullable Mismatch compareBooleans(String path, String expected, String actual)
       throws IncomparableException {
-    String wanted = Literals.normalizedBoolean(expected);
-    if (!Literals.isBoolean(wanted)) {
+    String expectedValue = Literals.normalizedBoolean(expected);
+    if (!Literals.isBoolean(expectedValue)) {
       throw new IncomparableException(
           path, "'" + Literals.shortened(expected) + "' is neither true nor false");
     }
-    return wanted.equals(actual) ? null : different(path, expected, actual, false);
+    return expectedValue.equals(actual) ? null : different(path, expected, actual, false);
   }
 
   private @Nullable Mismatch compareIntegers(String path, String expected, String actual)
@@ -241,29 +250,29 @@ record ValueComparison(DataType type, Tolerance tolerance) {
           ? null
           : different(path, expected, actual, false);
     }
-    BigDecimal wanted;
+    BigDecimal expectedValue;
     try {
-      wanted = whole(expected.strip());
+      expectedValue = parseDecimal(expected.strip());
     } catch (IllegalArgumentException e) {
       throw new IncomparableException(path, String.valueOf(e.getMessage()));
     }
-    BigDecimal got;
+    BigDecimal actualValue;
     try {
-      got = whole(actual.strip());
+      actualValue = parseDecimal(actual.strip());
     } catch (IllegalArgumentException e) {
       return different(path, expected, actual, false);
     }
-    BigDecimal apart = got.subtract(wanted).abs();
+    BigDecimal difference = actualValue.subtract(expectedValue).abs();
     BigDecimal allowed =
         new BigDecimal(tolerance.absolute())
-            .add(new BigDecimal(tolerance.relative()).multiply(wanted.abs()));
-    return apart.compareTo(allowed) <= 0
+            .add(new BigDecimal(tolerance.relative()).multiply(expectedValue.abs()));
+    return difference.compareTo(allowed) <= 0
         ? null
-        : outside(path, expected, actual, apart.doubleValue(), allowed.doubleValue());
+        : outsideTolerance(path, expected, actual, difference.doubleValue(), allowed.doubleValue());
   }
 
-  /** Checked first, because a number such as {@code 1e999999999} would use all memory. */
-  private static BigDecimal whole(String literal) {
+  /** Limits the digits: arithmetic with {@code 1e999999999} would use all memory. */
+  private static BigDecimal parseDecimal(String literal) {
     BigDecimal number = new BigDecimal(literal);
     if ((long) literal.length() + Math.abs((long) number.scale()) > MAX_DIGITS) {
       throw new IllegalArgumentException(
@@ -278,19 +287,23 @@ record ValueComparison(DataType type, Tolerance tolerance) {
     if (!Literals.isReal(actual)) {
       return different(path, expected, actual, false);
     }
-    double wanted = single ? (float) exact : exact;
-    double got = single ? (float) Literals.real(actual) : Literals.real(actual);
-    if (Double.isNaN(wanted) && Double.isNaN(got) || wanted == got) {
+    double expectedValue = single ? (float) exact : exact;
+    double actualValue = single ? (float) Literals.real(actual) : Literals.real(actual);
+    if (Double.isNaN(expectedValue) && Double.isNaN(actualValue) || expectedValue == actualValue) {
       return null;
     }
-    if (!Double.isFinite(wanted) || !Double.isFinite(got)) {
+    if (!Double.isFinite(expectedValue) || !Double.isFinite(actualValue)) {
       return different(path, expected, actual, false);
     }
-    double unit = single ? Math.ulp((float) wanted) : Math.ulp(wanted);
+    double unit = single ? Math.ulp((float) expectedValue) : Math.ulp(expectedValue);
     double allowed =
-        tolerance.absolute() + tolerance.relative() * Math.abs(wanted) + tolerance.ulp() * unit;
-    double apart = Math.abs(got - wanted);
-    return apart <= allowed ? null : outside(path, expected, actual, apart, allowed);
+        tolerance.absolute()
+            + tolerance.relative() * Math.abs(expectedValue)
+            + tolerance.ulp() * unit;
+    double difference = Math.abs(actualValue - expectedValue);
+    return difference <= allowed
+        ? null
+        : outsideTolerance(path, expected, actual, difference, allowed);
   }
 
   private static double number(String path, String expected) throws IncomparableException {
@@ -301,15 +314,15 @@ record ValueComparison(DataType type, Tolerance tolerance) {
     return Literals.real(expected);
   }
 
-  private Mismatch outside(
-      String path, String expected, String actual, double apart, double allowed) {
+  private Mismatch outsideTolerance(
+      String path, String expected, String actual, double difference, double allowed) {
     Mismatch bare = different(path, expected, actual, false);
     return tolerance.equals(Tolerance.EXACT)
         ? bare
         : new Mismatch(
             Verdict.FAIL,
             path,
-            bare.text() + " (differs by " + apart + ", allowed " + allowed + ")");
+            bare.text() + " (differs by " + difference + ", allowed " + allowed + ")");
   }
 
   private static Mismatch different(String path, String expected, String actual, boolean quoted) {

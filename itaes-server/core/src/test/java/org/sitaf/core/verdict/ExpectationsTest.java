@@ -105,12 +105,12 @@ class ExpectationsTest {
 
   @Test
   void comparesAnExpectedErrorByItsName() {
-    CaseResult met = judged("!error:TooFast", threw("TooFast"));
+    CaseResult matching = judged("!error:TooFast", threw("TooFast"));
 
-    assertThat(met.verdict()).isEqualTo(Verdict.PASS);
-    assertThat(met.message()).isEmpty();
-    assertThat(met.actual()).containsExactly(new NamedValue("", "!error:TooFast"));
-    assertThat(met.time()).isNotNull();
+    assertThat(matching.verdict()).isEqualTo(Verdict.PASS);
+    assertThat(matching.message()).isEmpty();
+    assertThat(matching.actual()).containsExactly(new NamedValue("", "!error:TooFast"));
+    assertThat(matching.time()).isNotNull();
     CaseResult other = judged("!error:TooFast", threw("TooSlow"));
     assertThat(other.verdict()).isEqualTo(Verdict.ERROR);
     assertThat(other.message()).isEqualTo("TooSlow: too fast");
@@ -130,13 +130,13 @@ class ExpectationsTest {
     List<ExpectedValue> expected =
         List.of(new ExpectedValue("return", "!error:TooFast"), new ExpectedValue("way", "2.0"));
 
-    CaseResult met = judged(outputs, expected, threw("TooFast"));
-    assertThat(met.verdict()).isEqualTo(Verdict.PASS);
-    assertThat(met.actual()).containsExactly(new NamedValue("return", "!error:TooFast"));
+    CaseResult matching = judged(outputs, expected, threw("TooFast"));
+    assertThat(matching.verdict()).isEqualTo(Verdict.PASS);
+    assertThat(matching.actual()).containsExactly(new NamedValue("return", "!error:TooFast"));
     CaseRecord record = returned(new NamedValue("return", "1.0"), new NamedValue("way", "2.0"));
-    CaseResult missed = judged(outputs, expected, record);
-    assertThat(missed.verdict()).isEqualTo(Verdict.FAIL);
-    assertThat(missed.message())
+    CaseResult notThrown = judged(outputs, expected, record);
+    assertThat(notThrown.verdict()).isEqualTo(Verdict.FAIL);
+    assertThat(notThrown.message())
         .isEqualTo("return: expected the error TooFast, but it returned 1.0");
   }
 

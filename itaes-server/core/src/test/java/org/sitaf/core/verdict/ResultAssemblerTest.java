@@ -140,7 +140,7 @@ class ResultAssemblerTest {
     TestResult result =
         assembler
             .assemble(List.of(first()), "stopped", PROVENANCE)
-            .suspected(List.of("a line without number and token (3 times)"));
+            .withSuspicions(List.of("a line without number and token (3 times)"));
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     TestResultXml.write(result, out);
     assertThat(TestResultXml.read(new ByteArrayInputStream(out.toByteArray()), "result.xml"))

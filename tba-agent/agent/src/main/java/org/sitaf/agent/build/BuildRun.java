@@ -374,7 +374,7 @@ public final class BuildRun {
             Instant.now().truncatedTo(ChronoUnit.MILLIS).toString());
     return assembler
         .assemble(execution.results(), execution.reasonOfRest(), provenance)
-        .suspected(execution.suspicions());
+        .withSuspicions(execution.suspicions());
   }
 
   /** The files of the component: sources or library, adapter and external libraries. */

@@ -65,17 +65,17 @@ public final class TupleForcing {
   }
 
   /**
-   * Removes rows until at most {@code enough} remain or the budget is used up. The current rows may
-   * be incomplete if they are fewer than those of {@code complete}. A further call continues the
-   * search.
+   * Removes rows until at most {@code targetSize} remain or the budget is used up. The current rows
+   * may be incomplete if they are fewer than those of {@code complete}. A further call continues
+   * the search.
    *
    * @param complete the smallest complete array so far
    * @return the smallest complete array found
    */
-  public List<int[]> shrink(List<int[]> complete, int enough, Budget spent, Listener listener) {
+  public List<int[]> shrink(List<int[]> complete, int targetSize, Budget spent, Listener listener) {
     budget = spent;
     List<int[]> best = coverage.uncovered() == 0 ? snapshot() : complete;
-    while (best.size() > enough
+    while (best.size() > targetSize
         && !budget.isExhausted()
         && (coverage.uncovered() > 0 || removeOne())) {
       long next = step + 256;
