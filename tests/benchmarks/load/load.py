@@ -35,31 +35,31 @@ def phases(central, agents, seconds, zip_file):
 def report(table, database, agents, found, peak):
     connect = found.get("connect", {"agents": 0})
     table.row(f"{database}: agents connected", connect["agents"], f"{agents}", connect["agents"] == agents)
-    table.row(f"{database}: heap at most (set), MiB", 1024, "<= 1024", True)
+    table.row(f"{database}: maximum heap (configured), MiB", 1024, "<= 1024", True)
     table.row(f"{database}: peak memory of the process, MiB", peak, "", True)
     if "mixed" not in found:
-        table.row(f"{database}: phases that ended", ", ".join(found), "all", False)
+        table.row(f"{database}: completed phases", ", ".join(found), "all", False)
         return
     builds, rows, mixed = found["builds"], found["rows"], found["mixed"]
-    table.row(f"{database}: builds/s finished", builds["finishedPerSecond"], ">= 19",
+    table.row(f"{database}: finished builds/s", builds["finishedPerSecond"], ">= 19",
               builds["finishedPerSecond"] >= 19)
     table.row(f"{database}: dispatch p99, s", builds["dispatchP99"], "<= 1", builds["dispatchP99"] <= 1)
-    table.row(f"{database}: result rows/s accepted", rows["rowsPerSecond"], ">= 9,500", rows["rowsPerSecond"] >= 9500)
-    table.row(f"{database}: read p99 meanwhile, s", rows["readP99"], "<= 0.15", rows["readP99"] <= 0.15)
-    table.row(f"{database}: mixed at half: builds/s", mixed["finishedPerSecond"], ">= 11",
+    table.row(f"{database}: accepted result rows/s", rows["rowsPerSecond"], ">= 9,500", rows["rowsPerSecond"] >= 9500)
+    table.row(f"{database}: read p99 during uploads, s", rows["readP99"], "<= 0.15", rows["readP99"] <= 0.15)
+    table.row(f"{database}: mixed load at half rate: builds/s", mixed["finishedPerSecond"], ">= 11",
               mixed["finishedPerSecond"] >= 11)
-    table.row(f"{database}: mixed at half: rows/s", mixed["rowsPerSecond"], ">= 4,750", mixed["rowsPerSecond"] >= 4750)
-    table.row(f"{database}: mixed at half: dispatch p99, s", mixed["dispatchP99"], "<= 1", mixed["dispatchP99"] <= 1)
-    table.row(f"{database}: mixed at half: read p99, s", mixed["readP99"], "<= 0.15", mixed["readP99"] <= 0.15)
+    table.row(f"{database}: mixed load at half rate: rows/s", mixed["rowsPerSecond"], ">= 4,750", mixed["rowsPerSecond"] >= 4750)
+    table.row(f"{database}: mixed load at half rate: dispatch p99, s", mixed["dispatchP99"], "<= 1", mixed["dispatchP99"] <= 1)
+    table.row(f"{database}: mixed load at half rate: read p99, s", mixed["readP99"], "<= 0.15", mixed["readP99"] <= 0.15)
     lost = mixed["lost"] + sum(p["failures"] for p in (builds, rows, mixed))
-    table.row(f"{database}: streams lost and requests failed", lost, "0", lost == 0)
+    table.row(f"{database}: lost streams and failed requests", lost, "0", lost == 0)
     unfinished = sum(p["requested"] - p["finished"] for p in (builds, rows, mixed))
     table.row(f"{database}: builds without a result at the end", unfinished, "0", unfinished == 0)
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--seconds", type=int, default=30, help="of each phase")
+    parser.add_argument("--seconds", type=int, default=30, help="duration of each phase")
     parser.add_argument("--agents", type=int, default=500)
     parser.add_argument("--database", choices=["h2", "postgresql", "both"], default="both")
     given = parser.parse_args()

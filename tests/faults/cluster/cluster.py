@@ -1,4 +1,4 @@
-"""Kills two servers with one database in turn at random: every fire time gives exactly one build."""
+"""Kills one of two servers with a shared database at random: every fire time requests exactly one build."""
 
 import argparse
 import datetime
@@ -58,10 +58,10 @@ def main():
                 if len(set(times)) != len(times) or builds != len(times):
                     twice.append(schedule)
             table.row("servers killed", given.kills, "", True)
-            table.row("fire times while servers died", expected, "> 0", expected > 0)
-            table.row("of them without a build", len(missing), "0", not missing)
-            table.row("schedules with a time that gave two builds", len(twice), "0", not twice)
-            table.row("builds of an agent while one server was dead", *works(servers, worker, suite))
+            table.row("fire times during the kills", expected, "> 0", expected > 0)
+            table.row("fire times without a build", len(missing), "0", not missing)
+            table.row("schedules with two builds for one fire time", len(twice), "0", not twice)
+            table.row("builds with one server down", *works(servers, worker, suite))
         finally:
             for part in (worker, *servers):
                 part.stop()

@@ -222,7 +222,7 @@ def build_or_refusal(system, table, name, archive, expected):
     except Refused as refused:
         in_time = time.monotonic() - began < HOSTILE_LIMIT_S
         fault = " 500 " in f"{refused} "
-        table.row(name, f"refused {time.monotonic() - began:.1f} s", "contained", in_time and not fault)
+        table.row(name, f"rejected {time.monotonic() - began:.1f} s", "contained", in_time and not fault)
         return
     # A valid world or model may pass, but must not affect others.
     report(table, f"{name} ({expected})", Trial(system, suite).run(never_green=expected != "survived"))
@@ -270,18 +270,18 @@ def afterwards(system, table):
     began = time.monotonic()
     system.agent.start(limit_s=60)
     took = time.monotonic() - began
-    table.row("s until a killed agent is there again", took, "<= 60", took <= 60)
+    table.row("restart of a killed agent, s", took, "<= 60", took <= 60)
     _, passed, _ = system.victim.build()
-    table.row("another user's build afterwards, PASS", passed, CASES, passed == CASES)
+    table.row("PASS of another user's build afterwards", passed, CASES, passed == CASES)
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--languages", default="java,cpp,python", help="of components, joined by commas")
-    parser.add_argument("--only", default="components,worlds,models,uploads", help="which tables, joined by commas")
-    parser.add_argument("--kinds", default="", help="these alone, joined by commas")
-    parser.add_argument("--user", default="", help="whose the agent is; this one's where absent")
-    parser.add_argument("--short", action="store_true", help="one kind of component for each way out and each limit")
+    parser.add_argument("--languages", default="java,cpp,python", help="languages of components, separated by commas")
+    parser.add_argument("--only", default="components,worlds,models,uploads", help="tables to run, separated by commas")
+    parser.add_argument("--kinds", default="", help="kinds to run, separated by commas; all by default")
+    parser.add_argument("--user", default="", help="user that runs the agent; the current user by default")
+    parser.add_argument("--short", action="store_true", help="run one attack per escape and limit")
     given = parser.parse_args()
     parts, chosen = given.only.split(","), set(filter(None, given.kinds.split(",")))
     table = Table("hostile")
@@ -289,7 +289,7 @@ def main():
         system = System(Path(folder), given.user)
         try:
             stack.enter_context(system)
-            table.row("usual s of another user's build", system.victim.usual_s, "", True)
+            table.row("usual time of another user's build, s", system.victim.usual_s, "", True)
             if "components" in parts:
                 components(system, table, given.languages.split(","), chosen, given.short)
             if "worlds" in parts:

@@ -72,7 +72,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--kills", type=int, default=200)
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--pause-ms", type=int, default=30, help="of the component in each of the 55 cases")
+    parser.add_argument("--pause-ms", type=int, default=30, help="pause of the component in each of the 55 cases")
     given = parser.parse_args()
     rng, table = random.Random(given.seed), Table("kill")
     counts = {}
@@ -97,7 +97,7 @@ def main():
             client.thread.join(40)
             ended = await_true(lambda: over(central.api), last + 2 * LEASE_S - time.monotonic())
             took = time.monotonic() - last
-            table.row("builds were requested to the end", "yes" if requested_to_the_end else "no", "yes", requested_to_the_end)
+            table.row("builds requested until the end", "yes" if requested_to_the_end else "no", "yes", requested_to_the_end)
             report(table, client, agents, counts, ended, took, last - began)
         finally:
             for part in [*agents, central]:
@@ -142,18 +142,18 @@ def report(table, client, agents, counts, ended, took, struck_s):
     done = sum(b["state"] == "DONE" for b in builds.values())
     attempts = sum(b["attempt"] for b in builds.values())
     table.row("kills", sum(counts.values()), " ".join(f"{k} {n}" for k, n in sorted(counts.items())), True)
-    table.row("seconds of kills", struck_s, "", True)
-    table.row("builds requested and acknowledged", len(client.requested), "", len(client.requested) > 0)
-    table.row("of them lost", len(client.requested - builds.keys()), "0", client.requested <= builds.keys())
+    table.row("duration of the kills, s", struck_s, "", True)
+    table.row("acknowledged builds", len(client.requested), "", len(client.requested) > 0)
+    table.row("lost builds", len(client.requested - builds.keys()), "0", client.requested <= builds.keys())
     table.row("builds with a result", done, "> 0", done > 0)
     table.row("attempts", attempts, "", True)
-    table.row("results that agents were acknowledged", len(acknowledged), "", True)
-    table.row("acknowledged results lost", len(lost_results), "0", not lost_results)
+    table.row("results acknowledged to agents", len(acknowledged), "", True)
+    table.row("lost acknowledged results", len(lost_results), "0", not lost_results)
     table.row("results accepted twice", len(twice), "0", not twice)
-    table.row("results changed after they were seen", len(client.changed), "0", not client.changed)
+    table.row("results that changed later", len(client.changed), "0", not client.changed)
     stuck = [b["id"] for b in builds.values() if b["state"] not in OVER]
-    table.row("builds stuck", len(stuck), "0", not stuck)
-    table.row("s from the last kill to the end of all builds", took, f"<= {2 * LEASE_S}", ended)
+    table.row("unfinished builds", len(stuck), "0", not stuck)
+    table.row("time from the last kill to the last result, s", took, f"<= {2 * LEASE_S}", ended)
 
 
 if __name__ == "__main__":

@@ -37,17 +37,17 @@ def main():
                 return api.get(f"/api/v1/builds/{build}")
 
             near = await_true(lambda: now()["casesDone"] >= NEARLY_DONE, TIMEOUT_S, 0.05)
-            table.row("cases when the first agent is stopped", now()["casesDone"], f">= {NEARLY_DONE}", near)
+            table.row("finished cases when the first agent is paused", now()["casesDone"], f">= {NEARLY_DONE}", near)
             # Only the agent is paused; its test application continues and finishes.
             first.signal(signal.SIGSTOP)
             stopped = time.monotonic()
             second.start()
             given_on = await_true(lambda: now().get("agent") == "second", 2 * given.lease_s)
-            table.row("s until the build was given to the second agent", time.monotonic() - stopped,
+            table.row("time until the build is reassigned, s", time.monotonic() - stopped,
                       f"<= {2 * given.lease_s}", given_on)
             # A generous timeout, because durations are not tested here.
             done = await_true(lambda: now()["state"] == "DONE", TIMEOUT_S)
-            table.row("the second agent's result is accepted", now()["state"], "DONE", done)
+            table.row("state after the result of the second agent", now()["state"], "DONE", done)
             result = api.get(f"/api/v1/builds/{build}/result/document")
             history = api.get(f"/api/v1/builds/{build}/history")
             time.sleep(max(0, stopped + 2 * given.lease_s - time.monotonic()))
@@ -57,9 +57,9 @@ def main():
                 return {a["no"]: a["state"] for a in api.get(f"/api/v1/builds/{build}/attempts")}
 
             superseded = await_true(lambda: attempts()[1] == "SUPERSEDED", TIMEOUT_S)
-            table.row("the first agent's late result", attempts()[1], "SUPERSEDED", superseded)
+            table.row("state of the first agent's late result", attempts()[1], "SUPERSEDED", superseded)
             after = api.get(f"/api/v1/builds/{build}/result/document")
-            table.row("the result is the same bytes as before", hashlib.sha256(after).hexdigest()[:12],
+            table.row("digest of the result, unchanged", hashlib.sha256(after).hexdigest()[:12],
                       hashlib.sha256(result).hexdigest()[:12], after == result)
             table.row("changes of the build after its end",
                       len(api.get(f"/api/v1/builds/{build}/history")) - len(history), "0",
@@ -67,8 +67,8 @@ def main():
             second.stop()
             again = api.build(suite)
             works = await_true(lambda: api.state(again) == "DONE", TIMEOUT_S)
-            worker = api.get(f"/api/v1/builds/{again}").get("agent", "nobody")
-            table.row("who alone goes on with the next build", worker, "first", works and worker == "first")
+            worker = api.get(f"/api/v1/builds/{again}").get("agent", "none")
+            table.row("agent of the next build, without the other one", worker, "first", works and worker == "first")
         finally:
             first.signal(signal.SIGCONT)
             for part in (first, second, central):

@@ -30,7 +30,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--away-s", type=int, default=600)
     parser.add_argument("--agents", type=int, default=20)
-    parser.add_argument("--pause-ms", type=int, default=600, help="of the component in each of the 55 cases")
+    parser.add_argument("--pause-ms", type=int, default=600, help="pause of the component in each of the 55 cases")
     given = parser.parse_args()
     table = Table("outage")
     with tempfile.TemporaryDirectory(prefix="sitaf-outage-") as folder, Bridge() as bridge:
@@ -59,15 +59,15 @@ def main():
             took = time.monotonic() - gone - away
             done = [b for b in ids if api.state(b) == "DONE"]
             at_server = {hashlib.sha256(api.get(f"/api/v1/builds/{b}/result/document")).hexdigest() for b in done}
-            table.row("builds under way when the server was killed", len(ids) - before, f"of {len(ids)}", all_begun)
-            table.row("seconds away", away, f">= {given.away_s}", away >= given.away_s)
-            table.row("results on the agents' disks meanwhile", len(waiting), "> 0", len(waiting) > 0)
-            table.row("results at the server", len(done), f"{len(ids)}", arrived and len(done) == len(ids))
-            table.row("of those on disks, arrived with equal digests", len(at_server & set(waiting)),
+            table.row("running builds when the server was killed", len(ids) - before, f"of {len(ids)}", all_begun)
+            table.row("duration of the outage, s", away, f">= {given.away_s}", away >= given.away_s)
+            table.row("results on the agents' disks during the outage", len(waiting), "> 0", len(waiting) > 0)
+            table.row("results on the server afterwards", len(done), f"{len(ids)}", arrived and len(done) == len(ids))
+            table.row("results received with equal digests", len(at_server & set(waiting)),
                       f"{len(waiting)}", set(waiting) <= at_server)
-            table.row("attempts of each build, at most", max(api.get(f"/api/v1/builds/{b}")["attempt"] for b in ids),
+            table.row("maximum attempts of a build", max(api.get(f"/api/v1/builds/{b}")["attempt"] for b in ids),
                       "1", all(api.get(f"/api/v1/builds/{b}")["attempt"] == 1 for b in ids))
-            table.row("seconds until all had arrived", took, "", True)
+            table.row("time until all results were received, s", took, "", True)
             empty = await_true(lambda: not spooled(agents), 10)
             table.row("results left on the agents' disks", len(spooled(agents)), "0", empty)
         finally:
