@@ -95,7 +95,7 @@ public final class UserFiles {
   static void requireWritableFolder(String option, Path folder) {
     if (Files.exists(folder) && !Files.isDirectory(folder)) {
       throw InvalidInputException.of(
-          option + " " + folder, "is a file; name a folder, into which a file a model is written");
+          option + " " + folder, "is a file; name a folder for the files of all models");
     }
     try {
       Files.createDirectories(folder);

@@ -26,10 +26,10 @@ class CombinationPropertiesTest {
   @Property(tries = 25)
   void the_search_keeps_what_the_growth_has_covered(
       @ForAll("problems") CombinationProblem problem) {
-    CoveringArray grown = combine(problem, Effort.FAST, 1);
+    CoveringArray fast = combine(problem, Effort.FAST, 1);
     CoveringArray searched = combine(problem, Effort.DEFAULT, 1);
     assertThat(CoveringCheck.findings(problem, searched)).isEmpty();
-    assertThat(searched.tuples().impossible()).isEqualTo(grown.tuples().impossible());
+    assertThat(searched.tuples().impossible()).isEqualTo(fast.tuples().impossible());
   }
 
   @Property(tries = 300)

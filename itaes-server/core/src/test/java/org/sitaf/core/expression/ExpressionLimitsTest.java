@@ -27,7 +27,7 @@ class ExpressionLimitsTest {
   private final ExpressionCompiler compiler =
       new ExpressionCompiler(Set.of("x", "text", "items", Variables.CALLS));
 
-  static List<String> refused() {
+  static List<String> tooLarge() {
     return List.of(
         nested("all", 14, "true"),
         nested("exists", 14, "false"),
@@ -49,7 +49,7 @@ class ExpressionLimitsTest {
   }
 
   @ParameterizedTest
-  @MethodSource("refused")
+  @MethodSource("tooLarge")
   void rejectsATooLargeExpressionBeforeItsEvaluation(String text) {
     assertThatThrownBy(() -> compiler.compile(text))
         .isInstanceOf(IllegalArgumentException.class)
@@ -65,7 +65,7 @@ class ExpressionLimitsTest {
         .hasMessageContaining("use fewer nested macros");
   }
 
-  static List<String> ended() {
+  static List<String> tooExpensive() {
     String doubled = ".map(s, s + s)".repeat(40);
     return List.of(
         nestedOver("items", "all", 6, "true"),
@@ -91,7 +91,7 @@ class ExpressionLimitsTest {
   }
 
   @ParameterizedTest
-  @MethodSource("ended")
+  @MethodSource("tooExpensive")
   void endsATooExpensiveEvaluation(String text) {
     Expression expression = compiler.compile(text);
     assertThatThrownBy(() -> expression.evaluate(variables()))

@@ -73,23 +73,23 @@ class EarlierSuiteTest {
   void aNewValueAddsMissingCombinationsOnlyAndKeepsNumbers() {
     TestSuite old =
         fresh(model("a " + values(1, 2, 3), "b " + values(1, 2, 3), "c " + values(1, 2, 3)));
-    TestSuite grown =
+    TestSuite extended =
         after(model("a " + values(1, 2, 3, 4), "b " + values(1, 2, 3), "c " + values(1, 2, 3)), old)
             .suite();
-    Map<Integer, TestCase> cases = byNumber(grown);
+    Map<Integer, TestCase> cases = byNumber(extended);
     old.cases().forEach(c -> assertThat(cases.get(c.no()).values()).isEqualTo(c.values()));
-    assertThat(grown.cases()).hasSize(9 + 3);
-    assertThat(grown.cases().subList(9, 12))
+    assertThat(extended.cases()).hasSize(9 + 3);
+    assertThat(extended.cases().subList(9, 12))
         .allMatch(c -> c.no() > 9 && c.values().get(0).equals("4"));
   }
 
   @Test
   void aNewElementCompletesOldCasesWithNewNumbers() {
     TestSuite old = fresh(model("a " + values(1, 2), "b " + values(1, 2)));
-    GeneratedSuite grown =
+    GeneratedSuite extended =
         after(model("a " + values(1, 2), "b " + values(1, 2), "c " + values(5, 6)), old);
-    assertThat(grown.suite().cases()).hasSize(4).allMatch(c -> c.no() > 4);
-    assertThat(grown.notes())
+    assertThat(extended.suite().cases()).hasSize(4).allMatch(c -> c.no() > 4);
+    assertThat(extended.notes())
         .extracting(Diagnostic::message)
         .anyMatch(m -> m.startsWith("4 case(s) lack a value for a new element"));
   }
@@ -103,8 +103,8 @@ class EarlierSuiteTest {
     GeneratedSuite changed = after(model(different, List.of(elements)), old);
     Map<Integer, TestCase> cases = byNumber(changed.suite());
     for (TestCase earlier : old.cases()) {
-      boolean broken = earlier.values().get(0).equals(earlier.values().get(1));
-      assertThat(cases.containsKey(earlier.no())).isEqualTo(!broken);
+      boolean violated = earlier.values().get(0).equals(earlier.values().get(1));
+      assertThat(cases.containsKey(earlier.no())).isEqualTo(!violated);
     }
     assertThat(changed.suite().cases())
         .noneMatch(c -> c.values().get(0).equals(c.values().get(1)))
@@ -149,9 +149,9 @@ class EarlierSuiteTest {
             old.generation(),
             old.parameters(),
             old.cases().stream().filter(c -> c.no() % 3 == 0).toList());
-    TestSuite grown = after(model, kept).suite();
-    assertThat(grown.cases().size()).isEqualTo(old.cases().size());
-    assertThat(grown.cases())
+    TestSuite extended = after(model, kept).suite();
+    assertThat(extended.cases().size()).isEqualTo(old.cases().size());
+    assertThat(extended.cases())
         .filteredOn(c -> !c.valid())
         .allMatch(
             c -> c.values().stream().filter(v -> v.equals("0") || v.equals("6")).count() == 1);

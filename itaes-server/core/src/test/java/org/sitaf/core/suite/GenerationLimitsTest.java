@@ -93,8 +93,8 @@ class GenerationLimitsTest {
 
   @Test
   void aTooExpensiveExpectedValueIsAnErrorAtTheFirstCase() {
-    String grown = "['ab']" + ".map(s, s + s)".repeat(30) + "[0] == '' ? 1 : 2";
-    assertThatThrownBy(() -> generate(read(listed("a", 1_000), "", "1", grown)))
+    String expensive = "['ab']" + ".map(s, s + s)".repeat(30) + "[0] == '' ? 1 : 2";
+    assertThatThrownBy(() -> generate(read(listed("a", 1_000), "", "1", expensive)))
         .isInstanceOfSatisfying(
             InvalidInputException.class,
             e -> {

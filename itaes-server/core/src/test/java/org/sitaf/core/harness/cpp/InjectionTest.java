@@ -162,8 +162,8 @@ class InjectionTest {
         .filter(path -> path.endsWith(".cpp"))
         .forEach(path -> command.add(folder.resolve("harness").resolve(path).toString()));
     Process compiler = new ProcessBuilder(command).redirectErrorStream(true).start();
-    String said = new String(compiler.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-    return compiler.waitFor() == 0 ? said : "failed: " + said;
+    String output = new String(compiler.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    return compiler.waitFor() == 0 ? output : "failed: " + output;
   }
 
   @ParameterizedTest

@@ -149,12 +149,14 @@ class GeneratedHarnessTest {
     build.compile(application);
     List<String> lines = build.run(application);
     assertThat(lines).hasSize(2);
-    String refused = lines.stream().filter(l -> l.contains("range -4.0")).findFirst().orElseThrow();
-    String steered = lines.stream().filter(l -> !l.equals(refused)).findFirst().orElseThrow();
-    assertThat(steered)
+    String rejectedCase =
+        lines.stream().filter(l -> l.contains("range -4.0")).findFirst().orElseThrow();
+    String passedCase =
+        lines.stream().filter(l -> !l.equals(rejectedCase)).findFirst().orElseThrow();
+    assertThat(passedCase)
         .contains("outcome=\"RETURNED\"")
         .contains("<actual name=\"return\">12.0</actual><actual name=\"result\">2.5</actual>");
-    assertThat(refused)
+    assertThat(rejectedCase)
         .contains("outcome=\"THREW\"><thrown>IllegalArgumentException</thrown>")
         .contains(
             "java.lang.IllegalArgumentException: range -4.0 at"

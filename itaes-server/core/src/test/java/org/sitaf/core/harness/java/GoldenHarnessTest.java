@@ -89,14 +89,15 @@ class GoldenHarnessTest {
 
   @Test
   void usesTheDriverOfTheUserUnchanged() throws IOException {
-    String mine = "package sitaf.harness.getinfrareddata; // mine\n";
+    String customDriver = "package sitaf.harness.getinfrareddata; // mine\n";
     FileTree files =
         HarnessBuild.tree(EXAMPLE)
             .with(
                 "harness/GetInfraredData",
-                HarnessBuild.tree(Map.of("ConcreteTestDriver.java", mine)));
+                HarnessBuild.tree(Map.of("ConcreteTestDriver.java", customDriver)));
     TestApplication application = generate(files);
-    assertThat(application.harness().text(FOLDER + "ConcreteTestDriver.java")).contains(mine);
+    assertThat(application.harness().text(FOLDER + "ConcreteTestDriver.java"))
+        .contains(customDriver);
     assertThat(application.entryPoint())
         .isEqualTo("sitaf.harness.getinfrareddata.ConcreteTestDriver");
   }
