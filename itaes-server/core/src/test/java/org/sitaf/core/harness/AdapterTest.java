@@ -20,7 +20,7 @@ import org.sitaf.core.diagnostic.InvalidInputException;
 /** Compares generated adapters with golden files, and checks the errors about missing adapters. */
 class AdapterTest {
   private static final Path RESOURCES = Path.of("src/test/resources/org/sitaf/core/harness");
-  private static final boolean RENEW = Boolean.getBoolean("sitaf.golden.renew");
+  private static final boolean UPDATE_GOLDEN = Boolean.getBoolean("sitaf.golden.update");
 
   private static FileTree activity(String language, String className) throws IOException {
     Map<String, byte[]> files = new HashMap<>();
@@ -60,14 +60,14 @@ class AdapterTest {
     assertThat(adapter.paths()).isNotEmpty().allMatch(p -> p.startsWith("adapter/"));
     for (String path : adapter.paths()) {
       Path golden = RESOURCES.resolve("adapter").resolve(language).resolve(path);
-      if (RENEW) {
+      if (UPDATE_GOLDEN) {
         Files.createDirectories(golden.getParent());
         Files.write(golden, adapter.content(path).orElseThrow());
       }
       assertThat(adapter.text(path))
           .as(
-              "%s (after a wanted change: run this test with -Dsitaf.golden.renew=true, and review"
-                  + " the diff)",
+              "%s (after an intended change: run this test with -Dsitaf.golden.update=true, and"
+                  + " review the diff)",
               path)
           .contains(Files.readString(golden));
     }

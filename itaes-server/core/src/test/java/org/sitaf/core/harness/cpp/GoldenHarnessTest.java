@@ -20,7 +20,7 @@ import org.sitaf.core.suite.TestCaseGenerator;
 /** Compares C++ sources of examples with golden files. */
 class GoldenHarnessTest {
   private static final Path RESOURCES = Path.of("src/test/resources/org/sitaf/core/harness/cpp");
-  private static final boolean RENEW = Boolean.getBoolean("sitaf.golden.renew");
+  private static final boolean UPDATE_GOLDEN = Boolean.getBoolean("sitaf.golden.update");
 
   static TestApplication generate(FileTree files) {
     Activity activity = Activity.read(files);
@@ -52,7 +52,7 @@ class GoldenHarnessTest {
             : Path.of("../../examples/ir-sensor-cpp");
     FileTree harness = generate(tree(activity)).harness();
     Path golden = RESOURCES.resolve(name);
-    if (RENEW) {
+    if (UPDATE_GOLDEN) {
       for (String path : harness.paths()) {
         Files.createDirectories(golden.resolve(path).getParent());
         Files.write(golden.resolve(path), harness.content(path).orElseThrow());
@@ -62,8 +62,8 @@ class GoldenHarnessTest {
     for (String path : harness.paths()) {
       assertThat(harness.text(path))
           .as(
-              "%s (after a wanted change: run this test with -Dsitaf.golden.renew=true, and review"
-                  + " the diff)",
+              "%s (after an intended change: run this test with -Dsitaf.golden.update=true, and"
+                  + " review the diff)",
               path)
           .contains(Files.readString(golden.resolve(path)));
     }

@@ -21,7 +21,7 @@ class GoldenHarnessTest {
   private static final Path GOLDEN =
       Path.of("src/test/resources/org/sitaf/core/harness/java/ir-sensor");
   private static final String FOLDER = "sitaf/harness/getinfrareddata/";
-  private static final boolean RENEW = Boolean.getBoolean("sitaf.golden.renew");
+  private static final boolean UPDATE_GOLDEN = Boolean.getBoolean("sitaf.golden.update");
 
   @TempDir Path folder;
 
@@ -43,14 +43,14 @@ class GoldenHarnessTest {
             FOLDER + "TestStub.java");
     for (String path : harness.paths()) {
       Path golden = GOLDEN.resolve(path.substring(FOLDER.length()));
-      if (RENEW) {
+      if (UPDATE_GOLDEN) {
         Files.createDirectories(GOLDEN);
         Files.write(golden, harness.content(path).orElseThrow());
       }
       assertThat(harness.text(path))
           .as(
-              "%s (after a wanted change: run this test with -Dsitaf.golden.renew=true, and review"
-                  + " the diff)",
+              "%s (after an intended change: run this test with -Dsitaf.golden.update=true, and"
+                  + " review the diff)",
               path)
           .contains(Files.readString(golden));
     }

@@ -23,7 +23,7 @@ import org.sitaf.core.suite.TestCaseGenerator;
  */
 class GoldenPythonHarnessTest {
   private static final Path GOLDENS = Path.of("src/test/resources/org/sitaf/core/harness/python");
-  private static final boolean RENEW = Boolean.getBoolean("sitaf.golden.renew");
+  private static final boolean UPDATE_GOLDEN = Boolean.getBoolean("sitaf.golden.update");
 
   private static Path activity(String name) {
     return name.equals("ir-sensor-python")
@@ -51,7 +51,7 @@ class GoldenPythonHarnessTest {
             activity, model, TestCaseGenerator.generate(model, GenerationOptions.DEFAULT).suite());
     FileTree harness = application.harness();
     Path folder = GOLDENS.resolve(name).resolve("harness");
-    if (RENEW) {
+    if (UPDATE_GOLDEN) {
       for (String path : harness.paths()) {
         Files.createDirectories(folder.resolve(path).getParent());
         Files.write(folder.resolve(path), harness.content(path).orElseThrow());
@@ -65,8 +65,8 @@ class GoldenPythonHarnessTest {
     for (String path : harness.paths()) {
       assertThat(harness.text(path))
           .as(
-              "%s (after a wanted change: run this test with -Dsitaf.golden.renew=true, and review"
-                  + " the diff)",
+              "%s (after an intended change: run this test with -Dsitaf.golden.update=true, and"
+                  + " review the diff)",
               path)
           .isEqualTo(golden.text(path));
     }
