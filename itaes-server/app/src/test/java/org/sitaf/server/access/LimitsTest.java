@@ -77,7 +77,7 @@ class LimitsTest extends ServerTest {
             "Authorization: Bearer " + TOKEN + "\r\nContent-Type: application/zip",
             1000,
             "PK")) {
-      Thread drip =
+      Thread slowClient =
           new Thread(
               () -> {
                 try {
@@ -90,10 +90,10 @@ class LimitsTest extends ServerTest {
                   return;
                 }
               });
-      drip.start();
+      slowClient.start();
       assertThat(statusOf(socket)).isEqualTo(408);
-      drip.interrupt();
-      drip.join();
+      slowClient.interrupt();
+      slowClient.join();
     }
   }
 

@@ -23,12 +23,13 @@ import org.springframework.jdbc.core.simple.JdbcClient;
 @Timeout(60)
 class GuardedDataSourceTest {
   @TempDir private Path folder;
-  private Optional<String> whyFull = Optional.empty();
-  private GuardedDataSource database = new GuardedDataSource(new HikariDataSource(), this::whyFull);
+  private Optional<String> fullReason = Optional.empty();
+  private GuardedDataSource database =
+      new GuardedDataSource(new HikariDataSource(), this::fullReason);
   private JdbcClient jdbc = JdbcClient.create(database);
 
-  private Optional<String> whyFull() {
-    return whyFull;
+  private Optional<String> fullReason() {
+    return fullReason;
   }
 
   @BeforeEach
@@ -36,7 +37,7 @@ class GuardedDataSourceTest {
     HikariDataSource pool = new HikariDataSource();
     pool.setJdbcUrl("jdbc:h2:file:" + folder + "/database;WRITE_DELAY=0;DB_CLOSE_ON_EXIT=FALSE");
     pool.setMaximumPoolSize(4);
-    database = new GuardedDataSource(pool, this::whyFull);
+    database = new GuardedDataSource(pool, this::fullReason);
     jdbc = JdbcClient.create(database);
     jdbc.sql("CREATE TABLE \"flyway_schema_history\" (no INT PRIMARY KEY)").update();
     insert(1);
@@ -79,13 +80,13 @@ class GuardedDataSourceTest {
 
   @Test
   void databaseIsReadOnlyWhileTheDiskIsFull() {
-    whyFull = Optional.of("the disk is full");
+    fullReason = Optional.of("the disk is full");
     assertThat(stored()).containsExactly(1);
     assertThatThrownBy(() -> insert(2))
         .isInstanceOf(DataAccessException.class)
         .satisfies(e -> assertThat(StorageFailure.of(e)).contains(StorageFailure.DISK_FULL))
         .hasRootCauseMessage("the disk is full");
-    whyFull = Optional.empty();
+    fullReason = Optional.empty();
     insert(3);
     assertThat(stored()).containsExactly(1, 3);
   }

@@ -335,9 +335,9 @@ abstract class BuildStory extends RecordingStory {
       assertRejected(
           Status.Code.INVALID_ARGUMENT,
           () -> agent.report(attempt, AttemptState.ATTEMPT_STATE_COMPILING));
-      try (FakeAgent twin = FakeAgent.dial(grpcPort())) {
-        twin.sendRegister("strict", "java");
-        assertThat(Status.fromThrowable(twin.end()).getCode())
+      try (FakeAgent duplicate = FakeAgent.dial(grpcPort())) {
+        duplicate.sendRegister("strict", "java");
+        assertThat(Status.fromThrowable(duplicate.end()).getCode())
             .isEqualTo(Status.Code.ALREADY_EXISTS);
       }
       try (FakeAgent nameless = FakeAgent.dial(grpcPort())) {

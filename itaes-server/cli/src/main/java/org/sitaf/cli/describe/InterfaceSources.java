@@ -150,15 +150,15 @@ public final class InterfaceSources {
     if (folder == null) {
       return List.of();
     }
-    List<Path> found = new ArrayList<>(wantedIn(folder));
+    List<Path> found = new ArrayList<>(interfaceFilesIn(folder));
     if (ROS_FOLDERS.contains(String.valueOf(folder.getFileName()))) {
-      found.addAll(wantedIn(folder.resolveSibling("msg")));
-      found.addAll(wantedIn(folder.resolveSibling("package.xml")));
+      found.addAll(interfaceFilesIn(folder.resolveSibling("msg")));
+      found.addAll(interfaceFilesIn(folder.resolveSibling("package.xml")));
     }
     return found;
   }
 
-  private static List<Path> wantedIn(Path folder) {
+  private static List<Path> interfaceFilesIn(Path folder) {
     if (!Files.isDirectory(folder)) {
       return isWanted(folder) ? List.of(folder) : List.of();
     }

@@ -49,8 +49,9 @@ class StartedProcessTest {
 
   @Test
   void waitsForAProcessThatWritesToItsLog() throws Exception {
-    String talks = "for i in 1 2 3 4 5 6 7 8; do sleep 0.4; echo step $i; done; echo ready at last";
-    try (StartedProcess process = started("one", talks)) {
+    String script =
+        "for i in 1 2 3 4 5 6 7 8; do sleep 0.4; echo step $i; done; echo ready at last";
+    try (StartedProcess process = started("one", script)) {
       assertThat(process.awaitReady(new StartupTimeout(SHORT, LONG), progress).group(1))
           .isEqualTo("at last");
     }
@@ -72,8 +73,8 @@ class StartedProcessTest {
 
   @Test
   void waitsForAProcessWhoseDependencyMakesProgress() throws Exception {
-    String talks = "for i in 1 2 3 4 5 6 7 8; do sleep 0.4; echo step $i; done; read end";
-    try (StartedProcess other = started("other", talks);
+    String script = "for i in 1 2 3 4 5 6 7 8; do sleep 0.4; echo step $i; done; read end";
+    try (StartedProcess other = started("other", script);
         StartedProcess process = started("one", "sleep 3; echo ready at last; read end")) {
       assertThat(process.awaitReady(new StartupTimeout(SHORT, LONG), progress, other).group(1))
           .isEqualTo("at last");

@@ -35,7 +35,7 @@ class BuildRunTest {
   @Test
   void aCorrectComponentPassesEveryCase() throws Exception {
     BuildOutcome outcome =
-        build(EchoActivity.doing("System.out.println(\"echo \" + value); return value;"));
+        build(EchoActivity.withBody("System.out.println(\"echo \" + value); return value;"));
 
     TestResult result = ((Completed) outcome).result();
     assertThat(result.summary().total()).isEqualTo(5);
@@ -50,8 +50,8 @@ class BuildRunTest {
 
   @Test
   void recordsTheProvenance() throws Exception {
-    var first = ((Completed) build(EchoActivity.doing("return value;"))).result().provenance();
-    var other = ((Completed) build(EchoActivity.doing("return +value;"))).result().provenance();
+    var first = ((Completed) build(EchoActivity.withBody("return value;"))).result().provenance();
+    var other = ((Completed) build(EchoActivity.withBody("return +value;"))).result().provenance();
 
     assertThat(first.agent()).isEqualTo("tester 1");
     assertThat(first.bridge()).isEmpty();
@@ -63,7 +63,7 @@ class BuildRunTest {
 
   @Test
   void aWrongValueFailsOnlyItsCase() {
-    BuildOutcome outcome = build(EchoActivity.doing("return value == 3 ? 4 : value;"));
+    BuildOutcome outcome = build(EchoActivity.withBody("return value == 3 ? 4 : value;"));
 
     TestResult result = ((Completed) outcome).result();
     assertThat(result.cases())
@@ -136,7 +136,7 @@ class BuildRunTest {
         """;
     BuildOutcome outcome =
         build(
-            EchoActivity.doing("return value;")
+            EchoActivity.withBody("return value;")
                 .file("component/demo/Processor.java", processor)
                 .file(
                     "component/META-INF/services/javax.annotation.processing.Processor",
@@ -157,7 +157,7 @@ class BuildRunTest {
             "");
     BuildOutcome outcome =
         new BuildRun(
-                EchoActivity.doing("return value;").application(),
+                EchoActivity.withBody("return value;").application(),
                 directory.resolve("build"),
                 settings,
                 recording)
@@ -172,7 +172,7 @@ class BuildRunTest {
   void filesNextToTheSourcesAreResources() {
     BuildOutcome outcome =
         build(
-            EchoActivity.doing(
+            EchoActivity.withBody(
                     """
                     try (var in = Component.class.getResourceAsStream("offset.txt")) {
                       return value + Integer.parseInt(new String(in.readAllBytes()).strip());
@@ -188,7 +188,7 @@ class BuildRunTest {
     String digits = "[0,1,2,3,4,5,6,7,8,9]";
     String slow =
         digits + ".all(a, " + digits + ".all(b, " + digits + ".all(c, a + b + c + actual != 0)))";
-    EchoActivity activity = EchoActivity.doing("return value;").cases(400);
+    EchoActivity activity = EchoActivity.withBody("return value;").cases(400);
     for (int i = 0; i < 20; i++) {
       activity.postCondition(slow);
     }
@@ -216,7 +216,7 @@ class BuildRunTest {
   void anExpensivePostConditionIsAnErrorOfItsCase() {
     String digits = "[0,1,2,3,4,5,6,7,8,9]";
     EchoActivity activity =
-        EchoActivity.doing("return value;")
+        EchoActivity.withBody("return value;")
             .cases(2)
             .postCondition("actual != 1 || ['ab']" + ".map(s, s + s)".repeat(30) + "[0] == ''")
             .postCondition(digits + ".all(a, a != actual + 20)");
@@ -232,7 +232,7 @@ class BuildRunTest {
   void aBuildCancelledBeforeItsStartDoesNothing() {
     BuildRun run =
         new BuildRun(
-            EchoActivity.doing("return value;").application(),
+            EchoActivity.withBody("return value;").application(),
             directory.resolve("build"),
             EchoActivity.settings(),
             recording);

@@ -74,7 +74,7 @@ class GeneratedApplicationTest {
   void runsAComponentWithoutWorld() throws Exception {
     BuildOutcome outcome =
         build(
-            EchoActivity.doing(
+            EchoActivity.withBody(
                     "if (value == 2) throw new IllegalArgumentException(\"two\");"
                         + " if (value == 3) System.exit(7); return value == 4 ? 5 : value;")
                 .generated(),
@@ -91,7 +91,7 @@ class GeneratedApplicationTest {
 
   @Test
   void explainsErrorsInAnOutdatedKeptDriver() throws Exception {
-    EchoActivity activity = EchoActivity.doing("return value;");
+    EchoActivity activity = EchoActivity.withBody("return value;");
     String editable = "sitaf/harness/echo/ConcreteTestDriver.java";
     String generated = activity.generated().harness().text(editable).orElseThrow();
     String outdated = generated.replace("int value", "String value");

@@ -47,9 +47,9 @@ class ParallelTest {
   @Test
   void resultsEqualThoseOfSequentialExecution() throws Exception {
     assumeTrue(Runtime.getRuntime().availableProcessors() > 1, "skipped: only one processor");
-    TestResult sequence = result("sequence", EchoActivity.doing(BODY).cases(40));
+    TestResult sequence = result("sequence", EchoActivity.withBody(BODY).cases(40));
     TestResult parallel =
-        result("parallel", EchoActivity.doing(BODY).cases(40).profileLine("parallel: true"));
+        result("parallel", EchoActivity.withBody(BODY).cases(40).profileLine("parallel: true"));
 
     assertThat(summary(parallel)).isEqualTo(summary(sequence));
     assertThat(parallel.summary().pass()).isEqualTo(37);

@@ -89,9 +89,9 @@ class CompileCacheTest {
   void compilesEqualInputsOnce() throws Exception {
     CountingToolchain toolchain = new CountingToolchain("a");
 
-    assertThat(compile(toolchain, EchoActivity.doing("return value;").application(), false))
+    assertThat(compile(toolchain, EchoActivity.withBody("return value;").application(), false))
         .isEqualTo("1");
-    assertThat(compile(toolchain, EchoActivity.doing("return value;").application(), false))
+    assertThat(compile(toolchain, EchoActivity.withBody("return value;").application(), false))
         .isEqualTo("1");
     assertThat(toolchain.compiled).isEqualTo(1);
   }
@@ -99,7 +99,7 @@ class CompileCacheTest {
   @Test
   void doesNotCompileForOtherCasesOfTheSameModel() throws Exception {
     CountingToolchain toolchain = new CountingToolchain("a");
-    TestApplication first = EchoActivity.doing("return value;").application();
+    TestApplication first = EchoActivity.withBody("return value;").application();
     compile(toolchain, first, false);
     TestApplication fewer =
         new TestApplication(
@@ -122,10 +122,10 @@ class CompileCacheTest {
   void recompilesAfterAChangeOfSourceToolchainOrCoverage() throws Exception {
     CountingToolchain toolchain = new CountingToolchain("a");
     CountingToolchain later = new CountingToolchain("b");
-    TestApplication application = EchoActivity.doing("return value;").application();
+    TestApplication application = EchoActivity.withBody("return value;").application();
     compile(toolchain, application, false);
 
-    compile(toolchain, EchoActivity.doing("return  value;").application(), false);
+    compile(toolchain, EchoActivity.withBody("return  value;").application(), false);
     compile(toolchain, application, true);
     compile(later, application, false);
 
@@ -185,14 +185,14 @@ class CompileCacheTest {
     Path folder = directory.resolve("cache");
     Path killed = aside(folder, "new123", 61);
     Path killedWhileRemoving = aside(folder, "old123", 61);
-    Path inTheMaking = aside(folder, "new456", 59);
+    Path incomplete = aside(folder, "new456", 59);
     Path kept = aside(folder, key(1), 600);
     Path output = Files.createDirectories(directory.resolve("output"));
     cache(1 << 20).keep(key(0), output);
 
     assertThat(killed).doesNotExist();
     assertThat(killedWhileRemoving).doesNotExist();
-    assertThat(inTheMaking.resolve("folder/program")).exists();
+    assertThat(incomplete.resolve("folder/program")).exists();
     assertThat(kept.resolve("folder/program")).exists();
   }
 

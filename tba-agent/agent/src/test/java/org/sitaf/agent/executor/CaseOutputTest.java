@@ -47,7 +47,7 @@ class CaseOutputTest {
   void coverageOfAJavaComponent() throws Exception {
     String log =
         logOf(
-            EchoActivity.doing(
+            EchoActivity.withBody(
                 """
                 if (value == 2) {
                   System.out.print("two é");

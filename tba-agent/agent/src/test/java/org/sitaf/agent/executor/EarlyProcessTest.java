@@ -113,7 +113,7 @@ class EarlyProcessTest {
   @Test
   void runsEveryCaseWithClassesThatWereCompiledLater() throws Exception {
     Execution execution =
-        execute(EchoActivity.doing(REMEMBER_PROCESS + "return value;"), SandboxMode.AUTO.open());
+        execute(EchoActivity.withBody(REMEMBER_PROCESS + "return value;"), SandboxMode.AUTO.open());
 
     assertThat(execution.results())
         .describedAs(log.toString())
@@ -127,7 +127,8 @@ class EarlyProcessTest {
   void standardInputOfTheComponentIsEmpty() throws Exception {
     Execution execution =
         execute(
-            EchoActivity.doing("return System.in.read() == -1 ? value : -value;"), Sandbox.none());
+            EchoActivity.withBody("return System.in.read() == -1 ? value : -value;"),
+            Sandbox.none());
 
     assertThat(execution.results()).extracting(CaseResult::verdict).containsOnly(Verdict.PASS);
   }
@@ -136,7 +137,7 @@ class EarlyProcessTest {
   void casesAfterACrashRunInANewProcess() throws Exception {
     Execution execution =
         execute(
-            EchoActivity.doing(
+            EchoActivity.withBody(
                 REMEMBER_PROCESS
                     + "if (value == 3) Runtime.getRuntime().halt(9);"
                     + "return value;"),
@@ -154,7 +155,7 @@ class EarlyProcessTest {
     Path build = directory.resolve("build");
     BuildOutcome outcome =
         new BuildRun(
-                EchoActivity.doing("return value +;").application(),
+                EchoActivity.withBody("return value +;").application(),
                 build,
                 EchoActivity.settings(SandboxMode.AUTO.open()),
                 new Recording())

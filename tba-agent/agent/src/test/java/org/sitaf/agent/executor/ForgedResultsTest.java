@@ -59,7 +59,7 @@ class ForgedResultsTest {
   private static EchoActivity component(Language language, String inCaseTwo) {
     return switch (language) {
       case JAVA ->
-          EchoActivity.doing(
+          EchoActivity.withBody(
               "if (value == 2) { %s } return value == 5 ? -999 : value;".formatted(inCaseTwo));
       case CPP ->
           EchoActivity.inCpp("demo::Component")
@@ -262,7 +262,7 @@ class ForgedResultsTest {
   void hidesExpectedValuesFromTheComponent() throws Exception {
     TestResult result =
         result(
-            EchoActivity.doing(
+            EchoActivity.withBody(
                     """
                     String suite = "";
                     for (String argument :
@@ -343,7 +343,9 @@ class ForgedResultsTest {
                 .file("component/sitaf_runtime/__init__.py", spying)
                 .file(
                     "component/component.py",
-                    "class Component:\n    def echo(self, value: int) -> int:\n        return value\n")
+                    "class Component:\n"
+                        + "    def echo(self, value: int) -> int:\n"
+                        + "        return value\n")
                 .generated());
 
     assertThat(result.summary().pass()).as(recording.logText()).isEqualTo(5);

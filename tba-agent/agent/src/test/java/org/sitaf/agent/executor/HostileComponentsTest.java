@@ -56,7 +56,7 @@ class HostileComponentsTest {
     return ((Completed) run(activity).run()).result();
   }
 
-  static void onlyThirdIsError(TestResult result, String message) {
+  static void assertOnlyCase3IsError(TestResult result, String message) {
     assertThat(result.cases())
         .extracting(CaseResult::verdict)
         .containsExactly(Verdict.PASS, Verdict.PASS, Verdict.ERROR, Verdict.PASS, Verdict.PASS);
@@ -69,40 +69,41 @@ class HostileComponentsTest {
   void reportsTheExitCodeAndLastLineOfACrash() {
     TestResult result =
         result(
-            EchoActivity.doing(
+            EchoActivity.withBody(
                 "if (value == 3) { System.err.println(\"battery empty\"); System.exit(7); }"
                     + " return value;"));
 
-    onlyThirdIsError(result, "exit code 7: battery empty");
+    assertOnlyCase3IsError(result, "exit code 7: battery empty");
   }
 
   @Test
   void anEarlyExitWithCodeZeroIsAnError() {
-    TestResult result = result(EchoActivity.doing("if (value == 3) System.exit(0); return value;"));
+    TestResult result =
+        result(EchoActivity.withBody("if (value == 3) System.exit(0); return value;"));
 
-    onlyThirdIsError(result, "exit code 0");
+    assertOnlyCase3IsError(result, "exit code 0");
   }
 
   @Test
   void namesTheSignalOfACrash() {
     TestResult result =
         result(
-            EchoActivity.doing(
+            EchoActivity.withBody(
                 "if (value == 3) { new ProcessBuilder(\"kill\", \"-9\", \"\" +"
                     + " ProcessHandle.current().pid()).start().waitFor(); Thread.sleep(9999); }"
                     + " return value;"));
 
-    onlyThirdIsError(result, "signal 9 (SIGKILL)");
+    assertOnlyCase3IsError(result, "signal 9 (SIGKILL)");
   }
 
   @Test
   void aHangIsAnErrorAfterTheTimeout() {
     TestResult result =
         result(
-            EchoActivity.doing("while (value == 3) { Thread.onSpinWait(); } return value;")
+            EchoActivity.withBody("while (value == 3) { Thread.onSpinWait(); } return value;")
                 .caseWallSeconds(1));
 
-    onlyThirdIsError(result, "no answer within 1 s, at ");
+    assertOnlyCase3IsError(result, "no answer within 1 s, at ");
     assertThat(result.cases().get(2).message()).contains("demo.Component.echo(Component.java:");
     assertThat(recording.logText()).contains("Full thread dump");
   }
@@ -110,7 +111,7 @@ class HostileComponentsTest {
   @Test
   void theTimeoutAppliesToEachCase() {
     TestResult result =
-        result(EchoActivity.doing("Thread.sleep(400); return value;").caseWallSeconds(1.5));
+        result(EchoActivity.withBody("Thread.sleep(400); return value;").caseWallSeconds(1.5));
 
     assertThat(result.summary().pass()).isEqualTo(5);
   }
@@ -119,7 +120,7 @@ class HostileComponentsTest {
   void cutsTooMuchOutput() {
     TestResult result =
         result(
-            EchoActivity.doing(
+            EchoActivity.withBody(
                 "byte[] line = \"x\".repeat(1000).getBytes();"
                     + " for (int i = 0; i < 4000; i++) { System.out.write(line, 0, 1000); }"
                     + " return value;"));
@@ -133,7 +134,7 @@ class HostileComponentsTest {
   void replacesInvalidUtf8() {
     TestResult result =
         result(
-            EchoActivity.doing(
+            EchoActivity.withBody(
                 "System.out.write(0xFF); System.out.write(0xC3); System.out.println();"
                     + " return value;"));
 
@@ -143,7 +144,7 @@ class HostileComponentsTest {
 
   @Test
   void afterTwentyCrashesInARowTheRestIsNotExecuted() {
-    TestResult result = result(EchoActivity.doing("System.exit(5); return value;").cases(25));
+    TestResult result = result(EchoActivity.withBody("System.exit(5); return value;").cases(25));
 
     assertThat(result.summary().error()).isEqualTo(20);
     assertThat(result.summary().dont()).isEqualTo(5);
@@ -155,7 +156,7 @@ class HostileComponentsTest {
   void reportsWhyATestApplicationCannotContinue() {
     TestResult result =
         result(
-            EchoActivity.doing(
+            EchoActivity.withBody(
                 "if (value == 4) throw new IllegalStateException(\"the arm is gone\");"
                     + " return value;"));
 
@@ -166,9 +167,10 @@ class HostileComponentsTest {
 
   @Test
   void aComponentThatExitsWithTheRuntimesCodeIsAnError() {
-    TestResult result = result(EchoActivity.doing("if (value == 3) System.exit(3); return value;"));
+    TestResult result =
+        result(EchoActivity.withBody("if (value == 3) System.exit(3); return value;"));
 
-    onlyThirdIsError(result, "exit code 3");
+    assertOnlyCase3IsError(result, "exit code 3");
   }
 
   @Test
@@ -189,13 +191,13 @@ class HostileComponentsTest {
   void exceedingTheMemoryLimitFailsOnlyItsCase() {
     TestResult result =
         result(
-            EchoActivity.doing(
+            EchoActivity.withBody(
                 "if (value == 3) { try { var all = new java.util.ArrayList<long[]>();"
                     + " while (true) all.add(new long[1 << 20]); }"
                     + " catch (OutOfMemoryError e) { throw new Exception(\"no memory\"); } }"
                     + " return value;"));
 
-    onlyThirdIsError(result, "no memory");
+    assertOnlyCase3IsError(result, "no memory");
   }
 
   @Test
@@ -203,7 +205,7 @@ class HostileComponentsTest {
     String seconds = "1000." + ProcessHandle.current().pid() + getClass().getSimpleName().length();
     TestResult result =
         result(
-            EchoActivity.doing(
+            EchoActivity.withBody(
                 "if (value == 2) { new ProcessBuilder(\"sh\", \"-c\", \"setsid sleep "
                     + seconds
                     + " & sleep 0.2\").start().waitFor(); } return value;"));
@@ -217,7 +219,7 @@ class HostileComponentsTest {
 
   @Test
   void aCancelledBuildEndsAtOnceWithItsProcesses() throws Exception {
-    BuildRun run = run(EchoActivity.doing("if (value == 2) Thread.sleep(60000); return value;"));
+    BuildRun run = run(EchoActivity.withBody("if (value == 2) Thread.sleep(60000); return value;"));
     CompletableFuture<BuildOutcome> outcome = CompletableFuture.supplyAsync(run::run);
     recording.awaitCases(1);
     long cancelled = System.nanoTime();
@@ -239,7 +241,7 @@ class HostileComponentsTest {
   void hidesTheAgentsEnvironment() {
     TestResult result =
         result(
-            EchoActivity.doing(
+            EchoActivity.withBody(
                 "return System.getenv().keySet().stream().allMatch(k -> java.util.Set.of(\"PATH\","
                     + " \"HOME\", \"TMPDIR\", \"LANG\", \"SITAF_RUN\", \"PWD\", \"SHLVL\", \"_\")"
                     + ".contains(k)) ? value : -1;"));

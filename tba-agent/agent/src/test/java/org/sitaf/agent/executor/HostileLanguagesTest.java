@@ -93,7 +93,7 @@ class HostileLanguagesTest {
   }
 
   /** Case 2 hangs, case 3 ends the process, and the others have results. */
-  private void eachPaysForItself(TestResult result, String where) {
+  private void assertOnlyOwnCasesFail(TestResult result, String where) {
     assertThat(result.cases())
         .extracting(CaseResult::verdict)
         .as(result.cases().toString())
@@ -104,7 +104,7 @@ class HostileLanguagesTest {
     assertThat(result.cases().get(2).message()).contains("exit code 7: battery empty");
   }
 
-  private static void isReached(TestResult result, String file, int line) {
+  private static void assertReached(TestResult result, String file, int line) {
     Coverage coverage = result.coverage();
     assertThat(coverage).isNotNull();
     assertThat(coverage.files()).extracting(Coverage.File::path).contains(file);
@@ -126,8 +126,8 @@ class HostileLanguagesTest {
                 .file("component/component.hpp", CPP)
                 .file("component/component.cpp", CPP_BODY));
 
-    eachPaysForItself(result, "demo::Component::echo(int)");
-    isReached(result, "component/component.cpp", 11);
+    assertOnlyOwnCasesFail(result, "demo::Component::echo(int)");
+    assertReached(result, "component/component.cpp", 11);
   }
 
   @Test
@@ -136,7 +136,7 @@ class HostileLanguagesTest {
     TestResult result =
         result(EchoActivity.inPython("component.Component").file("component/component.py", PYTHON));
 
-    eachPaysForItself(result, "echo (component.py:");
-    isReached(result, "component/component.py", 12);
+    assertOnlyOwnCasesFail(result, "echo (component.py:");
+    assertReached(result, "component/component.py", 12);
   }
 }

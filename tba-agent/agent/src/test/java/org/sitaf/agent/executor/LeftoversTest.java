@@ -48,7 +48,7 @@ class LeftoversTest {
   }
 
   private TestResult result(String body) throws IOException {
-    return result(EchoActivity.doing(body), EchoActivity.settings(sandbox()));
+    return result(EchoActivity.withBody(body), EchoActivity.settings(sandbox()));
   }
 
   private TestResult result(EchoActivity activity, BuildSettings settings) {
@@ -74,7 +74,7 @@ class LeftoversTest {
     assertThat(result.summary().pass()).describedAs(recording.logText()).isEqualTo(5);
   }
 
-  private void onlyThirdIsError(TestResult result, String message) {
+  private void assertOnlyCase3IsError(TestResult result, String message) {
     assertThat(result.cases())
         .describedAs(recording.logText())
         .extracting(CaseResult::verdict)
@@ -120,12 +120,13 @@ class LeftoversTest {
                       0, 14, 'd', 'e', 'm', 'o', '/', 'C', 'o', 'm', 'p', 'o', 'n', 'e', 'n', 't',
                       (byte) 0xFF, (byte) 0xFF, (byte) 0xFF, (byte) 0xFF, 7});
                 }
-                return value;"""));
+                return value;\
+                """));
   }
 
   @Test
   void tooLargeFilesFailTheirCase() throws Exception {
-    onlyThirdIsError(
+    assertOnlyCase3IsError(
         result(
             "if (value == 3) { "
                 + python(
@@ -137,7 +138,7 @@ class LeftoversTest {
 
   @Test
   void sparseFilesFailTheirCase() throws Exception {
-    onlyThirdIsError(
+    assertOnlyCase3IsError(
         result(
             "if (value == 3) { "
                 + python(
@@ -149,7 +150,7 @@ class LeftoversTest {
 
   @Test
   void tooManyFilesFailTheirCase() throws Exception {
-    onlyThirdIsError(
+    assertOnlyCase3IsError(
         result(
             "if (value == 3) { "
                 + python(
@@ -161,12 +162,17 @@ class LeftoversTest {
 
   @Test
   void oddTreesDoNotPreventTheNextProcess() throws Exception {
-    onlyThirdIsError(
+    assertOnlyCase3IsError(
         result(
             "if (value == 3) { "
                 + python(
-                    "import os\nos.mkdir('locked')\nos.chmod('locked', 0)\nos.mkfifo('pipe')\n"
-                        + "for i in range(400):\n    os.mkdir('d' * 200)\n    os.chdir('d' * 200)\n")
+                    "import os\n"
+                        + "os.mkdir('locked')\n"
+                        + "os.chmod('locked', 0)\n"
+                        + "os.mkfifo('pipe')\n"
+                        + "for i in range(400):\n"
+                        + "    os.mkdir('d' * 200)\n"
+                        + "    os.chdir('d' * 200)\n")
                 + "System.exit(7); } return value;"),
         "exit code 7");
   }
@@ -175,7 +181,7 @@ class LeftoversTest {
   void limitsTheTotalTimeOfAllCases() throws Exception {
     TestResult result =
         result(
-            EchoActivity.doing("Thread.sleep(value == 1 ? 0 : 9000); return value;"),
+            EchoActivity.withBody("Thread.sleep(value == 1 ? 0 : 9000); return value;"),
             EchoActivity.settings(sandbox()).within(Duration.ofSeconds(8)));
 
     assertThat(result.cases().get(0).verdict()).isEqualTo(Verdict.PASS);

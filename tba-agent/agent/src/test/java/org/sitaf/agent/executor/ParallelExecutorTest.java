@@ -14,7 +14,7 @@ class ParallelExecutorTest {
   private static final Path RECORDING = Path.of("/build/recording");
 
   private static Map<Integer, Path> folders(int sessions) {
-    TestSuite suite = EchoActivity.doing("return value;").cases(40).application().suite();
+    TestSuite suite = EchoActivity.withBody("return value;").cases(40).application().suite();
     return new ParallelExecutor(TestApplicationExecutor.DEFAULT, sessions)
         .recordingFolders(suite, RECORDING);
   }

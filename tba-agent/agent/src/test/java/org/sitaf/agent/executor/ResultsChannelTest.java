@@ -25,7 +25,7 @@ import org.sitaf.core.verdict.Verdict;
 class ResultsChannelTest {
   @TempDir private Path folder;
   private final List<String> remarks = new ArrayList<>();
-  private final TestApplication application = EchoActivity.doing("").application();
+  private final TestApplication application = EchoActivity.withBody("").application();
   private final CaseProgress progress =
       new CaseProgress(
           application.suite(),

@@ -27,13 +27,13 @@ class SandboxedComponentsTest extends HostileComponentsTest {
   }
 
   private void everyCasePasses(String body) {
-    TestResult result = result(EchoActivity.doing(body));
+    TestResult result = result(EchoActivity.withBody(body));
 
     assertThat(result.summary().pass()).describedAs(recording.logText()).isEqualTo(5);
   }
 
   private void assertNextBuildPasses() {
-    EchoActivity next = EchoActivity.doing("return value;");
+    EchoActivity next = EchoActivity.withBody("return value;");
     next.application();
     directory = directory.resolve("next");
     assertThat(result(next).summary().pass()).isEqualTo(5);
@@ -50,7 +50,7 @@ class SandboxedComponentsTest extends HostileComponentsTest {
   void aForkBombFailsOnlyItsCase() {
     TestResult result =
         result(
-            EchoActivity.doing(
+            EchoActivity.withBody(
                     """
                     if (value == 3) {
                       new ProcessBuilder("sh", "-c", "b() { b | b & }; b; sleep 100").start();
@@ -58,11 +58,12 @@ class SandboxedComponentsTest extends HostileComponentsTest {
                         Thread.sleep(1000);
                       }
                     }
-                    return value;""")
+                    return value;\
+                    """)
                 .caseWallSeconds(2));
 
     // The process waits, unless the bomb used up the processes before the JVM had started.
-    onlyThirdIsError(result, "");
+    assertOnlyCase3IsError(result, "");
     assertThat(result.cases().get(2).message())
         .containsPattern("no answer within 2 s|process/resource limits reached");
     assertNextBuildPasses();
@@ -72,17 +73,18 @@ class SandboxedComponentsTest extends HostileComponentsTest {
   void aThreadBombFailsOnlyItsCase() {
     TestResult result =
         result(
-            EchoActivity.doing(
+            EchoActivity.withBody(
                     """
                     if (value == 3) {
                       for (;;) {
                         new Thread(() -> { while (true) Thread.onSpinWait(); }).start();
                       }
                     }
-                    return value;""")
+                    return value;\
+                    """)
                 .caseWallSeconds(3));
 
-    onlyThirdIsError(result, "");
+    assertOnlyCase3IsError(result, "");
     assertNextBuildPasses();
   }
 
@@ -90,15 +92,16 @@ class SandboxedComponentsTest extends HostileComponentsTest {
   void countsMemoryOfChildProcesses() {
     TestResult result =
         result(
-            EchoActivity.doing(
+            EchoActivity.withBody(
                 """
                 if (value == 3) {
                   new ProcessBuilder("sh", "-c", "for i in 1 2 3; do (x=$(head -c 400m /dev/zero"
                       + " | tr '\\\\0' x); sleep 100) & done; wait").start().waitFor();
                 }
-                return value;"""));
+                return value;\
+                """));
 
-    onlyThirdIsError(result, "it used more than 384 MiB of memory");
+    assertOnlyCase3IsError(result, "it used more than 384 MiB of memory");
     assertNextBuildPasses();
   }
 
@@ -116,7 +119,8 @@ class SandboxedComponentsTest extends HostileComponentsTest {
             // The expected value.
           }
         }
-        return value;"""
+        return value;\
+        """
             .formatted(outside));
 
     assertThat(outside).hasContent("untouched");
@@ -132,7 +136,8 @@ class SandboxedComponentsTest extends HostileComponentsTest {
             return -1;
           }
         }
-        return value;""");
+        return value;\
+        """);
   }
 
   @Test
@@ -142,7 +147,8 @@ class SandboxedComponentsTest extends HostileComponentsTest {
         """
         return java.nio.file.Files.exists(java.nio.file.Path.of("%s"))
             || java.nio.file.Files.isReadable(java.nio.file.Path.of("/etc/shadow"))
-            || java.nio.file.Files.exists(java.nio.file.Path.of("/root/.ssh")) ? -1 : value;"""
+            || java.nio.file.Files.exists(java.nio.file.Path.of("/root/.ssh")) ? -1 : value;\
+        """
             .formatted(key));
   }
 
@@ -154,7 +160,8 @@ class SandboxedComponentsTest extends HostileComponentsTest {
         new ProcessBuilder("sh", "-c", "kill -9 " + agent + "; kill -9 1; kill -9 $(ls /proc"
             + " | grep -E '^[0-9]+$' | grep -v -E '^(1|" + ProcessHandle.current().pid() + ")$')")
             .start().waitFor();
-        return ProcessHandle.allProcesses().count() < 10 ? value : -1;"""
+        return ProcessHandle.allProcesses().count() < 10 ? value : -1;\
+        """
             .formatted(ProcessHandle.current().pid()));
   }
 
@@ -162,14 +169,15 @@ class SandboxedComponentsTest extends HostileComponentsTest {
   void killingTheParentProcessHasNoEffect() {
     TestResult result =
         result(
-            EchoActivity.doing(
+            EchoActivity.withBody(
                 """
                 if (value == 3) {
                   long parent = ProcessHandle.current().parent().get().pid();
                   new ProcessBuilder("kill", "-9", "" + parent, "-1").start().waitFor();
                   throw new Exception("still here");
                 }
-                return value;"""));
+                return value;\
+                """));
 
     assertThat(result.summary().pass()).isEqualTo(4);
     assertThat(result.summary().error()).isEqualTo(1);
@@ -185,7 +193,8 @@ class SandboxedComponentsTest extends HostileComponentsTest {
             return -1;
           } catch (java.io.IOException e) {
             return value;
-          }"""
+          }\
+          """
               .formatted(server.getLocalPort()));
     }
   }
@@ -195,7 +204,8 @@ class SandboxedComponentsTest extends HostileComponentsTest {
     everyCasePasses(
         """
         new ProcessBuilder("sh", "-c", "rm -rf $PWD $HOME $TMPDIR /tmp/* ~").start().waitFor();
-        return value;""");
+        return value;\
+        """);
     assertNextBuildPasses();
   }
 
@@ -205,14 +215,15 @@ class SandboxedComponentsTest extends HostileComponentsTest {
         """
         java.nio.file.Path file = java.nio.file.Files.createTempFile("a", "b");
         java.nio.file.Files.writeString(java.nio.file.Path.of("/tmp/shared"), "x");
-        return java.nio.file.Files.readString(file).isEmpty() ? value : -1;""");
+        return java.nio.file.Files.readString(file).isEmpty() ? value : -1;\
+        """);
   }
 
   @Test
   void fileSizesAreLimited() {
     TestResult result =
         result(
-            EchoActivity.doing(
+            EchoActivity.withBody(
                 """
                 if (value == 3) {
                   try (var out = new java.io.FileOutputStream("big")) {
@@ -222,9 +233,10 @@ class SandboxedComponentsTest extends HostileComponentsTest {
                     }
                   }
                 }
-                return value;"""));
+                return value;\
+                """));
 
-    onlyThirdIsError(result, "");
+    assertOnlyCase3IsError(result, "");
   }
 
   @Test
@@ -233,6 +245,7 @@ class SandboxedComponentsTest extends HostileComponentsTest {
         """
         var status = java.nio.file.Files.readAllLines(java.nio.file.Path.of("/proc/self/status"));
         return status.stream().anyMatch(line -> line.equals("CapEff:\\t0000000000000000"))
-            && status.stream().anyMatch(line -> line.equals("NoNewPrivs:\\t1")) ? value : -1;""");
+            && status.stream().anyMatch(line -> line.equals("NoNewPrivs:\\t1")) ? value : -1;\
+        """);
   }
 }

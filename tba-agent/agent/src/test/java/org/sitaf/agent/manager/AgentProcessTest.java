@@ -135,7 +135,7 @@ class AgentProcessTest {
     Path pidFile = directory.resolve("pid");
     server.assign(
         ATTEMPT,
-        EchoActivity.doing(
+        EchoActivity.withBody(
                 "java.nio.file.Files.writeString(java.nio.file.Path.of(\""
                     + pidFile
                     + "\"), \"\" + ProcessHandle.current().pid());"

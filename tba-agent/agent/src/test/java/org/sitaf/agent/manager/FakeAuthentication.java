@@ -32,14 +32,14 @@ final class FakeAuthentication implements ServerInterceptor {
   public <Q, A> ServerCall.Listener<Q> interceptCall(
       ServerCall<Q, A> call, Metadata headers, ServerCallHandler<Q, A> next) {
     boolean enrols = call.getMethodDescriptor() == (Object) AgentServiceGrpc.getEnrolMethod();
-    if (!enrols && !letsIn(headers.get(AUTHORIZATION))) {
+    if (!enrols && !isKnownKey(headers.get(AUTHORIZATION))) {
       call.close(Status.UNAUTHENTICATED, new Metadata());
       return new ServerCall.Listener<>() {};
     }
     return next.startCall(call, headers);
   }
 
-  private synchronized boolean letsIn(@Nullable String key) {
+  private synchronized boolean isKnownKey(@Nullable String key) {
     return open || keys.contains(String.valueOf(key));
   }
 

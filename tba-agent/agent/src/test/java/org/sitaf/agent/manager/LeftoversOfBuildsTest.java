@@ -69,13 +69,13 @@ class LeftoversOfBuildsTest {
   }
 
   private static EchoActivity third(String python) {
-    return EchoActivity.doing(
+    return EchoActivity.withBody(
         "if (value == 3) { new ProcessBuilder(\"python3\", \"-c\", \""
             + python.replace("\n", "\\n")
             + "\").inheritIO().start().waitFor(); } return value;");
   }
 
-  private static void onlyThirdIsError(TestResult result, String... messages) {
+  private static void assertOnlyCase3IsError(TestResult result, String... messages) {
     assertThat(result.cases())
         .extracting(CaseResult::verdict)
         .containsExactly(Verdict.PASS, Verdict.PASS, Verdict.ERROR, Verdict.PASS, Verdict.PASS);
@@ -86,16 +86,19 @@ class LeftoversOfBuildsTest {
   void exceedingALimitFailsTheCaseAndLeavesNothing() throws Exception {
     start();
 
-    onlyThirdIsError(
+    assertOnlyCase3IsError(
         result(
             1,
             third(
-                "import time\nfor i in range(15):\n    try: open(f'f{i}', 'wb').write(bytes(200 << 20))\n"
-                    + "    except OSError: pass\ntime.sleep(60)")),
+                "import time\n"
+                    + "for i in range(15):\n"
+                    + "    try: open(f'f{i}', 'wb').write(bytes(200 << 20))\n"
+                    + "    except OSError: pass\n"
+                    + "time.sleep(60)")),
         "it wrote more than 512 MiB of files",
         // If the agent is root, the files are in a tmpfs, which the control group counts as memory.
         "it used more than 384 MiB of memory");
-    onlyThirdIsError(
+    assertOnlyCase3IsError(
         result(
             2,
             third(
@@ -109,7 +112,7 @@ class LeftoversOfBuildsTest {
                 "import os\nos.mkdir('locked')\nos.chmod('locked', 0)\n"
                     + "for i in range(400):\n    os.mkdir('d' * 200)\n    os.chdir('d' * 200)\n"));
     assertThat(odd.summary().pass()).isEqualTo(5);
-    assertThat(result(4, EchoActivity.doing("return value;")).summary().pass()).isEqualTo(5);
+    assertThat(result(4, EchoActivity.withBody("return value;")).summary().pass()).isEqualTo(5);
 
     for (String folder : List.of("builds", "trash")) {
       for (int i = 0; i < 3000 && !isEmpty(directory.resolve(folder)); i++) {

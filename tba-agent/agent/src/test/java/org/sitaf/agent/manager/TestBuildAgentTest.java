@@ -34,9 +34,10 @@ import org.sitaf.core.verdict.document.TestResultXml;
 class TestBuildAgentTest {
   private static final AttemptRef ATTEMPT = FakeServer.attempt("b-1", 1, 17);
   private static final EchoActivity GOOD =
-      EchoActivity.doing("System.out.println(\"echo \" + value); return value;");
+      EchoActivity.withBody("System.out.println(\"echo \" + value); return value;");
   private static final EchoActivity SLEEPING =
-      EchoActivity.doing("if (value == 2) Thread.sleep(60000); return value;").caseWallSeconds(90);
+      EchoActivity.withBody("if (value == 2) Thread.sleep(60000); return value;")
+          .caseWallSeconds(90);
 
   @TempDir private Path directory;
   private FakeServer server;
@@ -158,7 +159,7 @@ class TestBuildAgentTest {
   @Test
   void aCompilerErrorIsAFailureWithDiagnostics() throws Exception {
     startBoth();
-    assign(EchoActivity.doing("return valve;"));
+    assign(EchoActivity.withBody("return valve;"));
 
     var failure = theResult().getFailure();
     assertThat(failure.getCategory()).isEqualTo(Category.COMPILATION);
@@ -217,7 +218,7 @@ class TestBuildAgentTest {
     startBoth();
     // The process runs longer after its last case than an abandoned attempt waits.
     assign(
-        EchoActivity.doing(
+        EchoActivity.withBody(
             "if (value == 5) new Thread(() -> { try { Thread.sleep(60000); }"
                 + " catch (InterruptedException e) { } }).start(); return value;"));
     server.await(s -> s.cases().size() == 5);
@@ -267,7 +268,7 @@ class TestBuildAgentTest {
     server.await(s -> !s.registrations().isEmpty());
     server.assign(
         ATTEMPT,
-        EchoActivity.doing("System.out.println(value); Thread.sleep(300); return value;")
+        EchoActivity.withBody("System.out.println(value); Thread.sleep(300); return value;")
             .cases(500)
             .application()
             .files());
@@ -307,7 +308,7 @@ class TestBuildAgentTest {
   @Test
   void uploadsResultAndLogAfterAServerOutage() throws Exception {
     startBoth();
-    assign(EchoActivity.doing("System.out.println(value); Thread.sleep(300); return value;"));
+    assign(EchoActivity.withBody("System.out.println(value); Thread.sleep(300); return value;"));
     server.await(s -> !s.cases().isEmpty());
     String address = server.address();
     server.close();

@@ -164,7 +164,7 @@ class PreparedAheadTest {
   }
 
   /** Compares both ways; returns how many cases were still prepared one by one. */
-  private long isTheSame(
+  private long assertSameResults(
       String file,
       Map<String, List<String>> columns,
       int count,
@@ -213,7 +213,7 @@ class PreparedAheadTest {
   @Test
   void allSensorsOfARobotHaveTheSameReadings() throws Exception {
     long alone =
-        isTheSame(
+        assertSameResults(
             "worlds/maze/maze.world.yaml",
             Map.of(
                 "StartX", evenly(-1.2, 1.1, 100),
@@ -258,7 +258,7 @@ class PreparedAheadTest {
     distances.set(50, "21.5");
     distances.set(333, "NaN");
     long alone =
-        isTheSame(
+        assertSameResults(
             "ir-sensor/world/ir.world.yaml",
             Map.of("Distance", distances),
             400,
@@ -271,7 +271,7 @@ class PreparedAheadTest {
   @Test
   void aComponentThatUsesActuatorsGetsALiveSession() throws Exception {
     long alone =
-        isTheSame(
+        assertSameResults(
             "worlds/maze/maze.world.yaml",
             Map.of("StartX", evenly(-1.2, 1.1, 60)),
             60,
@@ -289,7 +289,7 @@ class PreparedAheadTest {
   @Test
   void simulationContinuesFromThePreparedState() throws Exception {
     long alone =
-        isTheSame(
+        assertSameResults(
             "worlds/maze/maze.world.yaml",
             Map.of("StartX", evenly(-1.2, 1.1, 40)),
             40,

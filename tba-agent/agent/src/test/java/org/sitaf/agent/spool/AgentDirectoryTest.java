@@ -40,7 +40,7 @@ class AgentDirectoryTest {
   /** Starts an agent, leaves files of a build, and starts it again. */
   static void startAfterLeftovers(Path path) throws Exception {
     Path run = Files.createDirectories(path.resolve("builds/1-1/execution/run"));
-    OddTrees.nest(run, 400);
+    OddTrees.createNestedFolders(run, 400);
     OddTrees.lock(run);
     OddTrees.fill(Files.createDirectory(run.resolve("many")), 20_000);
     try (AgentDirectory directory = AgentDirectory.open(path);
@@ -68,7 +68,7 @@ class AgentDirectoryTest {
     public static void main(String[] arguments) throws Exception {
       Path path = Path.of(arguments[0], "agent");
       Path run = Files.createDirectories(path.resolve("builds/1-1/execution/run"));
-      OddTrees.nest(run, 400);
+      OddTrees.createNestedFolders(run, 400);
       OddTrees.lock(run);
       Files.setPosixFilePermissions(run, PosixFilePermissions.fromString("---------"));
       try (AgentDirectory directory = AgentDirectory.open(path);

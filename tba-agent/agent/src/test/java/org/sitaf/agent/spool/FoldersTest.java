@@ -19,7 +19,7 @@ class FoldersTest {
   @Test
   void deletesFoldersDeeperThanTheLongestPath() throws Exception {
     Path folder = Files.createDirectory(directory.resolve("deep"));
-    OddTrees.nest(folder, 3000);
+    OddTrees.createNestedFolders(folder, 3000);
 
     Folders.delete(folder);
 
@@ -52,7 +52,7 @@ class FoldersTest {
     public static void main(String[] arguments) throws Exception {
       Path folder = Files.createDirectory(Path.of(arguments[0], "folder"));
       OddTrees.lock(folder);
-      OddTrees.nest(Files.createDirectory(folder.resolve("deep")), 400);
+      OddTrees.createNestedFolders(Files.createDirectory(folder.resolve("deep")), 400);
       Folders.delete(folder);
       System.out.println(Files.exists(folder) ? "there" : "gone");
     }

@@ -30,7 +30,7 @@ class LeftFilesTest {
     SystemTool.run(
         List.of("mkfifo", directory.resolve("d.data").toString()), Duration.ofSeconds(5));
     Files.createSymbolicLink(directory.resolve("up"), directory);
-    OddTrees.nest(directory, 500);
+    OddTrees.createNestedFolders(directory, 500);
 
     assertThat(data(10)).containsExactly(file);
     assertThatThrownBy(() -> LeftFiles.read(directory.resolve("b.data"), 10))

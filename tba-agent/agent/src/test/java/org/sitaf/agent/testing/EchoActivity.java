@@ -38,7 +38,7 @@ public final class EchoActivity {
   private final String harness = resource("ScriptedHarness.java");
 
   /** The component's class with the given body of {@code int echo(int value) throws Exception}. */
-  public static EchoActivity doing(String body) {
+  public static EchoActivity withBody(String body) {
     return withComponent(
         """
         package demo;
@@ -137,16 +137,17 @@ public final class EchoActivity {
 
   private String profile() {
     return """
-        name: echo
-        description: Returns what it is given
-        component:
-          language: %s
-          sources: component/
-          class: %s
-        provided: [EchoService.xml]
-        models: [Echo.xml]
-        limits: %s
-        %s"""
+    name: echo
+    description: Returns what it is given
+    component:
+      language: %s
+      sources: component/
+      class: %s
+    provided: [EchoService.xml]
+    models: [Echo.xml]
+    limits: %s
+    %s\
+    """
         .formatted(language, componentClass, limits, extra);
   }
 

@@ -15,7 +15,8 @@ public final class OddTrees {
   private OddTrees() {}
 
   /** Nested folders with names of 200 characters. */
-  public static void nest(Path folder, int depth) throws IOException, InterruptedException {
+  public static void createNestedFolders(Path folder, int depth)
+      throws IOException, InterruptedException {
     python(
         "import os, sys\n"
             + "os.chdir(sys.argv[1])\n"

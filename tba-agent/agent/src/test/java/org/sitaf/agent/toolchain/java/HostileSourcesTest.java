@@ -72,12 +72,12 @@ class HostileSourcesTest {
   }
 
   private void assertNextCompilationPasses() throws Exception {
-    assertThat(compile(EchoActivity.doing("return value;")).resolve("demo/Component.class"))
+    assertThat(compile(EchoActivity.withBody("return value;")).resolve("demo/Component.class"))
         .isRegularFile();
   }
 
   private static EchoActivity withLibrary(String body, Path jar) throws IOException {
-    return EchoActivity.doing(body)
+    return EchoActivity.withBody(body)
         .file("lib/helper.jar", Files.readAllBytes(jar))
         .profileLine("libraries: [lib/helper.jar]");
   }
@@ -174,7 +174,7 @@ class HostileSourcesTest {
     processors = List.of(processor());
     toolchain = toolchain();
 
-    Path output = compile(EchoActivity.doing("return Generated.ONE;"));
+    Path output = compile(EchoActivity.withBody("return Generated.ONE;"));
 
     assertThat(output.resolve("demo/Generated.class")).isRegularFile();
   }
@@ -198,7 +198,7 @@ class HostileSourcesTest {
   void aDeepExpressionFailsOnlyTheCompilation() throws Exception {
     String deep = "(".repeat(200_000) + "value" + ")".repeat(200_000);
 
-    assertThat(refused(EchoActivity.doing("return " + deep + ";")))
+    assertThat(refused(EchoActivity.withBody("return " + deep + ";")))
         .hasMessageContaining("simplify the sources");
     assertNextCompilationPasses();
   }
@@ -269,7 +269,7 @@ class HostileSourcesTest {
   void reportsAResourceWithTheNameOfAFolder() {
     assertThat(
             refused(
-                EchoActivity.doing("return value;")
+                EchoActivity.withBody("return value;")
                     .profileLine("harness: java")
                     .file("component/sitaf", "")))
         .hasMessage("the component's files conflict");

@@ -37,7 +37,7 @@ class MavenPackagesTest {
   void whatIsNotCoordinatesReachesNoMaven(String wanted) {
     Compilation compilation =
         new Compilation(
-            EchoActivity.doing("return value;").application(),
+            EchoActivity.withBody("return value;").application(),
             directory,
             directory,
             directory.resolve("not-there"),
@@ -79,7 +79,7 @@ class MavenPackagesTest {
     Path jar = Files.writeString(folder.resolve("b-1.jar"), "");
     Compilation compilation =
         new Compilation(
-            EchoActivity.doing("return value;").application(),
+            EchoActivity.withBody("return value;").application(),
             directory,
             directory,
             directory,
