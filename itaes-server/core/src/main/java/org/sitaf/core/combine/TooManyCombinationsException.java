@@ -11,7 +11,7 @@ public final class TooManyCombinationsException extends RuntimeException {
   /**
    * Creates an exception.
    *
-   * @param what what is counted
+   * @param what description of the counted items
    */
   public TooManyCombinationsException(String what, BigInteger count, long limit) {
     super(

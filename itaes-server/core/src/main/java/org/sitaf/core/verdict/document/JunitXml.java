@@ -15,7 +15,7 @@ import org.sitaf.core.verdict.TestResult;
 
 /**
  * A result in the format that CI systems read: FAIL is a failure, ERROR an error, DONT skipped. A
- * suspect result has one error more, so that CI systems do not report it as passed.
+ * suspect result has an additional error, so that CI systems do not report it as passed.
  */
 public final class JunitXml {
   private JunitXml() {}
