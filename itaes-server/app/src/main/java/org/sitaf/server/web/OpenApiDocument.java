@@ -5,10 +5,9 @@ import io.swagger.v3.oas.models.Components;
 import io.swagger.v3.oas.models.OpenAPI;
 import io.swagger.v3.oas.models.Operation;
 import io.swagger.v3.oas.models.info.Info;
-import io.swagger.v3.oas.models.media.Content;
+import io.swagger.v3.oas.models.info.License;
 import io.swagger.v3.oas.models.media.MediaType;
 import io.swagger.v3.oas.models.media.Schema;
-import io.swagger.v3.oas.models.responses.ApiResponse;
 import io.swagger.v3.oas.models.responses.ApiResponses;
 import io.swagger.v3.oas.models.security.SecurityRequirement;
 import io.swagger.v3.oas.models.security.SecurityScheme;
@@ -38,6 +37,10 @@ class OpenApiDocument {
             new Info()
                 .title("SITAF")
                 .version("v1")
+                .license(
+                    new License()
+                        .name("Apache-2.0")
+                        .url("https://www.apache.org/licenses/LICENSE-2.0"))
                 .description(
                     "Automated interface testing of robot software components. Errors are problem"
                         + " details (RFC 9457): 401 without a session or token, 403 if the caller's"
@@ -77,10 +80,17 @@ class OpenApiDocument {
         ModelConverters.getInstance(true).readAll(view).forEach(components::addSchemas);
       }
       renamePages(components);
+      ErrorAnswers.addTo(components);
       document
           .getPaths()
-          .values()
-          .forEach(path -> path.readOperations().forEach(OpenApiDocument::customize));
+          .forEach(
+              (path, item) ->
+                  item.readOperationsMap()
+                      .forEach(
+                          (method, operation) -> {
+                            customize(operation);
+                            ErrorAnswers.addTo(path, method, operation);
+                          }));
     };
   }
 
@@ -102,15 +112,6 @@ class OpenApiDocument {
                 response.getContent().forEach(OpenApiDocument::correctFormat);
               }
             });
-    responses.addApiResponse(
-        "default",
-        new ApiResponse()
-            .description("error")
-            .content(
-                new Content()
-                    .addMediaType(
-                        "application/problem+json",
-                        new MediaType().schema(new Schema<>().$ref(REFERENCE + "Problem")))));
   }
 
   private static void renameReference(MediaType content) {

@@ -99,7 +99,9 @@ public final class Api {
 
   public Answer send(HttpRequest.Builder request) {
     try {
-      HttpResponse<byte[]> answer = client.send(request.build(), BodyHandlers.ofByteArray());
+      HttpRequest built = request.build();
+      HttpResponse<byte[]> answer = client.send(built, BodyHandlers.ofByteArray());
+      DeclaredAnswers.require(root, built.method(), built.uri().getPath(), answer.statusCode());
       return new Answer(answer.statusCode(), answer.body(), answer.headers());
     } catch (IOException e) {
       throw new UncheckedIOException(e);

@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.sitaf.server.support.ServerTest;
+import tools.jackson.databind.JsonNode;
 
 /** The portal's API types are generated from the committed copy of the OpenAPI document. */
 @Tag("slow")
@@ -26,5 +27,31 @@ class OpenApiDocumentTest extends ServerTest {
     assertThat(new String(document, StandardCharsets.UTF_8))
         .as("webapp/openapi.json is outdated; update it with -Dsitaf.write-openapi=true")
         .isEqualTo(Files.readString(COPY));
+  }
+
+  @Test
+  void everyOperationDeclaresItsProblemDetails() {
+    JsonNode document = api.get("/v3/api-docs").expect(200).json();
+    document
+        .get("paths")
+        .forEach(
+            path ->
+                path.forEach(
+                    operation -> {
+                      JsonNode responses = operation.get("responses");
+                      assertThat(responses.propertyNames())
+                          .as(operation.get("operationId").asString())
+                          .contains("401", "default");
+                      if (operation.has("requestBody")) {
+                        assertThat(responses.propertyNames()).contains("400", "403", "413", "422");
+                      }
+                    }));
+    document
+        .get("components")
+        .get("responses")
+        .forEach(
+            answer ->
+                assertThat(answer.at("/content/application~1problem+json/schema/$ref").asString())
+                    .isEqualTo("#/components/schemas/Problem"));
   }
 }
