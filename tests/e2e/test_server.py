@@ -1,6 +1,7 @@
 """`./sitaf up`, and scripts that use a server: remote runs, and requests generated from the OpenAPI document."""
 
 import http.cookiejar
+import io
 import json
 import os
 import re
@@ -9,6 +10,7 @@ import subprocess
 import sys
 import urllib.request
 import xml.etree.ElementTree as ElementTree
+import zipfile
 from dataclasses import dataclass
 
 import pytest
@@ -122,3 +124,40 @@ def test_requests_of_the_openapi_document_do_not_break_the_server(server, tmp_pa
         check=False,
     )
     assert fuzz.returncode == 0, fuzz.stdout[-6000:] + fuzz.stderr[-2000:]
+
+
+def test_the_client_in_python_that_the_server_offers_requests_a_suite(server, sitaf, tmp_path):
+    for package in ("pydantic", "dateutil", "urllib3"):
+        pytest.importorskip(package, reason="./sitaf test installs it")
+    request = urllib.request.Request(
+        server.address + "/api/v1/clients/python", headers={"Authorization": f"Bearer {server.token}"}
+    )
+    with urllib.request.urlopen(request) as answer:
+        zipfile.ZipFile(io.BytesIO(answer.read())).extractall(tmp_path)
+    with zipfile.ZipFile(tmp_path / "activity.zip", "w") as activity:
+        root = sitaf.root / "examples" / "ir-sensor"
+        for file in root.rglob("*"):
+            activity.write(file, file.relative_to(root))
+    program = tmp_path / "use.py"
+    program.write_text(USE_OF_CLIENT)
+    used = subprocess.run(
+        [sys.executable, program, server.address, tmp_path / "activity.zip"],
+        env={**os.environ, "SITAF_TOKEN": server.token, "PYTHONPATH": str(tmp_path / "sitaf-client-python")},
+        capture_output=True, text=True, check=False,
+    )
+    assert used.stdout.split() == ["ir-sensor", "55", "404"], used.stderr
+
+
+USE_OF_CLIENT = """
+import os, pathlib, sys
+import sitaf_client
+
+client = sitaf_client.ApiClient(sitaf_client.Configuration(host=sys.argv[1], access_token=os.environ["SITAF_TOKEN"]))
+activities = sitaf_client.ActivitiesApi(client)
+activity = activities.create_activity(pathlib.Path(sys.argv[2]).read_bytes())
+suite = sitaf_client.SuitesApi(client).generate_suite(activity.id, "GetInfraredData", sitaf_client.SuiteOptions())
+try:
+    activities.get_activity("none")
+except sitaf_client.ApiException as e:
+    print(activity.name, suite.total, e.status)
+"""

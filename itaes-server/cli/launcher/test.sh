@@ -52,10 +52,11 @@ locked
 keep_java
 unlocked
 
-if ! "$python" -c 'import playwright, schemathesis, xdist' 2>/dev/null; then
+if ! "$python" -c 'import dateutil, playwright, pydantic, schemathesis, urllib3, xdist' 2>/dev/null; then
   # playwright drives Debian's Chromium; schemathesis sends requests generated from the OpenAPI document; xdist runs test
-  # files in parallel.
-  "$python" -m pip install --quiet playwright==1.65.2 schemathesis==4.32.5 pytest-xdist==3.8.0
+  # files in parallel. The server's Python client requires the others.
+  "$python" -m pip install --quiet playwright==1.65.2 schemathesis==4.32.5 pytest-xdist==3.8.0 \
+    pydantic==2.14.3 python-dateutil==2.9.0.post0 urllib3==2.8.0
 fi
 
 section "Across rooms: the wire of the simulator, and the launcher as a person uses it"

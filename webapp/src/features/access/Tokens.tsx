@@ -1,4 +1,4 @@
-import { Button, Stack, Table, Text, TextInput } from '@mantine/core';
+import { Anchor, Button, Stack, Table, Text, TextInput } from '@mantine/core';
 import { useState } from 'react';
 import { formatInstant } from '@/shared/lib/format';
 import { Age, SecretForm, Loading, ProblemAlert, ScrollTable, UserText } from '@/shared/ui';
@@ -20,6 +20,18 @@ export function Tokens() {
 
   return (
     <Stack gap="sm">
+      <Text c="dimmed">
+        Scripts use a token with the REST API. Download its{' '}
+        <Anchor href="/v3/api-docs">OpenAPI document</Anchor>, or a client in{' '}
+        <Anchor href="/api/v1/clients/python" download>
+          Python
+        </Anchor>{' '}
+        or{' '}
+        <Anchor href="/api/v1/clients/java" download>
+          Java
+        </Anchor>
+        .
+      </Text>
       <SecretForm
         issue={add}
         variables={{ name, role, days: Number(days) }}
