@@ -77,8 +77,8 @@ class ActivityStoryTest extends ServerTest {
     long before = total("/api/v1/activities");
     Map<String, byte[]> files = Activities.files();
     byte[] yaml = files.get("activity.yaml");
-    assertRejected(new byte[0], "zip");
-    assertRejected("no zip".getBytes(StandardCharsets.UTF_8), "zip");
+    assertRejected(new byte[0], "ZIP");
+    assertRejected("no zip".getBytes(StandardCharsets.UTF_8), "ZIP");
     assertRejected(Activities.rawZip(List.of("activity.yaml", "../../etc/x"), yaml), "../../etc/x");
     assertRejected(Activities.rawZip(List.of("/etc/x"), yaml), "/etc/x");
     assertRejected(Activities.rawZip(List.of("a", "a/b"), yaml), "a");
