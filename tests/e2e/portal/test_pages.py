@@ -92,7 +92,7 @@ def test_a_schedule_is_created_paused_resumed_and_run(page):
     page.get_by_role("button", name="Options: priority 7, failing cases recorded").wait_for()
     shot(page, "new-schedule")
     page.get_by_role("textbox", name="Cron expression").fill("whenever")
-    page.get_by_role("alert", name="Invalid time").get_by_text("is no cron expression").wait_for()
+    page.get_by_role("alert", name="Invalid time").get_by_text("is not a cron expression").wait_for()
     page.get_by_role("textbox", name="Cron expression").fill("30 3 * * *")
     expect(times).to_have_count(10)
     page.get_by_role("button", name="Create schedule", exact=True).click()

@@ -128,7 +128,7 @@ class DescribeCommandTest {
         .allMatch(
             l ->
                 l.matches(
-                    ".*kitech_\\w+comp\\.xml:[1-9][0-9]*: error: service_port .* refers to '.*"));
+                    ".*kitech_\\w+comp\\.xml:[1-9][0-9]*: error: service_port .* references '.*"));
     assertThat(run.exitCode()).isEqualTo(2);
   }
 }
