@@ -114,7 +114,7 @@ def test_the_environment_selects_the_compiler(sitaf, cpp_activity):
     assert re.search(r"infrared_sensor\.cpp:\d+:\d+: error: use of undeclared identifier 'nonsense'", spoilt.stderr), spoilt.stderr
     missing = sitaf("run", cpp_activity, env={"CXX": "no-such-compiler"})
     assert missing.returncode == 2
-    assert "CXX names 'no-such-compiler', and there is no such program" in missing.stderr, missing.stderr
+    assert "CXX names 'no-such-compiler', which is not an executable program" in missing.stderr, missing.stderr
 
 
 @cpp

@@ -22,12 +22,15 @@ export function Tokens() {
     <Stack gap="sm">
       <Text c="dimmed">
         Scripts use a token with the REST API. Download its{' '}
-        <Anchor href="/v3/api-docs">OpenAPI document</Anchor>, or a client in{' '}
-        <Anchor href="/api/v1/clients/python" download>
+        <Anchor href="/v3/api-docs" underline="always">
+          OpenAPI document
+        </Anchor>
+        , or a client in{' '}
+        <Anchor href="/api/v1/clients/python" download underline="always">
           Python
         </Anchor>{' '}
         or{' '}
-        <Anchor href="/api/v1/clients/java" download>
+        <Anchor href="/api/v1/clients/java" download underline="always">
           Java
         </Anchor>
         .
