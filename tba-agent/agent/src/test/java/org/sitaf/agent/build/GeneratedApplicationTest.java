@@ -127,7 +127,7 @@ class GeneratedApplicationTest {
           .allSatisfy(c -> assertThat(c.verdict()).as(c.toString()).isEqualTo(Verdict.PASS));
       assertThat(result.provenance().bridge()).matches("sitaf-bridge \\S+ \\(MuJoCo \\S+\\)");
       assertThat(recording.logText())
-          .contains("world world/ir.world.yaml on sitaf-bridge", "this build's alone");
+          .contains("world world/ir.world.yaml on sitaf-bridge", "serves this build only");
     }
   }
 

@@ -59,7 +59,7 @@ class SimulatorTest {
         first = simulator.target();
         assertThat(first).startsWith("unix:/");
         assertThat(simulator.version()).matches("sitaf-bridge \\S+ \\(MuJoCo \\S+\\)");
-        assertThat(simulator.description()).contains("this build's alone");
+        assertThat(simulator.description()).contains("serves this build only");
         check(simulator);
         assertThat(simulator.target()).isEqualTo(first);
         try (BuildSimulator another = simulators.forBuild()) {
