@@ -178,7 +178,7 @@ def test_a_method_without_a_value_that_does_not_throw_as_expected_fails(sitaf, t
     replace(folder / "Limit.xml", 'valid ? null : "!error:TooStrong"', 'most == 4.0 ? "!error:TooStrong" : null')
     _, found = results(sitaf, folder, "Limit")
     judged = {float(result["values"][0]): (result["verdict"], result["message"]) for result in found.values()}
-    assert judged[4.0] == ("FAIL", "expected the error TooStrong, but it returned")
+    assert judged[4.0] == ("FAIL", "return: expected the error TooStrong, but it returned")
     assert [value for value, (verdict, _) in judged.items() if verdict == "ERROR"] == [-0.5, 8.5]
     assert verdicts(found).count("PASS") == len(found) - 3
 

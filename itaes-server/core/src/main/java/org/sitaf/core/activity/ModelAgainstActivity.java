@@ -14,7 +14,6 @@ import org.sitaf.core.description.InterfaceDescription;
 import org.sitaf.core.description.MemberPath;
 import org.sitaf.core.description.Method;
 import org.sitaf.core.description.Parameter;
-import org.sitaf.core.description.ScalarType;
 import org.sitaf.core.description.TypeGrammar;
 import org.sitaf.core.description.WorldDescription;
 import org.sitaf.core.description.WorldDescription.WorldParameter;
@@ -210,7 +209,7 @@ final class ModelAgainstActivity {
     List<Method> methods = called.get().methodsNamed(name.group(2));
     if (methods.isEmpty()) {
       error(input.line(), where, name.group(1) + " has no method " + name.group(2));
-    } else if (name.group(3) == null && !isVoid(methods.get(0).returnType())) {
+    } else if (name.group(3) == null && !methods.get(0).returnType().isVoid()) {
       sameType(input.line(), input.name(), input.realType(), methods.get(0).returnType());
     } else if (name.group(3) != null && parameter(methods.get(0), name.group(3)).isEmpty()) {
       error(input.line(), where, name.group(2) + " has no parameter " + name.group(3));
@@ -222,8 +221,8 @@ final class ModelAgainstActivity {
       String where = "test_element " + output.name();
       switch (output.kind()) {
         case RETURN -> {
-          if (isVoid(method.returnType())) {
-            if (!isVoid(output.type()) || !output.name().equals(OutputElement.RETURN_NAME)) {
+          if (method.returnType().isVoid()) {
+            if (!output.type().isVoid() || !output.name().equals(OutputElement.RETURN_NAME)) {
               error(
                   output.line(),
                   where,
@@ -283,10 +282,6 @@ final class ModelAgainstActivity {
               + ", nor one of the output data ports "
               + outputPorts.stream().map(Port.Data::name).toList());
     }
-  }
-
-  private static boolean isVoid(DataType type) {
-    return type.equals(new DataType.Scalar(ScalarType.VOID));
   }
 
   /**

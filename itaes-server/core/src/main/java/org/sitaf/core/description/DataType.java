@@ -14,6 +14,11 @@ public sealed interface DataType {
     return List.of();
   }
 
+  /** Whether a method of this return type returns nothing. */
+  default boolean isVoid() {
+    return this instanceof Scalar scalar && scalar.type() == ScalarType.VOID;
+  }
+
   /** The type of a member; {@link Unknown} if there is no such member. */
   default DataType member(String name) {
     return new Unknown("");

@@ -227,7 +227,7 @@ final class TestModelReader {
                   || s.type() == ScalarType.STRING
                   || s.type() == ScalarType.CHAR;
           case "BOOLEAN" -> isBoolean(type) || type instanceof DataType.Unknown;
-          case "VOID" -> type.equals(new DataType.Scalar(ScalarType.VOID));
+          case "VOID" -> type.isVoid();
           case "ENUM", "STRUCT", "SEQUENCE" -> true;
           default -> {
             diagnostics.error(

@@ -7,7 +7,6 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.sitaf.core.description.DataType;
-import org.sitaf.core.description.ScalarType;
 import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.expression.EvaluationException;
 import org.sitaf.core.expression.Expression;
@@ -120,7 +119,7 @@ final class Oracle {
     if (result instanceof String text && text.startsWith(Value.ERROR_PREFIX)) {
       return text;
     }
-    if (type.equals(new DataType.Scalar(ScalarType.VOID))) {
+    if (type.isVoid()) {
       if (!(result instanceof NullValue)) {
         throw new IllegalArgumentException(
             "the method returns nothing; expect null or an error such as \"!error:NAME\", not "

@@ -67,17 +67,18 @@ final class Expectations {
               "",
               "the test application recorded no value of the output '" + output + "'"));
     }
+    Optional<OutputElement> element = model.output(output);
     if (stripped.startsWith(ERROR)) {
+      boolean valueless = element.isPresent() && element.get().type().isVoid();
       return Optional.of(
           new Mismatch(
               Verdict.FAIL,
               "",
               "expected the error "
                   + stripped.substring(ERROR.length())
-                  + ", but it returned "
-                  + Literals.shortened(actual)));
+                  + ", but it returned"
+                  + (valueless ? "" : " " + Literals.shortened(actual))));
     }
-    Optional<OutputElement> element = model.output(output);
     if (actual.equals(Literals.NULL) && output.endsWith("]") && !literal.equals(actual)) {
       return Optional.of(
           new Mismatch(

@@ -116,9 +116,10 @@ final class BridgeProcess {
 
   private static SimulatorException failed(
       ConfinedProcess process, Path folder, BridgeOutput output, String reason) {
+    // Before its streams are closed, which would discard what it wrote last.
+    String lastLine = output.lastLine();
     end(process, folder);
-    return new SimulatorException(
-        "the simulator could not be started: " + reason + output.lastLine());
+    return new SimulatorException("the simulator could not be started: " + reason + lastLine);
   }
 
   private static Path newFolder(Path directory) throws IOException {

@@ -225,7 +225,7 @@ class BuildRunTest {
     assertThat(result.cases())
         .extracting(c -> c.verdict())
         .containsExactly(Verdict.ERROR, Verdict.PASS);
-    assertThat(result.cases().get(0).message()).contains("it makes a text of", "1,000,000");
+    assertThat(result.cases().get(0).message()).contains("it creates a string of", "1,000,000");
   }
 
   @Test

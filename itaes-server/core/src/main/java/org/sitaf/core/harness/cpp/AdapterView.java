@@ -110,7 +110,7 @@ record AdapterView(
                 + ".";
     return head(0, name + "::", method, ") {")
         + "\n  // Delegate the call to the component"
-        + (HarnessPlan.isVoid(method.returnType()) ? "." : " and return its result.")
+        + (method.returnType().isVoid() ? "." : " and return its result.")
         + errors
         + "\n  throw std::logic_error("
         + CppText.string(method.name() + " is not implemented yet")

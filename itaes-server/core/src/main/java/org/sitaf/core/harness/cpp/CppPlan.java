@@ -113,8 +113,7 @@ record CppPlan(
         }
         String name =
             method.method().name() + (parameter == null ? "" : Words.raised(parameter.name()));
-        String type =
-            HarnessPlan.isVoid(answer.type()) ? "runtime::Nothing" : CppType.of(answer.type());
+        String type = answer.type().isVoid() ? "runtime::Nothing" : CppType.of(answer.type());
         answers.add(new Answers(members.local(name), parameter, type, List.of(planned)));
       }
       methods.add(new StubMethod(method, answers));

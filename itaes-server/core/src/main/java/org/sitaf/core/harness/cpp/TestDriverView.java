@@ -224,7 +224,7 @@ record TestDriverView(
 
   private static String output(CppPlan plan, Output output) {
     String name = CppText.string(output.name());
-    if (HarnessPlan.isVoid(output.type())) {
+    if (output.type().isVoid()) {
       return CppText.list(2, "result.recordReturn(", List.of(name), ");");
     }
     List<Step> path = output.source().path();

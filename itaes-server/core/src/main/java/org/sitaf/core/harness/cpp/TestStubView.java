@@ -177,7 +177,7 @@ record TestStubView(
       }
     }
     CppPlan.Answers returned = method.returned();
-    if (HarnessPlan.isVoid(prototype.returnType())) {
+    if (prototype.returnType().isVoid()) {
       if (returned != null) {
         body.add("  " + returned.member() + "_.give(call);");
       }

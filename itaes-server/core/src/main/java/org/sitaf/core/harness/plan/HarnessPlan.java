@@ -11,7 +11,6 @@ import org.sitaf.core.description.InterfaceDescription;
 import org.sitaf.core.description.MemberPath.Step;
 import org.sitaf.core.description.Method;
 import org.sitaf.core.description.Parameter;
-import org.sitaf.core.description.ScalarType;
 import org.sitaf.core.model.Value;
 
 /**
@@ -256,7 +255,7 @@ public record HarnessPlan(
 
   /** Whether the method under test returns nothing. */
   public boolean returnsNothing() {
-    return isVoid(method.returnType());
+    return method.returnType().isVoid();
   }
 
   /**
@@ -272,10 +271,5 @@ public record HarnessPlan(
     return name.substring(
         Math.max(Math.max(name.lastIndexOf(':'), name.lastIndexOf('/')), name.lastIndexOf('.'))
             + 1);
-  }
-
-  /** Whether a type is {@code void}. */
-  public static boolean isVoid(DataType type) {
-    return type instanceof DataType.Scalar scalar && scalar.type() == ScalarType.VOID;
   }
 }

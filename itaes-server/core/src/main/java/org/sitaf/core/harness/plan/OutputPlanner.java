@@ -40,7 +40,7 @@ final class OutputPlanner {
   }
 
   List<Output> plan() {
-    if (!HarnessPlan.isVoid(method.returnType())) {
+    if (!method.returnType().isVoid()) {
       Optional<OutputElement> element =
           model.outputs().stream()
               .filter(o -> o.kind() == OutputKind.RETURN && isWhole(o))
@@ -68,7 +68,7 @@ final class OutputPlanner {
   private void plan(OutputElement element) {
     switch (element.kind()) {
       case RETURN -> {
-        if (HarnessPlan.isVoid(method.returnType())) {
+        if (method.returnType().isVoid()) {
           add(element.name(), new Source.Returned(List.of()), method.returnType(), element);
         } else if (!isWhole(element)) {
           part(element, method.returnType())

@@ -160,7 +160,7 @@ final class StubPlanner {
     int fromCall = name.group(4) == null ? 1 : Integer.parseInt(name.group(4));
     if (name.group(3) == null) {
       boolean plain = isPlain(column);
-      if (plain && HarnessPlan.isVoid(method.returnType())) {
+      if (plain && method.returnType().isVoid()) {
         problem(
             column,
             method.name()

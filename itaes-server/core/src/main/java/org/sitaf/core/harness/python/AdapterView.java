@@ -93,8 +93,7 @@ record AdapterView(
                 .map(p -> scope.local(p.name()))
                 .toList(),
             List.of());
-    boolean answers =
-        !HarnessPlan.isVoid(method.returnType()) || !planned.parameters(true).isEmpty();
+    boolean answers = !method.returnType().isVoid() || !planned.parameters(true).isEmpty();
     String errors =
         method.raises().isEmpty()
             ? ""

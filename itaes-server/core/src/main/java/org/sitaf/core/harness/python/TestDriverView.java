@@ -171,7 +171,7 @@ record TestDriverView(
       PythonType.importKind(answer.neutral().type(), imports);
     }
     for (Output output : neutral.outputs()) {
-      if (HarnessPlan.isVoid(output.type())) {
+      if (output.type().isVoid()) {
         continue;
       }
       PythonType.importKind(output.type(), imports);
@@ -255,7 +255,7 @@ record TestDriverView(
   private static String output(PythonPlan plan, Output output) {
     List<String> arguments = new ArrayList<>();
     arguments.add(PythonText.string(output.name()));
-    if (HarnessPlan.isVoid(output.type())) {
+    if (output.type().isVoid()) {
       return new Group("result.record_return(", arguments, ")").at(8);
     }
     arguments.add(expression(plan, output.source()));

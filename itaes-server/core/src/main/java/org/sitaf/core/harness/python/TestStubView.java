@@ -6,7 +6,6 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.sitaf.core.description.Parameter;
-import org.sitaf.core.harness.plan.HarnessPlan;
 import org.sitaf.core.harness.python.PythonPlan.Answer;
 import org.sitaf.core.harness.python.PythonPlan.Stub;
 import org.sitaf.core.harness.python.PythonPlan.StubMethod;
@@ -130,7 +129,7 @@ record TestStubView(
 
   private static String returned(StubMethod method) {
     List<String> parts = new ArrayList<>();
-    if (!HarnessPlan.isVoid(method.neutral().method().returnType())) {
+    if (!method.neutral().method().returnType().isVoid()) {
       parts.add(PythonType.hint(method.neutral().method().returnType()));
     }
     method.parameters(true).forEach(p -> parts.add(PythonType.hint(p.type())));
@@ -149,7 +148,7 @@ record TestStubView(
     for (Stub stub : plan.stubs()) {
       imports.add("sitaf_interfaces", stub.name());
       for (StubMethod method : stub.methods()) {
-        if (!HarnessPlan.isVoid(method.neutral().method().returnType())) {
+        if (!method.neutral().method().returnType().isVoid()) {
           PythonType.importKind(method.neutral().method().returnType(), imports);
         }
         method

@@ -12,7 +12,6 @@ import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.harness.java.plan.JavaPlan.Interface;
 import org.sitaf.core.harness.java.plan.JavaPlan.JavaParameter;
 import org.sitaf.core.harness.java.plan.JavaPlan.Signature;
-import org.sitaf.core.harness.plan.HarnessPlan;
 
 /** Plans interfaces in Java. */
 final class JavaInterfaces {
@@ -48,7 +47,7 @@ final class JavaInterfaces {
       return Optional.empty();
     }
     List<JavaParameter> parameters = parameters(source, method);
-    boolean isVoid = HarnessPlan.isVoid(method.returnType());
+    boolean isVoid = method.returnType().isVoid();
     Optional<JavaType> returns = JavaType.of(method.returnType());
     if (!isVoid && returns.isEmpty()) {
       unknown(source, method, "its return type", method.returnType());

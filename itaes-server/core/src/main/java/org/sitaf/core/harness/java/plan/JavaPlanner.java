@@ -235,7 +235,7 @@ public final class JavaPlanner {
       outputs.add(
           new Output(
               output.name(),
-              HarnessPlan.isVoid(output.type()) ? null : expression(source, arguments),
+              output.type().isVoid() ? null : expression(source, arguments),
               !source.path().isEmpty(),
               source instanceof Source.Observation));
     }
