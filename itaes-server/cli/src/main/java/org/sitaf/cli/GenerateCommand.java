@@ -13,7 +13,7 @@ import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.model.InvalidValues;
 import org.sitaf.core.model.Strength;
 import org.sitaf.core.model.TestModel;
-import org.sitaf.core.model.TestModelXml;
+import org.sitaf.core.model.document.TestModelXml;
 import org.sitaf.core.suite.GeneratedSuite;
 import org.sitaf.core.suite.GenerationOptions;
 import org.sitaf.core.suite.TestCaseGenerator;

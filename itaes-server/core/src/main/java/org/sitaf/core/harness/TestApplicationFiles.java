@@ -8,7 +8,7 @@ import org.sitaf.core.activity.Activity;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.model.TestModel;
-import org.sitaf.core.model.TestModelXml;
+import org.sitaf.core.model.document.TestModelXml;
 import org.sitaf.core.suite.TestSuite;
 import org.sitaf.core.suite.document.TestSuiteXml;
 

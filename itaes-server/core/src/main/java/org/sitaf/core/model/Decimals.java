@@ -3,7 +3,7 @@ package org.sitaf.core.model;
 import java.math.BigDecimal;
 
 /** Parses decimal numbers of documents. */
-final class Decimals {
+public final class Decimals {
   /**
    * Maximum number of digits before and after the point, so hostile input such as 1e999999999
    * cannot exhaust memory.
@@ -17,7 +17,7 @@ final class Decimals {
    *
    * @throws IllegalArgumentException if the text is not a number or has too many digits
    */
-  static BigDecimal parse(String text) {
+  public static BigDecimal parse(String text) {
     try {
       BigDecimal number = new BigDecimal(text.strip());
       long integerDigits = (long) number.precision() - number.scale();

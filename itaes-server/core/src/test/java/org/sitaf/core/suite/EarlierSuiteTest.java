@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.sitaf.core.combine.Effort;
 import org.sitaf.core.diagnostic.Diagnostic;
 import org.sitaf.core.model.TestModel;
-import org.sitaf.core.model.TestModelXml;
+import org.sitaf.core.model.document.TestModelXml;
 
 /** A suite of a changed model keeps existing cases, and numbers of cases are never reused. */
 class EarlierSuiteTest {

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.sitaf.core.combine.Effort;
 import org.sitaf.core.model.InvalidValues;
 import org.sitaf.core.model.TestModel;
-import org.sitaf.core.model.TestModelXml;
+import org.sitaf.core.model.document.TestModelXml;
 import org.sitaf.core.suite.document.TestSuiteXml;
 
 /**

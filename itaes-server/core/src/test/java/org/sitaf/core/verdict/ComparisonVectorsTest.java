@@ -16,8 +16,8 @@ import org.sitaf.core.description.ScalarType;
 import org.sitaf.core.model.OutputElement;
 import org.sitaf.core.model.OutputKind;
 import org.sitaf.core.model.TestModel;
-import org.sitaf.core.model.TestModelXml;
 import org.sitaf.core.model.Tolerance;
+import org.sitaf.core.model.document.TestModelXml;
 import org.sitaf.core.suite.ExpectedValue;
 import org.sitaf.core.suite.TestCase;
 

@@ -20,7 +20,7 @@ import org.sitaf.core.description.Method;
 import org.sitaf.core.description.Parameter;
 import org.sitaf.core.description.ScalarType;
 import org.sitaf.core.model.TestModel;
-import org.sitaf.core.model.TestModelXml;
+import org.sitaf.core.model.document.TestModelXml;
 import org.sitaf.core.suite.GenerationOptions;
 import org.sitaf.core.suite.TestCaseGenerator;
 import org.sitaf.core.verdict.document.CaseRecordLine;

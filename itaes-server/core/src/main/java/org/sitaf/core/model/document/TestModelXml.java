@@ -1,9 +1,10 @@
-package org.sitaf.core.model;
+package org.sitaf.core.model.document;
 
 import java.io.InputStream;
 import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.document.ElementLines;
 import org.sitaf.core.document.XmlDocuments;
+import org.sitaf.core.model.TestModel;
 import org.sitaf.schemas.TestModelDocument;
 
 /** Reads test model documents (schemas/test_model.xsd). */
@@ -19,7 +20,7 @@ public final class TestModelXml {
   public static TestModel read(InputStream document, String file) {
     Diagnostics diagnostics = new Diagnostics();
     ElementLines lines =
-        new ElementLines(TestModelReader.PRE_CONDITION, TestModelReader.POST_CONDITION);
+        new ElementLines(ConditionReader.PRE_CONDITION, ConditionReader.POST_CONDITION);
     TestModelDocument root =
         XmlDocuments.read(
             document, file, "test_model", TestModelDocument.class, diagnostics, lines);

@@ -1,4 +1,4 @@
-package org.sitaf.core.model;
+package org.sitaf.core.model.document;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -10,6 +10,9 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.sitaf.core.diagnostic.Diagnostic;
 import org.sitaf.core.diagnostic.InvalidInputException;
+import org.sitaf.core.model.InputKind;
+import org.sitaf.core.model.InvalidValues;
+import org.sitaf.core.model.TestModel;
 
 class TestModelXmlTest {
   private static TestModel read(String xml) {

@@ -1,4 +1,4 @@
-package org.sitaf.core.model;
+package org.sitaf.core.model.document;
 
 import jakarta.xml.bind.JAXBElement;
 import java.math.BigDecimal;
@@ -9,8 +9,10 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.ScalarType;
-import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.document.XmlDocuments;
+import org.sitaf.core.model.Decimals;
+import org.sitaf.core.model.EquivalenceClass;
+import org.sitaf.core.model.TestSpec;
 import org.sitaf.core.model.TestSpec.Distribution;
 import org.sitaf.core.model.TestSpec.WeightedRange;
 import org.sitaf.schemas.EquivClassType;
@@ -23,15 +25,13 @@ import org.sitaf.schemas.WeightedRangeType;
 final class TestSpecReader {
   private static final int MAX_COUNT = 1_000_000;
 
-  private final String file;
+  private final Problems problems;
   private final String where;
-  private final Diagnostics diagnostics;
   private int line;
 
-  TestSpecReader(String file, String where, Diagnostics diagnostics) {
-    this.file = file;
+  TestSpecReader(Problems problems, String where) {
+    this.problems = problems;
     this.where = where;
-    this.diagnostics = diagnostics;
   }
 
   /**
@@ -46,8 +46,7 @@ final class TestSpecReader {
       case "RANDOM" -> randomNumbers(spec, type);
       case "RANDOM_STRING" -> randomStrings(spec, type);
       default -> {
-        diagnostics.error(
-            file,
+        problems.error(
             line,
             where,
             "type must be ECP, BVA, RANDOM or RANDOM_STRING, not '" + spec.getType() + "'");
@@ -191,8 +190,7 @@ final class TestSpecReader {
     if (type instanceof DataType.Scalar scalar
         && scalar.type() != ScalarType.STRING
         && scalar.type() != ScalarType.CHAR) {
-      diagnostics.error(
-          file,
+      problems.error(
           line,
           where,
           "RANDOM_STRING generates strings, but the real_type is " + scalar.typeName());
@@ -340,12 +338,7 @@ final class TestSpecReader {
   }
 
   private <T> Optional<T> attempt(String entry, Supplier<T> reading) {
-    try {
-      return Optional.of(reading.get());
-    } catch (IllegalArgumentException e) {
-      diagnostics.error(file, line, where + "/" + entry, String.valueOf(e.getMessage()));
-      return Optional.empty();
-    }
+    return problems.attempt(line, where + "/" + entry, reading);
   }
 
   private static String required(@Nullable String text, String message) {
