@@ -6,9 +6,11 @@ import dev.cel.common.navigation.CelNavigableAst;
 import dev.cel.common.navigation.CelNavigableExpr;
 import dev.cel.runtime.CelEvaluationException;
 import dev.cel.runtime.CelRuntime;
+import dev.cel.runtime.CelVariableResolver;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.concurrent.CancellationException;
@@ -20,6 +22,9 @@ import java.util.concurrent.CancellationException;
 public final class Expression {
   /** Maximum length of an expression in a message, since each case of a suite may contain one. */
   private static final int MAX_SHOWN = 500;
+
+  private static final Set<String> COMPARISONS =
+      Set.of("_<_", "_<=_", "_>_", "_>=_", "_==_", "_!=_");
 
   private final String text;
   private final CelAbstractSyntaxTree ast;
@@ -55,6 +60,42 @@ public final class Expression {
     return text.length() <= MAX_SHOWN ? text : text.substring(0, MAX_SHOWN) + "…";
   }
 
+  /** The variables that the expression uses. */
+  public Set<String> variables() {
+    return names;
+  }
+
+  /**
+   * A comparison.
+   *
+   * @param operator one of {@code < <= > >= == !=}
+   */
+  public record Comparison(Expression left, String operator, Expression right) {}
+
+  /** The two sides, if the expression is a comparison. */
+  public Optional<Comparison> comparison() {
+    CelExpr root = ast.getExpr();
+    if (root.getKind() != CelExpr.ExprKind.Kind.CALL
+        || !COMPARISONS.contains(root.call().function())) {
+      return Optional.empty();
+    }
+    return Optional.of(
+        new Comparison(
+            part(root.call().args().get(0)),
+            root.call().function().replace("_", ""),
+            part(root.call().args().get(1))));
+  }
+
+  /**
+   * Prepares many evaluations with rows of numbers.
+   *
+   * @param columns names of the variables in each row
+   * @param fixed values of all other variables
+   */
+  public RowExpression overRows(List<String> columns, Map<String, Object> fixed) {
+    return new RowExpression(this, columns, fixed);
+  }
+
   /** Whether the expression uses a variable. */
   public boolean mentions(String variable) {
     return names.contains(variable);
@@ -70,21 +111,20 @@ public final class Expression {
     if (parts.size() == 1) {
       return List.of(this);
     }
-    List<Expression> expressions = new ArrayList<>();
-    for (CelExpr part : parts) {
-      try {
-        expressions.add(
-            new Expression(
-                text,
-                CelAbstractSyntaxTree.newCheckedAst(
-                    part, ast.getSource(), ast.getReferenceMap(), ast.getTypeMap()),
-                runtime));
-      } catch (CelEvaluationException e) {
-        throw new IllegalStateException(
-            "an operand of a valid expression does not compile: " + text, e);
-      }
+    return parts.stream().map(this::part).toList();
+  }
+
+  /** A part of this expression with the text of the whole. */
+  private Expression part(CelExpr part) {
+    try {
+      return new Expression(
+          text,
+          CelAbstractSyntaxTree.newCheckedAst(
+              part, ast.getSource(), ast.getReferenceMap(), ast.getTypeMap()),
+          runtime);
+    } catch (CelEvaluationException e) {
+      throw new IllegalStateException("a part of a valid expression does not compile: " + text, e);
     }
-    return expressions;
   }
 
   private static void conjuncts(CelExpr node, List<CelExpr> parts) {
@@ -116,11 +156,23 @@ public final class Expression {
    * @throws CancellationException if the thread is interrupted
    */
   public Object evaluate(Map<String, Object> variables) throws EvaluationException {
+    return evaluate((StepMeter meter) -> program.trace(variables, meter));
+  }
+
+  Object evaluate(CelVariableResolver variables) throws EvaluationException {
+    return evaluate((StepMeter meter) -> program.trace(variables, meter));
+  }
+
+  private interface Evaluation {
+    Object run(StepMeter meter) throws CelEvaluationException;
+  }
+
+  private Object evaluate(Evaluation evaluation) throws EvaluationException {
     if (Thread.currentThread().isInterrupted()) {
       throw new CancellationException("the evaluation was interrupted");
     }
     try {
-      return program.trace(variables, new StepMeter(roles));
+      return evaluation.run(new StepMeter(roles));
     } catch (StepMeter.Stopped e) {
       if (e.interrupted()) {
         throw new CancellationException(e.getMessage());

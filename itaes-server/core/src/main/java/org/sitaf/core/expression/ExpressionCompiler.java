@@ -36,12 +36,20 @@ public final class ExpressionCompiler {
    * typed.
    */
   public ExpressionCompiler(Collection<String> variables) {
+    this(Scope.untyped(variables));
+  }
+
+  /** Creates a compiler for the names of a scope. */
+  public ExpressionCompiler(Scope scope) {
     CelCompilerBuilder builder =
         CelCompilerFactory.standardCelCompilerBuilder()
             .setOptions(ExpressionLimits.OPTIONS)
             .setStandardMacros(dev.cel.parser.CelStandardMacro.STANDARD_MACROS);
-    variables.forEach(
-        name -> builder.addVar(name, name.equals(Variables.CALLS) ? CALLS : SimpleType.DYN));
+    scope
+        .variables()
+        .keySet()
+        .forEach(
+            name -> builder.addVar(name, name.equals(Variables.CALLS) ? CALLS : SimpleType.DYN));
     compiler = builder.build();
     runtime =
         CelRuntimeFactory.standardCelRuntimeBuilder().setOptions(ExpressionLimits.OPTIONS).build();
