@@ -159,6 +159,9 @@ final class ModelAgainstActivity {
       return;
     }
     for (TestValue value : TestDataGenerator.generate(input, 1).values()) {
+      if (value.relation() != null) {
+        continue;
+      }
       Optional<Double> number = number(value.value());
       if (number.isEmpty()) {
         error(

@@ -6,6 +6,7 @@ import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.IntStream;
 import org.sitaf.core.combine.CoveringArray.TupleReport;
 import org.sitaf.core.combine.coverage.ColumnSets;
 import org.sitaf.core.combine.coverage.Row;
@@ -46,21 +47,62 @@ public final class TestDataCombinator {
     boolean product = sets.isProduct();
     checkSize(symbols, sets, product);
     Feasibility feasibility = new Feasibility(symbols, problem.constraints());
-    List<Integer> rejected = new ArrayList<>();
-    List<int[]> allowed = new ArrayList<>();
-    for (int i = 0; i < problem.seeds().size(); i++) {
-      if (isAllowed(new Row(symbols, problem.seeds().get(i)), feasibility)) {
-        allowed.add(problem.seeds().get(i));
-      } else {
-        rejected.add(i);
-      }
-    }
-    CombinationProblem kept = problem.withSeeds(allowed);
+    List<Integer> rejected = rejectedSeeds(problem, symbols, feasibility);
+    CombinationProblem kept = without(rejected, problem);
     CoveringArray array =
         product
             ? product(kept, symbols, feasibility)
             : new Combination(kept, symbols, sets.list(), feasibility, effort, progress).run(seed);
     return new CoveringArray(array.rows(), array.tuples(), array.optimal(), rejected);
+  }
+
+  /**
+   * Grows rows that cover as many tuples as fit.
+   *
+   * @param limit maximum number of rows; more are returned only if more are needed
+   * @param eachValue whether each possible value must occur
+   * @throws TooManyCombinationsException if there are more than {@link #MAX_TUPLES} tuples
+   * @throws WideConstraintException if a constraint relates too many combinations of values
+   * @throws java.util.concurrent.CancellationException if the thread is interrupted
+   */
+  public GrownArray grow(
+      CombinationProblem problem, int limit, boolean eachValue, long seed, Progress progress) {
+    Symbols symbols = new Symbols(problem.levels());
+    ColumnSets sets = new ColumnSets(symbols, problem.interactions());
+    checkSize(symbols, sets, false);
+    Feasibility feasibility = new Feasibility(symbols, problem.constraints());
+    List<Integer> rejected = rejectedSeeds(problem, symbols, feasibility);
+    GrownArray grown =
+        new Growth(without(rejected, problem), symbols, sets.list(), feasibility, seed)
+            .grow(limit, eachValue, progress);
+    return new GrownArray(grown.rows(), grown.needed(), grown.covered(), grown.tuples(), rejected);
+  }
+
+  /** The tuples that rows do not cover, by pairs of parameters. */
+  public GrownArray.Losses losses(CombinationProblem problem, List<int[]> rows) {
+    Symbols symbols = new Symbols(problem.levels());
+    List<int[]> sets = new ColumnSets(symbols, problem.interactions()).list();
+    Feasibility feasibility = new Feasibility(symbols, problem.constraints());
+    return new Growth(problem, symbols, sets, feasibility, 0).losses(rows);
+  }
+
+  private static List<Integer> rejectedSeeds(
+      CombinationProblem problem, Symbols symbols, Feasibility feasibility) {
+    List<int[]> seeds = problem.seeds();
+    return IntStream.range(0, seeds.size())
+        .filter(i -> !isAllowed(new Row(symbols, seeds.get(i)), feasibility))
+        .boxed()
+        .toList();
+  }
+
+  private static CombinationProblem without(List<Integer> rejected, CombinationProblem problem) {
+    List<int[]> seeds = problem.seeds();
+    Set<Integer> omitted = new HashSet<>(rejected);
+    return problem.withSeeds(
+        IntStream.range(0, seeds.size())
+            .filter(i -> !omitted.contains(i))
+            .mapToObj(seeds::get)
+            .toList());
   }
 
   /**

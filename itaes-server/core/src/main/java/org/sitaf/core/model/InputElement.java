@@ -2,7 +2,6 @@ package org.sitaf.core.model;
 
 import java.util.List;
 import java.util.Objects;
-import org.jspecify.annotations.Nullable;
 import org.sitaf.core.description.DataType;
 
 /**
@@ -10,7 +9,7 @@ import org.sitaf.core.description.DataType;
  *
  * @param realType type as written in the model
  * @param type resolved type
- * @param spec how values are generated; null if only user values are used
+ * @param specs how values are generated; the values are the union of all
  * @param userValues values that the user lists
  * @param line line in the model, from 1; 0 if unknown
  */
@@ -20,7 +19,7 @@ public record InputElement(
     String realType,
     DataType type,
     String description,
-    @Nullable TestSpec spec,
+    List<TestSpec> specs,
     List<Value> userValues,
     int line) {
   public InputElement {
@@ -29,11 +28,12 @@ public record InputElement(
     Objects.requireNonNull(realType);
     Objects.requireNonNull(type);
     Objects.requireNonNull(description);
+    specs = List.copyOf(specs);
     userValues = List.copyOf(userValues);
   }
 
   /** A copy with another resolved type. */
   public InputElement withType(DataType resolved) {
-    return new InputElement(name, kind, realType, resolved, description, spec, userValues, line);
+    return new InputElement(name, kind, realType, resolved, description, specs, userValues, line);
   }
 }

@@ -7,6 +7,7 @@ import java.util.Optional;
 /**
  * The test specifications of one method (paper, Fig. 4).
  *
+ * @param maxCases maximum number of cases, at least 1
  * @param source name of the document
  */
 public record TestModel(
@@ -21,7 +22,11 @@ public record TestModel(
     Strength strength,
     List<MixedStrength> mixedStrengths,
     List<KeptCase> keptCases,
+    int maxCases,
     String source) {
+  /** The number of cases is not bounded by the model. */
+  public static final int UNBOUNDED = Integer.MAX_VALUE;
+
   public TestModel {
     Objects.requireNonNull(name);
     Objects.requireNonNull(description);
@@ -51,6 +56,7 @@ public record TestModel(
         strength,
         mixedStrengths,
         keptCases,
+        maxCases,
         source);
   }
 
@@ -68,6 +74,7 @@ public record TestModel(
         strength,
         mixedStrengths,
         keptCases,
+        maxCases,
         source);
   }
 

@@ -2,33 +2,26 @@ package org.sitaf.core.suite;
 
 import java.math.BigInteger;
 import java.util.ArrayList;
-import java.util.HashMap;
-import java.util.IdentityHashMap;
-import java.util.LinkedHashSet;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
-import java.util.Objects;
 import java.util.Optional;
-import java.util.Set;
-import java.util.stream.Collectors;
+import java.util.function.Predicate;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.combine.CombinationProblem;
 import org.sitaf.core.combine.Constraint;
 import org.sitaf.core.combine.CoveringArray;
-import org.sitaf.core.combine.Interaction;
 import org.sitaf.core.combine.Progress;
 import org.sitaf.core.combine.TestDataCombinator;
+import org.sitaf.core.combine.TooManyCombinationsException;
 import org.sitaf.core.diagnostic.Diagnostic;
 import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.diagnostic.InvalidInputException;
-import org.sitaf.core.expression.Expression;
-import org.sitaf.core.expression.Variables;
-import org.sitaf.core.model.MixedStrength;
+import org.sitaf.core.model.InvalidValues;
 import org.sitaf.core.model.Strength;
 import org.sitaf.core.model.TestModel;
-import org.sitaf.core.model.Value;
 import org.sitaf.core.value.TestData;
 import org.sitaf.core.value.TestValue;
 
@@ -47,16 +40,16 @@ final class CaseCombination {
   private final GenerationOptions options;
   private final Diagnostics diagnostics;
   private final Progress progress;
-  private final List<KeptCases.Kept> keptCases;
-  private final List<List<TestValue>> kept;
+  private final RelatedInputs related;
+  private final KeptRows kept;
   private final ImpossibleCombinations impossible;
   private final ConditionConstraints constraints;
+  private final PartProblems problems;
 
-  /** For each fixed parameter, the kept cases by its value. */
-  private final Map<Integer, Map<Value, List<KeptCases.Kept>>> keptByValue = new HashMap<>();
+  /** The number of tuples of all parts that are combined so far. */
+  private long required;
 
-  /** The index of each value in a list of candidates. Only used for kept cases. */
-  private final Map<List<TestValue>, Map<Value, Integer>> indices = new IdentityHashMap<>();
+  private Generation.@Nullable Tuples tuples;
 
   CaseCombination(
       TestModel model,
@@ -75,28 +68,85 @@ final class CaseCombination {
     this.diagnostics = diagnostics;
     this.progress = progress;
     this.impossible = new ImpossibleCombinations(model);
-    this.constraints = new ConditionConstraints(model, conditions.pre());
-    this.keptCases = keptCases.all().stream().filter(this::isAllowed).toList();
+    this.related = new RelatedInputs(model, data);
+    this.constraints = new ConditionConstraints(model, conditions.pre(), related);
     this.kept =
-        this.keptCases.stream().filter(KeptCases.Kept::isComplete).map(this::keptRow).toList();
+        new KeptRows(model, data, keptCases, conditions.pre(), constraints, related, diagnostics);
+    this.problems = new PartProblems(model, strength, constraints, related, kept);
+  }
+
+  /** The rows of all cases. Two rows never have the same values. */
+  List<List<TestValue>> rows(InvalidValues invalidValues) {
+    related.report(data, diagnostics);
+    List<CasePart> parts = invalidValues == InvalidValues.ISOLATE ? isolated() : mixed();
+    diagnostics.throwIfErrors();
+    int most = options.maxCases() == null ? model.maxCases() : options.maxCases();
+    if (most == TestModel.UNBOUNDED) {
+      checkSize(parts);
+      return complete(parts);
+    }
+    CaseLimit limit = new CaseLimit(model, most, problems, kept, options.seed(), progress);
+    Optional<List<List<TestValue>>> fitting =
+        conditions.pre().isEmpty() && leastCases(parts).compareTo(BigInteger.valueOf(most)) > 0
+            ? Optional.empty()
+            : completeUpTo(most, parts);
+    if (fitting.isPresent()) {
+      tuples = new Generation.Tuples(required, required);
+      return fitting.get();
+    }
+    List<List<TestValue>> rows = limit.rows(parts, diagnostics);
+    tuples = limit.tuples();
+    return rows;
+  }
+
+  /** The covered tuples; null if the number of cases is not bounded. */
+  Generation.@Nullable Tuples tuples() {
+    return tuples;
+  }
+
+  private Optional<List<List<TestValue>>> completeUpTo(int most, List<CasePart> parts) {
+    try {
+      List<List<TestValue>> rows = complete(parts);
+      return rows.size() <= most ? Optional.of(rows) : Optional.empty();
+    } catch (TooManyCombinationsException e) {
+      return Optional.empty();
+    }
+  }
+
+  private List<List<TestValue>> complete(List<CasePart> parts) {
+    DistinctRows rows = new DistinctRows();
+    rows.addAll(kept.rows());
+    for (CasePart part : parts) {
+      if (!part.single() || !rows.contains(part.held(), part.heldValue().value())) {
+        rows.addAll(combine(part));
+      }
+      if (rows.size() > MAX_CASES) {
+        throw tooMany("more than " + MAX_CASES);
+      }
+    }
+    impossible.report(diagnostics);
+    return rows.all();
   }
 
   /** Combines valid and invalid values alike. */
-  List<List<TestValue>> mixed() {
-    List<List<TestValue>> candidates = data.stream().map(TestData::values).toList();
-    Set<List<TestValue>> rows = new LinkedHashSet<>(kept);
-    rows.addAll(combine(candidates, -1, null));
-    impossible.report(diagnostics);
-    return List.copyOf(rows);
+  private List<CasePart> mixed() {
+    List<List<TestValue>> combined =
+        data.stream().map(d -> combined(d.values().stream()).toList()).toList();
+    List<CasePart> parts = new ArrayList<>();
+    parts.add(new CasePart(combined, -1, false, null));
+    held(combined, TestValue::each).forEach(h -> parts.add(h.part(combined, true, null)));
+    return parts;
   }
 
   /**
    * Combines all t-tuples of valid values in valid cases, and each invalid value with all
    * (t-1)-tuples of valid values of the other parameters. One error can then not mask another.
    */
-  List<List<TestValue>> isolated() {
+  private List<CasePart> isolated() {
     List<List<TestValue>> valid =
-        data.stream().map(d -> d.values().stream().filter(TestValue::valid).toList()).toList();
+        data.stream()
+            .map(d -> combined(d.values().stream().filter(TestValue::valid)).toList())
+            .toList();
     for (int p = 0; p < valid.size(); p++) {
       if (valid.get(p).isEmpty()) {
         diagnostics.error(
@@ -107,52 +157,78 @@ final class CaseCombination {
                 + " invalid_values to combine");
       }
     }
-    diagnostics.throwIfErrors();
-    checkSize(valid);
-    Set<List<TestValue>> rows = new LinkedHashSet<>(kept);
-    rows.addAll(combine(valid, -1, true));
+    List<CasePart> parts = new ArrayList<>();
+    parts.add(new CasePart(valid, -1, false, true));
+    held(valid, v -> v.each() && v.valid()).forEach(h -> parts.add(h.part(valid, true, true)));
+    held(valid, v -> !v.valid()).forEach(h -> parts.add(h.part(valid, h.value().each(), false)));
+    return parts;
+  }
+
+  /**
+   * The values that are combined. If all are special values with a case each, the other parameters
+   * are combined with the one next to zero.
+   */
+  private static Stream<TestValue> combined(Stream<TestValue> values) {
+    List<TestValue> all = values.toList();
+    return all.stream().allMatch(TestValue::each)
+        ? all.stream()
+            .min(Comparator.comparingDouble(v -> Math.abs(Double.parseDouble(v.value().literal()))))
+            .stream()
+        : all.stream().filter(v -> !v.each());
+  }
+
+  /** A value to which a parameter is fixed. */
+  private record Held(int parameter, TestValue value) {
+    CasePart part(List<List<TestValue>> others, boolean single, @Nullable Boolean valid) {
+      List<List<TestValue>> candidates = new ArrayList<>(others);
+      candidates.set(parameter, List.of(value));
+      return new CasePart(candidates, parameter, single, valid);
+    }
+  }
+
+  /** The values that are not combined and fulfil a condition. */
+  private List<Held> held(List<List<TestValue>> combined, Predicate<TestValue> wanted) {
+    List<Held> all = new ArrayList<>();
     for (int p = 0; p < data.size(); p++) {
       for (TestValue value : data.get(p).values()) {
-        if (!value.valid()) {
-          List<List<TestValue>> candidates = new ArrayList<>(valid);
-          candidates.set(p, List.of(value));
-          rows.addAll(combine(candidates, p, false));
-          if (rows.size() > MAX_CASES) {
-            throw tooMany("more than " + MAX_CASES);
-          }
+        if (wanted.test(value) && !combined.get(p).contains(value)) {
+          all.add(new Held(p, value));
         }
       }
     }
-    impossible.report(diagnostics);
-    return List.copyOf(rows);
+    return all;
   }
 
   /**
    * Rejects models that need too many cases. Models with pre-conditions may need fewer cases and
    * are not checked here.
    */
-  private void checkSize(List<List<TestValue>> valid) {
+  private void checkSize(List<CasePart> parts) {
     if (!conditions.pre().isEmpty()) {
       return;
     }
-    int[] levels = valid.stream().mapToInt(List::size).toArray();
-    BigInteger cases = atLeast(levels, strength.t(), -1);
-    for (int p = 0; p < levels.length; p++) {
-      long invalid = data.get(p).values().size() - levels[p];
-      cases = cases.add(BigInteger.valueOf(invalid).multiply(atLeast(levels, strength.t() - 1, p)));
-    }
+    BigInteger cases = leastCases(parts);
     if (cases.compareTo(BigInteger.valueOf(MAX_CASES)) > 0) {
       throw tooMany(String.format(Locale.ROOT, "at least %,d", cases));
     }
   }
 
-  /** The product of the largest levels, without those of one parameter. */
-  private static BigInteger atLeast(int[] levels, int strength, int but) {
-    return IntStream.range(0, levels.length)
-        .filter(p -> p != but)
-        .map(p -> -levels[p])
+  private BigInteger leastCases(List<CasePart> parts) {
+    return parts.stream()
+        .map(part -> part.valid() == null ? BigInteger.ONE : atLeast(part))
+        .reduce(BigInteger.ZERO, BigInteger::add);
+  }
+
+  /** The product of the largest numbers of values, without those of the fixed parameter. */
+  private BigInteger atLeast(CasePart part) {
+    if (part.single()) {
+      return BigInteger.ONE;
+    }
+    return IntStream.range(0, part.candidates().size())
+        .filter(p -> p != part.held())
+        .map(p -> -part.candidates().get(p).size())
         .sorted()
-        .limit(Math.max(0, strength))
+        .limit(Math.max(0, part.held() < 0 ? strength.t() : strength.t() - 1))
         .mapToObj(n -> BigInteger.valueOf(-n))
         .reduce(BigInteger.ONE, BigInteger::multiply);
   }
@@ -182,183 +258,24 @@ final class CaseCombination {
     return constraints.text(constraint);
   }
 
-  /**
-   * The interactions to cover. If a parameter is fixed to an invalid value, the strength among the
-   * other parameters is one less.
-   */
-  private List<Interaction> interactions(int held) {
-    List<Interaction> all = new ArrayList<>();
-    int[] everything = IntStream.range(0, data.size()).toArray();
-    add(all, strength, everything, held);
-    for (MixedStrength mixed : model.mixedStrengths()) {
-      int[] group =
-          IntStream.range(0, data.size())
-              .filter(i -> mixed.parameters().contains(model.inputs().get(i).name()))
-              .toArray();
-      if (held < 0 || IntStream.of(group).anyMatch(p -> p == held)) {
-        add(all, mixed.strength(), group, held);
-      }
-    }
-    return all;
-  }
-
-  private static void add(List<Interaction> all, Strength t, int[] parameters, int held) {
-    int[] free = IntStream.of(parameters).filter(p -> p != held).toArray();
-    int wanted = Math.min(t.t(), parameters.length) - (held < 0 ? 0 : 1);
-    if (wanted > 0 && free.length > 0) {
-      all.add(new Interaction(wanted, free));
-    }
-  }
-
-  /**
-   * Generates the rows of one covering array.
-   *
-   * @param held index of the parameter that is fixed to an invalid value; -1 if there is none
-   * @param valid whether all cases are valid or invalid; null if they differ
-   */
-  private List<List<TestValue>> combine(
-      List<List<TestValue>> candidates, int held, @Nullable Boolean valid) {
-    int[] levels = candidates.stream().mapToInt(List::size).toArray();
-    List<Interaction> interactions = interactions(held);
-    List<int[]> seeds = seeds(candidates, held);
-    if ((seeds.isEmpty() && IntStream.of(levels).allMatch(l -> l == 1)) || interactions.isEmpty()) {
-      // Nothing varies or no tuples are required: generate any one allowed case.
-      seeds.add(IntStream.of(levels).map(l -> CombinationProblem.FREE).toArray());
-    }
-    List<Constraint> conditionConstraints = constraints.constraints(candidates, valid);
+  /** Generates the rows of one part. */
+  private List<List<TestValue>> combine(CasePart part) {
+    CombinationProblem problem = problems.problem(part);
     CoveringArray array =
-        new TestDataCombinator()
-            .combine(
-                new CombinationProblem(levels, interactions, conditionConstraints, seeds),
-                options.effort(),
-                options.seed(),
-                progress);
-    impossible.add(array.tuples(), candidates, held);
-    if (held >= 0 && array.size() == 0) {
-      impossible.addValue(held, candidates);
+        new TestDataCombinator().combine(problem, options.effort(), options.seed(), progress);
+    impossible.add(array.tuples(), part.candidates(), part.held());
+    required += array.size() == 0 ? 0 : PartProblems.required(part, array.tuples().covered());
+    if (part.held() >= 0 && array.size() == 0) {
+      impossible.addValue(part.held(), part.candidates());
     }
+    List<int[]> seeds = problem.seeds();
     for (int rejected : array.rejectedSeeds()) {
-      reportDropped(seeds.get(rejected), candidates);
+      kept.reportDropped(seeds.get(rejected), part.candidates());
     }
     List<List<TestValue>> rows = new ArrayList<>();
     for (int[] row : array.rows()) {
-      rows.add(
-          IntStream.range(0, row.length).mapToObj(p -> candidates.get(p).get(row[p])).toList());
+      rows.add(problems.row(row, part));
     }
     return rows;
-  }
-
-  /** The kept cases that match the candidates, as rows of indices; free if a case has no value. */
-  private List<int[]> seeds(List<List<TestValue>> candidates, int held) {
-    List<int[]> seeds = new ArrayList<>();
-    for (KeptCases.Kept keptCase : keptCases(candidates, held)) {
-      int[] seed = new int[candidates.size()];
-      boolean fits = true;
-      for (int p = 0; p < seed.length; p++) {
-        Value value = keptCase.values().get(p);
-        // With a fixed invalid value, a case must contain this value.
-        boolean mustBeNamed = candidates.get(p).size() == 1 && !candidates.get(p).get(0).valid();
-        seed[p] = value == null ? CombinationProblem.FREE : indexOf(candidates.get(p), value);
-        fits &= value == null ? !mustBeNamed : seed[p] >= 0;
-      }
-      if (fits) {
-        seeds.add(seed);
-      }
-    }
-    return seeds;
-  }
-
-  /** The kept cases that can match: with a fixed parameter, those with its value. */
-  private List<KeptCases.Kept> keptCases(List<List<TestValue>> candidates, int held) {
-    if (held < 0 || keptCases.isEmpty()) {
-      return keptCases;
-    }
-    Map<Value, List<KeptCases.Kept>> byValue =
-        keptByValue.computeIfAbsent(
-            held,
-            p ->
-                keptCases.stream()
-                    .filter(k -> k.values().get(p) != null)
-                    .collect(
-                        Collectors.groupingBy(k -> Objects.requireNonNull(k.values().get(p)))));
-    return byValue.getOrDefault(candidates.get(held).get(0).value(), List.of());
-  }
-
-  private int indexOf(List<TestValue> candidates, Value value) {
-    if (candidates.size() == 1) {
-      return candidates.get(0).value().equals(value) ? 0 : -1;
-    }
-    return indices.computeIfAbsent(candidates, CaseCombination::index).getOrDefault(value, -1);
-  }
-
-  private static Map<Value, Integer> index(List<TestValue> candidates) {
-    Map<Value, Integer> index = new HashMap<>();
-    for (int i = 0; i < candidates.size(); i++) {
-      index.putIfAbsent(candidates.get(i).value(), i);
-    }
-    return index;
-  }
-
-  private void reportDropped(int[] seed, List<List<TestValue>> candidates) {
-    String values =
-        IntStream.range(0, seed.length)
-            .filter(p -> seed[p] != CombinationProblem.FREE)
-            .mapToObj(
-                p ->
-                    model.inputs().get(p).name()
-                        + "="
-                        + candidates.get(p).get(seed[p]).value().literal())
-            .collect(Collectors.joining(", "));
-    if (!values.isEmpty()) {
-      diagnostics.warning(
-          model.source(),
-          0,
-          "pre_condition_spec_list",
-          "the kept case with " + values + " violates the conditions and is dropped");
-    }
-  }
-
-  /**
-   * Whether a kept case satisfies the conditions. Incomplete cases are checked when they are
-   * completed.
-   */
-  private boolean isAllowed(KeptCases.Kept keptCase) {
-    if (!keptCase.isComplete()) {
-      return true;
-    }
-    List<TestValue> row = keptRow(keptCase);
-    Variables variables = new Variables();
-    for (int p = 0; p < row.size(); p++) {
-      variables.put(model.inputs().get(p).name(), row.get(p).value(), model.inputs().get(p).type());
-    }
-    variables.put(Variables.VALID, row.stream().allMatch(TestValue::valid));
-    Optional<Expression> broken =
-        conditions.pre().stream().filter(c -> !constraints.holds(c, variables)).findFirst();
-    broken.ifPresent(
-        c ->
-            diagnostics.warning(
-                model.source(),
-                constraints.line(c),
-                "pre_condition_spec_list",
-                "case "
-                    + keptCase.no()
-                    + " violates '"
-                    + c.text()
-                    + "' and is dropped; its number is not reused"));
-    return broken.isEmpty();
-  }
-
-  /**
-   * The values of a kept case. Values that the model no longer generates are treated as invalid.
-   */
-  private List<TestValue> keptRow(KeptCases.Kept keptCase) {
-    return IntStream.range(0, data.size())
-        .mapToObj(
-            p -> {
-              Value value = Objects.requireNonNull(keptCase.values().get(p));
-              int index = indexOf(data.get(p).values(), value);
-              return index >= 0 ? data.get(p).values().get(index) : new TestValue(value, false);
-            })
-        .toList();
   }
 }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
@@ -16,6 +17,7 @@ import org.sitaf.core.expression.Variables;
 import org.sitaf.core.model.Condition;
 import org.sitaf.core.model.InputElement;
 import org.sitaf.core.model.TestModel;
+import org.sitaf.core.model.Value;
 import org.sitaf.core.value.TestValue;
 
 /** Converts the pre-conditions of a model to constraints over candidate values. */
@@ -24,9 +26,12 @@ final class ConditionConstraints {
   private final List<Expression> conditions;
   private final Map<Constraint, Expression> conditionOf = new IdentityHashMap<>();
 
-  ConditionConstraints(TestModel model, List<Expression> conditions) {
+  private final RelatedInputs related;
+
+  ConditionConstraints(TestModel model, List<Expression> conditions, RelatedInputs related) {
     this.model = model;
     this.conditions = conditions;
+    this.related = related;
   }
 
   /**
@@ -120,9 +125,10 @@ final class ConditionConstraints {
       boolean @Nullable [] undecided) {
     boolean dependsOnAll = valid == null && condition.mentions(Variables.VALID);
     int[] parameters =
-        IntStream.range(0, candidates.size())
-            .filter(p -> dependsOnAll || mentions(condition, model.inputs().get(p).name()))
-            .toArray();
+        related.withFollowed(
+            IntStream.range(0, candidates.size())
+                .filter(p -> dependsOnAll || mentions(condition, model.inputs().get(p).name()))
+                .toArray());
     Constraint constraint =
         new Constraint(
             parameters,
@@ -132,7 +138,13 @@ final class ConditionConstraints {
               for (int i = 0; i < parameters.length; i++) {
                 TestValue value = candidates.get(parameters[i]).get(tuple[i]);
                 InputElement input = model.inputs().get(parameters[i]);
-                variables.put(input.name(), value.value(), input.type());
+                Optional<Value> resolved =
+                    related.resolve(parameters[i], RelatedInputs.at(parameters, tuple, candidates));
+                if (resolved.isEmpty()) {
+                  // Another constraint excludes this row.
+                  return true;
+                }
+                variables.put(input.name(), resolved.get(), input.type());
                 allValid &= value.valid();
               }
               variables.put(Variables.VALID, valid == null ? allValid : valid);

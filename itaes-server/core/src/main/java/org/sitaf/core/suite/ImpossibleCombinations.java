@@ -51,7 +51,9 @@ final class ImpossibleCombinations {
 
   /** Reports the collected combinations, if there are any. */
   void report(Diagnostics diagnostics) {
-    if (count > 0) {
+    // Without conditions, only related values that no type can hold are missing; RelatedInputs
+    // reports these.
+    if (count > 0 && !model.preConditions().isEmpty()) {
       diagnostics.warning(
           model.source(),
           0,

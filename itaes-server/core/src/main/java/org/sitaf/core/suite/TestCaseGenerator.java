@@ -64,12 +64,10 @@ public final class TestCaseGenerator {
 
     KeptCases kept = KeptCases.of(model, options.earlier(), diagnostics);
     List<TestData> data = values(model, options.seed(), diagnostics);
-    List<List<TestValue>> rows =
-        combine(
-            model,
-            new CaseCombination(
-                model, data, conditions, strength, options, kept, progress, diagnostics),
-            invalidValues);
+    CaseCombination combination =
+        new CaseCombination(
+            model, data, conditions, strength, options, kept, progress, diagnostics);
+    List<List<TestValue>> rows = combine(model, combination, invalidValues);
     if (rows.isEmpty()) {
       diagnostics.error(
           model.source(), 0, "pre_condition_spec_list", "no case satisfies the conditions");
@@ -88,7 +86,11 @@ public final class TestCaseGenerator {
                 invalidValues,
                 options.seed(),
                 options.effort().name().toLowerCase(Locale.ROOT),
-                GeneratorVersion.current()),
+                GeneratorVersion.current(),
+                combination.tuples() == null
+                    ? null
+                    : options.maxCases() == null ? model.maxCases() : options.maxCases(),
+                combination.tuples()),
             model.inputs().stream()
                 .map(i -> new CaseParameter(i.name(), i.kind(), i.realType()))
                 .toList(),
@@ -107,8 +109,15 @@ public final class TestCaseGenerator {
     List<TestData> all = new ArrayList<>();
     for (InputElement input : model.inputs()) {
       Interruption.check();
-      TestData data = TestDataGenerator.generate(input, seed);
       String where = "test_element " + input.name();
+      TestData data;
+      try {
+        data = TestDataGenerator.generate(input, seed);
+      } catch (IllegalArgumentException e) {
+        diagnostics.error(
+            model.source(), input.line(), where + "/test_spec", String.valueOf(e.getMessage()));
+        continue;
+      }
       for (String literal : data.unrepresentable()) {
         diagnostics.warning(
             model.source(),
@@ -144,7 +153,7 @@ public final class TestCaseGenerator {
   private static List<List<TestValue>> combine(
       TestModel model, CaseCombination combination, InvalidValues invalidValues) {
     try {
-      return invalidValues == InvalidValues.ISOLATE ? combination.isolated() : combination.mixed();
+      return combination.rows(invalidValues);
     } catch (WideConstraintException e) {
       throw new InvalidInputException(
           List.of(

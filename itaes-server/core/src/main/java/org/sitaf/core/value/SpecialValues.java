@@ -2,9 +2,11 @@ package org.sitaf.core.value;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.ScalarType;
 import org.sitaf.core.model.EquivalenceClass;
+import org.sitaf.core.model.TestSpec;
 import org.sitaf.core.model.Value;
 
 /**
@@ -14,7 +16,19 @@ import org.sitaf.core.model.Value;
 final class SpecialValues {
   private SpecialValues() {}
 
-  static List<Value> of(DataType type, EquivalenceClass declared) {
+  /** The special values that a specification asks for. */
+  static List<Value> of(DataType type, TestSpec spec) {
+    if (spec.special() == TestSpec.Special.NONE) {
+      return List.of();
+    }
+    if (spec instanceof TestSpec.BoundaryValues bva) {
+      return of(type, bva.equivalenceClass());
+    }
+    return of(
+        type, spec instanceof TestSpec.EquivalencePartitioning ecp ? ecp.equivalenceClass() : null);
+  }
+
+  private static List<Value> of(DataType type, @Nullable EquivalenceClass declared) {
     if (!(type instanceof DataType.Scalar scalar)) {
       return List.of();
     }
@@ -46,7 +60,7 @@ final class SpecialValues {
     return numbers.stream().map(n -> (Value) new Value.Real(n)).toList();
   }
 
-  private static double[] bounds(EquivalenceClass declared) {
+  private static double[] bounds(@Nullable EquivalenceClass declared) {
     if (declared instanceof EquivalenceClass.OneBoundary one) {
       return new double[] {one.boundary().doubleValue()};
     }

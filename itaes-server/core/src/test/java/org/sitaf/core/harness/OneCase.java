@@ -73,6 +73,7 @@ public record OneCase(
         new Strength(1),
         List.of(),
         List.of(),
+        TestModel.UNBOUNDED,
         "model.xml");
   }
 

@@ -26,7 +26,7 @@ class TestDataGeneratorTest {
         realType,
         type,
         "",
-        spec,
+        spec == null ? List.of() : List.of(spec),
         List.of(userValues).stream().map(v -> Value.parse(v, type)).toList(),
         0);
   }
@@ -36,11 +36,11 @@ class TestDataGeneratorTest {
   }
 
   private static TestSpec bva(EquivalenceClass declared, String offset) {
-    return new TestSpec.BoundaryValues(declared, new BigDecimal(offset), false);
+    return new TestSpec.BoundaryValues(declared, new BigDecimal(offset), TestSpec.Special.NONE);
   }
 
   private static TestSpec ecp(EquivalenceClass declared) {
-    return new TestSpec.EquivalencePartitioning(declared, 1, BigDecimal.ONE);
+    return new TestSpec.EquivalencePartitioning(declared, 1, BigDecimal.ONE, TestSpec.Special.NONE);
   }
 
   /** Values in their order; invalid ones are marked with an asterisk. */
@@ -125,7 +125,8 @@ class TestDataGeneratorTest {
             count,
             new BigDecimal("-2.5"),
             new BigDecimal("1e3"),
-            new TestSpec.Distribution.Uniform());
+            new TestSpec.Distribution.Uniform(),
+            TestSpec.Special.NONE);
     TestData data = TestDataGenerator.generate(element("double", spec), seed);
     assertThat(data.values()).hasSize(count).allMatch(TestValue::valid);
     assertThat(data.values())
@@ -137,7 +138,11 @@ class TestDataGeneratorTest {
   void randomNumbersOfAFloatAreFloats(@ForAll long seed) {
     TestSpec spec =
         new TestSpec.RandomNumbers(
-            20, new BigDecimal("0.1"), BigDecimal.ONE, new TestSpec.Distribution.Uniform());
+            20,
+            new BigDecimal("0.1"),
+            BigDecimal.ONE,
+            new TestSpec.Distribution.Uniform(),
+            TestSpec.Special.NONE);
     assertThat(TestDataGenerator.generate(element("float", spec), seed).values())
         .hasSize(20)
         .extracting(v -> v.value().literal())
@@ -170,7 +175,8 @@ class TestDataGeneratorTest {
             new TestSpec.Distribution.Weighted(
                 List.of(
                     new TestSpec.WeightedRange(BigDecimal.ZERO, BigDecimal.TEN, 9),
-                    new TestSpec.WeightedRange(new BigDecimal(90), new BigDecimal(100), 1))));
+                    new TestSpec.WeightedRange(new BigDecimal(90), new BigDecimal(100), 1))),
+            TestSpec.Special.NONE);
     List<Double> numbers =
         TestDataGenerator.generate(element("double", spec), 1).values().stream()
             .map(v -> ((Value.Real) v.value()).number())

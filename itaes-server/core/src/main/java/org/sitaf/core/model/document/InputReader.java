@@ -41,12 +41,9 @@ final class InputReader {
       problems.error(line, where, "expected and tolerance belong to elements of output_spec_list");
     }
     DataType type = elements.type(element);
-    TestSpec spec =
-        element.getTestSpec() == null
-            ? null
-            : new TestSpecReader(problems, where + "/test_spec")
-                .read(element.getTestSpec(), type)
-                .orElse(null);
+    TestSpecReader specReader = new TestSpecReader(problems, where + "/test_spec");
+    List<TestSpec> specs = new ArrayList<>();
+    element.getTestSpec().forEach(spec -> specReader.read(spec, type).ifPresent(specs::add));
     List<Value> userValues = new ArrayList<>();
     if (element.getUserValueList() != null) {
       for (String literal : element.getUserValueList().getValue()) {
@@ -65,7 +62,7 @@ final class InputReader {
         element.getUserValueList() == null || element.getUserValueList().getValue().isEmpty();
     boolean hasImpliedValues =
         TestElementReader.isBoolean(type) || TestElementReader.abstractType(element).equals("ENUM");
-    if (element.getTestSpec() == null && noUserValues && !hasImpliedValues) {
+    if (element.getTestSpec().isEmpty() && noUserValues && !hasImpliedValues) {
       problems.error(line, where, "has no values; add a test_spec or a user_value_list");
     }
     if (name.isEmpty() || kind.isEmpty()) {
@@ -78,7 +75,7 @@ final class InputReader {
             text(element.getRealType()),
             type,
             text(element.getDescription()),
-            spec,
+            specs,
             userValues,
             line));
   }

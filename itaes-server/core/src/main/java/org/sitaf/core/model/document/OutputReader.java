@@ -30,7 +30,7 @@ final class OutputReader {
     String name = TestElementReader.name(element);
     int line = XmlDocuments.line(element);
     Optional<OutputKind> kind = elements.kind(element, KINDS);
-    if (element.getTestSpec() != null || element.getUserValueList() != null) {
+    if (!element.getTestSpec().isEmpty() || element.getUserValueList() != null) {
       problems.error(
           line, where, "test_spec and user_value_list belong to elements of input_spec_list");
     }

@@ -61,6 +61,7 @@ final class TestModelReader {
           .getTestElement()
           .forEach(e -> reader.read(e).ifPresent(outputs::add));
     }
+    new RelationCheck(problems, inputs).verify();
     checkUniqueNames(
         inputs.stream().map(InputElement::name).toList(),
         inputs.stream().map(InputElement::line).toList());
@@ -89,6 +90,7 @@ final class TestModelReader {
         root.getCaseList() == null
             ? List.of()
             : new KeptCaseReader(problems).read(root.getCaseList().getCases(), inputs),
+        maxCases(root.getMaxCases(), line),
         problems.file());
   }
 
@@ -137,6 +139,14 @@ final class TestModelReader {
       return new Strength(1);
     }
     return problems.attempt(line, where, () -> Strength.parse(text)).orElse(new Strength(1));
+  }
+
+  private int maxCases(@Nullable String text, int line) {
+    return text == null
+        ? TestModel.UNBOUNDED
+        : problems
+            .attempt(line, "max_cases", () -> Settings.whole(text.strip(), 1))
+            .orElse(TestModel.UNBOUNDED);
   }
 
   private MixedStrength mixed(StrengthType strength, List<InputElement> inputs) {

@@ -1,8 +1,17 @@
 package org.sitaf.core.model.document;
 
+import static org.sitaf.core.model.document.Settings.first;
+import static org.sitaf.core.model.document.Settings.number;
+import static org.sitaf.core.model.document.Settings.parseBoolean;
+import static org.sitaf.core.model.document.Settings.positive;
+import static org.sitaf.core.model.document.Settings.requireNumeric;
+import static org.sitaf.core.model.document.Settings.required;
+import static org.sitaf.core.model.document.Settings.whole;
+
 import jakarta.xml.bind.JAXBElement;
 import java.math.BigDecimal;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
@@ -12,10 +21,11 @@ import org.sitaf.core.description.ScalarType;
 import org.sitaf.core.document.XmlDocuments;
 import org.sitaf.core.model.Decimals;
 import org.sitaf.core.model.EquivalenceClass;
+import org.sitaf.core.model.RelatedOffset;
+import org.sitaf.core.model.RotationForm;
 import org.sitaf.core.model.TestSpec;
 import org.sitaf.core.model.TestSpec.Distribution;
 import org.sitaf.core.model.TestSpec.WeightedRange;
-import org.sitaf.schemas.EquivClassType;
 import org.sitaf.schemas.TestSpecType;
 import org.sitaf.schemas.WeightedRangeType;
 
@@ -23,8 +33,6 @@ import org.sitaf.schemas.WeightedRangeType;
  * Reads one {@code test_spec}. Problems are reported with the name of the element and of the entry.
  */
 final class TestSpecReader {
-  private static final int MAX_COUNT = 1_000_000;
-
   private final Problems problems;
   private final String where;
   private int line;
@@ -40,23 +48,31 @@ final class TestSpecReader {
    */
   Optional<TestSpec> read(TestSpecType spec, DataType type) {
     line = XmlDocuments.line(spec);
+    SettingsInUse.check(spec).forEach(message -> problems.error(line, where, message));
     return switch (String.valueOf(spec.getType())) {
       case "ECP" -> partitioning(spec, type);
       case "BVA" -> boundaries(spec, type);
       case "RANDOM" -> randomNumbers(spec, type);
       case "RANDOM_STRING" -> randomStrings(spec, type);
+      case "ROTATION" -> rotations(spec, type);
+      case "DIRECTION" -> directions(spec, type);
+      case "POSE" -> poses(spec, type);
+      case "RELATED" -> related(spec);
       default -> {
         problems.error(
             line,
             where,
-            "type must be ECP, BVA, RANDOM or RANDOM_STRING, not '" + spec.getType() + "'");
+            "type must be ECP, BVA, RANDOM, RANDOM_STRING, ROTATION, DIRECTION, POSE or RELATED,"
+                + " not '"
+                + spec.getType()
+                + "'");
         yield Optional.empty();
       }
     };
   }
 
   private Optional<TestSpec> partitioning(TestSpecType spec, DataType type) {
-    var declared = attempt("equiv_class", () -> equivalenceClass(spec, type));
+    var declared = attempt("equiv_class", () -> EquivalenceClassReader.read(spec, type));
     var representatives =
         attempt(
             "representatives",
@@ -65,39 +81,71 @@ final class TestSpecReader {
     var offset =
         attempt(
             "offset", () -> positive(first(spec.getOffset(), spec.getOffsetElement(), "1"), type));
-    return declared.isEmpty() || representatives.isEmpty() || offset.isEmpty()
+    var special = special(spec);
+    return declared.isEmpty() || representatives.isEmpty() || offset.isEmpty() || special.isEmpty()
         ? Optional.empty()
         : Optional.of(
             new TestSpec.EquivalencePartitioning(
-                declared.get(), representatives.get(), offset.get()));
+                declared.get(), representatives.get(), offset.get(), special.get()));
   }
 
   private Optional<TestSpec> boundaries(TestSpecType spec, DataType type) {
-    var declared =
-        attempt(
-            "equiv_class",
-            () -> {
-              EquivalenceClass given = equivalenceClass(spec, type);
-              if (given instanceof EquivalenceClass.OneBoundary
-                  || given instanceof EquivalenceClass.TwoBoundary) {
-                return given;
-              }
-              throw new IllegalArgumentException(
-                  "BVA needs NEC_NUMERIC_ONE_BOUNDARY or NEC_NUMERIC_TWO_BOUNDARY");
-            });
+    var special = special(spec);
+    boolean onlySpecial =
+        spec.getEquivClass().isEmpty() && spec.getSpecial() != null && !spec.getSpecial().isEmpty();
+    if (onlySpecial) {
+      attempt(
+          "special",
+          () -> {
+            requireNumeric(type);
+            return true;
+          });
+    }
+    Optional<EquivalenceClass> declared =
+        onlySpecial
+            ? Optional.empty()
+            : attempt(
+                "equiv_class",
+                () -> {
+                  EquivalenceClass given = EquivalenceClassReader.read(spec, type);
+                  if (given instanceof EquivalenceClass.OneBoundary
+                      || given instanceof EquivalenceClass.TwoBoundary) {
+                    return given;
+                  }
+                  throw new IllegalArgumentException(
+                      "BVA needs NEC_NUMERIC_ONE_BOUNDARY or NEC_NUMERIC_TWO_BOUNDARY");
+                });
     var offset =
         attempt(
             "offset",
-            () ->
-                positive(
-                    required(
-                        first(spec.getOffset(), spec.getOffsetElement()),
-                        "is missing; BVA needs an offset greater than 0"),
-                    type));
-    var special = attempt("special", () -> parseBoolean(spec.getSpecial(), false));
-    return declared.isEmpty() || offset.isEmpty() || special.isEmpty()
-        ? Optional.empty()
-        : Optional.of(new TestSpec.BoundaryValues(declared.get(), offset.get(), special.get()));
+            () -> {
+              String given = first(spec.getOffset(), spec.getOffsetElement());
+              return positive(
+                  given == null && onlySpecial
+                      ? "1"
+                      : required(given, "is missing; BVA needs an offset greater than 0"),
+                  type);
+            });
+    if ((declared.isEmpty() && !onlySpecial) || offset.isEmpty() || special.isEmpty()) {
+      return Optional.empty();
+    }
+    return attempt(
+        "special",
+        () -> new TestSpec.BoundaryValues(declared.orElse(null), offset.get(), special.get()));
+  }
+
+  private Optional<TestSpec.Special> special(TestSpecType spec) {
+    return attempt(
+        "special",
+        () ->
+            switch (spec.getSpecial() == null ? "" : spec.getSpecial()) {
+              case "", "false", "0" -> TestSpec.Special.NONE;
+              case "true", "1" -> TestSpec.Special.COMBINED;
+              case "each" -> TestSpec.Special.EACH;
+              default ->
+                  throw new IllegalArgumentException(
+                      "must be true, false or each, not '" + spec.getSpecial() + "'");
+            });
   }
 
   private Optional<TestSpec> randomNumbers(TestSpecType spec, DataType type) {
@@ -113,12 +161,19 @@ final class TestSpecReader {
         attempt(
             "max",
             () -> end(first(spec.getMax(), spec.getMaxElement()), distribution, false, type));
-    if (count.isEmpty() || distribution.isEmpty() || min.isEmpty() || max.isEmpty()) {
+    var special = special(spec);
+    if (count.isEmpty()
+        || distribution.isEmpty()
+        || min.isEmpty()
+        || max.isEmpty()
+        || special.isEmpty()) {
       return Optional.empty();
     }
     return attempt(
         "min",
-        () -> new TestSpec.RandomNumbers(count.get(), min.get(), max.get(), distribution.get()));
+        () ->
+            new TestSpec.RandomNumbers(
+                count.get(), min.get(), max.get(), distribution.get(), special.get()));
   }
 
   /** The minimum or maximum of random numbers. By default, an operational profile determines it. */
@@ -238,122 +293,84 @@ final class TestSpecReader {
     return whole(required(text, "is missing"), 0);
   }
 
-  private EquivalenceClass equivalenceClass(TestSpecType spec, DataType type) {
-    if (spec.getEquivClass().size() != 1) {
-      throw new IllegalArgumentException(
-          "needs exactly one equiv_class, not " + spec.getEquivClass().size());
-    }
-    EquivClassType given = spec.getEquivClass().get(0);
-    String kind = String.valueOf(given.getType()).replace("_BOUDARY", "_BOUNDARY");
-    if (!kind.equals("NEC_BOOLEAN")) {
-      requireNumeric(type);
-    }
-    return switch (kind) {
-      case "NEC_NUMERIC_ONE_BOUNDARY" -> oneBoundary(given, type);
-      case "NEC_NUMERIC_TWO_BOUNDARY" ->
-          new EquivalenceClass.TwoBoundary(
-              number(required(given.getMin(), kind + " needs min and max"), type),
-              number(required(given.getMax(), kind + " needs min and max"), type),
-              parseBoolean(given.getMinInclusive(), true),
-              parseBoolean(given.getMaxInclusive(), true));
-      case "NEC_BOOLEAN" ->
-          new EquivalenceClass.BooleanClass(parseBoolean(given.getValueOnly(), false));
-      case "NEC_NUMERIC_CONSTANT" ->
-          new EquivalenceClass.Constant(
-              number(required(given.getValue(), kind + " needs a value"), type));
-      case "NEC_NUMERIC_SET" ->
-          new EquivalenceClass.NumericSet(
-              given.getValues().stream().map(v -> number(v, type)).toList());
-      default ->
-          throw new IllegalArgumentException(
-              "equiv_class type must be NEC_NUMERIC_ONE_BOUNDARY, NEC_NUMERIC_TWO_BOUNDARY,"
-                  + " NEC_BOOLEAN, NEC_NUMERIC_CONSTANT or NEC_NUMERIC_SET, not '"
-                  + given.getType()
-                  + "'");
-    };
+  private Optional<TestSpec> rotations(TestSpecType spec, DataType type) {
+    requireWhole(spec, type);
+    var form = form(spec);
+    var count = count(spec, "48");
+    return form.isEmpty() || count.isEmpty()
+        ? Optional.empty()
+        : Optional.of(new TestSpec.Rotations(form.get().orElse(null), count.get()));
   }
 
-  private EquivalenceClass oneBoundary(EquivClassType given, DataType type) {
-    if ((given.getMin() == null) == (given.getMax() == null)) {
-      throw new IllegalArgumentException("NEC_NUMERIC_ONE_BOUNDARY has exactly one of min and max");
-    }
-    boolean lower = given.getMin() != null;
-    return new EquivalenceClass.OneBoundary(
-        number(lower ? given.getMin() : given.getMax(), type),
-        lower,
-        lower
-            ? parseBoolean(given.getMinInclusive(), true)
-            : parseBoolean(given.getMaxInclusive(), true));
+  private Optional<TestSpec> directions(TestSpecType spec, DataType type) {
+    requireWhole(spec, type);
+    var count = count(spec, "26");
+    var length = real("length", spec.getLength(), "1");
+    return count.isEmpty() || length.isEmpty()
+        ? Optional.empty()
+        : attempt("length", () -> new TestSpec.Directions(count.get(), length.get()));
   }
 
-  private static void requireNumeric(DataType type) {
-    if (type instanceof DataType.Scalar scalar
-        && !scalar.type().isNumeric()
-        && scalar.type() != ScalarType.BOOLEAN) {
-      throw new IllegalArgumentException(
-          "generates numbers, but the real_type is " + scalar.typeName());
+  private Optional<TestSpec> poses(TestSpecType spec, DataType type) {
+    requireWhole(spec, type);
+    var form = form(spec);
+    var count = count(spec, "48");
+    var min = real("min", first(spec.getMin(), spec.getMinElement()), "-1");
+    var max = real("max", first(spec.getMax(), spec.getMaxElement()), "1");
+    return form.isEmpty() || count.isEmpty() || min.isEmpty() || max.isEmpty()
+        ? Optional.empty()
+        : attempt(
+            "min",
+            () -> new TestSpec.Poses(form.get().orElse(null), count.get(), min.get(), max.get()));
+  }
+
+  private Optional<TestSpec> related(TestSpecType spec) {
+    var to =
+        attempt("to", () -> required(spec.getTo(), "is missing; name the other input").strip());
+    var offsets =
+        attempt(
+            "offsets",
+            () ->
+                Arrays.stream(
+                        required(spec.getOffsets(), "is missing; write for example \"0 1ulp -10%\"")
+                            .strip()
+                            .split("[\\s,]+"))
+                    .filter(text -> !text.isEmpty())
+                    .map(RelatedOffset::parse)
+                    .toList());
+    return to.isEmpty() || offsets.isEmpty()
+        ? Optional.empty()
+        : attempt("offsets", () -> new TestSpec.Related(to.get(), offsets.get()));
+  }
+
+  private void requireWhole(TestSpecType spec, DataType type) {
+    if (type instanceof DataType.Scalar scalar) {
+      problems.error(
+          line,
+          where,
+          spec.getType()
+              + " generates whole values; the element needs abstract_type STRUCT or SEQUENCE, but"
+              + " the real_type is "
+              + scalar.typeName());
     }
   }
 
-  private static BigDecimal number(String text, DataType type) {
-    BigDecimal number = Decimals.parse(text);
-    boolean whole = type instanceof DataType.Scalar scalar && scalar.type().isInteger();
-    if (whole && number.stripTrailingZeros().scale() > 0) {
-      throw new IllegalArgumentException(
-          text + " is not a whole number, but the real_type is " + type.typeName());
-    }
-    return number;
+  private Optional<Optional<RotationForm>> form(TestSpecType spec) {
+    return attempt(
+        "as", () -> Optional.ofNullable(spec.getAs()).map(String::strip).map(RotationForm::parse));
   }
 
-  private static BigDecimal positive(String text, DataType type) {
-    BigDecimal number = number(text, type);
-    if (number.signum() <= 0) {
-      throw new IllegalArgumentException("must be greater than 0, not " + text);
-    }
-    return number;
+  private Optional<Integer> count(TestSpecType spec, String otherwise) {
+    return attempt(
+        "count", () -> whole(first(spec.getCount(), spec.getCountElement(), otherwise), 1));
   }
 
-  private static int whole(String text, int least) {
-    try {
-      int number = Decimals.parse(text).intValueExact();
-      if (number >= least && number <= MAX_COUNT) {
-        return number;
-      }
-    } catch (ArithmeticException e) {
-      // Reported below.
-    }
-    throw new IllegalArgumentException(
-        "must be a whole number from " + least + " to " + MAX_COUNT + ", not '" + text + "'");
-  }
-
-  private static boolean parseBoolean(@Nullable String text, boolean otherwise) {
-    if (text == null || text.isEmpty()) {
-      return otherwise;
-    }
-    return switch (text) {
-      case "true", "1" -> true;
-      case "false", "0" -> false;
-      default -> throw new IllegalArgumentException("must be true or false, not '" + text + "'");
-    };
+  private Optional<Double> real(String entry, @Nullable String text, String otherwise) {
+    return attempt(
+        entry, () -> Decimals.parse(text == null ? otherwise : text.strip()).doubleValue());
   }
 
   private <T> Optional<T> attempt(String entry, Supplier<T> reading) {
     return problems.attempt(line, where + "/" + entry, reading);
-  }
-
-  private static String required(@Nullable String text, String message) {
-    if (text == null) {
-      throw new IllegalArgumentException(message);
-    }
-    return text;
-  }
-
-  private static @Nullable String first(@Nullable String one, @Nullable String other) {
-    return one != null ? one : other;
-  }
-
-  private static String first(@Nullable String one, @Nullable String other, String otherwise) {
-    String found = first(one, other);
-    return found == null ? otherwise : found;
   }
 }

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.document.XmlDocuments;
 import org.sitaf.core.model.InputKind;
@@ -57,6 +58,10 @@ public final class TestSuiteXml {
     generation.setSeed(suite.generation().seed());
     generation.setEffort(suite.generation().effort());
     generation.setGenerator(suite.generation().generator());
+    generation.setMaxCases(suite.generation().maxCases());
+    if (suite.generation().tuples() != null) {
+      generation.setTuples(suite.generation().tuples().text());
+    }
     root.setGeneration(generation);
     root.setCaseParamInfo(write(suite.parameters()));
     root.setCaseList(new LazyCases(suite.cases()));
@@ -186,7 +191,7 @@ public final class TestSuiteXml {
       }
     }
 
-    private Generation generation(@org.jspecify.annotations.Nullable GenerationType given) {
+    private Generation generation(@Nullable GenerationType given) {
       if (given == null) {
         return new Generation(new Strength(1), InvalidValues.ISOLATE, 1, "default", "");
       }
@@ -206,7 +211,19 @@ public final class TestSuiteXml {
               : InvalidValues.ISOLATE,
           given.getSeed() == null ? 1 : given.getSeed(),
           given.getEffort() == null ? "default" : given.getEffort(),
-          given.getGenerator() == null ? "" : given.getGenerator());
+          given.getGenerator() == null ? "" : given.getGenerator(),
+          given.getMaxCases(),
+          tuples(given));
+    }
+
+    private Generation.@Nullable Tuples tuples(GenerationType given) {
+      try {
+        return given.getTuples() == null ? null : Generation.Tuples.parse(given.getTuples());
+      } catch (IllegalArgumentException e) {
+        diagnostics.error(
+            file, XmlDocuments.line(given), "generation", String.valueOf(e.getMessage()));
+        return null;
+      }
     }
   }
 }

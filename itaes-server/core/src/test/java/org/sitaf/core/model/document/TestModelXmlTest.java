@@ -168,8 +168,8 @@ class TestModelXmlTest {
               distribution="normal" mean="0.5" standard_deviation="0.1"/>
         </test_element>
         """;
-    assertThat(read(model(element)).inputs().get(0).spec())
-        .isEqualTo(read(model(attribute)).inputs().get(0).spec());
+    assertThat(read(model(element)).inputs().get(0).specs())
+        .isEqualTo(read(model(attribute)).inputs().get(0).specs());
   }
 
   @Test

@@ -1,0 +1,112 @@
+package org.sitaf.core.suite;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.InputStream;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Objects;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.sitaf.core.combine.Effort;
+import org.sitaf.core.diagnostic.InvalidInputException;
+import org.sitaf.core.model.InvalidValues;
+import org.sitaf.core.model.Strength;
+import org.sitaf.core.model.TestModel;
+import org.sitaf.core.model.document.TestModelXml;
+
+/** The paper's example, whose complete suite has 55 cases, with fewer cases. */
+class CaseLimitTest {
+  private static GeneratedSuite generate(int maxCases, int strength, InvalidValues invalidValues) {
+    TestModel model;
+    try (InputStream document =
+        Objects.requireNonNull(
+            CaseLimitTest.class.getResourceAsStream("/models/GetInfraredData.xml"))) {
+      model = TestModelXml.read(document, "GetInfraredData.xml");
+    } catch (java.io.IOException e) {
+      throw new java.io.UncheckedIOException(e);
+    }
+    return TestCaseGenerator.generate(
+        model,
+        new GenerationOptions(
+            new Strength(strength), invalidValues, 1, Effort.DEFAULT, null, maxCases));
+  }
+
+  /** Pairs of valid values in valid cases, and invalid values with a valid one. */
+  private static long pairs(TestSuite suite, Set<String> invalid) {
+    Set<List<Object>> pairs = new HashSet<>();
+    for (TestCase testCase : suite.cases()) {
+      for (int i = 0; i < 3; i++) {
+        for (int j = i + 1; j < 3; j++) {
+          String one = testCase.values().get(i);
+          String other = testCase.values().get(j);
+          boolean holdsInvalid = invalid.contains(i + one) || invalid.contains(j + other);
+          if (testCase.valid() || holdsInvalid) {
+            pairs.add(List.of(i, one, j, other));
+          }
+        }
+      }
+    }
+    return pairs.size();
+  }
+
+  private static final Set<String> INVALID = Set.of("00", "08", "10", "18", "2-0.5", "210.5");
+
+  @ParameterizedTest
+  @ValueSource(ints = {11, 20, 30, 54})
+  void asManyTuplesAsFitAreCovered(int maxCases) {
+    GeneratedSuite generated = generate(maxCases, 2, InvalidValues.ISOLATE);
+    TestSuite suite = generated.suite();
+    assertThat(suite.cases()).hasSize(maxCases);
+    for (int p = 0; p < 3; p++) {
+      int column = p;
+      assertThat(suite.cases().stream().map(c -> c.values().get(column)).distinct()).hasSize(7);
+    }
+    assertThat(suite.cases().stream().filter(c -> !c.valid()))
+        .allMatch(
+            c ->
+                java.util.stream.IntStream.range(0, 3)
+                        .filter(i -> INVALID.contains(i + c.values().get(i)))
+                        .count()
+                    == 1);
+    Generation.Tuples tuples = Objects.requireNonNull(suite.generation().tuples());
+    assertThat(tuples.all()).isEqualTo(75 + 60);
+    assertThat(tuples.covered()).isEqualTo(pairs(suite, INVALID));
+    assertThat(generated.notes().toString()).contains("of 135 tuples are covered");
+  }
+
+  @Test
+  void aBoundThatIsLargeEnoughChangesNothing() {
+    TestSuite suite = generate(55, 2, InvalidValues.ISOLATE).suite();
+    assertThat(suite.cases()).hasSize(55);
+    assertThat(suite.generation().tuples()).isEqualTo(new Generation.Tuples(135, 135));
+  }
+
+  @Test
+  void aBoundThatIsTooSmallIsAnErrorWithTheSmallestNumber() {
+    assertThatThrownBy(() -> generate(10, 2, InvalidValues.ISOLATE))
+        .isInstanceOf(InvalidInputException.class)
+        .hasMessageContaining("the smallest number of cases that the generator found is 11");
+    assertThatThrownBy(() -> generate(6, 2, InvalidValues.COMBINE))
+        .hasMessageContaining("generator found is 7");
+  }
+
+  @Test
+  void combinedInvalidValuesCountLikeAllOthers() {
+    TestSuite suite = generate(20, 2, InvalidValues.COMBINE).suite();
+    Generation.Tuples tuples = Objects.requireNonNull(suite.generation().tuples());
+    assertThat(tuples.all()).isEqualTo(3 * 49);
+    assertThat(tuples.covered()).isEqualTo(60);
+  }
+
+  @Test
+  void allCombinationsAreBoundedToo() {
+    TestSuite suite = generate(40, 3, InvalidValues.ISOLATE).suite();
+    assertThat(suite.cases()).hasSize(40);
+    // 125 triples of valid values, and 25 pairs for each of six invalid values.
+    assertThat(suite.generation().tuples()).isEqualTo(new Generation.Tuples(40, 275));
+  }
+}
