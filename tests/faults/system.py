@@ -109,7 +109,7 @@ class Api:
                 return found
 
 
-class Part:
+class SystemProcess:
     """A process that can be killed and restarted; a context manager that ends it."""
 
     def __init__(self, name, command, log, environment, ready):
@@ -182,9 +182,9 @@ def server(folder, *options, name="server", database=None, heap="512m"):
     environment = {"SITAF_ACCESS_LAUNCHERTOKEN": TOKEN, "SITAF_ACCESS_LAUNCHERENROLMENT": ENROLMENT}
     if database:
         environment["SITAF_DATABASE_URL"] = database
-    part = Part(name, command, folder / f"{name}.log", environment, rb"^listening ")
-    part.http, part.grpc, part.api = http, grpc, Api(http)
-    return part
+    process = SystemProcess(name, command, folder / f"{name}.log", environment, rb"^listening ")
+    process.http, process.grpc, process.api = http, grpc, Api(http)
+    return process
 
 
 def agent(folder, name, target, *options, slots=1, heap="128m", installation=None):
@@ -197,9 +197,9 @@ def agent(folder, name, target, *options, slots=1, heap="128m", installation=Non
         "--stop-with-stdin",
         *options,
     ]
-    part = Part(name, command, folder / f"{name}.log", {"SITAF_ENROLMENT_TOKEN": ENROLMENT}, rb"^registered ")
-    part.directory = folder / name
-    return part
+    process = SystemProcess(name, command, folder / f"{name}.log", {"SITAF_ENROLMENT_TOKEN": ENROLMENT}, rb"^registered ")
+    process.directory = folder / name
+    return process
 
 
 def own_bridge():

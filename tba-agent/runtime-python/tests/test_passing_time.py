@@ -4,7 +4,7 @@ import threading
 
 import pytest
 
-from sitaf_runtime.beside import CallBeside
+from sitaf_runtime.nonblocking import NonblockingCall
 from sitaf_runtime.errors import SimulationError
 from sitaf_runtime.simulation.passing_time import PassingTime
 from sitaf_runtime.stopwatch import Stopwatch
@@ -43,7 +43,7 @@ def test_ticks_run_at_the_first_step_at_or_after_each_period():
 
 def test_a_nonblocking_call_acts_at_the_same_times_in_every_run():
     world, acted, watch = World(), [], Stopwatch()
-    call = CallBeside(watch, world, lambda: world.act(acted, 5))
+    call = NonblockingCall(watch, world, lambda: world.act(acted, 5))
     world.time.let_pass(20 * MS)
     assert acted == [0, 3, 6, 9]
     assert call.outcome() == "done"
@@ -53,9 +53,9 @@ def test_a_nonblocking_call_acts_at_the_same_times_in_every_run():
 
 def test_a_call_that_does_not_wait_takes_no_time():
     world = World()
-    assert CallBeside(Stopwatch(), world, lambda: 7).outcome() == 7
+    assert NonblockingCall(Stopwatch(), world, lambda: 7).outcome() == 7
     assert world.now == 0
-    assert CallBeside(Stopwatch(), None, lambda: 8).outcome() == 8
+    assert NonblockingCall(Stopwatch(), None, lambda: 8).outcome() == 8
 
 
 def test_outcome_raises_the_exception_of_a_nonblocking_call():
@@ -66,7 +66,7 @@ def test_outcome_raises_the_exception_of_a_nonblocking_call():
         raise ValueError("slipped")
 
     with pytest.raises(ValueError, match="slipped"):
-        CallBeside(watch, world, slip).outcome()
+        NonblockingCall(watch, world, slip).outcome()
     assert watch.is_running
 
 
@@ -80,7 +80,7 @@ def test_giving_up_a_call_ends_its_waits():
             seen.append(str(e))
             raise
 
-    call = CallBeside(Stopwatch(), world, endless)
+    call = NonblockingCall(Stopwatch(), world, endless)
     with pytest.raises(TimeoutError):
         call.outcome()
     call.give_up()

@@ -63,7 +63,7 @@ class World:
 def load_world(source: WorldSource, entities: tuple[SpawnedEntity, ...] = ()) -> World:
     """Parse, check and compile a world. Raises BadWorld with every problem found, or LimitReached."""
     description = read_description(source)
-    files = source.beside_description()
+    files = source.files_of_folder()
     shown = source.folder + description.mjcf
     check_mjcf(description.mjcf, files, source.folder)
     model = compile_mjcf(description.mjcf, files, shown, _additions(description, entities))

@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar
 
 from sitaf_runtime import component as components
-from sitaf_runtime.beside import CallBeside
+from sitaf_runtime.nonblocking import NonblockingCall
 from sitaf_runtime.hooks import Hooks
 from sitaf_runtime.stopwatch import Stopwatch
 from sitaf_runtime.suite.result import CaseResult, Outcome
@@ -35,7 +35,7 @@ class SuiteDriver(ABC, Generic[C]):
         self._hooks = Hooks(self.NOT_HOOKS)
         self._component: C | None = None
         self._begun: C | None = None
-        self._pending: CallBeside[Any] | None = None
+        self._pending: NonblockingCall[Any] | None = None
         self._saved = False
 
     @abstractmethod
@@ -78,9 +78,9 @@ class SuiteDriver(ABC, Generic[C]):
         """Let the component's `onExecute` be called whenever its period has passed in simulation time."""
         self._run.simulation.every(period_s, self._hooks.execution(component))
 
-    def beside(self, call: Callable[..., T], *arguments: Any) -> CallBeside[T]:
+    def call_nonblocking(self, call: Callable[..., T], *arguments: Any) -> NonblockingCall[T]:
         """Start a nonblocking call of the component; it is measured on its own thread."""
-        nonblocking = CallBeside(self._run.stopwatch, self._run.simulation_if_any, lambda: call(*arguments))
+        nonblocking = NonblockingCall(self._run.stopwatch, self._run.simulation_if_any, lambda: call(*arguments))
         self._pending = nonblocking
         return nonblocking
 

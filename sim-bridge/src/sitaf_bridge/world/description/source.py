@@ -72,7 +72,7 @@ class WorldSource:
         parent = str(PurePosixPath(self.description).parent)
         return "" if parent == "." else parent + "/"
 
-    def beside_description(self) -> dict[str, bytes]:
+    def files_of_folder(self) -> dict[str, bytes]:
         """The files in the description's folder and below, by relative path: all files that MJCF can refer to."""
         folder = self.folder
         return {p.removeprefix(folder): c for p, c in self.files.items() if p.startswith(folder)}

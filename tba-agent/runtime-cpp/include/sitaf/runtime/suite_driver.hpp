@@ -3,7 +3,7 @@
 #include <memory>
 #include <utility>
 
-#include "sitaf/runtime/call_beside.hpp"
+#include "sitaf/runtime/nonblocking_call.hpp"
 #include "sitaf/runtime/component.hpp"
 #include "sitaf/runtime/test_run.hpp"
 
@@ -52,8 +52,8 @@ class Driver {
 
   /// Starts a nonblocking call; it is measured on its own thread.
   template <class Call>
-  auto beside(Call call) {
-    return CallBeside<decltype(call())>(run_.stopwatch(), run_.simulationIfAny(), std::move(call));
+  auto callNonblocking(Call call) {
+    return NonblockingCall<decltype(call())>(run_.stopwatch(), run_.simulationIfAny(), std::move(call));
   }
 
  private:

@@ -7,9 +7,9 @@ import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
-import org.sitaf.runtime.component.CallBeside;
 import org.sitaf.runtime.component.DataPort;
 import org.sitaf.runtime.component.Hooks;
+import org.sitaf.runtime.component.NonblockingCall;
 import org.sitaf.runtime.suite.CaseResult;
 import org.sitaf.runtime.suite.TestCase;
 
@@ -24,7 +24,7 @@ public abstract class SuiteDriver<C> {
   private final Hooks hooks;
   private @Nullable C component;
   private @Nullable Object started;
-  private @Nullable CallBeside<?> pending;
+  private @Nullable NonblockingCall<?> pending;
   private boolean saved;
 
   /**
@@ -102,8 +102,9 @@ public abstract class SuiteDriver<C> {
   }
 
   /** Starts a nonblocking call of the component; it is measured on its own thread. */
-  protected final <T> CallBeside<T> beside(Callable<T> call) {
-    CallBeside<T> nonblocking = CallBeside.begin(run.stopwatch(), run.simulationIfAny(), call);
+  protected final <T> NonblockingCall<T> callNonblocking(Callable<T> call) {
+    NonblockingCall<T> nonblocking =
+        NonblockingCall.begin(run.stopwatch(), run.simulationIfAny(), call);
     pending = nonblocking;
     return nonblocking;
   }
@@ -128,7 +129,7 @@ public abstract class SuiteDriver<C> {
     try {
       runCase(testCase, result);
     } finally {
-      CallBeside<?> begunCall = pending;
+      NonblockingCall<?> begunCall = pending;
       if (begunCall != null) {
         begunCall.giveUp();
       }

@@ -16,7 +16,7 @@ import org.springframework.validation.annotation.Validated;
  *     number of processors, but at least 2
  * @param preview time limit of the preview of a model
  * @param generation time limit of generating a suite or its expected values
- * @param patience how long a request waits for its computation to start
+ * @param queueTimeout how long a request waits for its computation to start
  */
 @Validated
 @ConfigurationProperties("sitaf.computation")
@@ -24,7 +24,8 @@ public record ComputationSettings(
     @Min(0) @Max(256) @DefaultValue("0") int atOnce,
     @DurationMin(millis = 100) @DurationMax(minutes = 10) @DefaultValue("30s") Duration preview,
     @DurationMin(millis = 100) @DurationMax(hours = 2) @DefaultValue("5m") Duration generation,
-    @DurationMin(millis = 0) @DurationMax(minutes = 10) @DefaultValue("30s") Duration patience) {
+    @DurationMin(millis = 0) @DurationMax(minutes = 10) @DefaultValue("30s")
+        Duration queueTimeout) {
   int permits() {
     return atOnce > 0 ? atOnce : Math.max(2, Runtime.getRuntime().availableProcessors());
   }

@@ -63,7 +63,7 @@ public class Computations implements SmartLifecycle {
     FutureTask<T> task = null;
     try {
       ComputationPermits.Permit permit =
-          permits.acquire(Caller.currentName(), replaceable, settings.patience());
+          permits.acquire(Caller.currentName(), replaceable, settings.queueTimeout());
       task = new Computation<>(work, permit);
       if (replaceable) {
         FutureTask<T> started = task;

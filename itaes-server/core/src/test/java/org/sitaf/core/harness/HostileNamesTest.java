@@ -74,7 +74,8 @@ class HostileNamesTest {
               Hardware Out InOut Stopwatch TestRun TestCase CaseResult SuiteDriver TestDriver TestStub SimulationControl
               ConcreteTestDriver Component ComponentUnderTest Answer Answers Stubbing StubbedMethod Stub Kind Tolerance
               Neighbour NeighbourStub EchoService Echo LifeCycle Duration Nothing
-              call calls caller result results returned testCase test_case component run runtime stopwatch beside
+              call calls caller result results returned testCase test_case component run runtime stopwatch
+              NonblockingCall callNonblocking call_nonblocking
               pending outcome save prepare settle observe begin end execute start stop close answer reset value values
               beforeCase afterCase before_case after_case runCase run_case createComponent create_component newComponent
               new_component simulation simulationControl simulation_control testStub test_stub stubbing args argc argv

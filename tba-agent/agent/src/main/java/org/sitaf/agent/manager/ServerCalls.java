@@ -172,10 +172,10 @@ final class ServerCalls {
       ByteString whole,
       Function<ByteString, Q> message,
       Function<Q, A> atOnce,
-      Function<StreamObserver<A>, StreamObserver<Q>> inParts) {
-    if (whole.size() > PartsCall.PART) {
+      Function<StreamObserver<A>, StreamObserver<Q>> inChunks) {
+    if (whole.size() > ChunkedCall.MAX_CHUNK) {
       try {
-        return PartsCall.send(whole, message, inParts);
+        return ChunkedCall.send(whole, message, inChunks);
       } catch (StatusRuntimeException e) {
         if (e.getStatus().getCode() != Status.Code.UNIMPLEMENTED) {
           throw e;

@@ -75,7 +75,7 @@ record TestDriverView(
             ? CppText.list(2, returned + "call(", arguments, ");")
             : CppText.list(
                 2,
-                "auto pending = beside(",
+                "auto pending = callNonblocking(",
                 List.of("[&] { return call(" + String.join(", ", arguments) + "); }"),
                 ");"),
         "  " + returned + "pending.outcome();",

@@ -32,7 +32,7 @@ record TestDriverView(
     String call,
     boolean runOn,
     boolean periodic,
-    boolean beside,
+    boolean nonblocking,
     String begin,
     String outcome,
     List<String> outputs) {
@@ -73,7 +73,7 @@ record TestDriverView(
             callArguments(plan)),
         SimulationControlView.runsOn(plan),
         plan.period() != null,
-        plan.beside(),
+        plan.nonblocking(),
         begin(plan),
         plan.returns() == null
             ? "    pending.outcome();"
@@ -104,11 +104,14 @@ record TestDriverView(
     return returns == null
         ? JavaText.call(
             4,
-            "CallBeside<Void> pending =",
-            "beside",
+            "NonblockingCall<Void> pending =",
+            "callNonblocking",
             List.of("() -> {\n          " + call + ";\n          return null;\n        }"))
         : JavaText.call(
-            4, "CallBeside<" + returns.boxed() + "> pending =", "beside", List.of("() -> " + call));
+            4,
+            "NonblockingCall<" + returns.boxed() + "> pending =",
+            "callNonblocking",
+            List.of("() -> " + call));
   }
 
   private static SortedSet<String> imports(JavaPlan plan) {
@@ -117,7 +120,9 @@ record TestDriverView(
       imports.add("org.sitaf.runtime." + type);
     }
     imports.add(
-        plan.beside() ? "org.sitaf.runtime.component.CallBeside" : "org.sitaf.runtime.Stopwatch");
+        plan.nonblocking()
+            ? "org.sitaf.runtime.component.NonblockingCall"
+            : "org.sitaf.runtime.Stopwatch");
     imports.add("org.sitaf.runtime.suite.CaseResult");
     imports.add("org.sitaf.runtime.suite.TestCase");
     addTypesOfCall(plan, imports);

@@ -33,7 +33,7 @@ record TestDriverView(
     String prepareStub,
     boolean periodic,
     String period,
-    boolean beside,
+    boolean nonblocking,
     String call,
     boolean runOn,
     String outcome,
@@ -43,7 +43,7 @@ record TestDriverView(
 
   static TestDriverView of(PythonPlan plan) {
     HarnessPlan neutral = plan.neutral();
-    boolean beside = neutral.method().callType() == CallType.NONBLOCKING;
+    boolean nonblocking = neutral.method().callType() == CallType.NONBLOCKING;
     List<String> notHooks = Hooks.among(neutral.provided(), PythonNames::snakeCase);
     String returned = neutral.returnsNothing() ? "" : "returned = ";
     return new TestDriverView(
@@ -87,10 +87,10 @@ record TestDriverView(
             .at(8),
         plan.isPeriodic(),
         plan.isPeriodic() ? PythonText.real(neutral.component().period().toNanos() / 1e9) : "",
-        beside,
-        beside
+        nonblocking,
+        nonblocking
             ? new Group(
-                    "pending = self.beside(",
+                    "pending = self.call_nonblocking(",
                     Stream.concat(Stream.of("self.call"), callArguments(plan).stream()).toList(),
                     ")")
                 .at(8)

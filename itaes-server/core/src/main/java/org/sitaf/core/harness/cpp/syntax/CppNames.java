@@ -49,7 +49,7 @@ public final class CppNames {
   private static final Set<String> USED_LOCALS =
       words(
           """
-          actual afterCase argc argv beforeCase begin beside call component execute interfaces main pending prepare
+          actual afterCase argc argv beforeCase begin call callNonblocking component execute interfaces main pending prepare
           raise result returned run runtime save simulation simulationControl sitaf std stopwatch stubbing suite
           testCase testStub value\
           """);

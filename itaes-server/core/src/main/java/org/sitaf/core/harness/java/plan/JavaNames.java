@@ -28,7 +28,7 @@ final class JavaNames {
   private static final Set<String> USED_TYPES =
       words(
           """
-          Answers BigInteger Boolean Byte CallBeside CaseResult Character ConcreteTestDriver Double Duration
+          Answers BigInteger Boolean Byte NonblockingCall CaseResult Character ConcreteTestDriver Double Duration
           Exception Float Integer LifeCycle LinkedHashMap Long Map Object Out Override RuntimeException Short
           Simulation SimulationControl Stopwatch String StubbedMethod StubbedOut Stubbing SuiteDriver TestCase
           TestDriver TestRun TestStub Tick Void\

@@ -18,7 +18,7 @@ import org.sitaf.core.description.Direction;
  * @param suiteLife whether the component lives as long as the suite
  * @param notHooks methods of the component's interfaces that are not life-cycle hooks
  * @param period period of a periodic component; null for a passive one
- * @param beside whether the call is made on a separate thread
+ * @param nonblocking whether the call is made on a separate thread
  * @param arguments arguments in the order of the method's parameters
  * @param returns null if the method returns nothing
  * @param world null if the activity has no world
@@ -41,7 +41,7 @@ public record JavaPlan(
     boolean suiteLife,
     List<String> notHooks,
     @Nullable Duration period,
-    boolean beside,
+    boolean nonblocking,
     List<Argument> arguments,
     @Nullable JavaType returns,
     @Nullable World world,

@@ -11,13 +11,13 @@ import org.sitaf.runtime.simulation.Simulation;
  *
  * @param <T> the boxed return type
  */
-public final class CallBeside<T> {
+public final class NonblockingCall<T> {
   private final @Nullable Simulation simulation;
   private final Thread thread;
   private volatile @Nullable T returned;
   private volatile @Nullable Throwable thrown;
 
-  private CallBeside(Stopwatch stopwatch, @Nullable Simulation simulation, Callable<T> call) {
+  private NonblockingCall(Stopwatch stopwatch, @Nullable Simulation simulation, Callable<T> call) {
     this.simulation = simulation;
     this.thread = new Thread(() -> run(stopwatch, call), "call under test");
     thread.setDaemon(true);
@@ -28,9 +28,9 @@ public final class CallBeside<T> {
    *
    * @param simulation its time passes only while the call waits for it; null for no simulation
    */
-  public static <T> CallBeside<T> begin(
+  public static <T> NonblockingCall<T> begin(
       Stopwatch stopwatch, @Nullable Simulation simulation, Callable<T> call) {
-    CallBeside<T> nonblocking = new CallBeside<>(stopwatch, simulation, call);
+    NonblockingCall<T> nonblocking = new NonblockingCall<>(stopwatch, simulation, call);
     if (simulation != null) {
       simulation.time().follow(nonblocking.thread);
     }

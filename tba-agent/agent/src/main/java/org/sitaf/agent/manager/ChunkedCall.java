@@ -11,14 +11,14 @@ import java.util.concurrent.CompletionException;
 import java.util.function.Function;
 
 /**
- * Sends a large message in parts, as fast as the server accepts them.
+ * Sends a large message in chunks, as fast as the server accepts them.
  *
- * @param <Q> request message that holds a part
+ * @param <Q> request message that holds a chunk
  * @param <A> response to the whole message
  */
-final class PartsCall<Q, A> implements ClientResponseObserver<Q, A> {
-  /** Largest part, by the protocol. */
-  static final int PART = 1 << 20;
+final class ChunkedCall<Q, A> implements ClientResponseObserver<Q, A> {
+  /** Size of the largest chunk in bytes, by the protocol. */
+  static final int MAX_CHUNK = 1 << 20;
 
   private final ByteString whole;
   private final Function<ByteString, Q> message;
@@ -26,7 +26,7 @@ final class PartsCall<Q, A> implements ClientResponseObserver<Q, A> {
   private int sent;
   private boolean done;
 
-  private PartsCall(ByteString whole, Function<ByteString, Q> message) {
+  private ChunkedCall(ByteString whole, Function<ByteString, Q> message) {
     this.whole = whole;
     this.message = message;
   }
@@ -40,7 +40,7 @@ final class PartsCall<Q, A> implements ClientResponseObserver<Q, A> {
       ByteString whole,
       Function<ByteString, Q> message,
       Function<StreamObserver<A>, StreamObserver<Q>> method) {
-    PartsCall<Q, A> call = new PartsCall<>(whole, message);
+    ChunkedCall<Q, A> call = new ChunkedCall<>(whole, message);
     var unused = method.apply(call);
     try {
       return call.answer.join();
@@ -56,7 +56,7 @@ final class PartsCall<Q, A> implements ClientResponseObserver<Q, A> {
 
   private synchronized void sendTo(ClientCallStreamObserver<Q> requests) {
     while (!done && requests.isReady()) {
-      int end = Math.min(whole.size(), sent + PART);
+      int end = Math.min(whole.size(), sent + MAX_CHUNK);
       requests.onNext(message.apply(whole.substring(sent, end)));
       sent = end;
       if (sent == whole.size()) {

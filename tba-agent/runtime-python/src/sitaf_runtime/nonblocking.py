@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 
 
-class CallBeside(Generic[T]):
+class NonblockingCall(Generic[T]):
     """Runs a call on a thread; with a simulation, simulation time passes only while the call waits for it."""
 
     def __init__(self, stopwatch: Stopwatch, simulation: Simulation | None, call: Callable[[], T]) -> None:

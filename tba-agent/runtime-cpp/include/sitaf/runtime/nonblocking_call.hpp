@@ -12,11 +12,11 @@ namespace sitaf::runtime {
 
 /// A nonblocking call. It runs on its own thread, so that simulation time passes during the call.
 template <class Returned>
-class CallBeside {
+class NonblockingCall {
  public:
   /// Starts a call. With a simulation, simulation time passes only while the call waits for it.
   template <class Call>
-  CallBeside(Stopwatch& stopwatch, simulation::Simulation* simulation, Call call) : simulation_(simulation) {
+  NonblockingCall(Stopwatch& stopwatch, simulation::Simulation* simulation, Call call) : simulation_(simulation) {
     std::promise<void> begin;
     std::packaged_task<Returned()> task([&stopwatch, call = std::move(call)]() -> Returned {
       stopwatch.start();
@@ -43,12 +43,12 @@ class CallBeside {
     }
     begin.set_value();
   }
-  CallBeside(const CallBeside&) = delete;
-  CallBeside& operator=(const CallBeside&) = delete;
+  NonblockingCall(const NonblockingCall&) = delete;
+  NonblockingCall& operator=(const NonblockingCall&) = delete;
 
   /// Ends a call whose outcome was not read, so that it does not affect the next case: its waits for simulation time throw an
   /// exception. Returns when the call has ended.
-  ~CallBeside() {
+  ~NonblockingCall() {
     if (thread_.joinable()) {
       if (simulation_ != nullptr) {
         simulation_->giveUp();
