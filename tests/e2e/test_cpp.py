@@ -102,6 +102,44 @@ def test_a_crash_in_cpp_affects_only_its_cases(sitaf, cpp_activity):
 
 
 @cpp
+def test_a_sanitizer_finds_a_write_beyond_the_end(sitaf, tmp_path):
+    passing = sitaf("run", "examples/moving-average")
+    assert passing.returncode == 0, passing.stdout + passing.stderr
+    assert "MeanOfLast: 18 cases, 18 PASS" in passing.stdout
+    faulty = shutil.copytree(sitaf.root / "examples" / "moving-average-faulty", tmp_path / "activity")
+    source = faulty / "component" / "moving_average.cpp"
+    line = next(i for i, text in enumerate(source.read_text().splitlines(), 1) if "recent[i] = " in text)
+    run = sitaf("run", faulty)
+    assert run.returncode == 1, run.stdout + run.stderr
+    assert "18 cases, 6 PASS, 0 FAIL, 12 ERROR" in run.stdout
+    assert f"heap-buffer-overflow at moving_average.cpp:{line}" in run.stdout
+    replace(faulty / "activity.yaml", "sanitize: [address, undefined]\n", "")
+    unchecked = sitaf("run", faulty)
+    assert "18 cases, 18 PASS" in unchecked.stdout, unchecked.stdout + unchecked.stderr
+
+
+@cpp
+def test_warnings_and_the_own_frame_of_a_crash_are_shown(sitaf, cpp_activity):
+    source = cpp_activity / "component" / "infrared_sensor.cpp"
+    body = "double InfraredSensor::GetInfraredData(int indexOfSensor, int numOfSensor) const {\n"
+    # The access is in a header of the standard library.
+    fault = (
+        "  const auto* nowhere = reinterpret_cast<const double*>(8L * indexOfSensor);\n"
+        "  if (indexOfSensor == 2) return std::accumulate(nowhere, nowhere + 1, 0.0);\n"
+        "  int unused = 0;\n"
+    )
+    replace(source, body, body + fault)
+    source.write_text("#include <numeric>\n" + source.read_text())
+    line = next(i for i, text in enumerate(source.read_text().splitlines(), 1) if "std::accumulate" in text)
+    run = sitaf("run", cpp_activity)
+    assert run.returncode == 1, run.stdout + run.stderr
+    assert re.search(rf"infrared_sensor\.cpp:{line + 1}:\d+: warning: unused variable 'unused'", run.stderr), run.stderr
+    assert re.search(rf"SIGSEGV.*infrared_sensor\.cpp:{line}", run.stdout), run.stdout
+    again = sitaf("run", cpp_activity)
+    assert "warning: unused variable" in again.stderr, "the warnings of a cached compilation are shown, too"
+
+
+@cpp
 @pytest.mark.skipif(shutil.which("clang++") is None and "CI" not in os.environ, reason="needs clang++")
 def test_the_environment_selects_the_compiler(sitaf, cpp_activity):
     clang = {"CXX": "clang++"}

@@ -14,6 +14,7 @@
 #include <ctime>
 #include <exception>
 #include <string>
+#include <vector>
 
 #include "runtime/thrown.hpp"
 
@@ -34,11 +35,23 @@ void write(const char* text) {
   (void)ignored;
 }
 
-/// Function, file and line of an address from addr2line, which is part of the compiler; only the symbol when it is missing.
-std::string placeOf(void* address) {
+std::string withoutUnknownPlace(std::string line) {
+  while (!line.empty() && (line.back() == '\n' || line.back() == ' ')) {
+    line.pop_back();
+  }
+  const std::string unknown = " at ??:?";
+  if (line.size() > unknown.size() && line.compare(line.size() - unknown.size(), unknown.size(), unknown) == 0) {
+    line.resize(line.size() - unknown.size());
+  }
+  return line;
+}
+
+/// Function, file and line of an address and of the calls that are inlined there, innermost first, from addr2line, which is
+/// part of the compiler; only the symbol when it is missing.
+std::vector<std::string> placesOf(void* address) {
   Dl_info info{};
   if (::dladdr(address, &info) == 0 || info.dli_fname == nullptr) {
-    return "";
+    return {};
   }
   // A return address is the one after the call.
   const auto offset = static_cast<char*>(address) - static_cast<char*>(info.dli_fbase) - 1;
@@ -46,50 +59,49 @@ std::string placeOf(void* address) {
   const bool ofSystem =
       module.compare(0, 5, "/usr/") == 0 || module.compare(0, 5, "/lib/") == 0 || module.find("libsitaf") != std::string::npos;
   if (ofSystem) {
-    return "";
+    return {};
   }
   char command[4096];
-  std::snprintf(command, sizeof command, "addr2line -Cfpe '%s' 0x%lx 2>/dev/null", module.c_str(), static_cast<unsigned long>(offset));
-  std::string line;
+  std::snprintf(command, sizeof command, "addr2line -Cfpie '%s' 0x%lx 2>/dev/null", module.c_str(), static_cast<unsigned long>(offset));
+  std::vector<std::string> places;
   if (module.find('\'') == std::string::npos) {
     if (std::FILE* pipe = ::popen(command, "r")) {
+      const std::string inlinedBy = " (inlined by) ";
       char buffer[2048];
       while (std::fgets(buffer, sizeof buffer, pipe) != nullptr) {
-        line = line.empty() ? buffer : line;
+        std::string line = withoutUnknownPlace(buffer);
+        if (line.compare(0, inlinedBy.size(), inlinedBy) == 0) {
+          line.erase(0, inlinedBy.size());
+        }
+        if (line.compare(0, 2, "??") != 0) {
+          places.push_back(line);
+        }
       }
       ::pclose(pipe);
     }
   }
-  while (!line.empty() && (line.back() == '\n' || line.back() == ' ')) {
-    line.pop_back();
+  if (places.empty() && info.dli_sname != nullptr) {
+    places.push_back(demangled(info.dli_sname));
   }
-  if ((line.empty() || line.compare(0, 2, "??") == 0) && info.dli_sname != nullptr) {
-    line = demangled(info.dli_sname);
-  }
-  const std::string unknown = " at ??:?";
-  if (line.size() > unknown.size() && line.compare(line.size() - unknown.size(), unknown.size(), unknown) == 0) {
-    line.resize(line.size() - unknown.size());
-  }
-  return line.compare(0, 2, "??") == 0 ? "" : line;
+  return places;
 }
 
-bool isOfTest(const std::string& place) {
+/// Whether a place is neither in the component nor in a library that came with it.
+bool isForeign(const std::string& place) {
   return place.compare(0, 7, "sitaf::") == 0 || place.compare(0, 5, "main ") == 0 || place == "main" || place == "_start" ||
-         place.find(" sitaf::runtime::") != std::string::npos;
+         place.find(" sitaf::runtime::") != std::string::npos || place.find(" at /usr/") != std::string::npos;
 }
 
 void report(void** frames, int count, const char* what) {
   std::string innermost;
   int shown = 0;
   for (int i = 0; i < count && shown < shownFrames; ++i) {
-    const std::string place = placeOf(frames[i]);
-    if (place.empty()) {
-      continue;
-    }
-    ++shown;
-    write(("    at " + place + "\n").c_str());
-    if (innermost.empty() && !isOfTest(place)) {
-      innermost = place;
+    for (const std::string& place : placesOf(frames[i])) {
+      ++shown;
+      write(("    at " + place + "\n").c_str());
+      if (innermost.empty() && !isForeign(place)) {
+        innermost = place;
+      }
     }
   }
   write((std::string(what) + (innermost.empty() ? "" : " in " + innermost) + "\n").c_str());

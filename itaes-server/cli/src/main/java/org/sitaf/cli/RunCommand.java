@@ -162,6 +162,8 @@ final class RunCommand implements Callable<Integer> {
         Sitaf.print(generated.notes(), err);
         BuildOutcome outcome = builds.run(activity, model, generated.suite());
         if (outcome instanceof BuildOutcome.Completed completed) {
+          completed.warnings().forEach(w -> err.println(Printable.lines(w, "  ")));
+          err.flush();
           print(completed.result(), out);
           results.add(completed.result());
           exitCode = worse(exitCode, exitCode(completed.result()));

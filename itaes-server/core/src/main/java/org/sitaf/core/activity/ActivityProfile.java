@@ -4,7 +4,9 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -17,6 +19,7 @@ import org.jspecify.annotations.Nullable;
  * @param world the world description; null if the component needs no simulation
  * @param models test models, relative to the activity
  * @param parallel whether cases may run in several simulations at once
+ * @param sanitizers with which a C++ component and its test application are compiled
  */
 public record ActivityProfile(
     String name,
@@ -29,6 +32,7 @@ public record ActivityProfile(
     @Nullable String world,
     List<String> models,
     boolean parallel,
+    Set<Sanitizer> sanitizers,
     Limits limits) {
   public ActivityProfile {
     Objects.requireNonNull(name);
@@ -40,6 +44,7 @@ public record ActivityProfile(
     required = List.copyOf(required);
     libraries = List.copyOf(libraries);
     models = List.copyOf(models);
+    sanitizers = java.util.Collections.unmodifiableSet(new TreeSet<>(sanitizers));
   }
 
   /** Language of a component or of a test application. */
@@ -49,6 +54,19 @@ public record ActivityProfile(
     PYTHON;
 
     /** The name in documents, in lower case. */
+    public String id() {
+      return name().toLowerCase(java.util.Locale.ROOT);
+    }
+  }
+
+  /** Checks that a C++ compiler adds to a program. */
+  public enum Sanitizer {
+    /** Invalid accesses to memory: AddressSanitizer. */
+    ADDRESS,
+    /** Undefined behaviour, such as an overflow of a signed integer: UBSan. */
+    UNDEFINED;
+
+    /** The name in documents, and in the option {@code -fsanitize} of compilers. */
     public String id() {
       return name().toLowerCase(java.util.Locale.ROOT);
     }

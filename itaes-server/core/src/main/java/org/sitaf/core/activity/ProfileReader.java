@@ -1,6 +1,8 @@
 package org.sitaf.core.activity;
 
 import java.time.Duration;
+import java.util.Arrays;
+import java.util.EnumSet;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
@@ -13,6 +15,7 @@ import org.sitaf.core.activity.ActivityProfile.Component;
 import org.sitaf.core.activity.ActivityProfile.Language;
 import org.sitaf.core.activity.ActivityProfile.LifeCycle;
 import org.sitaf.core.activity.ActivityProfile.Limits;
+import org.sitaf.core.activity.ActivityProfile.Sanitizer;
 import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.document.YamlDocument;
 import org.sitaf.core.document.YamlMapping;
@@ -32,6 +35,7 @@ final class ProfileReader {
           "world",
           "models",
           "parallel",
+          "sanitize",
           "limits");
   private static final Set<String> COMPONENT_ENTRIES =
       Set.of(
@@ -84,6 +88,7 @@ final class ProfileReader {
         root.text("world").orElse(null),
         root.texts("models"),
         root.booleanValue("parallel").orElse(false),
+        sanitizers(root, component, harness),
         root.mapping("limits").map(ProfileReader::limits).orElse(Limits.DEFAULT));
   }
 
@@ -144,6 +149,29 @@ final class ProfileReader {
       entry.problem(name, "must be java, cpp or python, not '" + text + "'");
     }
     return Optional.empty();
+  }
+
+  private static Set<Sanitizer> sanitizers(
+      YamlMapping root, Component component, Language harness) {
+    Set<Sanitizer> found = EnumSet.noneOf(Sanitizer.class);
+    for (String name : root.texts("sanitize")) {
+      Arrays.stream(Sanitizer.values())
+          .filter(sanitizer -> sanitizer.id().equals(name))
+          .findFirst()
+          .ifPresentOrElse(
+              found::add,
+              () ->
+                  root.problem(
+                      "sanitize", "must list address and undefined only, not '" + name + "'"));
+    }
+    if (!found.isEmpty() && (component.language() != Language.CPP || harness != Language.CPP)) {
+      root.problem("sanitize", "is only allowed for components in C++; remove it");
+    } else if (!found.isEmpty() && component.sources() == null) {
+      root.problem(
+          "sanitize",
+          "has no effect on a compiled library; give the sources of the component, or remove it");
+    }
+    return found;
   }
 
   private static LifeCycle lifeCycle(YamlMapping entry) {

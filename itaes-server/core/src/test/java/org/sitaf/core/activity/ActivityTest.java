@@ -236,6 +236,14 @@ class ActivityTest {
   }
 
   @Test
+  void sanitizersAreOnlyForComponentsInCpp() {
+    replace("activity.yaml", "provided:", "sanitize: [address, thread]\nprovided:");
+    assertThat(problems())
+        .anyMatch(p -> p.contains("sanitize: must list address and undefined only, not 'thread'"))
+        .anyMatch(p -> p.contains("sanitize: is only allowed for components in C++; remove it"));
+  }
+
+  @Test
   void rejectsAYamlBomb() {
     StringBuilder bomb = new StringBuilder("a0: &a0 [x, x, x, x, x, x, x, x, x]\n");
     for (int i = 1; i < 30; i++) {

@@ -3,6 +3,7 @@ package org.sitaf.core.harness;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import org.sitaf.core.activity.Activity;
 import org.sitaf.core.activity.ActivityProfile;
 import org.sitaf.core.activity.ActivityProfile.Component;
@@ -104,6 +105,7 @@ public record OneCase(
         null,
         List.of("model.xml"),
         false,
+        Set.of(),
         Limits.DEFAULT);
   }
 }

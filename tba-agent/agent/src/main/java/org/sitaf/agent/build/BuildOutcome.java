@@ -8,10 +8,15 @@ import org.sitaf.core.verdict.TestResult;
 /** How a build ended. A build that could not run never looks like a failed test. */
 public sealed interface BuildOutcome {
 
-  /** Every case has a verdict; DONT if it was not executed. */
-  record Completed(TestResult result) implements BuildOutcome {
+  /**
+   * Every case has a verdict; DONT if it was not executed.
+   *
+   * @param warnings of the compiler about the user's sources, one line each
+   */
+  record Completed(TestResult result, List<String> warnings) implements BuildOutcome {
     public Completed {
       Objects.requireNonNull(result);
+      warnings = List.copyOf(warnings);
     }
   }
 

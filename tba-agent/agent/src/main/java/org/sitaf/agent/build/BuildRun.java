@@ -155,6 +155,9 @@ public final class BuildRun {
     try (EarlyProcess early = startEarly(toolchain, compilation, prepared, log)) {
       CompiledApplication compiled = compiler.compile(compilation);
 
+      List<String> warnings = compiled.warnings();
+      warnings.forEach(log::remark);
+
       listener.stage(BuildStage.RUNNING);
       ResultAssembler assembler =
           new ResultAssembler(
@@ -163,7 +166,7 @@ public final class BuildRun {
       Execution execution = execute(request, early, assembler, log);
 
       TestResult result = report(execution, assembler, prepared.bridge(), started);
-      return new BuildOutcome.Completed(withCoverage(result, compiled, request, log));
+      return new BuildOutcome.Completed(withCoverage(result, compiled, request, log), warnings);
     }
   }
 

@@ -38,6 +38,7 @@ final class HarnessProcess implements AutoCloseable {
   private final OutputFolders outputFolders;
   private final LastLine lastLine = new LastLine();
   private final Answer answer = new Answer();
+  private final ErrorTail errorTail = new ErrorTail();
   private final List<Thread> pumps;
 
   private HarnessProcess(
@@ -62,6 +63,7 @@ final class HarnessProcess implements AutoCloseable {
                 new CaseMarks(
                     (text, caseNo) -> {
                       lastLine.add(text);
+                      errorTail.add(text);
                       answer.add(text);
                       sink.output(text, caseNo);
                     })));
@@ -102,7 +104,11 @@ final class HarnessProcess implements AutoCloseable {
     }
     ProcessLimits limits =
         new ProcessLimits(
-            memoryMiB + application.overheadMiB(), PROCESSES, FILE_MIB, processorTime(request));
+            memoryMiB + application.overheadMiB(),
+            PROCESSES,
+            FILE_MIB,
+            processorTime(request),
+            application.reservesMemory());
     Confinement confinement =
         Confinement.of(command, working, temporary, limits)
             .withEnvironment(application.environment(place))
@@ -193,6 +199,11 @@ final class HarnessProcess implements AutoCloseable {
     answer.begin();
     process.requestStackTraces();
     return answer.untilQuiet();
+  }
+
+  /** The end of its error stream; complete after {@link #end()}. */
+  String errors() {
+    return errorTail.get();
   }
 
   /** Kills it and all processes that it started. */

@@ -34,7 +34,7 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow, Durat
   private static final Duration EXIT_GRACE = Duration.ofSeconds(2);
 
   /** Number of times that a simulator is replaced before the build fails. */
-  private static final int SIMULATOR_REMAX_STARTS = 3;
+  private static final int MAX_SIMULATOR_RESTARTS = 3;
 
   /** Ends of the simulator in one case after which the case is at fault. */
   private static final int MAX_ENDS_PER_CASE = 2;
@@ -96,7 +96,7 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow, Durat
     private final long end = System.nanoTime() + atMost.toNanos();
     private int crashesInFirstCase;
     private final SimulatorEnds simulatorEnds =
-        new SimulatorEnds(MAX_ENDS_PER_CASE, SIMULATOR_REMAX_STARTS);
+        new SimulatorEnds(MAX_ENDS_PER_CASE, MAX_SIMULATOR_RESTARTS);
     private int failedStarts;
     private @Nullable EarlyProcess early;
 
@@ -163,7 +163,11 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow, Durat
           return notReady(how, end);
         }
         if (how == Follow.ENDED || current == progress.current().no()) {
-          failCurrentCase(how, where, end);
+          String cause =
+              how == Follow.NO_ANSWER || !end.exceededLimit().isEmpty()
+                  ? ""
+                  : request.application().crashCause(process.errors()).orElse("");
+          failCurrentCase(how, where, end, cause);
         }
         return crashesInFirstCase < crashesInARow
             ? ""
@@ -183,13 +187,13 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow, Durat
       return ++failedStarts < MAX_STARTS ? "" : message;
     }
 
-    private void failCurrentCase(Follow how, String where, ProcessEnd end) {
+    private void failCurrentCase(Follow how, String where, ProcessEnd end, String cause) {
       String message =
           how == Follow.NO_ANSWER
               ? "no answer within "
                   + seconds(request.limits().caseWall())
                   + (where.isEmpty() ? "" : ", at " + where)
-              : "the test application ended with " + end.describe();
+              : cause.isEmpty() ? "the test application ended with " + end.describe() : cause;
       sink.remark("case " + progress.current().no() + ": " + message);
       progress.currentFailed(message);
     }

@@ -11,11 +11,17 @@ import org.sitaf.agent.sandbox.cgroup.GroupLimits;
  * @param processes processes and threads at a time
  * @param fileMiB size of a single file
  * @param cpu processor time of each process
+ * @param reservesMemory whether the process reserves address space far beyond what it uses, as a
+ *     sanitizer does for its shadow memory; then only its use of memory is limited
  */
-public record ProcessLimits(int memoryMiB, int processes, int fileMiB, Duration cpu) {
+public record ProcessLimits(
+    int memoryMiB, int processes, int fileMiB, Duration cpu, boolean reservesMemory) {
   /** The limits of a compiler. */
   public static final ProcessLimits TOOL =
       new ProcessLimits(2048, 256, 1024, Duration.ofMinutes(10));
+
+  /** More than the shadow memory of AddressSanitizer on 64-bit machines, 16 TiB. */
+  private static final long RESERVED_BYTES = 32L << 40;
 
   public ProcessLimits {
     Objects.requireNonNull(cpu);
@@ -24,12 +30,17 @@ public record ProcessLimits(int memoryMiB, int processes, int fileMiB, Duration 
     }
   }
 
+  /** The limits of a process that reserves little more memory than it uses. */
+  public ProcessLimits(int memoryMiB, int processes, int fileMiB, Duration cpu) {
+    this(memoryMiB, processes, fileMiB, cpu, false);
+  }
+
   /**
    * Address space limit of a single process ({@code RLIMIT_DATA}). Runtimes reserve more than they
    * use, so this only stops processes that grow faster than {@link MemoryWatch} measures.
    */
   long dataBytes() {
-    return (2L * memoryMiB + 1024) << 20;
+    return reservesMemory ? RESERVED_BYTES : (2L * memoryMiB + 1024) << 20;
   }
 
   /**

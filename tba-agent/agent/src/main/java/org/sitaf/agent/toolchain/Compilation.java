@@ -17,7 +17,6 @@ import org.sitaf.core.harness.TestApplication;
  * @param scratch absolute folder for temporary files
  * @param atMost timeout of the compilation
  * @param coverage whether processes record which lines of the component they execute
- * @param coverage whether processes are to record which lines of the component they reach
  * @param sandbox in which tools run
  */
 public record Compilation(

@@ -25,6 +25,24 @@ public interface CompiledApplication {
     return Optional.empty();
   }
 
+  /** What ended a process, from the end of its error stream; empty if its last line says enough. */
+  default Optional<String> crashCause(String errors) {
+    return Optional.empty();
+  }
+
+  /**
+   * The compiler's warnings about the user's own sources, one line each, as {@code
+   * file:line:column: warning: message}.
+   */
+  default List<String> warnings() throws IOException {
+    return List.of();
+  }
+
+  /** Whether its processes reserve address space far beyond the memory that they use. */
+  default boolean reservesMemory() {
+    return false;
+  }
+
   /** Whether its processes record which lines of the component they execute. */
   default boolean recordsCoverage() {
     return false;

@@ -35,7 +35,7 @@ class DiskWatchTest {
         Confinement.of(java.util.List.of("python3", "-c", program), working, temporary, LIMITS)
             .writing(java.util.List.of(more));
     try (ConfinedProcess process = SandboxMode.REQUIRED.open().start(confinement)) {
-      boolean ended = process.awaitEnd(Duration.ofSeconds(20));
+      boolean ended = process.awaitEnd(Duration.ofSeconds(60));
       if (process.exceededLimit().isPresent()) {
         return process.exceededLimit().get();
       }
@@ -76,7 +76,7 @@ class DiskWatchTest {
     assertKilled(
         PYTHON_LIMIT,
         "import time\nfor i in range(10):\n"
-            + "    open(f'f{i}', 'wb').write(bytes(15 << 20))\ntime.sleep(30)");
+            + "    open(f'f{i}', 'wb').write(bytes(15 << 20))\ntime.sleep(90)");
   }
 
   @Test
@@ -84,7 +84,7 @@ class DiskWatchTest {
     assertKilled(
         PYTHON_LIMIT,
         "import time\nfor i in range(10):\n"
-            + "    open(f'f{i}', 'wb').truncate(15 << 20)\ntime.sleep(30)");
+            + "    open(f'f{i}', 'wb').truncate(15 << 20)\ntime.sleep(90)");
   }
 
   @Test
@@ -92,7 +92,7 @@ class DiskWatchTest {
     assertKilled(
         PYTHON_LIMIT,
         "import time\nfor i in range(10):\n"
-            + "    open(f'../more/f{i}', 'wb').write(bytes(15 << 20))\ntime.sleep(30)");
+            + "    open(f'../more/f{i}', 'wb').write(bytes(15 << 20))\ntime.sleep(90)");
   }
 
   @Test
@@ -101,7 +101,7 @@ class DiskWatchTest {
         PYTHON_LIMIT,
         "import os, time\nkept = []\nfor i in range(4):\n"
             + "    kept.append(open('f', 'wb'))\n    os.unlink('f')\n"
-            + "    kept[-1].write(bytes(15 << 20))\n    kept[-1].flush()\ntime.sleep(30)");
+            + "    kept[-1].write(bytes(15 << 20))\n    kept[-1].flush()\ntime.sleep(90)");
   }
 
   @Test
@@ -113,7 +113,7 @@ class DiskWatchTest {
             OrdinaryUser.run(
                 Confined.class,
                 folder.toString(),
-                "import ctypes, time\nctypes.CDLL(None).prctl(4, 0, 0, 0, 0)\ntime.sleep(30)"))
+                "import ctypes, time\nctypes.CDLL(None).prctl(4, 0, 0, 0, 0)\ntime.sleep(90)"))
         .startsWith("it prevents the agent from listing its open files");
   }
 
@@ -123,14 +123,14 @@ class DiskWatchTest {
         PYTHON_LIMIT,
         "import mmap, os, time\nkept = []\nfor i in range(4):\n"
             + "    f = open('f', 'w+b')\n    os.unlink('f')\n    f.truncate(15 << 20)\n"
-            + "    kept.append(mmap.mmap(f.fileno(), 15 << 20))\n    f.close()\ntime.sleep(30)");
+            + "    kept.append(mmap.mmap(f.fileno(), 15 << 20))\n    f.close()\ntime.sleep(90)");
   }
 
   @Test
   void limitsTheNumberOfFiles() throws Exception {
     assertKilled(
         "it wrote more than 20000 files",
-        "import os, time\nfor i in range(200000):\n    os.mknod(f'{i}')\ntime.sleep(30)");
+        "import os, time\nfor i in range(200000):\n    os.mknod(f'{i}')\ntime.sleep(90)");
   }
 
   @Test
@@ -138,7 +138,7 @@ class DiskWatchTest {
     assertKilled(
         PYTHON_LIMIT,
         "import os, time\nos.mkdir('d')\nf = [open(f'd/{i}', 'wb') for i in range(4)]\n"
-            + "os.chmod('d', 0)\n[x.write(bytes(15 << 20)) for x in f]\ntime.sleep(30)");
+            + "os.chmod('d', 0)\n[x.write(bytes(15 << 20)) for x in f]\ntime.sleep(90)");
   }
 
   @Test
@@ -146,7 +146,7 @@ class DiskWatchTest {
     assertKilled(
         PYTHON_LIMIT,
         "import os, time\nfor i in range(400):\n    os.mkdir('d' * 200)\n    os.chdir('d' * 200)\n"
-            + "for i in range(4):\n    open(f'{i}', 'wb').write(bytes(15 << 20))\ntime.sleep(30)");
+            + "for i in range(4):\n    open(f'{i}', 'wb').write(bytes(15 << 20))\ntime.sleep(90)");
   }
 
   @Test
@@ -154,7 +154,7 @@ class DiskWatchTest {
     assertKilled(
         "it nested folders more than 512 deep",
         "import os, time\nfor i in range(2000):\n    os.mkdir('d')\n    os.chdir('d')\n"
-            + "time.sleep(30)");
+            + "time.sleep(90)");
   }
 
   @Test

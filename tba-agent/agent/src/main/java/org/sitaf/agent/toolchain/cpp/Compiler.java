@@ -7,10 +7,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.core.activity.ActivityProfile.Sanitizer;
 
 /**
  * The compiler of this machine.
@@ -18,9 +21,14 @@ import org.jspecify.annotations.Nullable;
  * @param version such as {@code g++ 12.2.0}
  */
 record Compiler(Path program, String version) {
-  /** Options of all compilations: line numbers for stack traces of crashes, no warnings. */
-  static final List<String> OPTIONS =
-      List.of("-std=c++17", "-O1", "-g1", "-fPIC", "-pthread", "-w");
+  /** Options of all compilations: line numbers for stack traces of crashes. */
+  static final List<String> OPTIONS = List.of("-std=c++17", "-O1", "-g1", "-fPIC", "-pthread");
+
+  /** For generated sources and the runtime, whose warnings nobody can act on. */
+  static final String WITHOUT_WARNINGS = "-w";
+
+  /** For the user's sources. */
+  static final String WITH_WARNINGS = "-Wall";
 
   private static final Pattern LIBRARY_FOLDER = Pattern.compile("SEARCH_DIR\\(\"=?([^\"]+)\"\\)");
 
@@ -29,6 +37,15 @@ record Compiler(Path program, String version) {
 
   /** Output of compilers about themselves, which does not change while they are installed. */
   private static final Map<List<String>, String> ANSWERS = new ConcurrentHashMap<>();
+
+  /** Options of compilation and linking with sanitizers; an error ends the process. */
+  static List<String> sanitizing(Set<Sanitizer> sanitizers) {
+    if (sanitizers.isEmpty()) {
+      return List.of();
+    }
+    String names = sanitizers.stream().map(Sanitizer::id).collect(Collectors.joining(","));
+    return List.of("-fsanitize=" + names, "-fno-sanitize-recover=all", "-fno-omit-frame-pointer");
+  }
 
   /** Options for diagnostics of one line without colors. */
   List<String> plainDiagnostics() {

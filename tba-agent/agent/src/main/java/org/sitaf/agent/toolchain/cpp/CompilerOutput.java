@@ -10,8 +10,8 @@ import java.util.regex.Pattern;
 import org.sitaf.agent.toolchain.SourceDiagnostic;
 
 /**
- * Parses the output of compiler and linker: {@code FILE:LINE:COLUMN: error: MESSAGE} of both g++
- * and clang++, and the linker's undefined references.
+ * Parses the output of compiler and linker: {@code FILE:LINE:COLUMN: error: MESSAGE}, and the same
+ * with {@code warning}, of both g++ and clang++, and the linker's undefined references.
  */
 final class CompilerOutput {
   private static final int AT_MOST = 100;
@@ -28,8 +28,11 @@ final class CompilerOutput {
   private static final Pattern OTHER_LINK =
       Pattern.compile(".*?ld[^:]*: (.*(?:cannot find|multiple definition|not found).*)");
 
+  private static final Pattern WARNING = Pattern.compile("(.+?):(\\d+):(?:(\\d+):)? warning: (.*)");
+
   private final Function<String, Place> places;
   private final Set<SourceDiagnostic> found = new LinkedHashSet<>();
+  private final Set<String> warnings = new LinkedHashSet<>();
 
   /**
    * A file as the user knows it.
@@ -70,6 +73,26 @@ final class CompilerOutput {
         add(new SourceDiagnostic("", 0, 0, other.group(1), false));
       }
     }
+  }
+
+  /** Parses the warnings of one run; those outside of the user's sources are dropped. */
+  void readWarnings(String errors) {
+    for (String line : errors.lines().toList()) {
+      Matcher warning = WARNING.matcher(line);
+      if (warning.matches() && warnings.size() < AT_MOST) {
+        SourceDiagnostic place = diagnostic(warning, "");
+        if (!place.generated()) {
+          String column = place.column() == 0 ? "" : place.column() + ":";
+          warnings.add(
+              place.file() + ":" + place.line() + ":" + column + " warning: " + warning.group(4));
+        }
+      }
+    }
+  }
+
+  /** The warnings about the user's sources, one line each. */
+  Set<String> warnings() {
+    return warnings;
   }
 
   /** The errors; those in the user's files come first. */

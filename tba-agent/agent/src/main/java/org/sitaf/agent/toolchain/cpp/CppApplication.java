@@ -1,6 +1,7 @@
 package org.sitaf.agent.toolchain.cpp;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
@@ -16,9 +17,11 @@ import org.sitaf.core.verdict.Coverage;
  *
  * @param folder folder of the program and of the component's libraries, in {@code lib}
  * @param runtime folder of the runtime library
+ * @param sanitized whether it is compiled with sanitizers
  * @param recording null if coverage is off
  */
-record CppApplication(Path folder, String program, Path runtime, @Nullable CppCoverage recording)
+record CppApplication(
+    Path folder, String program, Path runtime, boolean sanitized, @Nullable CppCoverage recording)
     implements CompiledApplication {
   /** Last line that the runtime prints when it gets SIGQUIT. */
   private static final String HANG_PREFIX = "hangs in ";
@@ -29,8 +32,14 @@ record CppApplication(Path folder, String program, Path runtime, @Nullable CppCo
   /** Folder of the component's shared libraries. */
   static final String LIBRARIES = "lib";
 
+  /** File with the compiler's warnings about the user's sources. */
+  static final String WARNINGS = "warnings";
+
   /** Memory of gRPC. */
   private static final int OVERHEAD_MIB = 96;
+
+  /** Red zones, the quarantine of freed memory and the shadow of what is used. */
+  private static final int SANITIZER_MIB = 512;
 
   @Override
   public List<String> command(ProcessPlace place) {
@@ -45,6 +54,11 @@ record CppApplication(Path folder, String program, Path runtime, @Nullable CppCo
     Path coverage = place.coverage();
     if (coverage != null) {
       environment.put("GCOV_PREFIX", coverage.toString());
+    }
+    if (sanitized) {
+      // Leaks are searched by attaching to the process, which the sandbox refuses.
+      environment.put("ASAN_OPTIONS", "detect_leaks=0:quarantine_size_mb=64");
+      environment.put("UBSAN_OPTIONS", "print_stacktrace=1");
     }
     return environment;
   }
@@ -74,7 +88,22 @@ record CppApplication(Path folder, String program, Path runtime, @Nullable CppCo
   }
 
   @Override
+  public Optional<String> crashCause(String errors) {
+    return sanitized ? SanitizerReport.cause(errors) : Optional.empty();
+  }
+
+  @Override
+  public List<String> warnings() throws IOException {
+    return Files.readAllLines(folder.resolve(WARNINGS));
+  }
+
+  @Override
+  public boolean reservesMemory() {
+    return sanitized;
+  }
+
+  @Override
   public int overheadMiB() {
-    return OVERHEAD_MIB;
+    return sanitized ? OVERHEAD_MIB + SANITIZER_MIB : OVERHEAD_MIB;
   }
 }

@@ -107,6 +107,7 @@ final class CppCompilation {
     thread.start();
     try {
       requireSuccess("the sources do not compile", MISFIT, ends);
+      writeWarnings(all);
       link(all, cacheTask);
     } finally {
       await(cacheTask);
@@ -137,6 +138,9 @@ final class CppCompilation {
   private Map<String, Path> files(TranslationUnit unit) {
     Map<String, Path> files = new TreeMap<>();
     files.put(TranslationUnit.OBJECT, objects.resolve(unit.name() + TranslationUnit.OBJECT));
+    if (!unit.source().ofHarness()) {
+      files.put(TranslationUnit.WARNINGS, objects.resolve(unit.name() + TranslationUnit.WARNINGS));
+    }
     if (unit.measured()) {
       files.put(TranslationUnit.NOTES, notes().resolve(unit.name() + TranslationUnit.NOTES));
     }
@@ -165,6 +169,18 @@ final class CppCompilation {
       cache.keep(unit.key(), read.get(), files(unit));
       inputs.add(read.get());
     }
+  }
+
+  /** Keeps the warnings with the program, for builds that take it from a cache. */
+  private void writeWarnings(List<TranslationUnit> units) throws IOException {
+    CompilerOutput printed = new CompilerOutput(sources::place);
+    for (TranslationUnit unit : units) {
+      Path file = files(unit).get(TranslationUnit.WARNINGS);
+      if (file != null) {
+        printed.readWarnings(Files.readString(file));
+      }
+    }
+    Files.write(compilation.output().resolve(CppApplication.WARNINGS), printed.warnings());
   }
 
   private void link(List<TranslationUnit> units, FutureTask<Void> cacheTask)

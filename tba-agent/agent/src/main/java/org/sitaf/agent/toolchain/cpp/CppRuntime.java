@@ -253,6 +253,7 @@ final class CppRuntime {
   private List<String> compilerCommand() {
     List<String> command = new ArrayList<>(List.of(compiler.program().toString()));
     command.addAll(Compiler.OPTIONS);
+    command.add(Compiler.WITHOUT_WARNINGS);
     command.addAll(List.of("-I", sources.resolve("include").toString()));
     return command;
   }

@@ -124,6 +124,7 @@ public final class CppToolchain implements Toolchain {
         compilation.output(),
         compilation.application().entryPoint(),
         built.library(),
+        !compilation.application().activity().profile().sanitizers().isEmpty(),
         CppCoverage.of(compilation, compiler).orElse(null));
   }
 }

@@ -48,6 +48,8 @@ final class Linking {
   ToolResult link(List<Path> objects, boolean measured) throws IOException, InterruptedException {
     List<String> command =
         new ArrayList<>(List.of(compiler.program().toString(), "-pthread", "-rdynamic"));
+    command.addAll(
+        Compiler.sanitizing(compilation.application().activity().profile().sanitizers()));
     if (measured) {
       command.add("--coverage");
     }

@@ -8,12 +8,14 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.sandbox.ToolResult;
 import org.sitaf.agent.toolchain.Compilation;
 import org.sitaf.agent.toolchain.cpp.inputs.DependencyFile;
 import org.sitaf.agent.toolchain.cpp.inputs.InputCheck;
 import org.sitaf.agent.toolchain.cpp.inputs.Inputs;
+import org.sitaf.core.activity.ActivityProfile.Sanitizer;
 import org.sitaf.core.harness.TestApplication;
 
 /**
@@ -35,6 +37,9 @@ record TranslationUnit(
     List<String> outputOptions,
     boolean assemblerListsInputs) {
   static final String OBJECT = ".o";
+
+  /** What the compiler printed. */
+  static final String WARNINGS = ".warnings";
 
   /** Coverage notes. */
   static final String NOTES = ".gcno";
@@ -60,14 +65,19 @@ record TranslationUnit(
       throws IOException {
     List<String> command = new ArrayList<>(List.of(compiler.program().toString()));
     command.addAll(Compiler.OPTIONS);
+    command.add(source.ofHarness() ? Compiler.WITHOUT_WARNINGS : Compiler.WITH_WARNINGS);
+    Set<Sanitizer> sanitizers = compilation.application().activity().profile().sanitizers();
+    command.addAll(Compiler.sanitizing(sanitizers));
     command.addAll(compiler.plainDiagnostics());
     command.add("-ffile-prefix-map=" + compilation.sources() + "/=");
     if (measured) {
       command.add("--coverage");
     }
     if (source.ofHarness()) {
-      // A precompiled header is used only if it is included first.
-      command.addAll(List.of("-I", runtime.precompiled().toString()));
+      if (sanitizers.isEmpty()) {
+        // It is compiled without sanitizers, and used only if it is included first.
+        command.addAll(List.of("-I", runtime.precompiled().toString()));
+      }
       command.addAll(List.of("-include", CppRuntime.PRECOMPILED));
     }
     for (Path folder : folders) {
@@ -140,7 +150,11 @@ record TranslationUnit(
         assemblerListsInputs ? dependencies(run, ASSEMBLED, name + OBJECT) : List.of();
     List<String> opened = assembled == null ? null : openedByAssembler(assembled, run.folder());
     for (Map.Entry<String, Path> file : files.entrySet()) {
-      run.move(name + file.getKey(), file.getValue());
+      if (file.getKey().equals(WARNINGS)) {
+        Files.writeString(file.getValue(), run.end().errors());
+      } else {
+        run.move(name + file.getKey(), file.getValue());
+      }
     }
     return new Compiled(run.end(), startMillis, included, opened);
   }
