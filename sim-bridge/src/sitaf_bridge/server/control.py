@@ -6,7 +6,7 @@ from typing import Any
 import grpc
 
 from sitaf_bridge import __version__
-from sitaf_bridge.errors import BridgeError, InvalidRequest, WrongState
+from sitaf_bridge.errors import BridgeError, InvalidRequest, LimitReached, WrongState
 from sitaf_bridge.server.many import prepare_many_response
 from sitaf_bridge.server.operations import OPERATIONS, operate, replay
 from sitaf_bridge.server.packing import state_message
@@ -14,6 +14,7 @@ from sitaf_bridge.server.status import answering, code_of, message_of
 from sitaf_bridge.server.wire import duration, seconds_of, source_of, world_message
 from sitaf_bridge.session.recording import Recorder
 from sitaf_bridge.session.registry import Registry
+from sitaf_bridge.session.signals import SignalStore
 from sitaf_bridge.wire import simulation_pb2 as pb
 from sitaf_bridge.wire import simulation_pb2_grpc as pb_grpc
 from sitaf_bridge.world.catalog import Catalog
@@ -37,9 +38,10 @@ class SimulationControl(pb_grpc.SimulationControlServicer):
     The methods that only run an operation in a session are added below.
     """
 
-    def __init__(self, catalog: Catalog, registry: Registry) -> None:
+    def __init__(self, catalog: Catalog, registry: Registry, signals: SignalStore | None = None) -> None:
         self._catalog = catalog
         self._registry = registry
+        self._signals = signals
 
     @answering
     def GetSimulatorFeatures(
@@ -84,12 +86,30 @@ class SimulationControl(pb_grpc.SimulationControlServicer):
         world = self._catalog.world(source_of(request.world))
         session = self._registry.create(world, request.seed, lease)
         with session.simulation() as simulation:
+            if self._signals is not None:
+                simulation.record_signals(self._signals.order.names, self._signals.order.settling)
             return pb.CreateSessionResponse(
                 session_id=session.id,
                 world=world_message(world),
                 lease=duration(session.lease_s),
                 state=state_message(simulation.state),
+                keeps_signals=self._signals is not None,
             )
+
+    @answering
+    def KeepSignals(self, request: pb.KeepSignalsRequest, context: grpc.ServicerContext) -> pb.KeepSignalsResponse:
+        """Keep the signals of a case for the agent."""
+        signals = self._signals
+        if signals is None:
+            raise WrongState("this endpoint records no signals")
+        with self._registry.use(request.session_id) as session, session.simulation() as simulation:
+            try:
+                trace = simulation.signals(request.call_time_ns)
+            except LimitReached as error:
+                signals.keep(request.case_no, error)
+            else:
+                signals.keep(request.case_no, trace)
+        return pb.KeepSignalsResponse()
 
     @answering
     def RenewSession(self, request: pb.RenewSessionRequest, context: grpc.ServicerContext) -> pb.RenewSessionResponse:

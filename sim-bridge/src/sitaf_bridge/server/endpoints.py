@@ -17,11 +17,13 @@ from sitaf_bridge.server.control import SimulationControl
 from sitaf_bridge.server.hardware import VirtualHardware
 from sitaf_bridge.server.status import answering
 from sitaf_bridge.session.registry import Registry
+from sitaf_bridge.session.signals import SignalOrder, SignalStore
 from sitaf_bridge.wire import administration_pb2 as pb
 from sitaf_bridge.wire import administration_pb2_grpc as pb_grpc
 from sitaf_bridge.wire import simulation_pb2_grpc
 from sitaf_bridge.world.catalog import Catalog
 from sitaf_bridge.world.description.source import WorldSource
+from sitaf_bridge.world.driving.signals import Trace
 from sitaf_bridge.world.world import World
 
 MAX_MESSAGE_BYTES = 64 * 1024 * 1024
@@ -58,12 +60,18 @@ class OneWorld(Catalog):
 class Endpoint:
     """A socket with its own server, registry and threads."""
 
-    def __init__(self, path: Path, catalog: Catalog, lease_s: float, threads: int) -> None:
+    def __init__(
+        self, path: Path, catalog: Catalog, lease_s: float, threads: int, order: SignalOrder | None = None
+    ) -> None:
+        self.signals = SignalStore(order) if order is not None else None
         self.target = f"unix:{path}"
         self._registry = Registry(default_lease_s=lease_s, max_sessions=1)
         self._pool = ThreadPoolExecutor(threads, thread_name_prefix="call")
         self._server = grpc.server(self._pool, options=SERVER_OPTIONS, maximum_concurrent_rpcs=MAX_CALLS)
-        control, hardware = SimulationControl(catalog, self._registry), VirtualHardware(self._registry, threads // 2)
+        control, hardware = (
+            SimulationControl(catalog, self._registry, self.signals),
+            VirtualHardware(self._registry, threads // 2),
+        )
         simulation_pb2_grpc.add_SimulationControlServicer_to_server(control, self._server)
         simulation_pb2_grpc.add_VirtualHardwareServicer_to_server(hardware, self._server)
         self._server.add_insecure_port(self.target)
@@ -89,7 +97,7 @@ class Endpoints:
         self._lock = threading.Lock()
         self._open: dict[str, Endpoint] = {}
 
-    def open(self, name: str, digest: str) -> str:
+    def open(self, name: str, digest: str, order: SignalOrder | None = None) -> str:
         """Open an endpoint and return its target. Raises InvalidRequest."""
         if not NAME.fullmatch(name):
             raise InvalidRequest(f"name: {name!r} is not 1 to 16 letters and digits")
@@ -99,8 +107,18 @@ class Endpoints:
             if len(self._open) >= MAX_ENDPOINTS:
                 raise InvalidRequest(f"name: {MAX_ENDPOINTS} endpoints are open, which is the limit; close one first")
             world = OneWorld(self._catalog, digest)
-            self._open[name] = Endpoint(self._folder / name, world, self._lease_s, self._threads)
+            self._open[name] = Endpoint(self._folder / name, world, self._lease_s, self._threads, order)
             return self._open[name].target
+
+    def take_signals(self, name: str, no: int) -> tuple[Trace | None, int]:
+        """Remove the signals of a case; see `SignalStore.take`. Raises NoSuchEndpoint, InvalidRequest."""
+        with self._lock:
+            endpoint = self._open.get(name)
+        if endpoint is None:
+            raise NoSuchEndpoint(f"name: there is no endpoint {name!r}")
+        if endpoint.signals is None:
+            raise InvalidRequest(f"name: the endpoint {name} records no signals")
+        return endpoint.signals.take(no)
 
     def close_one(self, name: str) -> bool:
         """Close an endpoint; return whether all its calls have ended. Raises NoSuchEndpoint."""
@@ -127,7 +145,24 @@ class Administration(pb_grpc.SimulatorAdministrationServicer):
     @answering
     def OpenEndpoint(self, request: pb.OpenEndpointRequest, context: grpc.ServicerContext) -> pb.OpenEndpointResponse:
         """Open an endpoint."""
-        return pb.OpenEndpointResponse(target=self._endpoints.open(request.name, request.world_digest))
+        order = SignalOrder(tuple(request.signals.names), request.signals.settling)
+        wanted = order if request.HasField("signals") else None
+        return pb.OpenEndpointResponse(target=self._endpoints.open(request.name, request.world_digest, wanted))
+
+    @answering
+    def TakeSignals(self, request: pb.TakeSignalsRequest, context: grpc.ServicerContext) -> pb.TakeSignalsResponse:
+        """Return the signals of a case."""
+        trace, times = self._endpoints.take_signals(request.name, request.case_no)
+        if trace is None:
+            return pb.TakeSignalsResponse()
+        return pb.TakeSignalsResponse(
+            times_kept=times,
+            first_ns=trace.first_ns,
+            timestep_ns=trace.timestep_ns,
+            signals=[
+                pb.Signal(name=name, values=trace.values[:, column].tolist()) for column, name in enumerate(trace.names)
+            ],
+        )
 
     @answering
     def CloseEndpoint(

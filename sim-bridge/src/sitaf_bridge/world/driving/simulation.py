@@ -18,6 +18,7 @@ from sitaf_bridge.world.driving.divergence import Divergence
 from sitaf_bridge.world.driving.entities import Motion
 from sitaf_bridge.world.driving.motion import MotionRecording
 from sitaf_bridge.world.driving.saved_state import InitialState, SavedState, digest_of
+from sitaf_bridge.world.driving.signals import SignalRecording, Trace
 from sitaf_bridge.world.parameters.settings import INTEGRATION, Setting
 from sitaf_bridge.world.scene.drawing import draw
 from sitaf_bridge.world.sensing.faults import Fault
@@ -42,6 +43,7 @@ class Simulation:
         self._step = 0
         self._frozen: str | None = None
         self._motion: MotionRecording | None = None
+        self._signals: SignalRecording | None = None
         self._sensing = Sensing(world, seed)
         self._enter(world)
         self._restore_initial(self._defaults)
@@ -79,7 +81,13 @@ class Simulation:
     def write(self, commands: Sequence[Command]) -> WorldState:
         """Set actuator commands, which act when time advances. Raises InvalidRequest, UnreachableValue."""
         self._check_not_frozen()
-        return self._all_or_nothing(lambda: give(commands, self.world, self._model, self._data))
+
+        def written() -> None:
+            give(commands, self.world, self._model, self._data)
+            if self._signals is not None:
+                self._signals.give(commands)
+
+        return self._all_or_nothing(written)
 
     def reset(self, scope: ResetScope) -> WorldState:
         """Reset the scope; ALL also resets a diverged simulation."""
@@ -110,6 +118,8 @@ class Simulation:
         def stepped() -> None:
             self._apply(values or {})
             give(commands, self.world, self._model, self._data)
+            if self._signals is not None:
+                self._signals.give(commands)
             self._run(steps, is_active)
 
         return self._all_or_nothing(stepped)
@@ -123,9 +133,11 @@ class Simulation:
 
         def prepared() -> None:
             self._restore_initial({**self._defaults, **values})
-            self._run(steps, is_active)
+            self._run(steps, is_active, settles=True)
 
-        return self._all_or_nothing(prepared)
+        state = self._all_or_nothing(prepared)
+        self._sample(state.readings)
+        return state
 
     def advance_until(
         self, condition: Condition, limit_ns: int, is_active: Callable[[], bool] = lambda: True
@@ -149,8 +161,8 @@ class Simulation:
                 mujoco.mj_step(self._model, self._data)
                 self._step += 1
                 mujoco.mj_forward(self._model, self._data)
-                if self._sensing.keeps_past(self._data):
-                    self._read()
+                if self._sensing.keeps_past(self._data) or self._signals is not None:
+                    self._sample(self._read())
                 if self._motion is not None and self._motion.is_due(self._step):
                     self._observe()
                 met = judge(self._data, self.time_ns, self._read)
@@ -211,6 +223,19 @@ class Simulation:
         taken = self._motion.export(self.world, self._model, self._data, self._state)
         self._motion.record(self.world, self._data, self._state)
         return taken
+
+    def record_signals(self, names: Sequence[str], settling: bool) -> None:
+        """Start to sample signals in each step, also while the world settles if `settling`. Raises InvalidRequest."""
+        self._signals = SignalRecording(names, settling, self.world)
+
+    def signals(self, call_ns: int) -> Trace:
+        """The samples of the current case, whose call began at this time. Raises InvalidRequest, LimitReached."""
+        self._check_not_frozen()
+        if self._signals is None:
+            raise WrongState("this session records no signals; its endpoint was opened without signals")
+        # The last sample is the state at the end.
+        self._sample(self._state.readings)
+        return self._signals.trace(call_ns, self.world.timestep_ns)
 
     def entity(self, name: str) -> Motion:
         """The pose and velocity of a body. Raises InvalidRequest."""
@@ -300,6 +325,8 @@ class Simulation:
         self._sensing.reset()
         if self._motion is not None:
             self._motion.restart()
+        if self._signals is not None:
+            self._signals.restart()
         self._step = 0
         self._frozen = None
         self._sensing.set_knobs(self._model, self._data)
@@ -313,6 +340,9 @@ class Simulation:
         self._sensing.reset()
         self._values = dict(self._defaults)
         self._step, self._frozen, self._state = 0, None, self._begun.state
+        if self._signals is not None:
+            self._signals.restart()
+            self._sample(self._state.readings)
         if self._motion is not None:
             self._motion.restart()
             self._motion.record(self.world, self._data, self._state)
@@ -345,7 +375,36 @@ class Simulation:
                         raise UnreachableValue(f"parameter {name}: {values[name]:g}: {error}") from error
         self._values.update(values)
 
-    def _run(self, steps: int, is_active: Callable[[], bool]) -> None:
+    def _sample(self, readings: Sequence[Reading]) -> None:
+        if self._signals is not None:
+            self._signals.sample(self.world, self._model, self._data, self._step, readings)
+
+    def _run_sampled(self, signals: SignalRecording, steps: int, is_active: Callable[[], bool]) -> None:
+        """Advance time with a sample after each step."""
+        every = self._sensing.keeps_past(self._data)
+        if every or self._motion is not None or self._step == 0:
+            begin = self._observe()
+            if self._step == 0:
+                self._sample(begin.readings)
+        for count in range(steps):
+            if count % 500 == 0 and not is_active():
+                raise Cancelled("the caller disconnected; the step was undone")
+            mujoco.mj_step(self._model, self._data)
+            mujoco.mj_forward(self._model, self._data)
+            self._step += 1
+            if self._divergence.seen():
+                return
+            # Delayed devices need the readings of every step.
+            omitted = frozenset[str]() if every else signals.omitted_kinds
+            self._sample(self._read(omitted) if every or signals.reads_devices else ())
+            if self._motion is not None and self._motion.is_due(self._step):
+                self._observe()
+
+    def _run(self, steps: int, is_active: Callable[[], bool], settles: bool = False) -> None:
+        signals = self._signals
+        if signals is not None and steps > 0 and (signals.settling or not settles):
+            self._run_sampled(signals, steps, is_active)
+            return
         left, motion = steps, self._motion
         every = left > 0 and self._sensing.keeps_past(self._data)
         # Devices that nobody reads during the run and that are not recorded, such as laser scans.
