@@ -68,7 +68,9 @@ public record Activity(
   /** Verifies a resolved model against this activity. Returns all problems. */
   public List<Diagnostic> verify(TestModel model) {
     List<Diagnostic> found = new ArrayList<>(TestCaseGenerator.verifyConditions(model));
-    found.addAll(ModelAgainstActivity.verify(model, provided, required, world, outputPorts));
+    found.addAll(
+        ModelAgainstActivity.verify(
+            model, provided, required, world, outputPorts, profile.limits()));
     return found;
   }
 

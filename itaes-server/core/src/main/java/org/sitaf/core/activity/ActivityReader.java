@@ -79,7 +79,8 @@ final class ActivityReader {
       for (TestModel model : models) {
         diagnostics.addAll(TestCaseGenerator.verifyConditions(model));
         diagnostics.addAll(
-            ModelAgainstActivity.verify(model, provided, required, world, outputPorts));
+            ModelAgainstActivity.verify(
+                model, provided, required, world, outputPorts, profile.limits()));
       }
     }
     diagnostics.throwIfErrors();

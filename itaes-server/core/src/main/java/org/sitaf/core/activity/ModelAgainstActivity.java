@@ -8,6 +8,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.core.activity.ActivityProfile.Limits;
 import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.Direction;
 import org.sitaf.core.description.InterfaceDescription;
@@ -17,6 +18,7 @@ import org.sitaf.core.description.Parameter;
 import org.sitaf.core.description.TypeGrammar;
 import org.sitaf.core.description.WorldDescription;
 import org.sitaf.core.description.WorldDescription.WorldParameter;
+import org.sitaf.core.description.WorldSignals;
 import org.sitaf.core.description.source.ComponentDescription.Port;
 import org.sitaf.core.diagnostic.Diagnostic;
 import org.sitaf.core.diagnostic.Diagnostics;
@@ -24,6 +26,7 @@ import org.sitaf.core.model.InputElement;
 import org.sitaf.core.model.OutputElement;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.model.Value;
+import org.sitaf.core.trajectory.TrajectoryConditions;
 import org.sitaf.core.value.TestDataGenerator;
 import org.sitaf.core.value.TestValue;
 
@@ -40,13 +43,16 @@ final class ModelAgainstActivity {
   private final List<InterfaceDescription> required;
   private final @Nullable WorldDescription world;
   private final List<Port.Data> outputPorts;
+  private final Limits limits;
   private final Diagnostics diagnostics = new Diagnostics();
 
   private ModelAgainstActivity(
       TestModel model,
       List<InterfaceDescription> required,
       @Nullable WorldDescription world,
-      List<Port.Data> outputPorts) {
+      List<Port.Data> outputPorts,
+      Limits limits) {
+    this.limits = limits;
     this.model = model;
     this.required = required;
     this.world = world;
@@ -58,12 +64,14 @@ final class ModelAgainstActivity {
       List<InterfaceDescription> provided,
       List<InterfaceDescription> required,
       @Nullable WorldDescription world,
-      List<Port.Data> outputPorts) {
-    var verification = new ModelAgainstActivity(model, required, world, outputPorts);
+      List<Port.Data> outputPorts,
+      Limits limits) {
+    var verification = new ModelAgainstActivity(model, required, world, outputPorts, limits);
     try {
       Method method = TargetMethod.find(model, provided).method();
       verification.inputs(method);
       verification.outputs(method);
+      verification.trajectories();
     } catch (IllegalArgumentException e) {
       verification.error(0, "target", String.valueOf(e.getMessage()));
     }
@@ -253,6 +261,18 @@ final class ModelAgainstActivity {
         }
         case OBSERVED -> observed(output, where);
       }
+    }
+  }
+
+  private void trajectories() {
+    if (!model.trajectoryConditions().isEmpty() && world == null) {
+      error(
+          model.trajectoryConditions().get(0).line(),
+          "trajectory_condition_spec_list",
+          "needs a simulation, but activity.yaml has no world");
+    } else if (world != null) {
+      TrajectoryConditions.compile(
+          model, WorldSignals.of(world), limits.caseSimulation().toNanos() / 1e9, diagnostics);
     }
   }
 

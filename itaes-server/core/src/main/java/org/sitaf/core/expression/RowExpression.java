@@ -43,6 +43,17 @@ public final class RowExpression {
   }
 
   /**
+   * Evaluates to a value: Long, Double, Boolean, String, List or Map.
+   *
+   * @param row values in the order of the columns
+   * @throws EvaluationException if the evaluation fails
+   * @throws java.util.concurrent.CancellationException if the thread is interrupted
+   */
+  public Object value(double[] row) throws EvaluationException {
+    return expression.evaluate(resolver(row));
+  }
+
+  /**
    * Evaluates to a boolean.
    *
    * @param row values in the order of the columns

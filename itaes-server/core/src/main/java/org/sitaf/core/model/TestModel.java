@@ -18,6 +18,7 @@ public record TestModel(
     List<InputElement> inputs,
     List<OutputElement> outputs,
     List<Condition> postConditions,
+    List<TrajectoryCondition> trajectoryConditions,
     InvalidValues invalidValues,
     Strength strength,
     List<MixedStrength> mixedStrengths,
@@ -38,6 +39,7 @@ public record TestModel(
     inputs = List.copyOf(inputs);
     outputs = List.copyOf(outputs);
     postConditions = List.copyOf(postConditions);
+    trajectoryConditions = List.copyOf(trajectoryConditions);
     mixedStrengths = List.copyOf(mixedStrengths);
     keptCases = List.copyOf(keptCases);
   }
@@ -52,6 +54,7 @@ public record TestModel(
         replaced,
         outputs,
         postConditions,
+        trajectoryConditions,
         invalidValues,
         strength,
         mixedStrengths,
@@ -70,6 +73,7 @@ public record TestModel(
         inputs,
         replaced,
         postConditions,
+        trajectoryConditions,
         invalidValues,
         strength,
         mixedStrengths,

@@ -9,6 +9,7 @@ import org.jspecify.annotations.Nullable;
  *
  * @param values literals in the order of the suite's parameters
  * @param calls of required interfaces
+ * @param trajectories results of the trajectory conditions; empty if they were not evaluated
  * @param time null if the call did not end
  * @param message why the verdict is not PASS; empty otherwise
  */
@@ -19,6 +20,7 @@ public record CaseResult(
     List<NamedValue> expected,
     List<NamedValue> actual,
     StubCalls calls,
+    List<TrajectoryResult> trajectories,
     @Nullable ProcessingTime time,
     String message) {
   public CaseResult {
@@ -28,6 +30,8 @@ public record CaseResult(
     expected = List.copyOf(expected);
     actual = List.copyOf(actual);
     Objects.requireNonNull(calls);
+    // Stored results of earlier versions have none.
+    trajectories = trajectories == null ? List.of() : List.copyOf(trajectories);
   }
 
   /** A result of a case in which the component called no required interface. */
@@ -42,6 +46,24 @@ public record CaseResult(
     this(no, verdict, values, expected, actual, StubCalls.NONE, time, message);
   }
 
+  /** A result without trajectory conditions. */
+  public CaseResult(
+      int no,
+      Verdict verdict,
+      List<String> values,
+      List<NamedValue> expected,
+      List<NamedValue> actual,
+      StubCalls calls,
+      @Nullable ProcessingTime time,
+      String message) {
+    this(no, verdict, values, expected, actual, calls, List.of(), time, message);
+  }
+
+  /** A copy with the results of trajectory conditions. */
+  public CaseResult with(List<TrajectoryResult> results) {
+    return new CaseResult(no, verdict, values, expected, actual, calls, results, time, message);
+  }
+
   /** A copy with another verdict. The reason is added to the message. */
   public CaseResult withVerdict(Verdict newVerdict, String reason) {
     return new CaseResult(
@@ -51,6 +73,7 @@ public record CaseResult(
         expected,
         actual,
         calls,
+        trajectories,
         time,
         message.isEmpty() ? reason : message + "; " + reason);
   }

@@ -17,6 +17,7 @@ import org.sitaf.core.model.TestModel;
 import org.sitaf.core.suite.PostConditions;
 import org.sitaf.core.suite.TestCase;
 import org.sitaf.core.suite.TestSuite;
+import org.sitaf.core.trajectory.TrajectoryConditions;
 
 /**
  * Creates the result of a build from the records of its test application: compares recorded values
@@ -29,6 +30,7 @@ public final class ResultAssembler {
   private final List<Expression> postConditions;
   private final CallRecord calls;
   private final Expectations expectations;
+  private final TrajectoryVerdicts trajectories;
   private final Map<Integer, TestCase> cases = new HashMap<>();
 
   /** Creates an assembler for a component that requires no interfaces. */
@@ -42,6 +44,21 @@ public final class ResultAssembler {
    * @param required the interfaces whose calls the test stub records
    */
   public ResultAssembler(TestModel model, TestSuite suite, List<InterfaceDescription> required) {
+    this(model, suite, required, TrajectoryConditions.NONE);
+  }
+
+  /**
+   * Creates an assembler for a model with trajectory conditions.
+   *
+   * @param required the interfaces whose calls the test stub records
+   * @param trajectories the compiled trajectory conditions of the model
+   */
+  public ResultAssembler(
+      TestModel model,
+      TestSuite suite,
+      List<InterfaceDescription> required,
+      TrajectoryConditions trajectories) {
+    this.trajectories = new TrajectoryVerdicts(trajectories);
     this.calls = new CallRecord(required);
     this.model = Objects.requireNonNull(model);
     this.expectations = new Expectations(model);
@@ -51,12 +68,27 @@ public final class ResultAssembler {
   }
 
   /**
-   * The result of a recorded case: its values compared with the expected ones, then its
-   * post-conditions evaluated. The worst verdict counts.
+   * The result of a recorded case whose signals are not known; see {@link #judge(CaseRecord,
+   * TraceSource)}.
    *
    * @throws IllegalArgumentException if the suite has no such case
    */
   public CaseResult judge(CaseRecord record) {
+    return judge(
+        record,
+        () -> {
+          throw new TraceSource.MissingTraceException("no signals were recorded");
+        });
+  }
+
+  /**
+   * The result of a recorded case: its values compared with the expected ones, then its
+   * post-conditions and trajectory conditions evaluated. The worst verdict counts.
+   *
+   * @param signals used if the case completed and the model has trajectory conditions
+   * @throws IllegalArgumentException if the suite has no such case
+   */
+  public CaseResult judge(CaseRecord record, TraceSource signals) {
     TestCase testCase = cases.get(record.no());
     if (testCase == null) {
       throw new IllegalArgumentException("the suite has no case " + record.no());
@@ -65,7 +97,11 @@ public final class ResultAssembler {
     boolean completed =
         record.outcome() == CaseRecord.Outcome.RETURNED
             || record.outcome() == CaseRecord.Outcome.THREW && result.verdict() == Verdict.PASS;
-    return completed ? withPostConditions(testCase, result) : result;
+    if (!completed) {
+      return result;
+    }
+    return trajectories.judge(
+        withPostConditions(testCase, result), inputs(testCase).map(), signals);
   }
 
   private CaseResult withPostConditions(TestCase testCase, CaseResult result) {
@@ -122,7 +158,8 @@ public final class ResultAssembler {
     return new TestResult(
         model.name(),
         provenance,
-        Statistics.of(all, !model.postConditions().isEmpty()),
+        Statistics.of(
+            all, !model.postConditions().isEmpty() || !model.trajectoryConditions().isEmpty()),
         suite.parameters(),
         all,
         null);
@@ -155,12 +192,17 @@ public final class ResultAssembler {
     return line == 0 ? "" : " (" + model.source() + ":" + line + ")";
   }
 
-  private Map<String, Object> variables(TestCase testCase, CaseResult result) {
+  private Variables inputs(TestCase testCase) {
     Variables variables = new Variables().put(Variables.VALID, testCase.valid());
     for (int i = 0; i < model.inputs().size(); i++) {
       InputElement input = model.inputs().get(i);
       variables.put(input.name(), testCase.values().get(i), input.type());
     }
+    return variables;
+  }
+
+  private Map<String, Object> variables(TestCase testCase, CaseResult result) {
+    Variables variables = inputs(testCase);
     for (NamedValue actual : result.actual()) {
       OutputElement output = model.output(actual.output()).orElse(null);
       if (output != null) {

@@ -84,6 +84,7 @@ final class TestModelReader {
             root.getPostConditionSpecList() == null
                 ? List.of()
                 : root.getPostConditionSpecList().getPostCondition()),
+        new TrajectoryConditionReader(problems).read(root.getTrajectoryConditionSpecList()),
         invalidValues(root.getInvalidValues(), line),
         strength(root.getOrderOfCombinations(), "order_of_combinations", line),
         root.getStrength().stream().map(s -> mixed(s, inputs)).toList(),

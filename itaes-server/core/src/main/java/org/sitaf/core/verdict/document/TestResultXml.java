@@ -17,6 +17,7 @@ import org.sitaf.core.verdict.Provenance;
 import org.sitaf.core.verdict.StubCalls;
 import org.sitaf.core.verdict.Summary;
 import org.sitaf.core.verdict.TestResult;
+import org.sitaf.core.verdict.TrajectoryResult;
 import org.sitaf.core.verdict.Verdict;
 import org.sitaf.schemas.CallType;
 import org.sitaf.schemas.CaseTimeType;
@@ -26,6 +27,7 @@ import org.sitaf.schemas.SummaryType;
 import org.sitaf.schemas.TestResultDocument;
 import org.sitaf.schemas.TestResultListType;
 import org.sitaf.schemas.TestResultType;
+import org.sitaf.schemas.TrajectoryType;
 
 /** The document of a result (schemas/test_result_descriptor.xsd). */
 public final class TestResultXml {
@@ -118,11 +120,29 @@ public final class TestResultXml {
                             c.getMethod() == null ? "" : c.getMethod(), read(c.getArgument())))
                 .toList(),
             given.getCallsLeftOut() == null ? 0 : given.getCallsLeftOut()),
+        given.getTrajectory().stream().map(TestResultXml::read).toList(),
         time == null
             ? null
             : new CaseResult.ProcessingTime(
                 time.getValue(), orZero(time.getHardware()), orZero(time.getStub())),
         given.getMessage() == null ? "" : given.getMessage());
+  }
+
+  private static TrajectoryResult read(TrajectoryType given) {
+    return new TrajectoryResult(
+        orEmpty(given.getName()),
+        Verdict.valueOf(String.valueOf(given.getVerdict())),
+        given.getMargin(),
+        given.getAt());
+  }
+
+  private static TrajectoryType write(TrajectoryResult result) {
+    TrajectoryType written = new TrajectoryType();
+    written.setName(result.name());
+    written.setVerdict(result.verdict().name());
+    written.setMargin(result.margin());
+    written.setAt(result.at());
+    return written;
   }
 
   private static List<NamedValue> read(List<NamedValueType> values) {
@@ -185,6 +205,7 @@ public final class TestResultXml {
       written.getCall().add(writtenCall);
     }
     written.setCallsLeftOut(result.calls().leftOut() == 0 ? null : result.calls().leftOut());
+    result.trajectories().forEach(t -> written.getTrajectory().add(write(t)));
     if (result.time() != null) {
       CaseTimeType time = new CaseTimeType();
       time.setUnit(MICROSECONDS);

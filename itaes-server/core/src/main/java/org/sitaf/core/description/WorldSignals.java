@@ -1,0 +1,67 @@
+package org.sitaf.core.description;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+
+/**
+ * The names of the quantities that a simulator samples at each step: observations, {@code
+ * DEVICE.FIELD} for a number of a reading, {@code DEVICE.FIELD.command} for a command to an
+ * actuator. The fields of readings and commands are those of the simulator's device kinds.
+ */
+public final class WorldSignals {
+  private static final List<String> ORIENTATION =
+      List.of("orientation.x", "orientation.y", "orientation.z", "orientation.w");
+
+  /** Without cameras and laser scans, whose readings are not single numbers. */
+  private static final Map<String, List<String>> READINGS =
+      Map.ofEntries(
+          Map.entry("range", List.of("range")),
+          Map.entry("contact", List.of("pressed", "force")),
+          Map.entry("joint_encoder", List.of("position", "velocity")),
+          Map.entry("joint_motor", List.of("position", "velocity", "effort")),
+          Map.entry(
+              "differential_drive",
+              List.of("linear", "angular", "left_position", "right_position")),
+          Map.entry("gripper", List.of("width", "effort")),
+          Map.entry("battery", List.of("voltage", "current", "charge", "percentage")),
+          Map.entry("digital_io", List.of("level")),
+          Map.entry("magnetometer", vector("field")),
+          Map.entry("force_torque", join(vector("force"), vector("torque"))),
+          Map.entry("pose", join(vector("position"), ORIENTATION)),
+          Map.entry(
+              "imu",
+              join(ORIENTATION, join(vector("angular_velocity"), vector("linear_acceleration")))));
+
+  private static final Map<String, List<String>> COMMANDS =
+      Map.of(
+          "joint_motor", List.of("position", "velocity", "effort"),
+          "differential_drive", List.of("linear", "angular"),
+          "gripper", List.of("width"),
+          "digital_io", List.of("level"));
+
+  private WorldSignals() {}
+
+  /** All names; a name that is two signals is listed twice. */
+  public static List<String> of(WorldDescription world) {
+    List<String> names = new ArrayList<>(world.observations());
+    for (WorldDescription.Device device : world.devices()) {
+      READINGS
+          .getOrDefault(device.kind(), List.of())
+          .forEach(field -> names.add(device.name() + "." + field));
+      COMMANDS
+          .getOrDefault(device.kind(), List.of())
+          .forEach(field -> names.add(device.name() + "." + field + ".command"));
+    }
+    return names;
+  }
+
+  private static List<String> vector(String name) {
+    return List.of(name + ".x", name + ".y", name + ".z");
+  }
+
+  private static List<String> join(List<String> first, List<String> second) {
+    return Stream.concat(first.stream(), second.stream()).toList();
+  }
+}

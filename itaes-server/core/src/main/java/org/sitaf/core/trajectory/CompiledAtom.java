@@ -1,0 +1,123 @@
+package org.sitaf.core.trajectory;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.sitaf.core.expression.EvaluationException;
+import org.sitaf.core.expression.Expression;
+import org.sitaf.core.expression.RowExpression;
+
+/** Evaluates an atom at all samples; only where one of its signals has changed. */
+final class CompiledAtom {
+  private final Expression expression;
+  private final Optional<Expression.Comparison> comparison;
+  private final List<String> signals;
+
+  /**
+   * @param signals names of all signals and of the time
+   */
+  CompiledAtom(Expression expression, java.util.Set<String> signals) {
+    this.expression = expression;
+    this.comparison = expression.comparison();
+    this.signals = expression.variables().stream().filter(signals::contains).sorted().toList();
+  }
+
+  /** The signals that it uses, sorted. */
+  List<String> signals() {
+    return signals;
+  }
+
+  /**
+   * Evaluates the atom.
+   *
+   * @param columns values of the signals by name
+   * @param inputs values of all other variables
+   */
+  AtomValues values(Map<String, double[]> columns, Map<String, Object> inputs, int count)
+      throws EvaluationException {
+    List<double[]> used = new ArrayList<>();
+    for (String signal : signals) {
+      used.add(columns.get(signal));
+    }
+    boolean[] truths = new boolean[count];
+    double[] margins = new double[count];
+    double[] row = new double[used.size()];
+    Truth truth = new Truth(inputs);
+    for (int k = 0; k < count; k++) {
+      boolean changed = k == 0;
+      for (int i = 0; i < row.length; i++) {
+        double value = used.get(i)[k];
+        changed |= Double.doubleToRawLongBits(value) != Double.doubleToRawLongBits(row[i]);
+        row[i] = value;
+      }
+      if (changed) {
+        truth.evaluate(row);
+      }
+      truths[k] = truth.holds;
+      margins[k] = truth.margin;
+    }
+    return new AtomValues(truths, margins);
+  }
+
+  /** The truth value and the margin at one sample. */
+  private final class Truth {
+    private final RowExpression whole;
+    private final Optional<RowExpression> left;
+    private final Optional<RowExpression> right;
+    private boolean holds;
+    private double margin;
+
+    Truth(Map<String, Object> inputs) {
+      whole = expression.overRows(signals, inputs);
+      left = comparison.map(c -> c.left().overRows(signals, inputs));
+      right = comparison.map(c -> c.right().overRows(signals, inputs));
+    }
+
+    void evaluate(double[] row) throws EvaluationException {
+      if (left.isPresent() && right.isPresent()) {
+        Object first = left.get().value(row);
+        Object second = right.get().value(row);
+        if (first instanceof Number a && second instanceof Number b) {
+          compare(a.doubleValue(), b.doubleValue());
+          if (first instanceof Double || second instanceof Double) {
+            return;
+          }
+        } else {
+          margin = Double.NaN;
+        }
+      } else {
+        margin = Double.NaN;
+      }
+      // Also compares whole numbers exactly.
+      holds = whole.isTrue(row);
+      if (Double.isNaN(margin)) {
+        margin = holds ? Double.POSITIVE_INFINITY : Double.NEGATIVE_INFINITY;
+      }
+    }
+
+    private void compare(double a, double b) {
+      // Equal infinities have no difference.
+      double difference = a == b ? 0 : b - a;
+      String operator = comparison.orElseThrow().operator();
+      switch (operator) {
+        case "<" -> set(a < b, difference);
+        case "<=" -> set(a <= b, difference);
+        case ">" -> set(a > b, -difference);
+        case ">=" -> set(a >= b, -difference);
+        case "==" -> set(a == b, -Math.abs(difference));
+        case "!=" -> set(a != b, Math.abs(difference));
+        default -> throw new IllegalStateException(operator);
+      }
+    }
+
+    private void set(boolean truth, double distance) {
+      holds = truth;
+      // NaN compares with nothing; adding 0 makes a negative zero positive.
+      margin =
+          Double.isNaN(distance)
+              ? truth ? Double.POSITIVE_INFINITY : Double.NEGATIVE_INFINITY
+              : distance + 0.0;
+    }
+  }
+}

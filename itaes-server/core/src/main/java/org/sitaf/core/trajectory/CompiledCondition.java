@@ -1,0 +1,105 @@
+package org.sitaf.core.trajectory;
+
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+import org.sitaf.core.expression.EvaluationException;
+import org.sitaf.core.model.TrajectoryCondition;
+
+/** A trajectory condition that can be evaluated over the traces of cases. */
+final class CompiledCondition {
+  /** The time relative to the call, in seconds. */
+  static final String TIME = "t";
+
+  private static final int BYTES_PER_NUMBER = Double.BYTES;
+
+  /** Arrays per atom: truth values, margins, and copies during the evaluation. */
+  private static final int ARRAYS_PER_ATOM = 4;
+
+  private static final MathContext SHOWN = new MathContext(6);
+  private static final int MAX_SHOWN = 5;
+
+  private final TrajectoryCondition condition;
+  private final Formula formula;
+  private final List<CompiledAtom> atoms;
+
+  CompiledCondition(TrajectoryCondition condition, Formula formula, List<CompiledAtom> atoms) {
+    this.condition = condition;
+    this.formula = formula;
+    this.atoms = List.copyOf(atoms);
+  }
+
+  TrajectoryCondition condition() {
+    return condition;
+  }
+
+  /** The names of the signals, without the time. */
+  List<String> signals() {
+    return atoms.stream()
+        .flatMap(a -> a.signals().stream())
+        .filter(name -> !name.equals(TIME))
+        .distinct()
+        .toList();
+  }
+
+  /** The memory for an evaluation. */
+  long bytes(long samples) {
+    return samples * BYTES_PER_NUMBER * (signals().size() + (long) ARRAYS_PER_ATOM * atoms.size());
+  }
+
+  TrajectoryOutcome evaluate(Trace whole, Map<String, Object> inputs) throws EvaluationException {
+    Trace trace = condition.fromSettle() ? whole : whole.fromCall();
+    Map<String, double[]> columns = new HashMap<>(trace.byName());
+    double[] times = new double[trace.count()];
+    for (int k = 0; k < times.length; k++) {
+      times[k] = trace.seconds(k);
+    }
+    columns.put(TIME, times);
+    List<AtomValues> values = new ArrayList<>();
+    for (CompiledAtom atom : atoms) {
+      values.add(atom.values(columns, inputs, trace.count()));
+    }
+    Evaluator evaluator = new Evaluator(values, trace.count(), trace.stepNanos());
+    Robustness robustness = evaluator.evaluate(formula);
+    String violation =
+        robustness.holds()
+            ? ""
+            : violation(trace, columns, robustness.sample(), evaluator.decidingAtom(formula));
+    return new TrajectoryOutcome(
+        condition.name(),
+        robustness.holds(),
+        robustness.margin(),
+        trace.nanos(robustness.sample()),
+        violation);
+  }
+
+  private String violation(
+      Trace trace, Map<String, double[]> columns, int sample, int decidingAtom) {
+    TreeSet<String> shown =
+        new TreeSet<>(decidingAtom < 0 ? signals() : atoms.get(decidingAtom).signals());
+    String values =
+        shown.stream()
+            .limit(MAX_SHOWN)
+            .map(name -> name + " is " + number(columns.get(name)[sample]))
+            .collect(Collectors.joining(", "));
+    return condition.name()
+        + ": broken at "
+        + BigDecimal.valueOf(trace.nanos(sample), 9).stripTrailingZeros().toPlainString()
+        + " s"
+        + (values.isEmpty() ? "" : ": " + values);
+  }
+
+  private static String number(double value) {
+    if (Double.isNaN(value) || Double.isInfinite(value)) {
+      return Double.isNaN(value) ? "nan" : value > 0 ? "inf" : "-inf";
+    }
+    BigDecimal rounded = new BigDecimal(value).round(SHOWN).stripTrailingZeros();
+    boolean isLong = rounded.precision() - rounded.scale() > 15 || rounded.scale() > 15;
+    return isLong ? rounded.toString() : rounded.toPlainString();
+  }
+}

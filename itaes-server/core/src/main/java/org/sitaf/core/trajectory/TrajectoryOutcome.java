@@ -1,0 +1,21 @@
+package org.sitaf.core.trajectory;
+
+import java.util.Objects;
+
+/**
+ * The outcome of one trajectory condition in one case.
+ *
+ * @param name of the condition
+ * @param holds the truth value
+ * @param margin the quantitative robustness; may be infinite
+ * @param atNanos time relative to the call of the earliest sample that decides the truth value, or
+ *     of the last one
+ * @param violation describes when and how the condition is violated; empty if it holds
+ */
+public record TrajectoryOutcome(
+    String name, boolean holds, double margin, long atNanos, String violation) {
+  public TrajectoryOutcome {
+    Objects.requireNonNull(name);
+    Objects.requireNonNull(violation);
+  }
+}
