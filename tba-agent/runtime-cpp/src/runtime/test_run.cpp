@@ -61,6 +61,7 @@ class TestRun::State {
     if (command.bridge) {
       simulation.emplace(*command.bridge, *command.world, command.seed, stopwatch);
       currentHardware = &simulation->hardware();
+      stopwatch.beforeCall([this] { simulation->callBegins(); });
       if (command.caseTime) {
         simulation->limitCases(*command.caseTime);
       }
@@ -74,6 +75,9 @@ class TestRun::State {
   State& operator=(const State&) = delete;
 
   void save(suite::CaseResult& result) {
+    if (simulation && stopwatch.wasStarted()) {
+      simulation->keepSignals(suite.current().no());
+    }
     requireSimulator();
     if (addition) {
       addition(result);

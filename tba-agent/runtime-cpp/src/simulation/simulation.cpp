@@ -1,6 +1,7 @@
 #include "sitaf/simulation/simulation.hpp"
 
 #include <algorithm>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -100,6 +101,8 @@ class Simulation::Session : public Simulator {
         hardware_(layout_, world_, stopwatch, *this),
         time_(std::chrono::nanoseconds(created_.world().timestep_ns()), [this](std::uint64_t steps) { step(steps); }) {
     world_.freeze(created_.state());
+    // Worlds that are prepared in bulk have no signals.
+    alone_ = created_.keeps_signals();
     const auto& lease = created_.lease();
     lease_.emplace(wire_, created_.session_id(), std::chrono::milliseconds(lease.seconds() * 1000 + lease.nanos() / 1000000));
   }
@@ -191,6 +194,23 @@ class Simulation::Session : public Simulator {
     if (recordedBytes_ <= maxRecordedBytes) {
       std::ofstream file(recording_ + "/" + std::to_string(no) + ".glb", std::ios::binary);
       file.write(taken.gltf().data(), static_cast<std::streamsize>(taken.gltf().size()));
+    }
+  }
+
+  void callBegins() { callTime_ = world_.time(); }
+
+  void keepSignals(int no) {
+    if (!created_.keeps_signals()) {
+      return;
+    }
+    wire::KeepSignalsRequest request;
+    request.set_session_id(created_.session_id());
+    request.set_case_no(no);
+    request.set_call_time_ns(callTime_.count());
+    try {
+      wire_.control("keeping the signals of case " + std::to_string(no), &Control::KeepSignals, request);
+    } catch (const SimulationError& e) {
+      std::fprintf(stderr, "sitaf: %s\n", e.what());
     }
   }
 
@@ -345,6 +365,7 @@ class Simulation::Session : public Simulator {
   std::size_t batchSize_ = firstBatch;
   std::optional<Pending> pending_;
   bool alone_ = false;
+  std::chrono::nanoseconds callTime_{0};
 };
 
 Simulation::Simulation(const std::string& target, const std::string& worldDescription, std::uint64_t seed, runtime::Stopwatch& stopwatch)
@@ -380,6 +401,10 @@ void Simulation::giveUp() { session_->time().giveUp(); }
 void Simulation::limitCases(std::chrono::nanoseconds most) { session_->time().limit(most); }
 
 void Simulation::record(const std::string& folder) { session_->record(folder); }
+
+void Simulation::callBegins() { session_->callBegins(); }
+
+void Simulation::keepSignals(int no) { session_->keepSignals(no); }
 
 void Simulation::saveMotion(int no) { session_->saveMotion(no); }
 

@@ -100,6 +100,7 @@ class SuiteDriver(ABC, Generic[C]):
         too_long = self._run.took_too_long
         if too_long:
             result.end_with(Outcome.ERROR, too_long)
+        self._run.keep_signals()
         self._run.require_simulator()
         self._run.results.save(result)
         self._saved = True

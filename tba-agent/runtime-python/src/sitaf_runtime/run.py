@@ -51,12 +51,14 @@ class TestRun:
         self._read: deque[TestCase] = deque()
         self._error: CaseDataError | None = None
         self._simulation: Simulation | None = None
+        self._case_no = 0
         if command.bridge is not None and command.world is not None:
             from sitaf_runtime.simulation.session import Simulation
 
             self._simulation = Simulation(
                 command.bridge, command.world, command.seed, self.stopwatch, self._upcoming, command.case_sim_s
             )
+            self.stopwatch.before_call(self._simulation.call_begins)
             if command.recording is not None:
                 self._simulation.record(command.recording)
         self.stubbing = Stubbing(self.stopwatch, self._simulation)
@@ -77,6 +79,11 @@ class TestRun:
     def took_too_long(self) -> str | None:
         """The message when the case exceeded its limit of simulation time; otherwise None."""
         return None if self._simulation is None else self._simulation.took_too_long
+
+    def keep_signals(self) -> None:
+        """Let the simulator keep the signals of the current case, if it was called."""
+        if self._simulation is not None and self.stopwatch.was_started:
+            self._simulation.keep_signals(self._case_no)
 
     def require_simulator(self) -> None:
         """Raise SimulationError when the simulator was lost, because later measurements are invalid."""
@@ -142,6 +149,7 @@ class TestRun:
     def _run_one(self, driver: SuiteDriver[Any], case: TestCase) -> None:
         result = CaseResult(case)
         case_streams.begin(case.no)
+        self._case_no = case.no
         self.stopwatch.reset()
         driver.begin_case()
         try:
@@ -166,6 +174,7 @@ class TestRun:
         """Complete the record of a case that did not save its result. Raises when no further case can run."""
         watch = self.stopwatch
         called = watch.was_started
+        self.keep_signals()
         self.require_simulator()
         if isinstance(raised, SimulationError) and raised.lost:
             raise raised

@@ -1,7 +1,7 @@
 """Measures calls of the component."""
 
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from threading import get_ident
 
@@ -14,15 +14,18 @@ class Stopwatch:
     Only the thread that started the stopwatch is measured; other threads of the component are not part of the call.
     """
 
-    __slots__ = ("_began", "_called", "_hardware", "_owner", "_stub", "_total")
+    __slots__ = ("_before_call", "_began", "_called", "_hardware", "_owner", "_stub", "_total")
 
     def __init__(self) -> None:
+        self._before_call: Callable[[], None] | None = None
         self._owner = 0
         self._called = False
         self._began = self._total = self._hardware = self._stub = 0
 
     def start(self) -> None:
         """Start a new measurement."""
+        if self._before_call is not None:
+            self._before_call()
         self._total = self._hardware = self._stub = 0
         self._called = True
         self._owner = get_ident()
@@ -35,6 +38,10 @@ class Stopwatch:
             raise RuntimeError("the stopwatch is stopped before it was started")
         self._total = now - self._began
         self._owner = 0
+
+    def before_call(self, action: Callable[[], None]) -> None:
+        """Set what runs before each measurement, outside of the measured time."""
+        self._before_call = action
 
     def reset(self) -> None:
         """Clear the measurement."""

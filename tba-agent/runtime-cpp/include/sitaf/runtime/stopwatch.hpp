@@ -2,7 +2,9 @@
 
 #include <atomic>
 #include <chrono>
+#include <functional>
 #include <thread>
+#include <utility>
 
 namespace sitaf::runtime {
 
@@ -14,6 +16,9 @@ class Stopwatch {
 
   /// Starts a new measurement.
   void start() {
+    if (beforeCall_) {
+      beforeCall_();
+    }
     hardware_ = {};
     stub_ = {};
     total_ = {};
@@ -28,6 +33,9 @@ class Stopwatch {
     total_ = std::chrono::steady_clock::now() - began_;
     running_ = false;
   }
+
+  /// Sets what runs before each measurement, outside of the measured time.
+  void beforeCall(std::function<void()> action) { beforeCall_ = std::move(action); }
 
   /// Clears the measurement.
   void reset() {
@@ -86,6 +94,7 @@ class Stopwatch {
 
   static double micros(Span span) { return std::chrono::duration<double, std::micro>(span).count(); }
 
+  std::function<void()> beforeCall_;
   std::thread::id owner_;
   std::atomic<bool> running_{false};
   bool called_ = false;

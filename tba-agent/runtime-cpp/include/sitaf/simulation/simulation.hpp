@@ -75,6 +75,13 @@ class Simulation {
   /// Saves the motion of a case as NO.glb in the folder of the recording, unless the folder is full.
   void saveMotion(int no);
 
+  /// The call under test begins now.
+  void callBegins();
+
+  /// Lets the simulator keep the signals of the current case for the agent, if the agent wants signals. A failure is reported by the agent,
+  /// which misses the signals.
+  void keepSignals(int no);
+
   /// The value of an observation at the current step, in the unit that the world declares.
   double observation(std::string_view name) const;
 

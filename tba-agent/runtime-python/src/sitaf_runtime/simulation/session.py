@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 import threading
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
@@ -91,6 +92,11 @@ class Simulation:
         # The case that the session itself still has to prepare; set while readings come in bulk.
         self._pending_preparation: pb.PrepareRequest | None = None
         self._recording: Recording | None = None
+        # Whether the simulator samples signals for the agent; worlds that are prepared in bulk have none.
+        self._keeps_signals: bool = created.keeps_signals
+        self._call_ns = 0
+        if self._keeps_signals:
+            self._ahead.stop()
         self._limit_ns = None if limit_s is None else round(limit_s * _NANOS)
         self._passed_ns = 0
         self._time = PassingTime(self._timestep_ns, self._step)
@@ -178,6 +184,23 @@ class Simulation:
                 return
             raise self._failure(f"taking the recording of case {no}", e) from None
         self._recording.save(no, taken.gltf)
+
+    def call_begins(self) -> None:
+        """The call under test begins now."""
+        self._call_ns = self._hardware.world.time_ns
+
+    def keep_signals(self, no: int) -> None:
+        """Let the simulator keep the signals of the current case for the agent, if the agent wants signals.
+
+        A failure is reported by the agent, which misses the signals.
+        """
+        if not self._keeps_signals:
+            return
+        request = pb.KeepSignalsRequest(session_id=self._session, case_no=no, call_time_ns=self._call_ns)
+        try:
+            self._control.KeepSignals(request, timeout=_CALL_TIMEOUT_S)
+        except grpc.RpcError as e:
+            print(f"sitaf: {self._failure(f'keeping the signals of case {no}', e)}", file=sys.stderr)
 
     def close(self) -> None:
         """Delete the session, unless the simulator is lost."""

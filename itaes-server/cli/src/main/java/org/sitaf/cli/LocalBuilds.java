@@ -23,6 +23,8 @@ import org.sitaf.core.harness.InterfaceTestApplicationGenerator;
 import org.sitaf.core.harness.TestApplication;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.suite.TestSuite;
+import org.sitaf.core.trajectory.Trace;
+import org.sitaf.core.trajectory.TraceCsv;
 import org.sitaf.core.verdict.CaseResult;
 
 /** Runs builds on this machine, with their own simulations; leaves no files. */
@@ -32,7 +34,7 @@ final class LocalBuilds implements AutoCloseable {
 
   private final Path directory;
   private final BuildSettings settings;
-  private final @Nullable Path recordings;
+  private final OutputFolders folders;
   private final AtomicInteger count = new AtomicInteger();
   private final AtomicReference<@Nullable BuildRun> current = new AtomicReference<>();
   private final OnExit onExit = new OnExit(this::cancel);
@@ -46,7 +48,7 @@ final class LocalBuilds implements AutoCloseable {
       Installation installation,
       Sandbox sandbox,
       boolean coverage,
-      @Nullable Path recordings,
+      OutputFolders folders,
       int withWorld)
       throws IOException {
     directory = Files.createTempDirectory("sitaf-run-");
@@ -58,7 +60,7 @@ final class LocalBuilds implements AutoCloseable {
             sandbox,
             coverage,
             "");
-    this.recordings = recordings;
+    this.folders = folders;
   }
 
   /** A description of the sandbox, or the reason why there is none. */
@@ -79,16 +81,18 @@ final class LocalBuilds implements AutoCloseable {
               application,
               directory.resolve("build-" + count.incrementAndGet()),
               settings(model),
-              new Steps(model.name(), suite.cases().size(), progress));
+              new Steps(model.name(), suite.cases().size(), progress, folders.signalsOf(model)));
       current.set(run);
       return run.run();
     }
   }
 
   private BuildSettings settings(TestModel model) {
+    BuildSettings sampled = folders.signals() == null ? settings : settings.withSignals();
+    Path recordings = folders.recordings();
     return recordings == null
-        ? settings
-        : settings.recording(
+        ? sampled
+        : sampled.recording(
             new RecordingOrder(
                 recordings.resolve(model.name()),
                 RecordingOrder.Cases.ALL,
@@ -120,10 +124,36 @@ final class LocalBuilds implements AutoCloseable {
     }
   }
 
-  private record Steps(String model, int total, ProgressLine progress, AtomicInteger done)
+  /**
+   * Where the files of cases are written.
+   *
+   * @param recordings folder of recordings; null for none
+   * @param signals folder of signals; null for none
+   * @param severalModels whether each model has its own folder of signals
+   */
+  record OutputFolders(@Nullable Path recordings, @Nullable Path signals, boolean severalModels) {
+    @Nullable Path signalsOf(TestModel model) {
+      return signals == null || !severalModels ? signals : signals.resolve(model.name());
+    }
+  }
+
+  private record Steps(
+      String model, int total, ProgressLine progress, @Nullable Path signals, AtomicInteger done)
       implements BuildListener {
-    Steps(String model, int total, ProgressLine progress) {
-      this(model, total, progress, new AtomicInteger());
+    Steps(String model, int total, ProgressLine progress, @Nullable Path signals) {
+      this(model, total, progress, signals, new AtomicInteger());
+    }
+
+    @Override
+    public void signals(int no, Trace trace) {
+      if (signals != null) {
+        try {
+          Files.createDirectories(signals);
+          Files.writeString(signals.resolve(no + ".csv"), TraceCsv.write(trace));
+        } catch (IOException e) {
+          throw new UncheckedIOException("cannot write the signals of case " + no, e);
+        }
+      }
     }
 
     @Override

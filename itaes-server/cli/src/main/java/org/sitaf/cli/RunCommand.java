@@ -85,6 +85,14 @@ final class RunCommand implements Callable<Integer> {
   private @Nullable Path recording;
 
   @Option(
+      names = "--signals",
+      paramLabel = "FOLDER",
+      description =
+          "Writes the signals of each case as FOLDER/NO.csv; without --model and with several models"
+              + " as FOLDER/MODEL/NO.csv.")
+  private @Nullable Path signals;
+
+  @Option(
       names = "--server",
       paramLabel = "URL",
       description = {
@@ -153,7 +161,11 @@ final class RunCommand implements Callable<Integer> {
     int withWorld = activity.profile().world() == null ? 0 : models.size();
     try (LocalBuilds builds =
         new LocalBuilds(
-            Installation.current(), sandbox.open(), !noCoverage, recording, withWorld)) {
+            Installation.current(),
+            sandbox.open(),
+            !noCoverage,
+            new LocalBuilds.OutputFolders(recording, signals, models.size() > 1),
+            withWorld)) {
       err.println("sandbox: " + builds.sandbox());
       err.flush();
       for (TestModel model : models) {
@@ -234,6 +246,9 @@ final class RunCommand implements Callable<Integer> {
     }
     if (recording != null) {
       UserFiles.requireWritableFolder("--recording", recording);
+    }
+    if (signals != null) {
+      UserFiles.requireWritableFolder("--signals", signals);
     }
   }
 

@@ -10,6 +10,7 @@ import org.jspecify.annotations.Nullable;
 public final class Stopwatch {
   private static final double NANOS_PER_MICRO = 1000.0;
 
+  private Runnable beforeCall = () -> {};
   private volatile @Nullable Thread owner;
   private boolean called;
   private long began;
@@ -19,6 +20,7 @@ public final class Stopwatch {
 
   /** Starts a new measurement. */
   public void start() {
+    beforeCall.run();
     total = 0;
     hardware = 0;
     stub = 0;
@@ -39,6 +41,11 @@ public final class Stopwatch {
     }
     total = now - began;
     owner = null;
+  }
+
+  /** Sets what runs before each measurement, outside of the measured time. */
+  void beforeCall(Runnable action) {
+    beforeCall = action;
   }
 
   /** Clears the measurement. */

@@ -30,6 +30,7 @@ public final class TestRun {
   /** The suite could not be run or could not continue. */
   static final int EXIT_CANNOT_RUN = 3;
 
+  private int currentNo;
   private final Stopwatch stopwatch = new Stopwatch();
   private final CommandLine command;
   private final SuiteReader suite;
@@ -52,6 +53,9 @@ public final class TestRun {
       simulation.limit(atMost);
     }
     this.stubbing = new Stubbing(stopwatch, simulation);
+    if (simulation != null) {
+      stopwatch.beforeCall(simulation::callBegins);
+    }
     Path recording = command.recording();
     if (recording != null && simulation != null) {
       simulation.record(recording);
@@ -143,6 +147,9 @@ public final class TestRun {
   /** Writes the record of a case with the calls of its stubs. */
   void save(CaseResult result) throws IOException {
     if (simulation != null) {
+      if (stopwatch.wasStarted()) {
+        simulation.keepSignals(currentNo);
+      }
       simulation.requireNotLost();
     }
     stubbing.writeTo(result);
@@ -189,6 +196,7 @@ public final class TestRun {
   private void runOne(SuiteDriver<?> driver, TestCase testCase) throws IOException {
     CaseResult result = new CaseResult(testCase);
     CaseStreams.begin(testCase.no());
+    currentNo = testCase.no();
     stopwatch.reset();
     stubbing.begin();
     try {

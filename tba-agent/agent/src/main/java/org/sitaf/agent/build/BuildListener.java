@@ -1,6 +1,7 @@
 package org.sitaf.agent.build;
 
 import java.nio.file.Path;
+import org.sitaf.core.trajectory.Trace;
 import org.sitaf.core.verdict.CaseResult;
 
 /**
@@ -15,6 +16,15 @@ public interface BuildListener {
 
   /** A case has a result with its final verdict. */
   void caseFinished(CaseResult result);
+
+  /**
+   * The signals of a finished case, if the build records signals.
+   *
+   * @param trace not to be changed
+   */
+  default void signals(int no, Trace trace) {
+    // Most listeners do not need them.
+  }
 
   /**
    * The recording of a finished case is available.

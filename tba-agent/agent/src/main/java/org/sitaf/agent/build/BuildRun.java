@@ -13,6 +13,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.concurrent.CancellationException;
+import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.compiler.TestApplicationCompiler;
 import org.sitaf.agent.executor.EarlyProcess;
@@ -39,6 +40,7 @@ import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.harness.TestApplication;
 import org.sitaf.core.suite.document.TestSuiteXml;
+import org.sitaf.core.verdict.CaseRecord;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.Provenance;
 import org.sitaf.core.verdict.ResultAssembler;
@@ -159,11 +161,20 @@ public final class BuildRun {
       warnings.forEach(log::remark);
 
       listener.stage(BuildStage.RUNNING);
+      CaseSignals signals = prepared.signals();
       ResultAssembler assembler =
           new ResultAssembler(
-              application.model(), application.suite(), application.activity().required());
+              application.model(),
+              application.suite(),
+              application.activity().required(),
+              signals.conditions());
       ExecutionRequest request = request(compiled, prepared);
-      Execution execution = execute(request, early, assembler, log);
+      Execution execution =
+          execute(
+              request,
+              early,
+              record -> signals.judge(assembler, record, prepared.simulator()),
+              log);
 
       TestResult result = report(execution, assembler, prepared.bridge(), started);
       return new BuildOutcome.Completed(withCoverage(result, compiled, request, log), warnings);
@@ -190,8 +201,10 @@ public final class BuildRun {
    *
    * @param simulator closed with the build; null if the activity has no world
    * @param bridge version of the simulator; empty if the activity has no world
+   * @param signals of the cases, for trajectory conditions
    */
-  private record Prepared(@Nullable World world, @Nullable BuildSimulator simulator, String bridge)
+  private record Prepared(
+      @Nullable World world, @Nullable BuildSimulator simulator, String bridge, CaseSignals signals)
       implements AutoCloseable {
     @Override
     public void close() {
@@ -218,8 +231,9 @@ public final class BuildRun {
       TestSuiteXml.write(application.suite().withoutExpected(), suite);
     }
     String world = application.activity().profile().world();
+    CaseSignals signals = new CaseSignals(application, settings.signals(), listener);
     if (world == null) {
-      return new Prepared(null, null, "");
+      return new Prepared(null, null, "", signals);
     }
     int slash = world.lastIndexOf('/');
     FileTree folder = application.activity().files().below(world.substring(0, slash + 1));
@@ -229,13 +243,14 @@ public final class BuildRun {
     boolean prepared = false;
     try {
       String version = simulator.version();
-      simulator.check(world.substring(slash + 1), worldFiles);
+      long stepNanos = simulator.check(world.substring(slash + 1), worldFiles);
+      signals.begin(simulator, stepNanos);
       log.remark("world " + world + " on " + version);
       log.remark(simulator.description());
       requireReachable(simulator.target(), log);
       Path description = applicationDirectory().resolve("activity").resolve(world);
       prepared = true;
-      return new Prepared(new World(description, simulator::open), simulator, version);
+      return new Prepared(new World(description, simulator::open), simulator, version, signals);
     } catch (WorldException e) {
       String message = String.valueOf(e.getMessage());
       throw new CompilationException(
@@ -306,13 +321,13 @@ public final class BuildRun {
   private Execution execute(
       ExecutionRequest request,
       @Nullable EarlyProcess early,
-      ResultAssembler assembler,
+      Function<CaseRecord, CaseResult> judge,
       BuildLog log)
       throws IOException, InterruptedException {
     Path recording = request.recording();
     RecordingOrder order = settings.recordings();
     if (recording == null || order == null) {
-      return executor().execute(request, early, log, record -> announce(assembler.judge(record)));
+      return executor().execute(request, early, log, record -> announce(judge.apply(record)));
     }
     Map<Integer, Path> folders = executor().recordingFolders(application.suite(), recording);
     Path collected = recording.resolveSibling("recording.collected");
@@ -323,7 +338,7 @@ public final class BuildRun {
               early,
               log,
               record -> {
-                CaseResult judged = announce(assembler.judge(record));
+                CaseResult judged = announce(judge.apply(record));
                 recordings.expect(judged);
                 return judged;
               });

@@ -15,6 +15,7 @@ import org.sitaf.agent.toolchain.Toolchains;
  * @param coverage whether builds measure line coverage, if the coverage tool is installed
  * @param agent name and version of the agent, for the provenance; empty for a local run
  * @param recordings which cases are recorded; null for none
+ * @param signals whether all signals of each case are reported to the listener
  * @param atMost limit for the duration of a build, regardless of its own limits
  */
 public record BuildSettings(
@@ -24,6 +25,7 @@ public record BuildSettings(
     boolean coverage,
     String agent,
     @Nullable RecordingOrder recordings,
+    boolean signals,
     Duration atMost) {
   /** Default limit for the duration of a build. */
   public static final Duration DEFAULT_LIMIT = Duration.ofHours(12);
@@ -41,16 +43,24 @@ public record BuildSettings(
   /** Without recordings, and with the default limit. */
   public BuildSettings(
       Simulator simulator, Toolchains toolchains, Sandbox sandbox, boolean coverage, String agent) {
-    this(simulator, toolchains, sandbox, coverage, agent, null, DEFAULT_LIMIT);
+    this(simulator, toolchains, sandbox, coverage, agent, null, false, DEFAULT_LIMIT);
   }
 
   /** The same settings with recordings. */
   public BuildSettings recording(RecordingOrder order) {
-    return new BuildSettings(simulator, toolchains, sandbox, coverage, agent, order, atMost);
+    return new BuildSettings(
+        simulator, toolchains, sandbox, coverage, agent, order, signals, atMost);
+  }
+
+  /** The same settings with the signals of each case. */
+  public BuildSettings withSignals() {
+    return new BuildSettings(
+        simulator, toolchains, sandbox, coverage, agent, recordings, true, atMost);
   }
 
   /** The same settings with another limit for the duration. */
   public BuildSettings within(Duration limit) {
-    return new BuildSettings(simulator, toolchains, sandbox, coverage, agent, recordings, limit);
+    return new BuildSettings(
+        simulator, toolchains, sandbox, coverage, agent, recordings, signals, limit);
   }
 }

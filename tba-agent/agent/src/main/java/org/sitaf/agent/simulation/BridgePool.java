@@ -28,13 +28,13 @@ final class BridgePool implements Simulator {
   private final Path directory;
   private final Sandbox sandbox;
 
-  /** Digests of worlds that a bridge of this command has compiled, by their files. */
-  private final Map<String, String> accepted =
+  /** Worlds that a bridge of this command has compiled, by their files. */
+  private final Map<String, CompiledWorld> accepted =
       new LinkedHashMap<>(16, 0.75f, true) {
         private static final long serialVersionUID = 1L;
 
         @Override
-        protected boolean removeEldestEntry(Map.Entry<String, String> eldest) {
+        protected boolean removeEldestEntry(Map.Entry<String, CompiledWorld> eldest) {
           return size() > MAX_KNOWN_WORLDS;
         }
       };
@@ -119,12 +119,12 @@ final class BridgePool implements Simulator {
     }
   }
 
-  synchronized Optional<String> digestOf(String world) {
+  synchronized Optional<CompiledWorld> acceptedWorld(String world) {
     return Optional.ofNullable(accepted.get(world));
   }
 
-  synchronized void addAccepted(String world, String digest) {
-    accepted.put(world, digest);
+  synchronized void addAccepted(String world, CompiledWorld compiled) {
+    accepted.put(world, compiled);
   }
 
   private synchronized Future<BridgeProcess> nextIdle() throws SimulatorException {

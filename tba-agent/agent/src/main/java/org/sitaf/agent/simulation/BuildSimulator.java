@@ -1,6 +1,8 @@
 package org.sitaf.agent.simulation;
 
 import java.util.Map;
+import java.util.Optional;
+import org.sitaf.core.trajectory.Trace;
 
 /** The robot simulator of one build, until it is closed. Thread-safe. */
 public sealed interface BuildSimulator extends AutoCloseable permits OwnSimulator, SharedSimulator {
@@ -20,11 +22,28 @@ public sealed interface BuildSimulator extends AutoCloseable permits OwnSimulato
    *
    * @param description name of the world description among the files
    * @param files of the world's folder, by relative path
+   * @return length of a simulation step in nanoseconds
    * @throws WorldException if the simulator rejects it or crashes
    * @throws SimulatorException if it does not answer
    */
-  void check(String description, Map<String, byte[]> files)
+  long check(String description, Map<String, byte[]> files)
       throws WorldException, SimulatorException, InterruptedException;
+
+  /**
+   * Lets the sessions of endpoints that are opened later sample signals.
+   *
+   * @throws SimulatorException if the simulator is shared with others
+   */
+  void sample(SignalOrder order) throws SimulatorException;
+
+  /**
+   * Takes the signals of a case whose record was read; call it before the endpoint of the case is
+   * closed.
+   *
+   * @return empty if the test application kept none
+   * @throws SimulatorException if the simulator does not answer
+   */
+  Optional<Trace> takeSignals(int no) throws SimulatorException;
 
   /**
    * Opens an endpoint for one process of a test application; call {@link #check} first.

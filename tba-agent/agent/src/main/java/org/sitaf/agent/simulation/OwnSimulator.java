@@ -5,10 +5,13 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.concurrent.ConcurrentHashMap;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.sandbox.Sandbox;
 import org.sitaf.core.digest.Sha256;
+import org.sitaf.core.trajectory.Trace;
 
 /** A bridge that serves one build; replaced by a new one if it dies. */
 final class OwnSimulator implements BuildSimulator {
@@ -17,11 +20,16 @@ final class OwnSimulator implements BuildSimulator {
   private final BridgePool bridges;
   private @Nullable BridgeProcess bridge;
   private @Nullable World world;
+  private @Nullable SignalOrder signals;
   private int endpoints;
+
+  /** Endpoints that are not closed, also of bridges that ended. */
+  private final Set<Endpoint> open = ConcurrentHashMap.newKeySet();
+
   private boolean closed;
 
-  /** The files of the build's world, and their digest as computed by bridges. */
-  private record World(String description, Map<String, byte[]> files, String digest) {}
+  /** The files of the build's world, and what bridges know of it. */
+  private record World(String description, Map<String, byte[]> files, CompiledWorld compiled) {}
 
   OwnSimulator(BridgePool bridges) {
     this.bridges = bridges;
@@ -47,22 +55,23 @@ final class OwnSimulator implements BuildSimulator {
   }
 
   @Override
-  public synchronized void check(String description, Map<String, byte[]> files)
+  public synchronized long check(String description, Map<String, byte[]> files)
       throws WorldException, SimulatorException, InterruptedException {
     String key = keyOf(description, files);
-    Optional<String> known = bridges.digestOf(key);
+    Optional<CompiledWorld> known = bridges.acceptedWorld(key);
     if (known.isPresent()) {
       world = new World(description, Map.copyOf(files), known.get());
       compileInBackground(runningBridge(), world);
-      return;
+      return known.get().stepNanos();
     }
-    String digest = compile(description, files);
-    bridges.addAccepted(key, digest);
-    world = new World(description, Map.copyOf(files), digest);
+    CompiledWorld compiled = compile(description, files);
+    bridges.addAccepted(key, compiled);
+    world = new World(description, Map.copyOf(files), compiled);
+    return compiled.stepNanos();
   }
 
   /** Retries once: a world that ends the bridge every time is at fault. */
-  private String compile(String description, Map<String, byte[]> files)
+  private CompiledWorld compile(String description, Map<String, byte[]> files)
       throws WorldException, SimulatorException, InterruptedException {
     for (int attempt = 1; ; attempt++) {
       BridgeProcess current = runningBridge();
@@ -100,6 +109,25 @@ final class OwnSimulator implements BuildSimulator {
   }
 
   @Override
+  public synchronized void sample(SignalOrder order) {
+    signals = order;
+  }
+
+  @Override
+  public Optional<Trace> takeSignals(int no) throws SimulatorException {
+    for (Endpoint endpoint : open) {
+      if (endpoint.hasEnded()) {
+        continue;
+      }
+      Optional<Trace> trace = endpoint.bridge().client().takeSignals(endpoint.name(), no);
+      if (trace.isPresent()) {
+        return trace;
+      }
+    }
+    return Optional.empty();
+  }
+
+  @Override
   public synchronized SimulatorEndpoint open() throws SimulatorException, InterruptedException {
     World offered = world;
     if (offered == null) {
@@ -109,8 +137,10 @@ final class OwnSimulator implements BuildSimulator {
       BridgeProcess current = runningBridge();
       String name = "e" + ++endpoints;
       try {
-        current.client().openEndpoint(name, offered.digest());
-        return new Endpoint(current, name, current.share(name));
+        current.client().openEndpoint(name, offered.compiled().digest(), signals);
+        Endpoint opened = new Endpoint(current, name, current.share(name), open);
+        open.add(opened);
+        return opened;
       } catch (IOException e) {
         boolean ended = current.end().isPresent();
         if (!ended || attempt == MAX_ATTEMPTS) {
@@ -159,8 +189,18 @@ final class OwnSimulator implements BuildSimulator {
   }
 
   /** A socket of the bridge for one process of the test application. */
-  private record Endpoint(BridgeProcess bridge, String name, Path socket)
+  private record Endpoint(BridgeProcess bridge, String name, Path socket, Set<Endpoint> open)
       implements SimulatorEndpoint {
+    @Override
+    public boolean equals(@Nullable Object other) {
+      return this == other;
+    }
+
+    @Override
+    public int hashCode() {
+      return name.hashCode();
+    }
+
     @Override
     public String target() {
       return "unix:" + socket;
@@ -183,6 +223,7 @@ final class OwnSimulator implements BuildSimulator {
 
     @Override
     public void close() {
+      open.remove(this);
       bridge.closeEndpoint(name);
     }
   }

@@ -2,6 +2,7 @@ package org.sitaf.agent.simulation;
 
 import java.util.Map;
 import java.util.Optional;
+import org.sitaf.core.trajectory.Trace;
 
 /** A simulator that other builds use, too. */
 final class SharedSimulator implements BuildSimulator {
@@ -24,9 +25,22 @@ final class SharedSimulator implements BuildSimulator {
   }
 
   @Override
-  public void check(String description, Map<String, byte[]> files)
+  public long check(String description, Map<String, byte[]> files)
       throws WorldException, SimulatorException {
-    client.check(description, files);
+    return client.check(description, files).stepNanos();
+  }
+
+  @Override
+  public void sample(SignalOrder order) throws SimulatorException {
+    throw new SimulatorException(
+        "trajectory conditions need a simulator that serves this build only, but the one at "
+            + target
+            + " is shared with others");
+  }
+
+  @Override
+  public Optional<Trace> takeSignals(int no) {
+    return Optional.empty();
   }
 
   @Override

@@ -7,24 +7,33 @@ import io.grpc.ManagedChannel;
 import io.grpc.ManagedChannelBuilder;
 import io.grpc.Status;
 import io.grpc.StatusRuntimeException;
+import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.logging.Level;
 import java.util.logging.Logger;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.trajectory.Trace;
 import org.sitaf.sim.v1.CloseEndpointRequest;
 import org.sitaf.sim.v1.DescribeWorldRequest;
 import org.sitaf.sim.v1.GetSimulatorFeaturesRequest;
 import org.sitaf.sim.v1.GetSimulatorFeaturesResponse;
 import org.sitaf.sim.v1.OpenEndpointRequest;
 import org.sitaf.sim.v1.OpenEndpointResponse;
+import org.sitaf.sim.v1.Signal;
 import org.sitaf.sim.v1.SimulationControlGrpc;
 import org.sitaf.sim.v1.SimulatorAdministrationGrpc;
+import org.sitaf.sim.v1.TakeSignalsRequest;
+import org.sitaf.sim.v1.TakeSignalsResponse;
+import org.sitaf.sim.v1.WorldDescription;
 import org.sitaf.sim.v1.WorldSource;
 
 /** Queries a simulator and lets it check a world before a build. */
 public final class SimulatorClient implements AutoCloseable {
   private static final int DEADLINE_S = 90;
   private static final int SHORT_DEADLINE_S = 5;
+  private static final int MAX_SIGNAL_BYTES = 128 << 20;
 
   /**
    * Netty warns about an option that Unix sockets do not have. A field keeps the logger, whose
@@ -91,19 +100,59 @@ public final class SimulatorClient implements AutoCloseable {
    * Opens an endpoint of a bridge that serves one build.
    *
    * @param worldDigest digest of the only world that the endpoint offers
+   * @param signals what its session samples at each step; null for nothing
    * @throws SimulatorException if the bridge refuses
    */
-  void openEndpoint(String name, String worldDigest) throws SimulatorException {
+  void openEndpoint(String name, String worldDigest, @Nullable SignalOrder signals)
+      throws SimulatorException {
+    OpenEndpointRequest.Builder request =
+        OpenEndpointRequest.newBuilder().setName(name).setWorldDigest(worldDigest);
+    if (signals != null) {
+      request.getSignalsBuilder().addAllNames(signals.names()).setSettling(signals.settling());
+    }
     try {
-      OpenEndpointResponse unused =
-          administration()
-              .openEndpoint(
-                  OpenEndpointRequest.newBuilder()
-                      .setName(name)
-                      .setWorldDigest(worldDigest)
-                      .build());
+      OpenEndpointResponse unused = administration().openEndpoint(request.build());
     } catch (StatusRuntimeException e) {
       throw noAnswer(e);
+    }
+  }
+
+  /**
+   * Takes the signals of a case from an endpoint.
+   *
+   * @return empty if the endpoint has none
+   * @throws SimulatorException if the bridge refuses, or if the component interfered
+   */
+  Optional<Trace> takeSignals(String endpoint, int no) throws SimulatorException {
+    TakeSignalsResponse taken;
+    try {
+      taken =
+          SimulatorAdministrationGrpc.newBlockingStub(channel)
+              .withMaxInboundMessageSize(MAX_SIGNAL_BYTES)
+              .withDeadlineAfter(DEADLINE_S, TimeUnit.SECONDS)
+              .takeSignals(TakeSignalsRequest.newBuilder().setName(endpoint).setCaseNo(no).build());
+    } catch (StatusRuntimeException e) {
+      if (e.getStatus().getCode() == Status.Code.RESOURCE_EXHAUSTED) {
+        throw new SimulatorException(String.valueOf(e.getStatus().getDescription()), e);
+      }
+      throw noAnswer(e);
+    }
+    if (taken.getTimesKept() == 0) {
+      return Optional.empty();
+    }
+    if (taken.getTimesKept() > 1) {
+      throw new SimulatorException(
+          "the signals were kept " + taken.getTimesKept() + " times; the component interfered");
+    }
+    List<String> names = taken.getSignalsList().stream().map(Signal::getName).toList();
+    List<double[]> columns =
+        taken.getSignalsList().stream()
+            .map(s -> s.getValuesList().stream().mapToDouble(Double::doubleValue).toArray())
+            .toList();
+    try {
+      return Optional.of(new Trace(taken.getFirstNs(), taken.getTimestepNs(), names, columns));
+    } catch (IllegalArgumentException e) {
+      throw new SimulatorException("the signals are not complete: " + e.getMessage(), e);
     }
   }
 
@@ -122,22 +171,23 @@ public final class SimulatorClient implements AutoCloseable {
   }
 
   /**
-   * Lets the simulator compile a world and returns the world's digest.
+   * Lets the simulator compile a world.
    *
    * @param description name of the world description among the files
    * @param files of the world's folder, by relative path
    * @throws WorldException if the simulator rejects it
    * @throws SimulatorException if it does not answer
    */
-  public String check(String description, Map<String, byte[]> files)
+  CompiledWorld check(String description, Map<String, byte[]> files)
       throws WorldException, SimulatorException {
     WorldSource.Builder world = WorldSource.newBuilder().setDescription(description);
     files.forEach((path, content) -> world.putFiles(path, ByteString.copyFrom(content)));
     try {
-      return stub()
-          .describeWorld(DescribeWorldRequest.newBuilder().setWorld(world).build())
-          .getWorld()
-          .getDigest();
+      WorldDescription described =
+          stub()
+              .describeWorld(DescribeWorldRequest.newBuilder().setWorld(world).build())
+              .getWorld();
+      return new CompiledWorld(described.getDigest(), described.getTimestepNs());
     } catch (StatusRuntimeException e) {
       Status.Code code = e.getStatus().getCode();
       if (code == Status.Code.INVALID_ARGUMENT

@@ -108,13 +108,14 @@ class SimulatorTest {
         assertThat(endpoint.isShared()).isFalse();
         assertThat(endpoint.hasEnded()).isFalse();
         assertThat(endpoint.end()).isEmpty();
-        assertThat(client.check("w.world.yaml", Map.of("w.world.yaml", WORLD, "w.xml", MJCF)))
+        assertThat(
+                client.check("w.world.yaml", Map.of("w.world.yaml", WORLD, "w.xml", MJCF)).digest())
             .hasSize(64);
         byte[] other = "<mujoco/>".getBytes(UTF_8);
         assertThatThrownBy(
                 () -> client.check("w.world.yaml", Map.of("w.world.yaml", WORLD, "w.xml", other)))
             .hasMessageContaining("PERMISSION_DENIED");
-        assertThatThrownBy(() -> client.openEndpoint("e9", "0"))
+        assertThatThrownBy(() -> client.openEndpoint("e9", "0", null))
             .hasMessageContaining("UNIMPLEMENTED");
       }
     }
@@ -190,7 +191,8 @@ class SimulatorTest {
       try (SimulatorEndpoint endpoint = simulator.open();
           SimulatorClient client = new SimulatorClient(endpoint.target())) {
         assertThat(endpoint.end()).isEmpty();
-        assertThat(client.check("w.world.yaml", Map.of("w.world.yaml", WORLD, "w.xml", MJCF)))
+        assertThat(
+                client.check("w.world.yaml", Map.of("w.world.yaml", WORLD, "w.xml", MJCF)).digest())
             .hasSize(64);
       }
     }
@@ -204,7 +206,11 @@ class SimulatorTest {
           check(simulator);
           try (SimulatorEndpoint endpoint = simulator.open();
               SimulatorClient client = new SimulatorClient(endpoint.target())) {
-            client.check("w.world.yaml", Map.of("w.world.yaml", WORLD, "w.xml", MJCF));
+            assertThat(
+                    client
+                        .check("w.world.yaml", Map.of("w.world.yaml", WORLD, "w.xml", MJCF))
+                        .stepNanos())
+                .isPositive();
           }
         }
       }

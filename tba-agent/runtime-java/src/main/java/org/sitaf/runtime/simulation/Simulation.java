@@ -27,6 +27,8 @@ import org.sitaf.sim.v1.CreateSessionRequest;
 import org.sitaf.sim.v1.CreateSessionResponse;
 import org.sitaf.sim.v1.DeleteSessionRequest;
 import org.sitaf.sim.v1.DeviceCommand;
+import org.sitaf.sim.v1.KeepSignalsRequest;
+import org.sitaf.sim.v1.KeepSignalsResponse;
 import org.sitaf.sim.v1.PrepareManyRequest;
 import org.sitaf.sim.v1.PrepareManyResponse;
 import org.sitaf.sim.v1.PrepareRequest;
@@ -81,6 +83,11 @@ public final class Simulation implements AutoCloseable {
 
   private @Nullable Recording recording;
 
+  /** Whether the simulator samples signals for the agent. */
+  private final boolean keepsSignals;
+
+  private volatile long callNanos;
+
   /** How a case is prepared. */
   private record Prepared(Map<String, Double> parameters, Duration settle) {}
 
@@ -95,6 +102,11 @@ public final class Simulation implements AutoCloseable {
     this.time = new PassingTime(timestepNanos, this::step);
     this.preparation = new Preparation(created, upcoming, this::prepareMany);
     this.world = FrozenWorld.of(created.getState());
+    this.keepsSignals = created.getKeepsSignals();
+    if (keepsSignals) {
+      // Worlds that are prepared in bulk have no signals.
+      preparation.stop();
+    }
     Map<String, String> kinds = new HashMap<>();
     created.getWorld().getDevicesList().forEach(d -> kinds.put(d.getName(), d.getKind()));
     this.hardware = new SimulatedHardware(kinds, stopwatch, world, new Wire());
@@ -262,6 +274,36 @@ public final class Simulation implements AutoCloseable {
       if (e.getStatus().getCode() != Status.Code.DATA_LOSS) {
         throw rememberLoss(failure("taking the recording of case " + no, e), e);
       }
+    }
+  }
+
+  /** The call under test begins now. */
+  public void callBegins() {
+    callNanos = world.timeNanos();
+  }
+
+  /**
+   * Lets the simulator keep the signals of the current case for the agent, if the agent wants
+   * signals. A failure is reported by the agent, which misses the signals.
+   *
+   * @param no number of the case
+   */
+  public void keepSignals(int no) {
+    if (!keepsSignals) {
+      return;
+    }
+    KeepSignalsRequest request =
+        KeepSignalsRequest.newBuilder()
+            .setSessionId(session)
+            .setCaseNo(no)
+            .setCallTimeNs(callNanos)
+            .build();
+    try {
+      KeepSignalsResponse unused = stub(channel).keepSignals(request);
+    } catch (StatusRuntimeException e) {
+      SimulationException remembered =
+          rememberLoss(failure("keeping the signals of case " + no, e), e);
+      System.err.println("sitaf: " + remembered.getMessage());
     }
   }
 

@@ -1,0 +1,112 @@
+package org.sitaf.agent.build;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeSet;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.agent.simulation.BuildSimulator;
+import org.sitaf.agent.simulation.SignalOrder;
+import org.sitaf.agent.simulation.SimulatorException;
+import org.sitaf.agent.toolchain.CompilationException;
+import org.sitaf.agent.toolchain.SourceDiagnostic;
+import org.sitaf.core.activity.ActivityProfile.Limits;
+import org.sitaf.core.description.WorldDescription;
+import org.sitaf.core.description.WorldSignals;
+import org.sitaf.core.diagnostic.Diagnostics;
+import org.sitaf.core.harness.TestApplication;
+import org.sitaf.core.model.Target;
+import org.sitaf.core.trajectory.Trace;
+import org.sitaf.core.trajectory.TrajectoryConditions;
+import org.sitaf.core.verdict.CaseRecord;
+import org.sitaf.core.verdict.CaseResult;
+import org.sitaf.core.verdict.ResultAssembler;
+import org.sitaf.core.verdict.TraceSource.MissingTraceException;
+
+/**
+ * The signals of the cases of one build: what the simulator samples, and the judgement of the
+ * trajectory conditions over it.
+ */
+final class CaseSignals {
+  private final TestApplication application;
+  private final TrajectoryConditions conditions;
+  private final SignalOrder order;
+  private final boolean reported;
+  private final BuildListener listener;
+
+  /**
+   * @param reported whether all signals are reported to the listener
+   */
+  CaseSignals(TestApplication application, boolean reported, BuildListener listener) {
+    this.application = application;
+    this.listener = listener;
+    WorldDescription world = application.activity().world();
+    List<String> all = world == null ? List.of() : WorldSignals.of(world);
+    Diagnostics diagnostics = new Diagnostics();
+    Limits limits = application.activity().profile().limits();
+    this.conditions =
+        TrajectoryConditions.compile(
+            application.model(), all, limits.caseSimulation().toNanos() / 1e9, diagnostics);
+    diagnostics.throwIfErrors();
+    this.reported = reported && world != null;
+    List<String> names = List.copyOf(new TreeSet<>(this.reported ? all : conditions.signals()));
+    // The time alone gives the number of samples.
+    this.order = new SignalOrder(names.isEmpty() ? List.of("t") : names, conditions.needSettling());
+  }
+
+  /** The compiled conditions. */
+  TrajectoryConditions conditions() {
+    return conditions;
+  }
+
+  /**
+   * Lets the simulator sample the signals, if any are needed.
+   *
+   * @throws CompilationException if a condition needs more memory than a case may have
+   */
+  void begin(BuildSimulator simulator, long stepNanos)
+      throws CompilationException, SimulatorException {
+    if (conditions.isEmpty() && !reported) {
+      return;
+    }
+    requireMemory(stepNanos);
+    simulator.sample(order);
+  }
+
+  private void requireMemory(long stepNanos) throws CompilationException {
+    Target target = application.model().target();
+    long nanos = target.runFor().toNanos() + (order.settling() ? target.settle().toNanos() : 0);
+    long samples = nanos / Math.max(1, stepNanos) + 1;
+    int limit = application.activity().profile().limits().memoryMiB();
+    for (Map.Entry<String, Long> needed :
+        conditions.beyond((long) limit << 20, samples).entrySet()) {
+      String message =
+          "the trajectory condition '%s' would keep %,d MiB of samples (%,d samples), more than limits.memory_mb: %d; shorten run_for or the formula"
+              .formatted(needed.getKey(), needed.getValue() >> 20, samples, limit);
+      throw new CompilationException(
+          message,
+          List.of(SourceDiagnostic.ofFile("activity/" + application.model().source(), message)));
+    }
+  }
+
+  /** The result of a recorded case. */
+  CaseResult judge(
+      ResultAssembler assembler, CaseRecord record, @Nullable BuildSimulator simulator) {
+    if (simulator == null || conditions.isEmpty() && !reported) {
+      return assembler.judge(record);
+    }
+    Optional<Trace> trace = Optional.empty();
+    String problem = "the simulator has no signals of this case";
+    try {
+      trace = simulator.takeSignals(record.no());
+    } catch (SimulatorException e) {
+      problem = String.valueOf(e.getMessage());
+    }
+    if (reported && trace.isPresent()) {
+      listener.signals(record.no(), trace.get());
+    }
+    Optional<Trace> taken = trace;
+    String why = problem;
+    return assembler.judge(record, () -> taken.orElseThrow(() -> new MissingTraceException(why)));
+  }
+}
