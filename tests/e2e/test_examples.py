@@ -4,7 +4,9 @@ import re
 
 import pytest
 
-SUMMARY = re.compile(r"(\w+): (\d+) cases, (\d+) PASS(?:, (\d+) FAIL, (\d+) ERROR, (\d+) DONT)?")
+SUMMARY = re.compile(
+    r"(\w+): (\d+) cases, (\d+) PASS(?:, (\d+) FAIL, (\d+) ERROR, (\d+) DONT)?"
+)
 
 
 def verdicts(run):
@@ -14,7 +16,16 @@ def verdicts(run):
     return int(found[2]), int(found[3])
 
 
-@pytest.mark.parametrize("example", ["navigation-step", "wall-approach", "joint-pid"])
+@pytest.mark.parametrize(
+    "example",
+    [
+        "navigation-step",
+        "wall-approach",
+        "joint-pid",
+        "touchless-approach",
+        "joint-settling",
+    ],
+)
 def test_an_example_passes(sitaf, example):
     run = sitaf("run", f"examples/{example}")
     assert run.returncode == 0, run.stdout + run.stderr
@@ -25,8 +36,14 @@ def test_an_example_passes(sitaf, example):
 def test_the_stub_records_the_wheel_commands(sitaf):
     run = sitaf("run", "examples/navigation-step-faulty")
     assert run.returncode == 1, run.stdout + run.stderr
-    assert 'post-condition violated: actual == "HALT" || calls["WheelController.Drive"][0].speed' in run.stdout
-    assert 'post-condition violated: calls["RangeFinder.GetRange"].size() == 2' in run.stdout
+    assert (
+        'post-condition violated: actual == "HALT" || calls["WheelController.Drive"][0].speed'
+        in run.stdout
+    )
+    assert (
+        'post-condition violated: calls["RangeFinder.GetRange"].size() == 2'
+        in run.stdout
+    )
     assert "0 ERROR" in run.stdout
 
 
@@ -45,3 +62,31 @@ def test_a_controller_without_integral_misses_the_target(sitaf):
     cases, passed = verdicts(run)
     assert passed < cases
     assert "angle_held: expected" in run.stdout
+
+
+def test_a_base_that_touches_the_wall_violates_a_condition_over_time(sitaf, tmp_path):
+    run = sitaf(
+        "run", "examples/touchless-approach-faulty", "--signals", tmp_path / "signals"
+    )
+    assert run.returncode == 1, run.stdout + run.stderr
+    cases, passed = verdicts(run)
+    assert passed == 0
+    broken = re.search(r"never touches: broken at ([0-9.]+) s: bumped is 1", run.stdout)
+    assert broken, run.stdout
+    lines = (tmp_path / "signals" / "1.csv").read_text().splitlines()
+    names = lines[0].split(",")
+    assert names[0] == "t"
+    touched = [
+        row.split(",")[0]
+        for row in lines[1:]
+        if row.split(",")[names.index("bumped")] == "1"
+    ]
+    assert touched[0] == broken[1]
+    assert len(list((tmp_path / "signals").iterdir())) == cases
+
+
+def test_a_slow_controller_does_not_settle_in_time(sitaf):
+    run = sitaf("run", "examples/joint-settling-faulty")
+    assert run.returncode == 1, run.stdout + run.stderr
+    assert re.search(r"settles: broken at [0-9.]+ s: angle_held is", run.stdout)
+    assert "angle_held: expected" not in run.stdout
