@@ -213,6 +213,7 @@ function firstDraft(activity: Activity, description: Description): ModelDraft {
     inputs: [],
     outputs: [],
     postConditions: [],
+    trajectoryConditions: [],
     invalidValues: 'isolate',
     order: '2',
     others: [],

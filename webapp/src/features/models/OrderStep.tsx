@@ -2,6 +2,7 @@ import { Button, Group, NativeSelect, Stack, Table, Text, TextInput } from '@man
 import type { ModelPreview } from '@/shared/api';
 import { Diagnostics, Formula, Loading, ScrollTable, Section, UserText } from '@/shared/ui';
 import type { ModelDraft, OutputDraft } from './draft';
+import { TrajectoryConditions } from './TrajectoryConditions';
 
 interface OrderStepProps {
   draft: ModelDraft;
@@ -76,6 +77,12 @@ export function OrderStep({ draft, preview, counting, onChange }: OrderStepProps
         texts={draft.postConditions}
         onChange={(postConditions) => {
           onChange({ ...draft, postConditions });
+        }}
+      />
+      <TrajectoryConditions
+        conditions={draft.trajectoryConditions}
+        onChange={(trajectoryConditions) => {
+          onChange({ ...draft, trajectoryConditions });
         }}
       />
       <Section title="Combination">

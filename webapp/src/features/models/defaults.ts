@@ -163,6 +163,7 @@ export function draftFor(
     inputs: argumentsOf(method).map(({ input }) => input),
     outputs: outputsOf(method),
     postConditions: [],
+    trajectoryConditions: [],
     invalidValues: 'isolate',
     order: '2',
     others: [],

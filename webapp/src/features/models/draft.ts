@@ -13,10 +13,18 @@ export interface ModelDraft {
   inputs: InputDraft[];
   outputs: OutputDraft[];
   postConditions: string[];
+  trajectoryConditions: TrajectoryDraft[];
   invalidValues: 'isolate' | 'combine';
   order: string;
   /** Elements that the editor does not show (mixed strength, kept cases), as XML. */
   others: string[];
+}
+
+/** A condition over time; `from` is empty for the call. */
+export interface TrajectoryDraft {
+  name: string;
+  from: string;
+  formula: string;
 }
 
 export type InputKind = 'TDI' | 'TDSD' | 'TDTS';

@@ -45,6 +45,14 @@ export function readModel(xml: string): ModelDraft {
     inputs: children(child(root, 'input_spec_list'), 'test_element').map(readInput),
     outputs: children(child(root, 'output_spec_list'), 'test_element').map(readOutput),
     postConditions: textsOf(child(root, 'post_condition_spec_list'), 'post_condition'),
+    trajectoryConditions: children(
+      child(root, 'trajectory_condition_spec_list'),
+      'trajectory_condition',
+    ).map((condition) => ({
+      name: condition.getAttribute('name') ?? '',
+      from: condition.getAttribute('from') ?? '',
+      formula: condition.textContent.trim(),
+    })),
     invalidValues: textOf(root, 'invalid_values') === 'combine' ? 'combine' : 'isolate',
     order: textOf(root, 'order_of_combinations'),
     others: [...children(root, 'strength'), ...children(root, 'case_list')].map((element) =>
@@ -142,6 +150,7 @@ export function writeModel(draft: ModelDraft): string {
       ? ['  <output_spec_list>', ...draft.outputs.flatMap(writeOutput), '  </output_spec_list>']
       : []),
     ...list('post_condition_spec_list', 'post_condition', draft.postConditions),
+    ...writeTrajectoryConditions(draft),
     `  <invalid_values>${draft.invalidValues}</invalid_values>`,
     `  <order_of_combinations>${escape(draft.order)}</order_of_combinations>`,
     ...draft.others.map((other) => `  ${other}`),
@@ -149,6 +158,19 @@ export function writeModel(draft: ModelDraft): string {
     '',
   ];
   return lines.join('\n');
+}
+
+function writeTrajectoryConditions({ trajectoryConditions }: ModelDraft): string[] {
+  const given = trajectoryConditions.filter(({ formula }) => formula.trim() !== '');
+  if (given.length === 0) return [];
+  return [
+    '  <trajectory_condition_spec_list>',
+    ...given.map(
+      ({ name, from, formula }) =>
+        `    <trajectory_condition${attributes({ name, from })}>${escape(formula)}</trajectory_condition>`,
+    ),
+    '  </trajectory_condition_spec_list>',
+  ];
 }
 
 function writeInput(input: InputDraft): string[] {
