@@ -1,5 +1,6 @@
 """Reads YAML with line numbers and collects all errors instead of raising the first one."""
 
+import difflib
 import math
 import re
 from collections.abc import Iterator
@@ -162,8 +163,10 @@ class Block:
         for key, node in self._entries.items():
             if key not in self._taken:
                 known = ", ".join(sorted(self._taken))
+                nearest = difflib.get_close_matches(key, sorted(self._taken), n=1, cutoff=0.0)
+                meant = f"did you mean {nearest[0]!r}? " if nearest else ""
                 self.problems.add(
-                    node.start_mark.line + 1, f"{self.inner(key)} is not a known key; known keys: {known}"
+                    node.start_mark.line + 1, f"{self.inner(key)} is not a known key; {meant}known keys: {known}"
                 )
 
     def triple(self, key: str, default: tuple[float, float, float]) -> tuple[float, float, float] | None:

@@ -52,6 +52,7 @@ public final class WorldReader {
   }
 
   private static WorldParameter parameter(String name, YamlMapping entry) {
+    entry.allowOnly(Set.of("unit", "range", "default", "bind"));
     double min = Double.NEGATIVE_INFINITY;
     double max = Double.POSITIVE_INFINITY;
     List<String> range = entry.texts("range");

@@ -21,9 +21,11 @@ import javax.xml.stream.XMLStreamReader;
 import javax.xml.stream.XMLStreamWriter;
 import javax.xml.stream.util.StreamReaderDelegate;
 import org.glassfish.jaxb.core.Locatable;
+import org.jspecify.annotations.Nullable;
 import org.sitaf.core.diagnostic.Diagnostic;
 import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.diagnostic.InvalidInputException;
+import org.sitaf.core.diagnostic.Severity;
 import org.sitaf.schemas.ObjectFactory;
 
 /** Reads and writes the paper's XML documents, using the classes generated from the schemas. */
@@ -85,6 +87,33 @@ public final class XmlDocuments {
       Class<T> type,
       Diagnostics diagnostics,
       ElementLines lines) {
+    return read(document, file, root, type, diagnostics, lines, null);
+  }
+
+  /**
+   * Reads a document of a user in which nothing may be ignored.
+   *
+   * @param names the known names; others are reported as errors
+   */
+  public static <T> T readStrictly(
+      InputStream document,
+      String file,
+      String root,
+      Class<T> type,
+      Diagnostics diagnostics,
+      ElementLines lines,
+      SchemaNames names) {
+    return read(document, file, root, type, diagnostics, lines, names);
+  }
+
+  private static <T> T read(
+      InputStream document,
+      String file,
+      String root,
+      Class<T> type,
+      Diagnostics diagnostics,
+      ElementLines lines,
+      @Nullable SchemaNames names) {
     XMLStreamReader reader = lines.recording(open(document, file));
     if (!reader.getLocalName().equals(root)) {
       throw new InvalidInputException(
@@ -95,7 +124,17 @@ public final class XmlDocuments {
                   reader.getLocalName(),
                   "the root element must be <" + root + ">")));
     }
-    T result = readElement(reader, file, type, diagnostics);
+    T result;
+    if (names == null) {
+      result = readElement(reader, file, type, diagnostics);
+    } else {
+      Diagnostics binding = new Diagnostics();
+      reader = names.checking(reader, file, diagnostics);
+      result = readElement(reader, file, type, binding);
+      // The warnings are about unknown elements, which are reported as errors already.
+      diagnostics.addAll(
+          binding.all().stream().filter(d -> d.severity() == Severity.ERROR).toList());
+    }
     try {
       while (reader.hasNext()) {
         reader.next();

@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.diagnostic.Diagnostics;
+import org.sitaf.core.diagnostic.NearestName;
 import org.yaml.snakeyaml.nodes.MappingNode;
 import org.yaml.snakeyaml.nodes.Node;
 import org.yaml.snakeyaml.nodes.NodeTuple;
@@ -63,7 +64,10 @@ public final class YamlMapping {
             file,
             line(name),
             pathOf(name),
-            "unknown entry; known entries: " + String.join(", ", new java.util.TreeSet<>(known)));
+            "unknown entry"
+                + NearestName.hint(name, known)
+                + " Known entries: "
+                + String.join(", ", new java.util.TreeSet<>(known)));
       }
     }
   }

@@ -3,12 +3,16 @@ package org.sitaf.core.model.document;
 import java.io.InputStream;
 import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.document.ElementLines;
+import org.sitaf.core.document.SchemaNames;
 import org.sitaf.core.document.XmlDocuments;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.schemas.TestModelDocument;
 
 /** Reads test model documents (schemas/test_model.xsd). */
 public final class TestModelXml {
+  private static final String ROOT = "test_model";
+  private static final SchemaNames NAMES = SchemaNames.of("test_model.xsd", ROOT);
+
   private TestModelXml() {}
 
   /**
@@ -22,13 +26,10 @@ public final class TestModelXml {
     ElementLines lines =
         new ElementLines(ConditionReader.PRE_CONDITION, ConditionReader.POST_CONDITION);
     TestModelDocument root =
-        XmlDocuments.read(
-            document, file, "test_model", TestModelDocument.class, diagnostics, lines);
+        XmlDocuments.readStrictly(
+            document, file, ROOT, TestModelDocument.class, diagnostics, lines, NAMES);
     TestModel model = new TestModelReader(file, diagnostics, lines).read(root);
-    // Warnings are errors here: an unknown element of a test model is most likely a typo.
-    Diagnostics strict = new Diagnostics();
-    diagnostics.all().forEach(d -> strict.error(d.file(), d.line(), d.element(), d.message()));
-    strict.throwIfErrors();
+    diagnostics.throwIfErrors();
     return model;
   }
 }

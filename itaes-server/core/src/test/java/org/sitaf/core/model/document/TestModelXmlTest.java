@@ -222,4 +222,61 @@ class TestModelXmlTest {
             "0.5 is not a whole number, but the real_type is int32",
             "0.5 is not a whole number, but the real_type is int32");
   }
+
+  @Test
+  void unknownNamesAreErrorsWithTheirLineAndTheNearestName() {
+    String xml =
+        """
+        <test_model>
+          <name>M</name>
+          <target interface="I" methd="m"/>
+          <input_spec_list>
+            <test_element abstract_type="NUMERIC" real_type="int">
+              <name>X</name>
+              <type>TDI</type>
+              <test_spec type="BVA" offst="1" offset="1">
+                <equiv_class type="NEC_NUMERIC_ONE_BOUNDARY" min="1" minimum_inclusive="true"/>
+              </test_spec>
+              <user_values/>
+            </test_element>
+          </input_spec_list>
+          <order_of_combination>2</order_of_combination>
+          <order_of_combinations>2</order_of_combinations>
+        </test_model>
+        """;
+    assertThat(problems(xml).stream().map(p -> p.line() + ": " + p.message()))
+        .anyMatch(m -> m.startsWith("3: unknown attribute 'methd'; did you mean 'method'?"))
+        .anyMatch(m -> m.startsWith("8: unknown attribute 'offst'; did you mean 'offset'?"))
+        .anyMatch(
+            m ->
+                m.startsWith(
+                    "9: unknown attribute 'minimum_inclusive'; did you mean 'min_inclusive'?"))
+        .anyMatch(
+            m -> m.startsWith("11: unknown element 'user_values'; did you mean 'user_value_list'?"))
+        .anyMatch(
+            m ->
+                m.startsWith(
+                    "14: unknown element 'order_of_combination'; did you mean 'order_of_combinations'?"))
+        .hasSize(5);
+  }
+
+  @Test
+  void settingsWithoutEffectAreErrors() {
+    String xml =
+        model(
+            """
+            <test_element abstract_type="NUMERIC" real_type="int"><name>X</name><type>TDI</type>
+              <test_spec type="RANDOM" count="3" min="1" max="2" mean="1" length="2"/>
+              <test_spec type="ECP"><equiv_class type="NEC_NUMERIC_CONSTANT" value="1" max="2"/></test_spec>
+            </test_element>
+            """);
+    assertThat(problems(xml).stream().map(Diagnostic::message).toList())
+        .anyMatch(m -> m.startsWith("length has no effect in RANDOM"))
+        .anyMatch(
+            m ->
+                m.startsWith(
+                    "mean and standard_deviation have no effect in the distribution uniform"))
+        .anyMatch(m -> m.startsWith("max has no effect in NEC_NUMERIC_CONSTANT"))
+        .hasSize(3);
+  }
 }
