@@ -8,14 +8,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
-import org.sitaf.core.combine.Effort;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.model.InvalidValues;
-import org.sitaf.core.model.Strength;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.model.document.TestModelXml;
 import org.sitaf.core.suite.GeneratedSuite;
-import org.sitaf.core.suite.GenerationOptions;
 import org.sitaf.core.suite.TestCaseGenerator;
 import org.sitaf.core.suite.TestSuite;
 import org.sitaf.core.suite.document.TestSuiteXml;
@@ -45,26 +42,12 @@ final class GenerateCommand implements Callable<Integer> {
   private @Nullable Path output;
 
   @Option(
-      names = "--strength",
-      paramLabel = "N|all",
-      converter = StrengthConverter.class,
-      description = "Order of combinations, 1 to 6 or all; default: that of the model.")
-  private @Nullable Strength strength;
-
-  @Option(
       names = "--invalid",
       paramLabel = "isolate|combine",
       description = "How invalid values are combined; default: as in the model.")
   private @Nullable InvalidValues invalidValues;
 
-  @Mixin private final SeedOption seed = new SeedOption();
-
-  @Option(
-      names = "--effort",
-      paramLabel = "fast|default|best",
-      defaultValue = "default",
-      description = "How long to minimize the number of cases (default: ${DEFAULT-VALUE}).")
-  private Effort effort = Effort.DEFAULT;
+  @Mixin private final GenerationArguments generation = new GenerationArguments();
 
   @Option(
       names = "--seed-cases",
@@ -90,7 +73,7 @@ final class GenerateCommand implements Callable<Integer> {
       generated =
           TestCaseGenerator.generate(
               parsed,
-              new GenerationOptions(strength, invalidValues, seed.value(), effort, earlierSuite()),
+              generation.options(invalidValues, earlierSuite()),
               (rows, share) ->
                   progress.detail(
                       "%s: %d cases, minimizing, %.0f %%"
@@ -123,16 +106,5 @@ final class GenerateCommand implements Callable<Integer> {
     return earlier == null
         ? null
         : TestSuiteXml.read(new ByteArrayInputStream(UserFiles.file(earlier)), earlier.toString());
-  }
-
-  static final class StrengthConverter implements CommandLine.ITypeConverter<Strength> {
-    @Override
-    public Strength convert(String value) {
-      try {
-        return Strength.parse(value);
-      } catch (IllegalArgumentException e) {
-        throw new CommandLine.TypeConversionException(e.getMessage());
-      }
-    }
   }
 }

@@ -20,12 +20,12 @@ import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.suite.GeneratedSuite;
-import org.sitaf.core.suite.GenerationOptions;
 import org.sitaf.core.suite.TestCaseGenerator;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.TestResult;
 import org.sitaf.core.verdict.document.JunitXml;
 import org.sitaf.core.verdict.document.TestResultXml;
+import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -62,7 +62,7 @@ final class RunCommand implements Callable<Integer> {
           "Also writes the test result descriptor; without --model a folder with one file per model.")
   private @Nullable Path resultFile;
 
-  @Mixin private final SeedOption seed = new SeedOption();
+  @Mixin private final GenerationArguments generation = new GenerationArguments();
 
   @Option(
       names = "--sandbox",
@@ -114,6 +114,12 @@ final class RunCommand implements Callable<Integer> {
     PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
     PrintWriter err = spec.commandLine().getErr();
     requireWritable();
+    if (server != null && generation.changesModel()) {
+      throw new CommandLine.ParameterException(
+          spec.commandLine(),
+          "--strength, --max-cases and --effort are not available with --server; set"
+              + " order_of_combinations and max_cases in the model");
+    }
     FileTree files = UserFiles.folder(arguments.folder());
     Activity activity = Activity.read(files);
     Sitaf.print(activity.warnings(), err);
@@ -141,7 +147,7 @@ final class RunCommand implements Callable<Integer> {
           RemoteRun.upload(address, System.getenv("SITAF_TOKEN"), plaintext, files, System.err);
       for (TestModel model : models) {
         try {
-          TestResult result = remote.test(model.name(), seed.value());
+          TestResult result = remote.test(model.name(), generation.seed());
           print(result, out);
           results.add(result);
           exitCode = worse(exitCode, exitCode(result));
@@ -169,8 +175,7 @@ final class RunCommand implements Callable<Integer> {
       err.println("sandbox: " + builds.sandbox());
       err.flush();
       for (TestModel model : models) {
-        GeneratedSuite generated =
-            TestCaseGenerator.generate(model, GenerationOptions.DEFAULT.withSeed(seed.value()));
+        GeneratedSuite generated = TestCaseGenerator.generate(model, generation.options());
         Sitaf.print(generated.notes(), err);
         BuildOutcome outcome = builds.run(activity, model, generated.suite());
         if (outcome instanceof BuildOutcome.Completed completed) {
