@@ -32,8 +32,10 @@ const COMPLETE = `<?xml version="1.0" encoding="UTF-8"?>
     <test_element abstract_type="NUMERIC" real_type="int">
       <name>mode</name>
       <type>TDI</type>
-      <test_spec type="ECP" offset="2" representatives="3">
+      <test_spec type="ECP" offset="2" representatives="3" special="each">
         <equiv_class type="NEC_NUMERIC_SET"><value>1</value><value>2</value></equiv_class>
+      </test_spec>
+      <test_spec type="RELATED" to="level" offsets="0 1 -10%">
       </test_spec>
     </test_element>
     <test_element abstract_type="NUMERIC" real_type="int">
@@ -41,6 +43,14 @@ const COMPLETE = `<?xml version="1.0" encoding="UTF-8"?>
       <type>TDI</type>
       <test_spec type="ECP">
         <equiv_class type="NEC_NUMERIC_CONSTANT" value="7"/>
+      </test_spec>
+    </test_element>
+    <test_element abstract_type="STRUCT" real_type="Pose">
+      <name>pose</name>
+      <type>TDI</type>
+      <test_spec type="POSE" as="rpy" count="20" min="-2" max="2">
+      </test_spec>
+      <test_spec type="DIRECTION" count="6" length="2">
       </test_spec>
     </test_element>
     <test_element abstract_type="BOOLEAN" real_type="boolean">
@@ -98,6 +108,7 @@ const COMPLETE = `<?xml version="1.0" encoding="UTF-8"?>
   <invalid_values>combine</invalid_values>
   <order_of_combinations>3</order_of_combinations>
   <strength t="4"><param>speed</param><param>mode</param></strength>
+  <max_cases>200</max_cases>
   <case_list><case no="1" class="valid"><value>1</value></case></case_list>
 </test_model>
 `;

@@ -216,6 +216,8 @@ function firstDraft(activity: Activity, description: Description): ModelDraft {
     trajectoryConditions: [],
     invalidValues: 'isolate',
     order: '2',
+    maxCases: '',
+    strengths: [],
     others: [],
   };
 }

@@ -109,6 +109,15 @@ export function OrderStep({ draft, preview, counting, onChange }: OrderStepProps
               });
             }}
           />
+          <TextInput
+            label="Maximum number of cases"
+            placeholder="Unlimited"
+            w={190}
+            value={draft.maxCases}
+            onChange={(event) => {
+              onChange({ ...draft, maxCases: event.currentTarget.value });
+            }}
+          />
         </Group>
         {otherProblems.length > 0 && <Diagnostics items={otherProblems} />}
         {counting ? (
@@ -157,7 +166,9 @@ function ParameterTable({
               <Table.Td>
                 <UserText>{input.realType}</UserText>
               </Table.Td>
-              <Table.Td>{input.spec?.type ?? '–'}</Table.Td>
+              <Table.Td>
+                {[input.spec, ...input.furtherSpecs].map((spec) => spec?.type ?? '–').join(', ')}
+              </Table.Td>
               <Table.Td ta="right">{valid}</Table.Td>
               <Table.Td ta="right">{values.length - valid}</Table.Td>
             </Table.Tr>

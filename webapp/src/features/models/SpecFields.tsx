@@ -3,11 +3,27 @@ import { CLASSES, type ClassDraft, type SpecDraft } from './draft';
 
 interface SpecFieldsProps {
   spec: SpecDraft;
+  /** Names of the other inputs, which a related value can follow. */
+  others?: readonly string[];
   onChange: (spec: SpecDraft) => void;
 }
 
+const SPECIAL = [
+  { value: '', label: 'None' },
+  { value: 'true', label: 'Combined like all values' },
+  { value: 'each', label: 'One case each' },
+];
+
+const FORMS = [
+  { value: '', label: 'By the type' },
+  { value: 'quaternion_xyzw', label: 'Quaternion x, y, z, w' },
+  { value: 'quaternion_wxyz', label: 'Quaternion w, x, y, z' },
+  { value: 'matrix', label: 'Matrix' },
+  { value: 'rpy', label: 'Roll, pitch, yaw' },
+];
+
 /** The settings of a specification; they depend on its scheme. */
-export function SpecFields({ spec, onChange }: SpecFieldsProps) {
+export function SpecFields({ spec, others = [], onChange }: SpecFieldsProps) {
   const setting = (name: string, label: string, placeholder = '') => (
     <TextInput
       key={name}
@@ -33,6 +49,18 @@ export function SpecFields({ spec, onChange }: SpecFieldsProps) {
       }}
     />
   );
+  const choice = (name: string, label: string, data: { value: string; label: string }[]) => (
+    <NativeSelect
+      label={label}
+      data={data}
+      value={spec.settings[name] ?? ''}
+      onChange={(event) => {
+        onChange({ ...spec, settings: { ...spec.settings, [name]: event.currentTarget.value } });
+      }}
+    />
+  );
+  const special = choice('special', 'NaN, infinities and limits of the type', SPECIAL);
+  const form = choice('as', 'Written as', FORMS);
   switch (spec.type) {
     case 'BVA':
       return (
@@ -41,7 +69,7 @@ export function SpecFields({ spec, onChange }: SpecFieldsProps) {
             <ClassFields spec={spec} onChange={onChange} kinds={['TWO_BOUNDARY', 'ONE_BOUNDARY']} />
             {setting('offset', 'Offset')}
           </Group>
-          {option('special', 'Add NaN, infinities and the limits of the type')}
+          <Group>{special}</Group>
         </Stack>
       );
     case 'ECP':
@@ -50,6 +78,7 @@ export function SpecFields({ spec, onChange }: SpecFieldsProps) {
           <ClassFields spec={spec} onChange={onChange} />
           {setting('representatives', 'Values per class', '1')}
           {setting('offset', 'Offset', '1')}
+          {special}
         </Group>
       );
     case 'RANDOM':
@@ -65,9 +94,15 @@ export function SpecFields({ spec, onChange }: SpecFieldsProps) {
               value={spec.settings['distribution'] ?? 'uniform'}
               onChange={(event) => {
                 const distribution = event.currentTarget.value;
+                // The server refuses settings that have no effect.
+                const { mean = '', standard_deviation = '', ...settings } = spec.settings;
                 onChange({
                   ...spec,
-                  settings: { ...spec.settings, distribution },
+                  settings: {
+                    ...settings,
+                    distribution,
+                    ...(distribution === 'normal' && { mean, standard_deviation }),
+                  },
                   ranges: distribution === 'weighted' ? spec.ranges : [],
                 });
               }}
@@ -76,6 +111,7 @@ export function SpecFields({ spec, onChange }: SpecFieldsProps) {
               setting('mean', 'Mean'),
               setting('standard_deviation', 'Standard deviation'),
             ]}
+            {special}
           </Group>
           {spec.settings['distribution'] === 'weighted' && (
             <Ranges spec={spec} onChange={onChange} />
@@ -97,6 +133,39 @@ export function SpecFields({ spec, onChange }: SpecFieldsProps) {
             {option('space', 'Spaces')}
           </Group>
         </Stack>
+      );
+    case 'ROTATION':
+      return (
+        <Group align="end">
+          {form}
+          {setting('count', 'Count', '48')}
+        </Group>
+      );
+    case 'DIRECTION':
+      return (
+        <Group align="end">
+          {setting('count', 'Count', '26')}
+          {setting('length', 'Length', '1')}
+        </Group>
+      );
+    case 'POSE':
+      return (
+        <Group align="end">
+          {form}
+          {setting('count', 'Count', '48')}
+          {setting('min', 'Coordinates from', '-1')}
+          {setting('max', 'Coordinates to', '1')}
+        </Group>
+      );
+    case 'RELATED':
+      return (
+        <Group align="end">
+          {choice('to', 'Next to', [
+            { value: '', label: 'Select an input' },
+            ...others.map((name) => ({ value: name, label: name })),
+          ])}
+          {setting('offsets', 'Offsets', '0 1ulp -10%')}
+        </Group>
       );
   }
 }

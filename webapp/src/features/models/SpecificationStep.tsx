@@ -1,4 +1,4 @@
-import { Group, NativeSelect, Stack, Text, TextInput, Title } from '@mantine/core';
+import { Button, Group, NativeSelect, Stack, Text, TextInput, Title } from '@mantine/core';
 import type { Diagnostic, ModelPreview } from '@/shared/api';
 import { Diagnostics, UserText } from '@/shared/ui';
 import { defaultSpec } from './defaults';
@@ -18,6 +18,10 @@ const SCHEME_LABELS = {
   ECP: 'Equivalence classes (ECP)',
   RANDOM: 'Random numbers',
   RANDOM_STRING: 'Random strings',
+  ROTATION: 'Whole rotations',
+  DIRECTION: 'Whole directions',
+  POSE: 'Whole poses',
+  RELATED: 'Next to another input',
 } as const;
 
 /** Step 3 (Fig. 14(c)): how the values of each parameter are generated, with a preview. */
@@ -31,6 +35,7 @@ export function SpecificationStep({ draft, preview, onChange }: SpecificationSte
         <Element
           key={input.name}
           input={input}
+          others={draft.inputs.map(({ name }) => name).filter((name) => name !== input.name)}
           values={preview?.inputs.find(({ name }) => name === input.name)}
           problems={problemsOf(input, preview)}
           onChange={(changed) => {
@@ -51,12 +56,13 @@ function problemsOf({ name }: InputDraft, preview: ModelPreview | undefined): Di
 
 interface ElementProps {
   input: InputDraft;
+  others: readonly string[];
   values: ModelPreview['inputs'][number] | undefined;
   problems: readonly Diagnostic[];
   onChange: (input: InputDraft) => void;
 }
 
-function Element({ input, values, problems, onChange }: ElementProps) {
+function Element({ input, others, values, problems, onChange }: ElementProps) {
   return (
     <section className={classes.element} aria-label={`Specification of ${input.name}`}>
       <Stack gap="sm">
@@ -76,17 +82,73 @@ function Element({ input, values, problems, onChange }: ElementProps) {
             ]}
             onChange={(event) => {
               const scheme = SCHEMES.find((known) => known === event.currentTarget.value);
-              onChange({ ...input, spec: scheme ? defaultSpec(scheme) : null });
+              onChange({
+                ...input,
+                spec: scheme ? defaultSpec(scheme) : null,
+                furtherSpecs: scheme ? input.furtherSpecs : [],
+              });
             }}
           />
         </Group>
         {input.spec && (
           <SpecFields
             spec={input.spec}
+            others={others}
             onChange={(spec) => {
               onChange({ ...input, spec });
             }}
           />
+        )}
+        {input.furtherSpecs.map((spec, index) => (
+          <Group key={index} align="end">
+            <NativeSelect
+              aria-label={`Scheme ${index + 2} of ${input.name}`}
+              value={spec.type}
+              data={SCHEMES.map((value) => ({ value, label: SCHEME_LABELS[value] }))}
+              onChange={(event) => {
+                const scheme = SCHEMES.find((known) => known === event.currentTarget.value);
+                if (scheme) {
+                  onChange({
+                    ...input,
+                    furtherSpecs: input.furtherSpecs.with(index, defaultSpec(scheme)),
+                  });
+                }
+              }}
+            />
+            <SpecFields
+              spec={spec}
+              others={others}
+              onChange={(changed) => {
+                onChange({ ...input, furtherSpecs: input.furtherSpecs.with(index, changed) });
+              }}
+            />
+            <Button
+              variant="subtle"
+              size="xs"
+              onClick={() => {
+                onChange({ ...input, furtherSpecs: input.furtherSpecs.toSpliced(index, 1) });
+              }}
+            >
+              Remove
+            </Button>
+          </Group>
+        ))}
+        {input.spec && (
+          <Group>
+            <Button
+              variant="default"
+              size="xs"
+              aria-label={`Add a specification to ${input.name}`}
+              onClick={() => {
+                onChange({
+                  ...input,
+                  furtherSpecs: [...input.furtherSpecs, defaultSpec('RELATED')],
+                });
+              }}
+            >
+              Add specification
+            </Button>
+          </Group>
         )}
         <TextInput
           label="Custom values"

@@ -48,6 +48,7 @@ export function worldInputs({ world }: Description): Candidate[] {
         realType: 'double',
         description: '',
         spec: boundaries(String(offset), String(round(min + offset)), String(round(max - offset))),
+        furtherSpecs: [],
         userValues: [],
       },
       note: `${min} to ${max} ${unit === '1' ? '' : unit}, default ${defaultValue}`,
@@ -99,6 +100,7 @@ function inputOf(name: string, kind: InputDraft['kind'], type: Type): InputDraft
         : abstractType === 'STRING'
           ? defaultSpec('RANDOM_STRING')
           : null,
+    furtherSpecs: [],
     userValues: [],
   };
 }
@@ -139,7 +141,19 @@ export function defaultSpec(scheme: Scheme): SpecDraft {
         classes: [],
         ranges: [],
       };
+    case 'ROTATION':
+      return plain(scheme, { as: 'quaternion_xyzw', count: '48' });
+    case 'DIRECTION':
+      return plain(scheme, { count: '26' });
+    case 'POSE':
+      return plain(scheme, { as: 'quaternion_xyzw', count: '48', min: '-1', max: '1' });
+    case 'RELATED':
+      return plain(scheme, { to: '', offsets: '0 1ulp -1ulp 1e-9 -1e-9' });
   }
+}
+
+function plain(type: Scheme, settings: Record<string, string>): SpecDraft {
+  return { type, settings, classes: [], ranges: [] };
 }
 
 /** A new model of a method, with the inputs and outputs that the interface declares. */
@@ -166,6 +180,8 @@ export function draftFor(
     trajectoryConditions: [],
     invalidValues: 'isolate',
     order: '2',
+    maxCases: '',
+    strengths: [],
     others: [],
   };
 }

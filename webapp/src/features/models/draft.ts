@@ -16,7 +16,11 @@ export interface ModelDraft {
   trajectoryConditions: TrajectoryDraft[];
   invalidValues: 'isolate' | 'combine';
   order: string;
-  /** Elements that the editor does not show (mixed strength, kept cases), as XML. */
+  /** Maximum number of cases; empty if there is none. */
+  maxCases: string;
+  /** Mixed strengths, as XML; the editor does not show them. */
+  strengths: string[];
+  /** Kept cases, as XML; the editor does not show them. */
   others: string[];
 }
 
@@ -37,10 +41,21 @@ export interface InputDraft {
   realType: string;
   description: string;
   spec: SpecDraft | null;
+  /** Further specifications; the values are the union of all. */
+  furtherSpecs: SpecDraft[];
   userValues: string[];
 }
 
-export const SCHEMES = ['BVA', 'ECP', 'RANDOM', 'RANDOM_STRING'] as const;
+export const SCHEMES = [
+  'BVA',
+  'ECP',
+  'RANDOM',
+  'RANDOM_STRING',
+  'ROTATION',
+  'DIRECTION',
+  'POSE',
+  'RELATED',
+] as const;
 export type Scheme = (typeof SCHEMES)[number];
 
 export interface SpecDraft {

@@ -55,22 +55,27 @@ export function readModel(xml: string): ModelDraft {
     })),
     invalidValues: textOf(root, 'invalid_values') === 'combine' ? 'combine' : 'isolate',
     order: textOf(root, 'order_of_combinations'),
-    others: [...children(root, 'strength'), ...children(root, 'case_list')].map((element) =>
-      new XMLSerializer().serializeToString(element),
-    ),
+    maxCases: textOf(root, 'max_cases'),
+    strengths: children(root, 'strength').map(serialized),
+    others: children(root, 'case_list').map(serialized),
   };
+}
+
+function serialized(element: Element): string {
+  return new XMLSerializer().serializeToString(element);
 }
 
 function readInput(element: Element): InputDraft {
   const type = textOf(element, 'type');
-  const spec = child(element, 'test_spec');
+  const [spec = null, ...furtherSpecs] = children(element, 'test_spec').map(readSpec);
   return {
     name: textOf(element, 'name'),
     kind: INPUT_KINDS.find((kind) => kind === type) ?? kindOfAlias(type),
     abstractType: element.getAttribute('abstract_type') ?? '',
     realType: element.getAttribute('real_type') ?? '',
     description: textOf(element, 'description'),
-    spec: spec ? readSpec(spec) : null,
+    spec,
+    furtherSpecs,
     userValues: textsOf(child(element, 'user_value_list'), 'value'),
   };
 }
@@ -153,6 +158,8 @@ export function writeModel(draft: ModelDraft): string {
     ...writeTrajectoryConditions(draft),
     `  <invalid_values>${draft.invalidValues}</invalid_values>`,
     `  <order_of_combinations>${escape(draft.order)}</order_of_combinations>`,
+    ...draft.strengths.map((strength) => `  ${strength}`),
+    ...(draft.maxCases.trim() ? [`  <max_cases>${escape(draft.maxCases)}</max_cases>`] : []),
     ...draft.others.map((other) => `  ${other}`),
     '</test_model>',
     '',
@@ -180,7 +187,7 @@ function writeInput(input: InputDraft): string[] {
     `      <name>${escape(input.name)}</name>`,
     `      <type>${input.kind}</type>`,
     ...(input.description ? [`      <description>${escape(input.description)}</description>`] : []),
-    ...(spec ? writeSpec(spec) : []),
+    ...(spec ? [spec, ...input.furtherSpecs].flatMap(writeSpec) : []),
     ...(input.userValues.length > 0
       ? [
           '      <user_value_list>',
