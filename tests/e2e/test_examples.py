@@ -90,3 +90,20 @@ def test_a_slow_controller_does_not_settle_in_time(sitaf):
     assert run.returncode == 1, run.stdout + run.stderr
     assert re.search(r"settles: broken at [0-9.]+ s: angle_held is", run.stdout)
     assert "angle_held: expected" not in run.stdout
+
+
+def test_a_wrist_reaches_whole_rotations(sitaf):
+    run = sitaf("run", "examples/wrist-kinematics")
+    assert run.returncode == 0, run.stdout + run.stderr
+    assert "Reach: 60 cases, 60 PASS" in run.stdout
+    assert "AngleBetween: 100 cases, 100 PASS" in run.stdout
+    assert "100 of 192 tuples are covered; most are lost by first and second" in run.stderr
+
+
+def test_a_wrist_that_fails_at_quarter_turns_is_noticed(sitaf):
+    run = sitaf("run", "examples/wrist-kinematics-faulty")
+    assert run.returncode == 1, run.stdout + run.stderr
+    assert "math domain error" in run.stdout
+    for model in ("Reach", "AngleBetween"):
+        found = re.search(rf"{model}: (\d+) cases, (\d+) PASS", run.stdout)
+        assert found and int(found[2]) < int(found[1]), run.stdout
