@@ -27,7 +27,13 @@ record PreviewView(
       @Schema(description = "generated values that the type cannot represent")
           List<String> leftOut) {
     static InputValues of(InputElement element, long seed) {
-      TestData data = TestDataGenerator.generate(element, seed);
+      TestData data;
+      try {
+        data = TestDataGenerator.generate(element, seed);
+      } catch (IllegalArgumentException e) {
+        // The diagnostics of the model say that the type cannot hold the values.
+        data = new TestData(List.of(), List.of());
+      }
       return new InputValues(
           element.name(),
           element.kind(),

@@ -81,6 +81,7 @@ final class ModelAgainstActivity {
   private void inputs(Method method) {
     Set<String> given = new HashSet<>();
     for (InputElement input : model.inputs()) {
+      wholeValues(input);
       switch (input.kind()) {
         case TDI -> {
           given.add(MemberPath.root(input.name()));
@@ -101,6 +102,21 @@ final class ModelAgainstActivity {
                 + method.name()
                 + " has no test_element of type TDI");
       }
+    }
+  }
+
+  /** Whether the resolved type can hold the values of the specifications. */
+  private void wholeValues(InputElement input) {
+    if (input.type() instanceof DataType.Scalar || input.specs().isEmpty()) {
+      return;
+    }
+    try {
+      var unused = TestDataGenerator.generate(input, 1);
+    } catch (IllegalArgumentException e) {
+      error(
+          input.line(),
+          "test_element " + input.name() + "/test_spec",
+          String.valueOf(e.getMessage()));
     }
   }
 

@@ -40,7 +40,13 @@ final class InputReader {
     if (element.getExpected() != null || element.getTolerance() != null) {
       problems.error(line, where, "expected and tolerance belong to elements of output_spec_list");
     }
-    DataType type = elements.type(element);
+    DataType declared = elements.type(element);
+    // The name of a type alone does not say whether it is a struct or a sequence.
+    DataType type =
+        declared instanceof DataType.Unknown
+                && TestElementReader.abstractType(element).equals("SEQUENCE")
+            ? new DataType.Sequence(declared)
+            : declared;
     TestSpecReader specReader = new TestSpecReader(problems, where + "/test_spec");
     List<TestSpec> specs = new ArrayList<>();
     element.getTestSpec().forEach(spec -> specReader.read(spec, type).ifPresent(specs::add));

@@ -14,7 +14,7 @@ record Rotation(double w, double x, double y, double z, double[] rpy) {
   /** Values to which results of trigonometric functions are rounded. */
   private static final double[] EXACT = {0, 0.5, HALF_ROOT, 1};
 
-  private static final double ROUNDING = 4e-16;
+  private static final double ROUNDING = 1e-15;
 
   Rotation {
     double sign = firstNonZero(w, x, y, z) < 0 ? -1 : 1;
