@@ -1,6 +1,7 @@
 """The other examples: each passes, and its faulty variant fails as described in its README."""
 
 import re
+import shutil
 
 import pytest
 
@@ -107,3 +108,22 @@ def test_a_wrist_that_fails_at_quarter_turns_is_noticed(sitaf):
     for model in ("Reach", "AngleBetween"):
         found = re.search(rf"{model}: (\d+) cases, (\d+) PASS", run.stdout)
         assert found and int(found[2]) < int(found[1]), run.stdout
+
+
+def test_the_outputs_of_a_reference_are_the_expected_values(sitaf, tmp_path):
+    run = sitaf("run", "examples/median-filter")
+    assert run.returncode == 0, run.stdout + run.stderr
+    assert verdicts(run) == (11, 11)
+    faulty = shutil.copytree(sitaf.root / "examples" / "median-filter-faulty", tmp_path / "activity")
+    run = sitaf("run", faulty)
+    assert run.returncode == 1, run.stdout + run.stderr
+    assert "Median: 11 cases, 8 PASS, 3 FAIL, 0 ERROR" in run.stdout
+    reference = faulty / "reference" / "median_filter.py"
+    crash = "if readings == [2.5]:\n            __import__('os')._exit(9)\n        if not readings:"
+    reference.write_text(reference.read_text().replace("if not readings:", crash))
+    run = sitaf("run", faulty)
+    assert "the expected value could not be evaluated: the reference failed" in run.stdout, run.stdout + run.stderr
+    reference.write_text("syntax error")
+    run = sitaf("run", faulty)
+    assert run.returncode == 2
+    assert "reference: " in run.stderr, run.stderr

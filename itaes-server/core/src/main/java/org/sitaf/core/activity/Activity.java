@@ -1,10 +1,13 @@
 package org.sitaf.core.activity;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.core.activity.ActivityProfile.Component;
 import org.sitaf.core.description.InterfaceDescription;
 import org.sitaf.core.description.WorldDescription;
 import org.sitaf.core.description.source.ComponentDescription.Port;
@@ -72,6 +75,38 @@ public record Activity(
         ModelAgainstActivity.verify(
             model, provided, required, world, outputPorts, profile.limits()));
     return found;
+  }
+
+  /** The same activity with its reference as the component, without the files of the component. */
+  public Activity ofReference() {
+    return with(profile.ofReference(), profile.component().folders());
+  }
+
+  /**
+   * The same activity without the files of the reference, which the component under test could
+   * otherwise read.
+   */
+  public Activity withoutReferenceFiles() {
+    Component reference = profile.reference();
+    return reference == null ? this : with(profile, reference.folders());
+  }
+
+  private Activity with(ActivityProfile other, List<String> hidden) {
+    List<String> kept = other.component().folders();
+    Map<String, byte[]> visible = new HashMap<>();
+    for (String path : files.paths()) {
+      if (isBelow(path, kept) || !isBelow(path, hidden)) {
+        visible.put(path, files.content(path).orElseThrow());
+      }
+    }
+    return new Activity(
+        other, FileTree.of(visible), provided, required, outputPorts, world, models, warnings);
+  }
+
+  private static boolean isBelow(String path, List<String> folders) {
+    return folders.stream()
+        .map(folder -> folder.endsWith("/") ? folder : folder + "/")
+        .anyMatch(path::startsWith);
   }
 
   /** The output data port of an observed output. */

@@ -7,11 +7,14 @@ import java.util.Objects;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /**
  * The test profile (paper, Fig. 13): the content of {@code activity.yaml}.
  *
+ * @param reference a second implementation of the same interface, whose outputs are the expected
+ *     values where a model has none; null if there is none
  * @param provided interface files of the component, relative to the activity
  * @param required interface files that the stub implements
  * @param libraries external libraries, relative to the activity
@@ -25,6 +28,7 @@ public record ActivityProfile(
     String name,
     String description,
     Component component,
+    @Nullable Component reference,
     List<String> provided,
     List<String> required,
     List<String> libraries,
@@ -45,6 +49,32 @@ public record ActivityProfile(
     libraries = List.copyOf(libraries);
     models = List.copyOf(models);
     sanitizers = java.util.Collections.unmodifiableSet(new TreeSet<>(sanitizers));
+  }
+
+  /**
+   * The profile of the test application of the reference, in the reference's language.
+   *
+   * @throws IllegalStateException if there is no reference
+   */
+  public ActivityProfile ofReference() {
+    Component second = reference;
+    if (second == null) {
+      throw new IllegalStateException("the activity has no reference");
+    }
+    return new ActivityProfile(
+        name,
+        description,
+        second,
+        null,
+        provided,
+        required,
+        libraries,
+        second.language(),
+        world,
+        models,
+        parallel,
+        second.language() == Language.CPP ? sanitizers : Set.of(),
+        limits);
   }
 
   /** Language of a component or of a test application. */
@@ -115,6 +145,11 @@ public record ActivityProfile(
       Objects.requireNonNull(lifeCycle);
       properties = java.util.Collections.unmodifiableMap(new TreeMap<>(properties));
       before = List.copyOf(before);
+    }
+
+    /** The folders of its sources and of its adapter in the activity. */
+    public List<String> folders() {
+      return Stream.of(sources, adapter).filter(Objects::nonNull).toList();
     }
   }
 

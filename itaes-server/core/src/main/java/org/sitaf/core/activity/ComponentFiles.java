@@ -21,27 +21,34 @@ final class ComponentFiles {
 
   static void verify(
       ActivityProfile profile, FileTree files, String file, Diagnostics diagnostics) {
-    Component component = profile.component();
-    folder(component.sources(), "component.sources", files, file, diagnostics);
-    adapter(component, files, file, diagnostics);
-    folder(component.headers(), "component.headers", files, file, diagnostics);
-    existing(component.library(), "component.library", files, file, diagnostics);
-    existing(component.profile(), "component.profile", files, file, diagnostics);
+    verify(profile.component(), "component", files, file, diagnostics);
+    if (profile.reference() != null) {
+      verify(profile.reference(), "reference", files, file, diagnostics);
+    }
     profile.libraries().forEach(l -> existing(l, "libraries", files, file, diagnostics));
+  }
+
+  private static void verify(
+      Component component, String entry, FileTree files, String file, Diagnostics diagnostics) {
+    folder(component.sources(), entry + ".sources", files, file, diagnostics);
+    adapter(component, entry, files, file, diagnostics);
+    folder(component.headers(), entry + ".headers", files, file, diagnostics);
+    existing(component.library(), entry + ".library", files, file, diagnostics);
+    existing(component.profile(), entry + ".profile", files, file, diagnostics);
     if (component.language() == Language.JAVA
         && component.sources() != null
         && !component.className().isEmpty()) {
-      javaClass(component, files, file, diagnostics);
+      javaClass(component, entry, files, file, diagnostics);
     }
   }
 
   private static void javaClass(
-      Component component, FileTree files, String file, Diagnostics diagnostics) {
+      Component component, String entry, FileTree files, String file, Diagnostics diagnostics) {
     String className = component.className();
     String sources = Objects.requireNonNull(component.sources());
     if (!JAVA_CLASS.matcher(className).matches()) {
       diagnostics.error(
-          file, 0, "component.class", "'" + className + "' is not the qualified name of a class");
+          file, 0, entry + ".class", "'" + className + "' is not the qualified name of a class");
       return;
     }
     // With an adapter, the class is part of the adapter.
@@ -63,7 +70,7 @@ final class ComponentFiles {
       diagnostics.error(
           file,
           0,
-          "component.class",
+          entry + ".class",
           "no source below '"
               + sources
               + (component.adapter() == null ? "" : "' and '" + component.adapter())
@@ -77,7 +84,7 @@ final class ComponentFiles {
   }
 
   private static void adapter(
-      Component component, FileTree files, String file, Diagnostics diagnostics) {
+      Component component, String entry, FileTree files, String file, Diagnostics diagnostics) {
     String folder = component.adapter();
     if (folder == null) {
       return;
@@ -86,16 +93,16 @@ final class ComponentFiles {
       diagnostics.error(
           file,
           0,
-          "component.adapter",
+          entry + ".adapter",
           "the activity has no file below '" + folder + "'" + SKELETON);
     } else if (component.language() == Language.PYTHON) {
-      pythonModule(component, files, file, diagnostics);
+      pythonModule(component, entry, files, file, diagnostics);
     }
   }
 
   /** The module of the class may be part of the adapter or of the component. */
   private static void pythonModule(
-      Component component, FileTree files, String file, Diagnostics diagnostics) {
+      Component component, String entry, FileTree files, String file, Diagnostics diagnostics) {
     String className = component.className();
     int dot = className.lastIndexOf('.');
     if (dot < 0 || component.library() != null) {
@@ -111,7 +118,7 @@ final class ComponentFiles {
       diagnostics.error(
           file,
           0,
-          "component.class",
+          entry + ".class",
           module + ".py does not exist below '" + component.adapter() + "'" + SKELETON);
     }
   }

@@ -28,6 +28,7 @@ final class ProfileReader {
           "name",
           "description",
           "component",
+          "reference",
           "provided",
           "required",
           "libraries",
@@ -54,6 +55,9 @@ final class ProfileReader {
           "period_ms",
           "before");
 
+  private static final String COMPONENT = "component";
+  private static final String REFERENCE = "reference";
+
   private ProfileReader() {}
 
   /** Reads a profile. Problems are added to the diagnostics. */
@@ -68,7 +72,8 @@ final class ProfileReader {
               + name
               + "' is not a name; use letters, digits, '.', '_' and '-', at most 100 characters");
     }
-    Component component = component(root);
+    Component component = component(root, COMPONENT);
+    Component reference = root.has(REFERENCE) ? component(root, REFERENCE) : null;
     Language harness =
         root.text("harness")
             .flatMap(value -> language(root, "harness", value))
@@ -81,6 +86,7 @@ final class ProfileReader {
         name,
         root.text("description").orElse(""),
         component,
+        reference,
         root.texts("provided"),
         root.texts("required"),
         root.texts("libraries"),
@@ -92,11 +98,14 @@ final class ProfileReader {
         root.mapping("limits").map(ProfileReader::limits).orElse(Limits.DEFAULT));
   }
 
-  private static Component component(YamlMapping root) {
-    Optional<YamlMapping> found = root.mapping("component");
+  private static Component component(YamlMapping root, String name) {
+    Optional<YamlMapping> found = root.mapping(name);
     if (found.isEmpty()) {
       root.problem(
-          "component", "must describe the component under test: language, sources and class");
+          name,
+          "must describe the "
+              + (name.equals(REFERENCE) ? "second implementation" : "component under test")
+              + ": language, sources and class");
       return new Component(
           Language.JAVA,
           "",

@@ -43,6 +43,25 @@ public final class InterfaceTestApplicationGenerator {
   }
 
   /**
+   * Generates the application that executes the cases with the reference instead of the component.
+   * A concrete test driver in the activity is the component's, so it is not used.
+   *
+   * @throws IllegalStateException if the activity has no reference
+   * @throws InvalidInputException as {@link #generate}
+   */
+  public static TestApplication ofReference(TestApplication application) {
+    Activity activity = application.activity().ofReference();
+    TestModel model = application.model();
+    TestSuite suite = application.suite().withoutExpected();
+    return new TestApplication(
+        activity,
+        model,
+        suite,
+        sources(activity, model, suite),
+        writer(activity).entryPoint(model.name()));
+  }
+
+  /**
    * Generates only the sources. The concrete test driver is always the generated one.
    *
    * @throws InvalidInputException as {@link #generate}

@@ -34,6 +34,11 @@ public record TestApplication(
     Objects.requireNonNull(entryPoint);
   }
 
+  /** The same application without the files of the activity's reference implementation. */
+  public TestApplication withoutReferenceFiles() {
+    return new TestApplication(activity.withoutReferenceFiles(), model, suite, harness, entryPoint);
+  }
+
   /** The application as files, in the layout above. */
   public FileTree files() {
     return TestApplicationFiles.write(this);

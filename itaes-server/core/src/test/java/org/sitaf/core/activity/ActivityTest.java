@@ -17,6 +17,7 @@ import java.util.Objects;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
 import org.junit.jupiter.api.Test;
+import org.sitaf.core.activity.ActivityProfile.Language;
 import org.sitaf.core.diagnostic.Diagnostic;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.model.TestModel;
@@ -233,6 +234,25 @@ class ActivityTest {
         .anyMatch(p -> p.contains("provided: 'missing.xml' does not exist in the activity"))
         .as("models may be added later")
         .noneMatch(p -> p.contains("models"));
+  }
+
+  @Test
+  void componentAndReferenceDoNotSeeEachOthersFiles() {
+    replace(
+        "activity.yaml",
+        "provided:",
+        "reference: {language: python, sources: other, class: other.Sensor}\nprovided:");
+    assertThat(problems())
+        .anyMatch(p -> p.contains("reference.sources: the activity has no file below 'other'"));
+    files.put("other/other.py", "class Sensor: pass");
+    Activity activity = read();
+    assertThat(activity.withoutReferenceFiles().files().paths())
+        .doesNotContain("other/other.py")
+        .contains("component/robot/Sensor.java", "activity.yaml", "world/ir.world.yaml");
+    assertThat(activity.ofReference().files().paths())
+        .contains("other/other.py", "service.xml")
+        .doesNotContain("component/robot/Sensor.java");
+    assertThat(activity.ofReference().profile().harness()).isEqualTo(Language.PYTHON);
   }
 
   @Test

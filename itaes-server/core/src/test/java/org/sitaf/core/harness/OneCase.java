@@ -99,6 +99,7 @@ public record OneCase(
         "echo",
         description,
         component,
+        null,
         List.of("provided.xml"),
         required.isEmpty() ? List.of() : List.of("required.xml"),
         List.of(),

@@ -13,6 +13,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.concurrent.CancellationException;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.compiler.TestApplicationCompiler;
@@ -39,6 +40,7 @@ import org.sitaf.core.activity.ActivityProfile.LifeCycle;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.harness.TestApplication;
+import org.sitaf.core.suite.TestSuite;
 import org.sitaf.core.suite.document.TestSuiteXml;
 import org.sitaf.core.verdict.CaseRecord;
 import org.sitaf.core.verdict.CaseResult;
@@ -53,10 +55,12 @@ import org.sitaf.core.verdict.TestResult;
 public final class BuildRun {
   private static final System.Logger LOGGER = System.getLogger("org.sitaf.agent");
 
+  private final TestApplication whole;
   private final TestApplication application;
   private final Path directory;
   private final BuildSettings settings;
   private final BuildListener listener;
+  private final Consumer<CaseRecord> records;
   private final Cancellation cancellation = new Cancellation();
 
   /**
@@ -67,7 +71,23 @@ public final class BuildRun {
    */
   public BuildRun(
       TestApplication application, Path directory, BuildSettings settings, BuildListener listener) {
-    this.application = application;
+    this(application, directory, settings, listener, record -> {});
+  }
+
+  /**
+   * Creates a build.
+   *
+   * @param records receives the record of each case, in any thread
+   */
+  BuildRun(
+      TestApplication application,
+      Path directory,
+      BuildSettings settings,
+      BuildListener listener,
+      Consumer<CaseRecord> records) {
+    this.records = records;
+    this.application = application.withoutReferenceFiles();
+    this.whole = application;
     this.directory = directory.toAbsolutePath().normalize();
     this.settings = settings;
     this.listener = listener;
@@ -90,8 +110,9 @@ public final class BuildRun {
   }
 
   private TimeLimit limit() {
+    int cases = application.suite().cases().size();
     return TimeLimit.of(
-        application.suite().cases().size(),
+        application.activity().profile().reference() == null ? cases : 2 * cases,
         application.activity().profile().limits(),
         settings.atMost());
   }
@@ -112,15 +133,16 @@ public final class BuildRun {
   /**
    * The stages of a test build agent after the download: match, prepare, compile, execute, report.
    */
-  private BuildOutcome stages(BuildLog log) throws InterruptedException {
+  BuildOutcome stages(BuildLog log) throws InterruptedException {
     try {
       Instant started = Instant.now();
       match();
       log.remark(settings.sandbox().description());
+      TestSuite suite = suite(log);
 
       listener.stage(BuildStage.PREPARING);
       try (Prepared prepared = prepare(log)) {
-        return compileAndRun(prepared, started, log);
+        return compileAndRun(prepared, suite, started, log);
       }
     } catch (CompilationException e) {
       String full = FreeSpace.ofBuild(directory).whyFull();
@@ -144,7 +166,18 @@ public final class BuildRun {
     }
   }
 
-  private BuildOutcome compileAndRun(Prepared prepared, Instant started, BuildLog log)
+  /** The suite with its expected values, for which the reference is executed if there is one. */
+  private TestSuite suite(BuildLog log)
+      throws CompilationException, IOException, InterruptedException {
+    if (application.activity().profile().reference() == null) {
+      return application.suite();
+    }
+    listener.stage(BuildStage.PREPARING);
+    return new ReferenceRun(whole, directory.resolve("reference"), settings).suite(log);
+  }
+
+  private BuildOutcome compileAndRun(
+      Prepared prepared, TestSuite suite, Instant started, BuildLog log)
       throws CompilationException, IOException, InterruptedException {
     listener.stage(BuildStage.COMPILING);
     Toolchain toolchain = toolchain(application.activity().profile().harness());
@@ -165,7 +198,7 @@ public final class BuildRun {
       ResultAssembler assembler =
           new ResultAssembler(
               application.model(),
-              application.suite(),
+              suite,
               application.activity().required(),
               signals.conditions());
       ExecutionRequest request = request(compiled, prepared);
@@ -327,7 +360,7 @@ public final class BuildRun {
     Path recording = request.recording();
     RecordingOrder order = settings.recordings();
     if (recording == null || order == null) {
-      return executor().execute(request, early, log, record -> announce(judge.apply(record)));
+      return executor().execute(request, early, log, record -> judged(record, judge));
     }
     Map<Integer, Path> folders = executor().recordingFolders(application.suite(), recording);
     Path collected = recording.resolveSibling("recording.collected");
@@ -338,7 +371,7 @@ public final class BuildRun {
               early,
               log,
               record -> {
-                CaseResult judged = announce(judge.apply(record));
+                CaseResult judged = judged(record, judge);
                 recordings.expect(judged);
                 return judged;
               });
@@ -372,7 +405,9 @@ public final class BuildRun {
     }
   }
 
-  private CaseResult announce(CaseResult result) {
+  private CaseResult judged(CaseRecord record, Function<CaseRecord, CaseResult> judge) {
+    records.accept(record);
+    CaseResult result = judge.apply(record);
     listener.caseFinished(result);
     return result;
   }

@@ -31,6 +31,9 @@ public record Requirements(List<Requirement> all) {
     List<Requirement> requirements = new ArrayList<>();
     requirements.add(new Language(profile.harness().id()));
     requirements.add(new Language(profile.component().language().id()));
+    if (profile.reference() != null) {
+      requirements.add(new Language(profile.reference().language().id()));
+    }
     if (profile.world() != null) {
       requirements.add(new Simulation());
     }
