@@ -7,7 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.sitaf.core.model.TestModel;
-import org.sitaf.core.model.TestModelXml;
+import org.sitaf.core.model.document.TestModelXml;
 import org.sitaf.core.suite.ExpectedValue;
 import org.sitaf.core.suite.GenerationOptions;
 import org.sitaf.core.suite.TestCaseGenerator;

@@ -197,10 +197,7 @@ public final class BuildRun {
       CaseSignals signals = prepared.signals();
       ResultAssembler assembler =
           new ResultAssembler(
-              application.model(),
-              suite,
-              application.activity().required(),
-              signals.conditions());
+              application.model(), suite, application.activity().required(), signals.conditions());
       ExecutionRequest request = request(compiled, prepared);
       Execution execution =
           execute(
