@@ -49,13 +49,12 @@ record ReferenceRun(TestApplication application, Path directory, BuildSettings s
     List<CaseRecord> records = Collections.synchronizedList(new ArrayList<>());
     BuildSettings plain =
         new BuildSettings(
-            settings.simulator(),
-            settings.toolchains(),
-            settings.sandbox(),
-            false,
-            settings.agent(),
-            null,
-            settings.atMost());
+                settings.simulator(),
+                settings.toolchains(),
+                settings.sandbox(),
+                false,
+                settings.agent())
+            .within(settings.atMost());
     BuildOutcome outcome =
         new BuildRun(
                 InterfaceTestApplicationGenerator.ofReference(application),
