@@ -20,7 +20,6 @@ import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.suite.GeneratedSuite;
-import org.sitaf.core.suite.TestCaseGenerator;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.TestResult;
 import org.sitaf.core.verdict.document.JunitXml;
@@ -164,6 +163,7 @@ final class RunCommand implements Callable<Integer> {
       throws IOException {
     int exitCode = 0;
     List<TestModel> models = arguments.modelsOf(activity);
+    SuiteCache suites = new SuiteCache(Installation.current().state().resolve("suites"));
     int withWorld = activity.profile().world() == null ? 0 : models.size();
     try (LocalBuilds builds =
         new LocalBuilds(
@@ -175,7 +175,7 @@ final class RunCommand implements Callable<Integer> {
       err.println("sandbox: " + builds.sandbox());
       err.flush();
       for (TestModel model : models) {
-        GeneratedSuite generated = TestCaseGenerator.generate(model, generation.options());
+        GeneratedSuite generated = suites.generate(model, generation.options());
         Sitaf.print(generated.notes(), err);
         BuildOutcome outcome = builds.run(activity, model, generated.suite());
         if (outcome instanceof BuildOutcome.Completed completed) {
