@@ -122,6 +122,7 @@ export function resultCase(no: number, verdict: Verdict, changes: Partial<Result
     expected: { return: expected },
     actual: { return: verdict === 'FAIL' ? '10.0' : expected },
     verdict,
+    trajectories: [],
     processingTimeUs: 4 + (no % 9) / 4,
     ...changes,
   };

@@ -4,6 +4,8 @@ import { UserText } from '@/shared/ui';
 import { differenceOf } from './difference';
 import classes from './results.module.css';
 
+type Trajectory = ResultCase['trajectories'][number];
+
 interface CaseFactsProps {
   item: ResultCase;
   parameters: readonly ResultParameter[];
@@ -34,6 +36,13 @@ export function CaseFacts({ item, parameters }: CaseFactsProps) {
           )
         );
       })}
+      {item.trajectories.map((trajectory) => (
+        <Fact
+          key={`t ${trajectory.name}`}
+          name={`Condition over time: ${trajectory.name}`}
+          value={describe(trajectory)}
+        />
+      ))}
       <Fact name="Time in the component (µs)" value={formatTime(item.processingTimeUs)} />
       <Fact name="Time in virtual hardware (µs)" value={formatTime(item.hardwareUs)} />
       <Fact name="Time in stubs (µs)" value={formatTime(item.stubUs)} />
@@ -52,6 +61,12 @@ function Fact({ name, value }: { name: string; value: string }) {
       </dd>
     </div>
   );
+}
+
+/** The verdict, when it was decided, and by how much. */
+function describe({ verdict, at, margin }: Trajectory): string {
+  if (at === undefined || margin === undefined) return verdict;
+  return `${verdict} at ${at.toString()} s, margin ${margin}`;
 }
 
 function entriesOf(outputs: Record<string, string> | null | undefined): [string, string][] {

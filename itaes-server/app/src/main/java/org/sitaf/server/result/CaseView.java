@@ -8,6 +8,7 @@ import org.jspecify.annotations.Nullable;
 import org.sitaf.core.model.OutputElement;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.NamedValue;
+import org.sitaf.core.verdict.TrajectoryResult;
 import org.sitaf.core.verdict.Verdict;
 
 /** A case of a result in the REST interface. */
@@ -18,6 +19,8 @@ public record CaseView(
     @Schema(description = "by name of the output") Map<String, String> expected,
     @Schema(description = "by name of the output") Map<String, String> actual,
     Verdict verdict,
+    @Schema(description = "the trajectory conditions, in the order of the model")
+        List<TrajectoryView> trajectories,
     @Schema(description = "time of the component, in microseconds")
         @Nullable Double processingTimeUs,
     @Schema(description = "time spent in virtual hardware, in microseconds")
@@ -32,10 +35,27 @@ public record CaseView(
         byOutput(result.expected()),
         byOutput(result.actual()),
         result.verdict(),
+        result.trajectories().stream().map(TrajectoryView::of).toList(),
         time == null ? null : time.total(),
         time == null ? null : time.hardware(),
         time == null ? null : time.stub(),
         result.message().isEmpty() ? null : result.message());
+  }
+
+  /** The result of a trajectory condition in the REST interface. */
+  @Schema(name = "TrajectoryResult")
+  public record TrajectoryView(
+      String name,
+      Verdict verdict,
+      @Schema(description = "quantitative robustness: a number, Infinity or -Infinity")
+          @Nullable String margin,
+      @Schema(description = "seconds after the call: when the verdict was decided, else the end")
+          @Nullable Double at) {
+    static TrajectoryView of(TrajectoryResult result) {
+      Double margin = result.margin();
+      return new TrajectoryView(
+          result.name(), result.verdict(), margin == null ? null : margin.toString(), result.at());
+    }
   }
 
   private static Map<String, String> byOutput(List<NamedValue> values) {
