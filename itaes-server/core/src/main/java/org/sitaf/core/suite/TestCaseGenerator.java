@@ -19,6 +19,7 @@ import org.sitaf.core.model.InvalidValues;
 import org.sitaf.core.model.Strength;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.model.Value;
+import org.sitaf.core.trajectory.TrajectoryConditions;
 import org.sitaf.core.value.TestData;
 import org.sitaf.core.value.TestDataGenerator;
 import org.sitaf.core.value.TestValue;
@@ -60,6 +61,7 @@ public final class TestCaseGenerator {
         options.invalidValues() == null ? model.invalidValues() : options.invalidValues();
     Diagnostics diagnostics = new Diagnostics();
     Conditions conditions = Conditions.compile(model, diagnostics);
+    TrajectoryConditions.check(model, Double.POSITIVE_INFINITY, diagnostics);
     diagnostics.throwIfErrors();
 
     KeptCases kept = KeptCases.of(model, options.earlier(), diagnostics);

@@ -29,6 +29,24 @@ final class CompiledAtom {
   }
 
   /**
+   * What is wrong with an atom that is no comparison and uses only signals; empty if nothing is.
+   */
+  String problem() {
+    if (comparison.isPresent() || signals.size() < expression.variables().size()) {
+      return "";
+    }
+    try {
+      Object value = expression.overRows(signals, Map.of()).value(new double[signals.size()]);
+      return value instanceof Boolean
+          ? ""
+          : "'" + expression.text() + "' is neither true nor false; compare it, such as == 0.0";
+    } catch (EvaluationException e) {
+      // It may have a value for other samples.
+      return "";
+    }
+  }
+
+  /**
    * Evaluates the atom.
    *
    * @param columns values of the signals by name

@@ -150,7 +150,6 @@ public final class TrajectoryConditions {
                 + " s, but a case ends after limits.case_sim_s: "
                 + longestSeconds,
             diagnostics);
-        return Optional.empty();
       }
     }
     return Optional.of(parsed);
@@ -181,7 +180,9 @@ public final class TrajectoryConditions {
         Expression expression = compiler.compile(atom.text());
         problem = names.problem(expression);
         if (problem.isEmpty()) {
-          atoms.add(new CompiledAtom(expression, names.signals()));
+          CompiledAtom compiled = new CompiledAtom(expression, names.signals());
+          problem = compiled.problem();
+          atoms.add(compiled);
         }
       } catch (IllegalArgumentException e) {
         String message = String.valueOf(e.getMessage());

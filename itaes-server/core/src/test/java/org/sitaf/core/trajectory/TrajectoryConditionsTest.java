@@ -114,6 +114,19 @@ class TrajectoryConditionsTest {
   }
 
   @Test
+  void anAtomMustBeTrueOrFalse() {
+    assertThat(problems("always(bumped) && once(robot_x > 1.0) && (bumped > 0.0 ? true : false)"))
+        .containsExactly(
+            "column 8 of the formula: 'bumped' is neither true nor false; compare it, such as =="
+                + " 0.0");
+  }
+
+  @Test
+  void allProblemsAreReportedAtOnce() {
+    assertThat(problems("always[61, 62](bump == 0.0) && ir == 1.0")).hasSize(3);
+  }
+
+  @Test
   void aNameMustHaveOneMeaning() {
     Diagnostics diagnostics = new Diagnostics();
     TrajectoryConditions unused =
