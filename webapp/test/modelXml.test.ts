@@ -105,6 +105,9 @@ const COMPLETE = `<?xml version="1.0" encoding="UTF-8"?>
   <post_condition_spec_list>
     <post_condition>actual &gt;= 0.0</post_condition>
   </post_condition_spec_list>
+  <trajectory_condition_spec_list>
+    <trajectory_condition name="stops" from="settle">eventually[0, 2](always(speed &lt; 0.1 &amp;&amp; t &gt;= 0.0))</trajectory_condition>
+  </trajectory_condition_spec_list>
   <invalid_values>combine</invalid_values>
   <order_of_combinations>3</order_of_combinations>
   <strength t="4"><param>speed</param><param>mode</param></strength>
