@@ -28,7 +28,7 @@ final class Results {
     Provenance provenance =
         new Provenance("aa", 1, "bb", "cc", "load", "", "2026-01-01T00:00:00Z", "2026-01-01T00:00:01Z");
     Summary summary =
-        new Summary(cases.size(), cases.size(), 0, 0, 0, 0, new Summary.Times(101, 100 + cases.size(), 200, 10));
+        new Summary(cases.size(), cases.size(), 0, 0, 0, 0, 0, new Summary.Times(101, 100 + cases.size(), 200, 10));
     ByteArrayOutputStream document = new ByteArrayOutputStream();
     TestResultXml.write(new TestResult(suite.modelName(), provenance, summary, suite.parameters(), cases, null), document);
     return document.toByteArray();

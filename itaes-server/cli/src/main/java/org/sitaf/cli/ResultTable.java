@@ -65,7 +65,7 @@ public final class ResultTable {
     Summary summary = result.summary();
     out.printf(
         Locale.ROOT,
-        "%s: %d cases, %d PASS, %d FAIL, %d ERROR, %d DONT%s%s%n",
+        "%s: %d cases, %d PASS, %d FAIL, %d ERROR, %d DONT%s%s%s%n",
         result.name(),
         summary.total(),
         summary.pass(),
@@ -73,7 +73,8 @@ public final class ResultTable {
         summary.error(),
         summary.dont(),
         summary.dont() == 0 ? "" : " (not executed)",
-        summary.unjudged() == 0 ? "" : ", " + summary.unjudged() + " unjudged");
+        summary.unjudged() == 0 ? "" : ", " + summary.unjudged() + " unjudged",
+        summary.byError() == 0 ? "" : ", " + summary.byError() + " by an error");
     if (summary.times() != null) {
       out.printf(
           Locale.ROOT,

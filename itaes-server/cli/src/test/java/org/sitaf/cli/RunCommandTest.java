@@ -47,7 +47,7 @@ class RunCommandTest {
           new CaseResult(
               no, verdict, List.of(), List.of(), List.of(), null, "first line\nsecond line"));
     }
-    Summary summary = new Summary(total, pass, fail, error, dont, 0, null);
+    Summary summary = new Summary(total, pass, fail, error, dont, 0, 0, null);
     return new TestResult("Model", PROVENANCE, summary, List.of(), cases, null);
   }
 

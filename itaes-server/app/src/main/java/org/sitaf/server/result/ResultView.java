@@ -33,6 +33,7 @@ record ResultView(
       int error,
       @Schema(description = "not executed") int dont,
       @Schema(description = "passed without an expected value or post-condition") int unjudged,
+      @Schema(description = "passed by an exception, which says nothing about values") int byError,
       @Nullable TimesView processingTime) {
     static SummaryView of(Summary summary) {
       return new SummaryView(
@@ -42,6 +43,7 @@ record ResultView(
           summary.error(),
           summary.dont(),
           summary.unjudged(),
+          summary.byError(),
           summary.times() == null ? null : TimesView.of(summary.times()));
     }
   }

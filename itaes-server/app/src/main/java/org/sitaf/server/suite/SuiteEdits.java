@@ -62,7 +62,9 @@ final class SuiteEdits {
         String literal =
             change.literal() == null || change.literal().isBlank()
                 ? null
-                : Value.parse(change.literal(), output.type()).literal();
+                : Value.isOutcome(change.literal().strip())
+                    ? change.literal().strip()
+                    : Value.parse(change.literal(), output.type()).literal();
         byNo.put(change.no(), withExpected(old, name(model, output), literal));
       } catch (IllegalArgumentException e) {
         diagnostics.error(SOURCE, 0, "case " + change.no(), String.valueOf(e.getMessage()));
@@ -81,7 +83,9 @@ final class SuiteEdits {
     OutputElement output;
     try {
       output = output(model, fill.output());
-      formula = ExpectedFormula.compile(model, output.name(), fill.expression());
+      formula =
+          ExpectedFormula.compile(
+              model, output.name(), fill.expression(), suite.generation().seed());
     } catch (IllegalArgumentException e) {
       throw InvalidInputException.of("expression", String.valueOf(e.getMessage()));
     }

@@ -33,12 +33,13 @@ final class InterfaceTypes {
     this.method = method;
   }
 
-  /** Resolves the types of a model. The model is not changed if its target is not found. */
+  /** Resolves the types of a model. They are not changed if its target is not found. */
   static TestModel resolve(
-      TestModel model,
+      TestModel given,
       List<InterfaceDescription> provided,
       List<InterfaceDescription> required,
       List<Port.Data> outputPorts) {
+    TestModel model = given.withConstants(InterfaceConstants.of(provided, required));
     try {
       var types =
           new InterfaceTypes(required, outputPorts, TargetMethod.find(model, provided).method());

@@ -1,9 +1,6 @@
 package org.sitaf.core.expression;
 
-import dev.cel.common.CelAbstractSyntaxTree;
 import dev.cel.common.ast.CelExpr;
-import dev.cel.common.navigation.CelNavigableAst;
-import dev.cel.common.navigation.CelNavigableExpr;
 import dev.cel.runtime.CelEvaluationException;
 import dev.cel.runtime.CelRuntime;
 import dev.cel.runtime.CelVariableResolver;
@@ -12,8 +9,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.TreeSet;
 import java.util.concurrent.CancellationException;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.expression.type.Type;
+import org.sitaf.core.expression.type.TypeCheck;
 
 /**
  * A compiled CEL expression. Immutable. An evaluation is limited in steps and stops when its thread
@@ -26,43 +25,91 @@ public final class Expression {
   private static final Set<String> COMPARISONS =
       Set.of("_<_", "_<=_", "_>_", "_>=_", "_==_", "_!=_");
 
-  private final String text;
-  private final CelAbstractSyntaxTree ast;
-  private final CelRuntime runtime;
+  private final Source source;
+  private final CelExpr parsed;
+  private final Type type;
+  private final TypeCheck check;
   private final CelRuntime.Program program;
   private final NodeRoles roles;
-  private final Set<String> names;
+  private final Set<String> variables;
 
-  Expression(String text, CelAbstractSyntaxTree ast, CelRuntime runtime)
+  /**
+   * The document's view of an expression.
+   *
+   * @param text source text for messages
+   */
+  record Source(String text, Scope scope, Definitions definitions) {
+    /** The definitions that an expression needs, in the order of their evaluation. */
+    List<String> needed(CelExpr parsed) {
+      Linker linker = new Linker(scope);
+      linker.link(parsed);
+      return definitions.needed(linker.definitions());
+    }
+
+    /** The expression within its definitions. */
+    CelExpr withDefinitions(CelExpr parsed) {
+      CelExpr whole = parsed;
+      Linker linker = new Linker(scope);
+      for (String name : ExpressionCompiler.reversed(needed(parsed))) {
+        whole = linker.bind(name, definitions.expression(name), whole);
+      }
+      return whole;
+    }
+  }
+
+  Expression(Source source, CelExpr parsed, Type type, TypeCheck check)
       throws CelEvaluationException {
-    this.text = shown(text);
-    this.ast = ast;
-    this.runtime = runtime;
-    this.program = runtime.createProgram(ast);
-    this.roles = new NodeRoles(ast.getExpr());
-    Set<String> found = new TreeSet<>();
-    CelNavigableAst.fromAst(ast)
-        .getRoot()
-        .allNodes()
-        .map(CelNavigableExpr::id)
-        .flatMap(id -> ast.getReference(id).stream())
-        .filter(r -> r.overloadIds().isEmpty() && r.value().isEmpty())
-        .forEach(r -> found.add(r.name()));
-    this.names = Set.copyOf(found);
+    this.source = source;
+    this.parsed = parsed;
+    this.type = type;
+    this.check = check;
+    Linker linker = new Linker(source.scope());
+    CelExpr linked = linker.link(source.withDefinitions(parsed));
+    this.program = Language.program(linked);
+    this.roles = new NodeRoles(linked);
+    this.variables = Set.copyOf(linker.variables());
   }
 
   /** The source text for messages, truncated if it is long. */
   public String text() {
-    return text;
+    return source.text();
   }
 
   static String shown(String text) {
-    return text.length() <= MAX_SHOWN ? text : text.substring(0, MAX_SHOWN) + "…";
+    return shown(text, MAX_SHOWN);
   }
 
-  /** The variables that the expression uses. */
+  static String shown(String text, int length) {
+    return text.length() <= length ? text : text.substring(0, length) + "…";
+  }
+
+  /** The type of the value, as far as it is known. */
+  public Type type() {
+    return type;
+  }
+
+  /**
+   * Warnings about divisions of whole numbers whose result is used as a floating-point number.
+   *
+   * @param isRealExpected whether the value of the expression is
+   */
+  public List<String> wholeDivisions(boolean isRealExpected) {
+    return check.wholeDivisions(parsed, isRealExpected);
+  }
+
+  /** The definitions that the expression uses, directly or by other definitions. */
+  public Set<String> definitions() {
+    return Set.copyOf(source.needed(parsed));
+  }
+
+  /** The variables that the expression uses, directly or by definitions. */
   public Set<String> variables() {
-    return names;
+    return variables;
+  }
+
+  /** Whether the expression uses a variable. */
+  public boolean mentions(String variable) {
+    return variables.contains(variable);
   }
 
   /**
@@ -74,16 +121,14 @@ public final class Expression {
 
   /** The two sides, if the expression is a comparison. */
   public Optional<Comparison> comparison() {
-    CelExpr root = ast.getExpr();
-    if (root.getKind() != CelExpr.ExprKind.Kind.CALL
-        || !COMPARISONS.contains(root.call().function())) {
+    if (!COMPARISONS.contains(function(parsed))) {
       return Optional.empty();
     }
     return Optional.of(
         new Comparison(
-            part(root.call().args().get(0)),
-            root.call().function().replace("_", ""),
-            part(root.call().args().get(1))));
+            part(parsed.call().args().get(0)),
+            parsed.call().function().replace("_", ""),
+            part(parsed.call().args().get(1))));
   }
 
   /**
@@ -96,43 +141,50 @@ public final class Expression {
     return new RowExpression(this, columns, fixed);
   }
 
-  /** Whether the expression uses a variable. */
-  public boolean mentions(String variable) {
-    return names.contains(variable);
-  }
-
   /**
    * The operands of {@code &&} at the top level, each with the text of the whole expression; only
    * this expression if there is no {@code &&}.
    */
   public List<Expression> conjuncts() {
     List<CelExpr> parts = new ArrayList<>();
-    conjuncts(ast.getExpr(), parts);
-    if (parts.size() == 1) {
-      return List.of(this);
-    }
-    return parts.stream().map(this::part).toList();
+    operands("_&&_", parsed, parts);
+    return parts.size() == 1 ? List.of(this) : parts.stream().map(this::part).toList();
   }
 
-  /** A part of this expression with the text of the whole. */
-  private Expression part(CelExpr part) {
-    try {
-      return new Expression(
-          text,
-          CelAbstractSyntaxTree.newCheckedAst(
-              part, ast.getSource(), ast.getReferenceMap(), ast.getTypeMap()),
-          runtime);
-    } catch (CelEvaluationException e) {
-      throw new IllegalStateException("a part of a valid expression does not compile: " + text, e);
-    }
-  }
-
-  private static void conjuncts(CelExpr node, List<CelExpr> parts) {
-    if (node.getKind() == CelExpr.ExprKind.Kind.CALL && node.call().function().equals("_&&_")) {
-      node.call().args().forEach(a -> conjuncts(a, parts));
+  static void operands(String operator, CelExpr node, List<CelExpr> parts) {
+    if (function(node).equals(operator)) {
+      node.call().args().forEach(a -> operands(operator, a, parts));
     } else {
       parts.add(node);
     }
+  }
+
+  /** The name of the function that a node calls; empty if it calls none. */
+  static String function(CelExpr node) {
+    return node.getKind() == CelExpr.ExprKind.Kind.CALL ? node.call().function() : "";
+  }
+
+  CelExpr parsed() {
+    return parsed;
+  }
+
+  /** A part of this expression with the text of the whole. */
+  Expression part(CelExpr part) {
+    try {
+      return new Expression(source, part, check.typeOf(part), check);
+    } catch (CelEvaluationException e) {
+      throw new IllegalStateException(
+          "a part of a valid expression does not compile: " + text(), e);
+    }
+  }
+
+  /**
+   * What a false condition compares, such as {@code 1.31 <= 1.2}; empty if it compares nothing.
+   *
+   * @throws CancellationException if the thread is interrupted
+   */
+  public String explain(Map<String, Object> values) {
+    return shown(new Explanation(this, values).text());
   }
 
   /**
@@ -141,11 +193,11 @@ public final class Expression {
    * @throws EvaluationException if the evaluation fails or the result is not a boolean
    * @throws CancellationException if the thread is interrupted
    */
-  public boolean isTrue(Map<String, Object> variables) throws EvaluationException {
-    if (evaluate(variables) instanceof Boolean value) {
+  public boolean isTrue(Map<String, Object> values) throws EvaluationException {
+    if (evaluate(values) instanceof Boolean value) {
       return value;
     }
-    throw new EvaluationException("'" + text + "' is neither true nor false");
+    throw new EvaluationException("'" + text() + "' is neither true nor false");
   }
 
   /**
@@ -155,16 +207,16 @@ public final class Expression {
    *     too many steps
    * @throws CancellationException if the thread is interrupted
    */
-  public Object evaluate(Map<String, Object> variables) throws EvaluationException {
-    return evaluate((StepMeter meter) -> program.trace(variables, meter));
+  public Object evaluate(Map<String, Object> values) throws EvaluationException {
+    return evaluate((StepMeter meter) -> program.trace(values, meter));
   }
 
-  Object evaluate(CelVariableResolver variables) throws EvaluationException {
-    return evaluate((StepMeter meter) -> program.trace(variables, meter));
+  Object evaluate(CelVariableResolver values) throws EvaluationException {
+    return evaluate((StepMeter meter) -> program.trace(values, meter));
   }
 
   private interface Evaluation {
-    Object run(StepMeter meter) throws CelEvaluationException;
+    @Nullable Object run(StepMeter meter) throws CelEvaluationException;
   }
 
   private Object evaluate(Evaluation evaluation) throws EvaluationException {
@@ -172,16 +224,19 @@ public final class Expression {
       throw new CancellationException("the evaluation was interrupted");
     }
     try {
-      return evaluation.run(new StepMeter(roles));
+      Object value = evaluation.run(new StepMeter(roles));
+      if (value == null) {
+        throw new EvaluationException("'" + text() + "' has no value");
+      }
+      return value;
     } catch (StepMeter.Stopped e) {
       if (e.interrupted()) {
         throw new CancellationException(e.getMessage());
       }
       throw new EvaluationException(String.valueOf(e.getMessage()), true);
     } catch (CelEvaluationException e) {
-      String message = String.valueOf(e.getMessage());
       // Messages can contain long values.
-      throw new EvaluationException(shown(message.replaceFirst("^evaluation error[^:]*: ", "")));
+      throw new EvaluationException(shown(Messages.of(e)));
     }
   }
 }

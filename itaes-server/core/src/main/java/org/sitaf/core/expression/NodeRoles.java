@@ -3,6 +3,8 @@ package org.sitaf.core.expression;
 import dev.cel.common.ast.CelExpr;
 import dev.cel.common.ast.CelExpr.CelComprehension;
 import dev.cel.common.ast.CelExpr.CelMap;
+import org.sitaf.core.expression.function.Library;
+import org.sitaf.core.expression.function.Signature;
 
 /** Marks the nodes of a syntax tree whose values cost more steps than the node itself. */
 final class NodeRoles {
@@ -20,6 +22,9 @@ final class NodeRoles {
 
   /** A string, list or other value that an operation creates. */
   static final byte CREATED = 4;
+
+  /** A matrix whose number of cells times its longer side is the work of an operation. */
+  static final byte MULTIPLIED = 5;
 
   private byte[] roles = new byte[64];
 
@@ -82,7 +87,17 @@ final class NodeRoles {
         }
         set(node.call().args().get(node.call().args().size() - 1), PATTERN);
       }
-      default -> {}
+      default -> library(node);
+    }
+  }
+
+  private void library(CelExpr node) {
+    for (Signature signature : Library.signatures(node.call().function())) {
+      if (signature.cost() != Signature.Cost.CONSTANT) {
+        boolean multiplied = signature.cost() == Signature.Cost.PRODUCT;
+        node.call().args().forEach(a -> set(a, multiplied ? MULTIPLIED : COMPARED));
+        set(node, COMPARED);
+      }
     }
   }
 }

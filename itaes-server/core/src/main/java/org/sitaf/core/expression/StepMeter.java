@@ -4,7 +4,6 @@ import com.google.errorprone.annotations.FormatMethod;
 import dev.cel.common.ast.CelExpr;
 import dev.cel.common.values.CelByteString;
 import dev.cel.runtime.CelEvaluationListener;
-import dev.cel.runtime.ConcatenatedListView;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -21,7 +20,11 @@ final class StepMeter implements CelEvaluationListener {
 
   private static final int STEPS_PER_INTERRUPT_CHECK = 512;
 
+  /** Parts of a list or map that CEL visits in the time of one step. */
+  private static final int PARTS_PER_STEP = 4;
+
   private final NodeRoles roles;
+  private int parts;
   private long left = ExpressionLimits.MAX_STEPS;
   private int untilInterruptCheck = STEPS_PER_INTERRUPT_CHECK;
 
@@ -60,8 +63,19 @@ final class StepMeter implements CelEvaluationListener {
       visitString(text, role);
     } else if (role == NodeRoles.COMPARED) {
       visitAll(value, 0);
-    } else if (role == NodeRoles.CREATED) {
-      visitCreated(value);
+    } else if (role == NodeRoles.MULTIPLIED) {
+      visitAll(value, 0);
+      visitMatrix(value);
+    } else {
+      visitContainer(value, 0);
+    }
+  }
+
+  private void visitMatrix(Object value) {
+    if (value instanceof List<?> rows && !rows.isEmpty()) {
+      long columns = rows.get(0) instanceof List<?> row ? row.size() : 1;
+      // Both factors of a product count, so the longest of its three sides counts twice.
+      spend(rows.size() * columns * Math.max(rows.size(), columns));
     }
   }
 
@@ -85,18 +99,39 @@ final class StepMeter implements CelEvaluationListener {
     }
   }
 
-  /**
-   * The list that a loop collects is a view that grows in place, so it costs no additional steps.
-   */
-  private void visitCreated(Object value) {
+  /** CEL visits all parts of a list or map that a variable, a function or a loop gives. */
+  private void visitContainer(Object value, int depth) {
     if (value instanceof CelByteString bytes) {
       checkLength(bytes.size(), "%,d bytes");
       spend(bytes.size() / 4);
-    } else if (value instanceof List<?> list && !(value instanceof ConcatenatedListView)) {
+    } else if (value instanceof List<?> list) {
       checkLength(list.size(), "a list of %,d elements");
-      spend(list.size() / 4);
-    } else if (value instanceof ConcatenatedListView<?> list) {
-      checkLength(list.size(), "a list of %,d elements");
+      checkDepth(depth);
+      for (Object element : list) {
+        visitPart(element, depth);
+      }
+    } else if (value instanceof Map<?, ?> map) {
+      checkDepth(depth);
+      for (Object element : map.values()) {
+        visitPart(element, depth);
+      }
+    }
+  }
+
+  private void visitPart(Object part, int depth) {
+    if (++parts == PARTS_PER_STEP) {
+      parts = 0;
+      spend(1);
+    }
+    if (!(part instanceof Double || part instanceof Long || part instanceof String)) {
+      visitContainer(part, depth + 1);
+    }
+  }
+
+  private static void checkDepth(int depth) {
+    if (depth > ExpressionLimits.MAX_DEPTH) {
+      throw limitExceeded(
+          "lists in it are nested more than %,d levels deep", ExpressionLimits.MAX_DEPTH);
     }
   }
 
@@ -105,10 +140,7 @@ final class StepMeter implements CelEvaluationListener {
    */
   private void visitAll(Object value, int depth) {
     spend(1);
-    if (depth > ExpressionLimits.MAX_DEPTH) {
-      throw limitExceeded(
-          "lists in it are nested more than %,d levels deep", ExpressionLimits.MAX_DEPTH);
-    }
+    checkDepth(depth);
     if (value instanceof String text) {
       spend(text.length() / CHARACTERS_PER_STEP);
     } else if (value instanceof CelByteString bytes) {

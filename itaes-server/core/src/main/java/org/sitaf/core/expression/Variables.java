@@ -22,6 +22,12 @@ public final class Variables {
   /** True if the case has no invalid value. */
   public static final String VALID = "valid";
 
+  /** Prefix of a variable that is true if the value of an input is valid. */
+  public static final String VALID_PREFIX = "valid_";
+
+  /** The name of the exception that the call threw; empty if it threw none. */
+  public static final String ERROR = "error";
+
   /** The calls of required interfaces: a map of {@code Interface.Method} to a list. */
   public static final String CALLS = "calls";
 
@@ -61,6 +67,15 @@ public final class Variables {
     return this;
   }
 
+  /** Adds whether the value of an input is valid: {@code valid_pose.x} of {@code pose.x}. */
+  public Variables putValidity(String name, boolean valid) {
+    List<Object> path = path(VALID_PREFIX + name);
+    if (!path.isEmpty()) {
+      put(values, path, valid);
+    }
+    return this;
+  }
+
   /** Adds a variable that is not an input, such as {@code valid}. */
   public Variables put(String name, Object plainValue) {
     values.put(name, plainValue);
@@ -96,7 +111,7 @@ public final class Variables {
     return Value.isErrorOrDelay(literal) ? literal : StructuredLiteral.plain(literal, type);
   }
 
-  private static List<Object> path(String name) {
+  static List<Object> path(String name) {
     List<Object> path = new ArrayList<>();
     Matcher step = STEP.matcher(name);
     int at = 0;

@@ -1,5 +1,6 @@
 package org.sitaf.core.model;
 
+import java.util.List;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.description.DataType;
@@ -10,7 +11,9 @@ import org.sitaf.core.description.DataType;
  * @param realType type as written in the model
  * @param type resolved type
  * @param expected CEL expression over the inputs and {@code valid}; null if nothing is expected
+ * @param orErrors names of exceptions that pass as well as the expected value
  * @param line line in the model, from 1; 0 if unknown
+ * @param expectedLine line of the expected value
  */
 public record OutputElement(
     String name,
@@ -19,8 +22,10 @@ public record OutputElement(
     DataType type,
     String description,
     @Nullable String expected,
+    List<String> orErrors,
     Tolerance tolerance,
-    int line) {
+    int line,
+    int expectedLine) {
   /** The name of the return value. */
   public static final String RETURN_NAME = "return";
 
@@ -30,12 +35,35 @@ public record OutputElement(
     Objects.requireNonNull(realType);
     Objects.requireNonNull(type);
     Objects.requireNonNull(description);
+    orErrors = List.copyOf(orErrors);
     Objects.requireNonNull(tolerance);
+  }
+
+  /** An output whose expected value no exception replaces. */
+  public OutputElement(
+      String name,
+      OutputKind kind,
+      String realType,
+      DataType type,
+      String description,
+      @Nullable String expected,
+      Tolerance tolerance,
+      int line) {
+    this(name, kind, realType, type, description, expected, List.of(), tolerance, line, line);
   }
 
   /** A copy with another resolved type. */
   public OutputElement withType(DataType resolved) {
     return new OutputElement(
-        name, kind, realType, resolved, description, expected, tolerance, line);
+        name,
+        kind,
+        realType,
+        resolved,
+        description,
+        expected,
+        orErrors,
+        tolerance,
+        line,
+        expectedLine);
   }
 }

@@ -1,12 +1,16 @@
 package org.sitaf.core.model;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 
 /**
  * The test specifications of one method (paper, Fig. 4).
  *
+ * @param definitions named sub-expressions
+ * @param constants constants and enumeration literals of the activity's interfaces by name: Long,
+ *     Double, Boolean or String
  * @param maxCases maximum number of cases, at least 1
  * @param source name of the document
  */
@@ -14,6 +18,8 @@ public record TestModel(
     String name,
     String description,
     Target target,
+    List<Definition> definitions,
+    Map<String, Object> constants,
     List<Condition> preConditions,
     List<InputElement> inputs,
     List<OutputElement> outputs,
@@ -35,6 +41,8 @@ public record TestModel(
     Objects.requireNonNull(invalidValues);
     Objects.requireNonNull(strength);
     Objects.requireNonNull(source);
+    definitions = List.copyOf(definitions);
+    constants = Map.copyOf(constants);
     preConditions = List.copyOf(preConditions);
     inputs = List.copyOf(inputs);
     outputs = List.copyOf(outputs);
@@ -50,8 +58,31 @@ public record TestModel(
         name,
         description,
         target,
+        definitions,
+        constants,
         preConditions,
         replaced,
+        outputs,
+        postConditions,
+        trajectoryConditions,
+        invalidValues,
+        strength,
+        mixedStrengths,
+        keptCases,
+        maxCases,
+        source);
+  }
+
+  /** A copy with the constants of interfaces. */
+  public TestModel withConstants(Map<String, Object> named) {
+    return new TestModel(
+        name,
+        description,
+        target,
+        definitions,
+        named,
+        preConditions,
+        inputs,
         outputs,
         postConditions,
         trajectoryConditions,
@@ -69,6 +100,8 @@ public record TestModel(
         name,
         description,
         target,
+        definitions,
+        constants,
         preConditions,
         inputs,
         replaced,

@@ -12,6 +12,12 @@ public sealed interface Value {
   /** Prefix of an error that is thrown or expected instead of a value: {@code !error:NoEcho}. */
   String ERROR_PREFIX = "!error:";
 
+  /** Expects any error instead of a value. */
+  String ANY_ERROR = "!error";
+
+  /** Expects nothing: neither a value nor an error is judged. */
+  String ANY = "!any";
+
   /** Prefix of a delay of a test stub's answer, in seconds: {@code !delay:0.5}. */
   String DELAY_PREFIX = "!delay:";
 
@@ -75,6 +81,11 @@ public sealed interface Value {
   /** Whether a literal is an error or a delay instead of a value. */
   static boolean isErrorOrDelay(String literal) {
     return literal.startsWith(ERROR_PREFIX) || literal.startsWith(DELAY_PREFIX);
+  }
+
+  /** Whether an expected literal is an outcome instead of a value. */
+  static boolean isOutcome(String literal) {
+    return literal.startsWith(ERROR_PREFIX) || literal.equals(ANY_ERROR) || literal.equals(ANY);
   }
 
   /**

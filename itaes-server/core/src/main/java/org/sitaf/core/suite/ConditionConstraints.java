@@ -135,6 +135,7 @@ final class ConditionConstraints {
             tuple -> {
               Variables variables = new Variables();
               boolean allValid = true;
+              Value[] inputs = new Value[parameters.length];
               for (int i = 0; i < parameters.length; i++) {
                 TestValue value = candidates.get(parameters[i]).get(tuple[i]);
                 InputElement input = model.inputs().get(parameters[i]);
@@ -144,10 +145,15 @@ final class ConditionConstraints {
                   // Another constraint excludes this row.
                   return true;
                 }
-                variables.put(input.name(), resolved.get(), input.type());
+                inputs[i] = resolved.get();
+                variables.putValidity(input.name(), value.valid());
                 allValid &= value.valid();
               }
               variables.put(Variables.VALID, valid == null ? allValid : valid);
+              for (int i = 0; i < parameters.length; i++) {
+                InputElement input = model.inputs().get(parameters[i]);
+                variables.put(input.name(), inputs[i], input.type());
+              }
               return undecided == null
                   ? holds(condition, variables)
                   : mayHold(condition, variables, undecided);
@@ -206,6 +212,7 @@ final class ConditionConstraints {
   }
 
   private static boolean mentions(Expression condition, String input) {
-    return Variables.roots(List.of(input)).stream().anyMatch(condition::mentions);
+    return Variables.roots(List.of(input, Variables.VALID_PREFIX + input)).stream()
+        .anyMatch(condition::mentions);
   }
 }

@@ -1,24 +1,24 @@
 package org.sitaf.core.suite;
 
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
-import java.util.TreeSet;
-import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.sitaf.core.description.DataType;
 import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.expression.Expression;
 import org.sitaf.core.expression.ExpressionCompiler;
-import org.sitaf.core.expression.Variables;
+import org.sitaf.core.expression.Scope;
+import org.sitaf.core.expression.type.Type;
 import org.sitaf.core.model.Condition;
-import org.sitaf.core.model.InputElement;
+import org.sitaf.core.model.Definition;
 import org.sitaf.core.model.OutputElement;
 import org.sitaf.core.model.TestModel;
-import org.sitaf.core.model.Value;
 
 /**
  * The compiled CEL expressions of a model.
@@ -28,10 +28,6 @@ import org.sitaf.core.model.Value;
  * @param post post-conditions in the order of the model
  */
 record Conditions(List<Expression> pre, Map<String, Expression> expected, List<Expression> post) {
-  private static final Pattern ERROR = Pattern.compile(Pattern.quote(Value.ERROR_PREFIX) + "\\w+");
-
-  private static final Pattern QUOTED_ERROR = Pattern.compile("(['\"])" + ERROR + "\\1");
-
   /** Maximum length of all expressions of a model; takes a few seconds to compile. */
   private static final int MAX_CHARACTERS = 500_000;
 
@@ -47,6 +43,7 @@ record Conditions(List<Expression> pre, Map<String, Expression> expected, List<E
         Stream.of(
                 model.preConditions().stream().map(Condition::expression),
                 model.postConditions().stream().map(Condition::expression),
+                model.definitions().stream().map(Definition::expression),
                 model.outputs().stream().map(o -> o.expected() == null ? "" : o.expected()))
             .flatMap(texts -> texts)
             .mapToLong(String::length)
@@ -64,61 +61,127 @@ record Conditions(List<Expression> pre, Map<String, Expression> expected, List<E
               MAX_CHARACTERS));
       return new Conditions(List.of(), Map.of(), List.of());
     }
-    Set<String> before =
-        new TreeSet<>(Variables.roots(model.inputs().stream().map(InputElement::name).toList()));
-    before.add(Variables.VALID);
-    Set<String> after = new TreeSet<>(before);
-    after.add("actual");
-    after.add(Variables.CALLS);
-    model.outputs().forEach(o -> after.add("actual_" + o.name()));
-    ExpressionCompiler beforeCall = new ExpressionCompiler(before);
-    Compilation compilation = new Compilation(model.source(), diagnostics);
-    List<Expression> pre =
-        compilation.all(beforeCall, model.preConditions(), "pre_condition_spec_list");
-    Map<String, Expression> expected = new TreeMap<>();
-    for (OutputElement output : model.outputs()) {
-      if (output.expected() != null) {
-        compilation
-            .one(
-                beforeCall,
-                new Condition(expression(output.expected()), output.line()),
-                "test_element " + output.name() + "/expected")
-            .ifPresent(e -> expected.put(output.name(), e));
-      }
+    return new Compilation(model, diagnostics).all();
+  }
+
+  private static final class Compilation {
+    private final TestModel model;
+    private final Diagnostics diagnostics;
+    private final Set<String> warned = new HashSet<>();
+
+    Compilation(TestModel model, Diagnostics diagnostics) {
+      this.model = model;
+      this.diagnostics = diagnostics;
     }
-    List<Expression> post =
-        model.postConditions().isEmpty()
-            ? List.of()
-            : compilation.all(
-                new ExpressionCompiler(Variables.roots(after)),
-                model.postConditions(),
-                "post_condition_spec_list");
-    return new Conditions(pre, expected, post);
-  }
 
-  /**
-   * Quotes an unquoted error, such as {@code !error:NoEcho}. Quoted errors are converted to {@code
-   * dyn}, so CEL accepts them next to values of other types.
-   */
-  private static String expression(String expected) {
-    String stripped = expected.strip();
-    return ERROR.matcher(stripped).matches()
-        ? '"' + stripped + '"'
-        : QUOTED_ERROR.matcher(expected).replaceAll("dyn($0)");
-  }
+    Conditions all() {
+      Scope after = CaseScope.afterCall(model);
+      Set<String> invalid = definitions(after);
+      ExpressionCompiler before =
+          new ExpressionCompiler(CaseScope.open(CaseScope.beforeCall(model), invalid));
+      List<Expression> pre = conditions(before, model.preConditions(), "pre_condition_spec_list");
+      Map<String, Expression> expected = new TreeMap<>();
+      for (OutputElement output : model.outputs()) {
+        if (output.expected() != null) {
+          expected(before, output).ifPresent(e -> expected.put(output.name(), e));
+        }
+      }
+      List<Expression> post =
+          conditions(
+              new ExpressionCompiler(CaseScope.open(after, invalid)),
+              model.postConditions(),
+              "post_condition_spec_list");
+      return new Conditions(pre, expected, post);
+    }
 
-  private record Compilation(String source, Diagnostics diagnostics) {
-    List<Expression> all(ExpressionCompiler compiler, List<Condition> conditions, String where) {
+    /** Checks each definition where it is written. Returns the names of those that are invalid. */
+    private Set<String> definitions(Scope scope) {
+      Set<String> invalid = new HashSet<>();
+      ExpressionCompiler compiler = new ExpressionCompiler(scope);
+      for (Definition definition : model.definitions()) {
+        String where = "define " + definition.name();
+        if (scope.variables().containsKey(definition.name())) {
+          diagnostics.warning(
+              model.source(),
+              definition.line(),
+              where,
+              "has no effect, since an input or output has this name; rename it");
+        }
+        if (!model.trajectoryConditions().isEmpty()) {
+          // It may use signals, which only those conditions know; they report its problems.
+          continue;
+        }
+        Optional<Expression> compiled =
+            compile(compiler, definition.expression(), definition.line(), where);
+        if (compiled.isEmpty()) {
+          invalid.add(definition.name());
+        } else {
+          warn(compiled.get(), false, definition.line(), where);
+        }
+      }
+      return invalid;
+    }
+
+    private List<Expression> conditions(
+        ExpressionCompiler compiler, List<Condition> conditions, String where) {
       List<Expression> compiled = new ArrayList<>();
-      conditions.forEach(c -> one(compiler, c, where).ifPresent(compiled::add));
+      for (Condition condition : conditions) {
+        Optional<Expression> expression =
+            compile(compiler, condition.expression(), condition.line(), where);
+        if (expression.isEmpty()) {
+          continue;
+        }
+        Type type = expression.get().type();
+        if (!type.equals(Type.BOOLEAN) && !type.isOpen()) {
+          diagnostics.error(
+              model.source(),
+              condition.line(),
+              where,
+              "'"
+                  + expression.get().text()
+                  + "' must be true or false, but its type is "
+                  + type.name());
+          continue;
+        }
+        warn(expression.get(), false, condition.line(), where);
+        compiled.add(expression.get());
+      }
       return compiled;
     }
 
-    Optional<Expression> one(ExpressionCompiler compiler, Condition condition, String where) {
+    private Optional<Expression> expected(ExpressionCompiler compiler, OutputElement output) {
+      String where = "test_element " + output.name() + "/expected";
+      Optional<Expression> compiled =
+          compile(
+              compiler, ExpectedText.expression(output.expected()), output.expectedLine(), where);
+      if (compiled.isEmpty()) {
+        return compiled;
+      }
+      Optional<String> problem = ExpectedText.problem(compiled.get(), output.type());
+      if (problem.isPresent()) {
+        diagnostics.error(model.source(), output.expectedLine(), where, problem.get());
+        return Optional.empty();
+      }
+      boolean isReal =
+          output.type() instanceof DataType.Scalar scalar && scalar.type().isFloating();
+      warn(compiled.get(), isReal, output.expectedLine(), where);
+      return compiled;
+    }
+
+    private void warn(Expression expression, boolean isRealExpected, int line, String where) {
+      for (String warning : expression.wholeDivisions(isRealExpected)) {
+        if (warned.add(line + where + warning)) {
+          diagnostics.warning(model.source(), line, where, warning);
+        }
+      }
+    }
+
+    private Optional<Expression> compile(
+        ExpressionCompiler compiler, String text, int line, String where) {
       try {
-        return Optional.of(compiler.compile(condition.expression()));
+        return Optional.of(compiler.compile(text));
       } catch (IllegalArgumentException e) {
-        diagnostics.error(source, condition.line(), where, String.valueOf(e.getMessage()));
+        diagnostics.error(model.source(), line, where, String.valueOf(e.getMessage()));
         return Optional.empty();
       }
     }

@@ -1,7 +1,5 @@
 package org.sitaf.core.suite;
 
-import java.util.Set;
-import java.util.TreeSet;
 import org.sitaf.core.expression.EvaluationException;
 import org.sitaf.core.expression.Expression;
 import org.sitaf.core.expression.ExpressionCompiler;
@@ -16,19 +14,24 @@ public final class ExpectedFormula {
   private final OutputElement output;
   private final Expression expression;
 
-  private ExpectedFormula(TestModel model, OutputElement output, Expression expression) {
+  private final InputValidity validity;
+
+  private ExpectedFormula(TestModel model, OutputElement output, Expression expression, long seed) {
+    this.validity = new InputValidity(model, seed);
     this.model = model;
     this.output = output;
     this.expression = expression;
   }
 
   /**
-   * Compiles an expression over the inputs of a model and {@code valid}.
+   * Compiles an expression over the inputs of a model and their validity.
    *
    * @param outputName name of the output; empty selects the only output
+   * @param seed seed of the suite
    * @throws IllegalArgumentException if the model has no such output or the expression is invalid
    */
-  public static ExpectedFormula compile(TestModel model, String outputName, String text) {
+  public static ExpectedFormula compile(
+      TestModel model, String outputName, String text, long seed) {
     OutputElement output =
         model
             .output(outputName)
@@ -39,10 +42,14 @@ public final class ExpectedFormula {
                             + outputName
                             + "'; it has "
                             + model.outputs().stream().map(OutputElement::name).toList()));
-    Set<String> variables =
-        new TreeSet<>(Variables.roots(model.inputs().stream().map(InputElement::name).toList()));
-    variables.add(Variables.VALID);
-    return new ExpectedFormula(model, output, new ExpressionCompiler(variables).compile(text));
+    Expression expression =
+        new ExpressionCompiler(CaseScope.beforeCall(model)).compile(ExpectedText.expression(text));
+    ExpectedText.problem(expression, output.type())
+        .ifPresent(
+            problem -> {
+              throw new IllegalArgumentException(problem);
+            });
+    return new ExpectedFormula(model, output, expression, seed);
   }
 
   /**
@@ -52,7 +59,8 @@ public final class ExpectedFormula {
    * @throws IllegalArgumentException if the result is not a value of the output's type
    */
   public ExpectedValue expect(TestCase testCase) throws EvaluationException {
-    Variables variables = new Variables().put(Variables.VALID, testCase.valid());
+    Variables variables = new Variables();
+    validity.put(variables, testCase);
     for (int i = 0; i < testCase.values().size(); i++) {
       InputElement input = model.inputs().get(i);
       variables.put(input.name(), testCase.values().get(i), input.type());

@@ -14,6 +14,7 @@ import org.sitaf.core.expression.Variables;
 import org.sitaf.core.model.OutputElement;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.model.Value;
+import org.sitaf.core.value.TestValue;
 
 /** Computes the expected values of test cases from the expressions of the model. */
 final class Oracle {
@@ -44,9 +45,14 @@ final class Oracle {
   }
 
   /** The expected values of a case, in the order of the model's outputs. */
-  List<ExpectedValue> expect(int no, boolean valid, List<Value> values) {
-    Variables variables = new Variables().put(Variables.VALID, valid);
-    for (int i = 0; i < values.size(); i++) {
+  List<ExpectedValue> expect(int no, List<TestValue> row) {
+    List<Value> values = row.stream().map(TestValue::value).toList();
+    Variables variables = new Variables();
+    for (int i = 0; i < row.size(); i++) {
+      variables.putValidity(model.inputs().get(i).name(), row.get(i).valid());
+    }
+    variables.put(Variables.VALID, row.stream().allMatch(TestValue::valid));
+    for (int i = 0; i < row.size(); i++) {
       variables.put(model.inputs().get(i).name(), values.get(i), model.inputs().get(i).type());
     }
     List<ExpectedValue> expected = new ArrayList<>();
@@ -84,7 +90,7 @@ final class Oracle {
         // The other cases would most likely exceed the limit, too.
         diagnostics.error(
             model.source(),
-            output.line(),
+            output.expectedLine(),
             "test_element " + output.name() + "/expected",
             "in case " + no + " (" + inputs(values) + "): " + e.getMessage());
         diagnostics.throwIfErrors();
@@ -94,7 +100,7 @@ final class Oracle {
       }
       diagnostics.warning(
           model.source(),
-          output.line(),
+          output.expectedLine(),
           "test_element " + output.name() + "/expected",
           "cannot be evaluated in case " + no + " (" + inputs(values) + "): " + e.getMessage());
       return UNEVALUATED + " " + e.getMessage();
@@ -116,7 +122,7 @@ final class Oracle {
    * -1.0}.
    */
   static String literal(Object result, DataType type) {
-    if (result instanceof String text && text.startsWith(Value.ERROR_PREFIX)) {
+    if (result instanceof String text && Value.isOutcome(text)) {
       return text;
     }
     if (type.isVoid()) {

@@ -187,7 +187,7 @@ public final class TestCaseGenerator {
       Optional<KeptCases.Kept> numbered = kept.numbered(values);
       int no = numbered.isPresent() ? numbered.get().no() : next++;
       boolean valid = isValid(row);
-      List<ExpectedValue> expected = oracle.expect(no, valid, values);
+      List<ExpectedValue> expected = oracle.expect(no, row);
       characters += characters(values, literals, expected);
       if (characters > MAX_CHARACTERS) {
         throw new InvalidInputException(

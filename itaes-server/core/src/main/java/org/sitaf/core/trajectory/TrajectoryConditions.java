@@ -73,7 +73,9 @@ public final class TrajectoryConditions {
       return new TrajectoryConditions(compiled);
     }
     Names names = Names.of(model, signals);
-    ExpressionCompiler compiler = new ExpressionCompiler(Scope.of(names.types()));
+    ExpressionCompiler compiler =
+        new ExpressionCompiler(
+            Scope.of(names.types()).with(model.definitions(), model.constants()));
     for (TrajectoryCondition condition : model.trajectoryConditions()) {
       parse(condition, model, longestSeconds, diagnostics)
           .flatMap(parsed -> compile(condition, parsed, compiler, names, model, diagnostics))

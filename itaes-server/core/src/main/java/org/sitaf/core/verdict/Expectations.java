@@ -7,6 +7,7 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.model.OutputElement;
 import org.sitaf.core.model.TestModel;
+import org.sitaf.core.model.Value;
 import org.sitaf.core.suite.ExpectedValue;
 import org.sitaf.core.suite.TestCase;
 
@@ -15,7 +16,6 @@ import org.sitaf.core.suite.TestCase;
  * model.
  */
 final class Expectations {
-  private static final String ERROR = "!error:";
   private static final String UNEVALUATED = "!unevaluated:";
 
   private final TestModel model;
@@ -58,6 +58,9 @@ final class Expectations {
               "the expected value could not be evaluated: "
                   + stripped.substring(UNEVALUATED.length()).strip()));
     }
+    if (stripped.equals(Value.ANY)) {
+      return Optional.empty();
+    }
     String output = outputName(expected, record);
     String actual = actual(output, record);
     if (actual == null) {
@@ -68,14 +71,15 @@ final class Expectations {
               "the test application recorded no value of the output '" + output + "'"));
     }
     Optional<OutputElement> element = model.output(output);
-    if (stripped.startsWith(ERROR)) {
+    if (stripped.equals(Value.ANY_ERROR) || stripped.startsWith(Value.ERROR_PREFIX)) {
       boolean valueless = element.isPresent() && element.get().type().isVoid();
       return Optional.of(
           new Mismatch(
               Verdict.FAIL,
               "",
-              "expected the error "
-                  + stripped.substring(ERROR.length())
+              (stripped.equals(Value.ANY_ERROR)
+                      ? "expected an error"
+                      : "expected the error " + stripped.substring(Value.ERROR_PREFIX.length()))
                   + ", but it returned"
                   + (valueless ? "" : " " + Literals.shortened(actual))));
     }
@@ -99,9 +103,17 @@ final class Expectations {
   private CaseResult checkException(TestCase testCase, CaseRecord record) {
     List<NamedValue> matched = new ArrayList<>();
     for (ExpectedValue expected : testCase.expected()) {
-      if (expected.literal().strip().equals(ERROR + record.thrown())) {
-        matched.add(new NamedValue(expected.output(), ERROR + record.thrown()));
+      if (allows(expected, record)) {
+        matched.add(new NamedValue(expected.output(), Value.ERROR_PREFIX + record.thrown()));
       }
+    }
+    boolean unjudged =
+        testCase.expected().stream().allMatch(e -> e.literal().strip().equals(Value.ANY));
+    if (matched.isEmpty() && unjudged) {
+      testCase
+          .expected()
+          .forEach(
+              e -> matched.add(new NamedValue(e.output(), Value.ERROR_PREFIX + record.thrown())));
     }
     if (matched.isEmpty()) {
       return result(testCase, record.withoutTime(), Verdict.ERROR, record.message());
@@ -115,6 +127,17 @@ final class Expectations {
         record.calls(),
         record.time(),
         "");
+  }
+
+  /** Whether the exception is the expected one, any of an output, or replaces its value. */
+  private boolean allows(ExpectedValue expected, CaseRecord record) {
+    String literal = expected.literal().strip();
+    return literal.equals(Value.ANY_ERROR)
+        || literal.equals(Value.ERROR_PREFIX + record.thrown())
+        || model
+            .output(outputName(expected, record))
+            .filter(o -> o.orErrors().contains(record.thrown()))
+            .isPresent();
   }
 
   private CaseResult result(TestCase testCase, CaseRecord record, Verdict verdict, String message) {

@@ -5,15 +5,19 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
 import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.InterfaceDescription;
 import org.sitaf.core.description.MemberPath;
 import org.sitaf.core.expression.EvaluationException;
 import org.sitaf.core.expression.Expression;
 import org.sitaf.core.expression.Variables;
+import org.sitaf.core.model.Condition;
 import org.sitaf.core.model.InputElement;
 import org.sitaf.core.model.OutputElement;
 import org.sitaf.core.model.TestModel;
+import org.sitaf.core.model.Value;
+import org.sitaf.core.suite.InputValidity;
 import org.sitaf.core.suite.PostConditions;
 import org.sitaf.core.suite.TestCase;
 import org.sitaf.core.suite.TestSuite;
@@ -31,6 +35,7 @@ public final class ResultAssembler {
   private final CallRecord calls;
   private final Expectations expectations;
   private final TrajectoryVerdicts trajectories;
+  private final InputValidity validity;
   private final Map<Integer, TestCase> cases = new HashMap<>();
 
   /** Creates an assembler for a component that requires no interfaces. */
@@ -63,6 +68,7 @@ public final class ResultAssembler {
     this.model = Objects.requireNonNull(model);
     this.expectations = new Expectations(model);
     this.suite = Objects.requireNonNull(suite);
+    this.validity = new InputValidity(model, suite.generation().seed());
     this.postConditions = PostConditions.of(model);
     suite.cases().forEach(c -> cases.put(c.no(), c));
   }
@@ -94,6 +100,9 @@ public final class ResultAssembler {
       throw new IllegalArgumentException("the suite has no case " + record.no());
     }
     CaseResult result = expectations.judge(testCase, record);
+    if (record.outcome() == CaseRecord.Outcome.THREW && result.verdict() == Verdict.ERROR) {
+      return accepted(testCase, record, result).orElse(result);
+    }
     boolean completed =
         record.outcome() == CaseRecord.Outcome.RETURNED
             || record.outcome() == CaseRecord.Outcome.THREW && result.verdict() == Verdict.PASS;
@@ -101,18 +110,47 @@ public final class ResultAssembler {
       return result;
     }
     return trajectories.judge(
-        withPostConditions(testCase, result), inputs(testCase).map(), signals);
+        withPostConditions(testCase, record, result),
+        inputs(testCase, record.thrown()).map(),
+        signals);
   }
 
-  private CaseResult withPostConditions(TestCase testCase, CaseResult result) {
+  /**
+   * Where no output has an expected value, post-conditions about {@code error} decide whether an
+   * exception is right. If it is not, the case remains an ERROR.
+   */
+  private Optional<CaseResult> accepted(TestCase testCase, CaseRecord record, CaseResult result) {
+    if (!testCase.expected().isEmpty()
+        || postConditions.stream().noneMatch(c -> c.mentions(Variables.ERROR))
+        || model.inputs().stream().anyMatch(i -> i.name().equals(Variables.ERROR))) {
+      return Optional.empty();
+    }
+    CaseResult passed =
+        new CaseResult(
+            result.no(),
+            Verdict.PASS,
+            result.values(),
+            List.of(),
+            List.of(new NamedValue("", Value.ERROR_PREFIX + record.thrown())),
+            result.calls(),
+            record.time(),
+            "");
+    return Optional.of(withPostConditions(testCase, record, passed))
+        .filter(judged -> judged.verdict() == Verdict.PASS);
+  }
+
+  private CaseResult withPostConditions(TestCase testCase, CaseRecord record, CaseResult result) {
     CaseResult judged = result;
-    for (Expression condition : postConditions) {
+    for (int i = 0; i < postConditions.size(); i++) {
+      Expression condition = postConditions.get(i);
+      Condition written = model.postConditions().get(i);
+      String label = written.name().isEmpty() ? condition.text() : written.name();
       if (condition.mentions(Variables.CALLS) && result.calls().leftOut() > 0) {
         judged =
             judged.withVerdict(
                 Verdict.ERROR,
                 "post-condition cannot be evaluated: "
-                    + condition.text()
+                    + label
                     + ": of "
                     + (result.calls().recorded().size() + result.calls().leftOut())
                     + " calls only the first "
@@ -121,21 +159,25 @@ public final class ResultAssembler {
         continue;
       }
       try {
-        if (!condition.isTrue(variables(testCase, result))) {
+        Map<String, Object> variables = variables(testCase, record, result);
+        if (!condition.isTrue(variables)) {
+          String compared = condition.explain(variables);
           judged =
               judged.withVerdict(
                   judged.verdict().worse(Verdict.FAIL),
-                  "post-condition violated: " + condition.text());
+                  "post-condition violated: "
+                      + label
+                      + (compared.isEmpty() ? "" : ": " + compared));
         }
       } catch (EvaluationException | IllegalArgumentException e) {
         judged =
             judged.withVerdict(
                 Verdict.ERROR,
                 "post-condition cannot be evaluated: "
-                    + condition.text()
+                    + label
                     + ": "
                     + e.getMessage()
-                    + location(condition));
+                    + location(written));
       }
     }
     return judged;
@@ -187,13 +229,15 @@ public final class ResultAssembler {
   }
 
   /** File and line of a condition in parentheses; empty if unknown. */
-  private String location(Expression condition) {
-    int line = model.postConditions().get(postConditions.indexOf(condition)).line();
+  private String location(Condition condition) {
+    int line = condition.line();
     return line == 0 ? "" : " (" + model.source() + ":" + line + ")";
   }
 
-  private Variables inputs(TestCase testCase) {
-    Variables variables = new Variables().put(Variables.VALID, testCase.valid());
+  private Variables inputs(TestCase testCase, String thrown) {
+    Variables variables = new Variables();
+    validity.put(variables, testCase);
+    variables.put(Variables.ERROR, (Object) thrown);
     for (int i = 0; i < model.inputs().size(); i++) {
       InputElement input = model.inputs().get(i);
       variables.put(input.name(), testCase.values().get(i), input.type());
@@ -201,8 +245,8 @@ public final class ResultAssembler {
     return variables;
   }
 
-  private Map<String, Object> variables(TestCase testCase, CaseResult result) {
-    Variables variables = inputs(testCase);
+  private Map<String, Object> variables(TestCase testCase, CaseRecord record, CaseResult result) {
+    Variables variables = inputs(testCase, record.thrown());
     for (NamedValue actual : result.actual()) {
       OutputElement output = model.output(actual.output()).orElse(null);
       if (output != null) {

@@ -2,6 +2,7 @@ package org.sitaf.core.verdict;
 
 import java.util.List;
 import java.util.Objects;
+import org.sitaf.core.model.Value;
 
 /** Computes the summary of a result. */
 final class Statistics {
@@ -25,7 +26,7 @@ final class Statistics {
     int unjudged =
         postConditions
             ? 0
-            : count(cases.stream().filter(c -> c.expected().isEmpty()).toList(), Verdict.PASS);
+            : count(cases.stream().filter(Statistics::isUnjudged).toList(), Verdict.PASS);
     return new Summary(
         cases.size(),
         pass,
@@ -33,7 +34,16 @@ final class Statistics {
         count(cases, Verdict.ERROR),
         count(cases, Verdict.DONT),
         unjudged,
+        count(cases.stream().filter(Statistics::endedWithError).toList(), Verdict.PASS),
         times.length == 0 ? null : times(times));
+  }
+
+  private static boolean isUnjudged(CaseResult result) {
+    return result.expected().stream().allMatch(e -> e.literal().strip().equals(Value.ANY));
+  }
+
+  private static boolean endedWithError(CaseResult result) {
+    return result.actual().stream().anyMatch(a -> a.literal().startsWith(Value.ERROR_PREFIX));
   }
 
   /** Welford's algorithm, which is numerically stable for similar times. */

@@ -6,10 +6,18 @@ import org.jspecify.annotations.Nullable;
  * The summary of a result (paper, Fig. 17): {@code total = pass + fail + error + dont}.
  *
  * @param unjudged number of PASS cases with neither an expected value nor a post-condition
+ * @param byError number of PASS cases that ended with an exception, which says nothing about values
  * @param times of PASS and FAIL cases; null if there are none
  */
 public record Summary(
-    int total, int pass, int fail, int error, int dont, int unjudged, @Nullable Times times) {
+    int total,
+    int pass,
+    int fail,
+    int error,
+    int dont,
+    int unjudged,
+    int byError,
+    @Nullable Times times) {
   public Summary {
     if (total != pass + fail + error + dont) {
       throw new IllegalArgumentException(

@@ -85,6 +85,11 @@ class ExpressionLimitsTest {
         "[1]" + ".map(s, [s])".repeat(120) + " == dyn(items)",
         "items.map(i, items.map(j, text + text + text)) == items",
         "items.exists(i, (text + text).matches('(a|b)*(a|b)*(a|b)*c'))",
+        "items.map(i, det(identity(300))) == items",
+        "items.map(i, matmul(identity(200), identity(200))) == items",
+        "items.map(i, identity(1000)) == items",
+        nestedOver("items", "all", 3, "norm(items) >= 0.0"),
+        nestedOver("items", "all", 3, "near(items, items, 0)"),
         "text.matches('(((a{1000}){1000}){1000})')",
         "text.matches('((a{1,900}){1,900}|b){2,900}')",
         "text.matches(" + "'(a|b)*' + ".repeat(200) + "'')");

@@ -67,6 +67,8 @@ public record OneCase(
         new Target(
             target.name(), target.methods().get(0).name(), null, Duration.ZERO, Duration.ZERO),
         List.of(),
+        Map.of(),
+        List.of(),
         List.of(),
         List.of(),
         List.of(),

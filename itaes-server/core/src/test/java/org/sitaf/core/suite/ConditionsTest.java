@@ -85,8 +85,7 @@ class ConditionsTest {
     assertThatThrownBy(() -> generate("b > 1", "Distanz"))
         .isInstanceOf(InvalidInputException.class)
         .hasMessageContaining(
-            "pre_condition_spec_list: 'b > 1' is not a valid expression: undeclared reference to"
-                + " 'b'")
+            "pre_condition_spec_list: 'b > 1' is not a valid expression: unknown name" + " 'b'")
         .hasMessageContaining("test_element return/expected: 'Distanz' is not a valid expression");
   }
 

@@ -68,7 +68,7 @@ class ResultAssemblerTest {
   void aViolatedPostConditionFailsACaseWithTheExpectedValue() {
     CaseResult judged = assembler.judge(returned(2, "1.5", 1));
     assertThat(judged.verdict()).isEqualTo(Verdict.FAIL);
-    assertThat(judged.message()).isEqualTo("post-condition violated: actual * 2.0 == n");
+    assertThat(judged.message()).isEqualTo("post-condition violated: actual * 2.0 == n: 3.0 == 2");
   }
 
   @Test

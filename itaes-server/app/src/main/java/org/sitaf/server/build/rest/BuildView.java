@@ -99,7 +99,9 @@ record BuildView(
       int fail,
       int error,
       @Schema(description = "not executed") int dont,
-      @Schema(description = "passed without an expected value or post-condition") int unjudged) {
+      @Schema(description = "passed without an expected value or post-condition") int unjudged,
+      @Schema(description = "passed by an exception, which says nothing about values")
+          int byError) {
     static CountsView of(CaseCounts counts) {
       return new CountsView(
           counts.total(),
@@ -107,7 +109,8 @@ record BuildView(
           counts.fail(),
           counts.error(),
           counts.dont(),
-          counts.unjudged());
+          counts.unjudged(),
+          counts.byError() == null ? 0 : counts.byError());
     }
   }
 

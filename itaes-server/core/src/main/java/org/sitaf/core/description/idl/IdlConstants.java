@@ -6,6 +6,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.TreeMap;
+import java.util.regex.Pattern;
 import org.antlr.v4.runtime.ParserRuleContext;
 import org.antlr.v4.runtime.tree.ParseTree;
 import org.antlr.v4.runtime.tree.TerminalNode;
@@ -21,6 +23,9 @@ final class IdlConstants {
   private static final int MAX_LENGTH = 1_000_000;
   private static final int MAX_BITS = 128;
   private static final int MAX_CHAIN = 40;
+
+  private static final Pattern REAL =
+      Pattern.compile("[-+]?(\\d{1,300}\\.?\\d{0,300}|\\.\\d{1,300})([eE][-+]?\\d{1,4})?[dDfF]?");
 
   private final IdlScopes scopes;
   private final Findings findings;
@@ -53,6 +58,41 @@ final class IdlConstants {
       findings.error(place, String.valueOf(e.getMessage()));
     }
     return OptionalInt.empty();
+  }
+
+  /**
+   * The constants by their names with dots. Those of other types and beyond 64 bits are left out.
+   */
+  Map<String, Object> values() {
+    Map<String, Object> values = new TreeMap<>();
+    constants.forEach(
+        (name, constant) ->
+            value(constant)
+                .ifPresent(
+                    value ->
+                        // rosidl puts the constants of a message into a module of this name.
+                        values.put(name.replace("_Constants::", "::").replace("::", "."), value)));
+    return values;
+  }
+
+  private Optional<Object> value(Constant constant) {
+    try {
+      BigInteger number = value(constant.expression, constant.scope);
+      return number.bitLength() < Long.SIZE
+          ? Optional.of(number.longValueExact())
+          : Optional.empty();
+    } catch (NoNumberException e) {
+      String text = constant.expression.getText();
+      if (text.length() >= 2 && text.startsWith("\"") && text.endsWith("\"")) {
+        return Optional.of(text.substring(1, text.length() - 1));
+      }
+      if (text.equals("TRUE") || text.equals("FALSE")) {
+        return Optional.of(text.equals("TRUE"));
+      }
+      return REAL.matcher(text).matches()
+          ? Optional.of(Double.valueOf(text.replaceFirst("[dDfF]$", "")))
+          : Optional.empty();
+    }
   }
 
   private BigInteger named(

@@ -80,6 +80,7 @@ public final class IdlImporter implements Importer {
         }
       }
       types.declaredIn(files::isRequested).forEach(findings::type);
+      constants.values().forEach(findings::constant);
     }
 
     private void declare(String path) {

@@ -3,7 +3,11 @@ package org.sitaf.core.description.ros;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
+import java.util.TreeMap;
+import java.util.function.BiConsumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.sitaf.core.description.source.Findings;
@@ -11,15 +15,17 @@ import org.sitaf.core.description.source.Place;
 
 /**
  * A {@code .msg}, {@code .srv} or {@code .action} file with its one, two or three sections of
- * fields. Constants are checked but not kept, since they are not part of a message.
+ * fields, and its constants.
  */
-record RosFile(RosName name, String path, List<List<Field>> sections) {
+record RosFile(
+    RosName name, String path, List<List<Field>> sections, Map<String, Object> constants) {
   private static final Pattern CONSTANT = Pattern.compile("([A-Za-z]\\w*)\\s*=\\s*(.*)");
   private static final Pattern FIELD = Pattern.compile("(\\S+)(?:\\s+(.*))?");
   private static final int MAX_FIELDS = 5_000;
 
   RosFile {
     sections = sections.stream().map(List::copyOf).toList();
+    constants = Map.copyOf(constants);
   }
 
   /**
@@ -35,6 +41,7 @@ record RosFile(RosName name, String path, List<List<Field>> sections) {
     List<Field> section = new ArrayList<>();
     sections.add(section);
     Set<String> names = new HashSet<>();
+    Map<String, Object> constants = new TreeMap<>();
     int number = 0;
     int fields = 0;
     for (String line : (Iterable<String>) text.lines()::iterator) {
@@ -45,7 +52,14 @@ record RosFile(RosName name, String path, List<List<Field>> sections) {
         sections.add(section);
         names.clear();
       } else if (!content.isEmpty()) {
-        Field field = field(content, new Place(path, number, ""), names, findings);
+        String owner = name.section(sections.size() - 1);
+        Field field =
+            field(
+                content,
+                new Place(path, number, ""),
+                names,
+                (constant, value) -> constants.put(owner + "." + constant, value),
+                findings);
         if (field != null) {
           section.add(field);
           fields++;
@@ -71,11 +85,15 @@ record RosFile(RosName name, String path, List<List<Field>> sections) {
         sections.add(List.of());
       }
     }
-    return new RosFile(name, path, sections.subList(0, expected));
+    return new RosFile(name, path, sections.subList(0, expected), constants);
   }
 
   private static @org.jspecify.annotations.Nullable Field field(
-      String content, Place place, Set<String> names, Findings findings) {
+      String content,
+      Place place,
+      Set<String> names,
+      BiConsumer<String, Object> constants,
+      Findings findings) {
     String[] parts = content.split("\\s+", 2);
     String rest = parts.length < 2 ? "" : parts[1].strip();
     if (rest.isEmpty()) {
@@ -98,8 +116,24 @@ record RosFile(RosName name, String path, List<List<Field>> sections) {
     }
     if (constant.group(2).isEmpty()) {
       findings.error(at, "has no value");
+    } else {
+      value(parts[0], constant.group(2).strip()).ifPresent(v -> constants.accept(name, v));
     }
     return null;
+  }
+
+  /** The value of a constant; empty if it is not one of its type. */
+  private static Optional<Object> value(String type, String text) {
+    try {
+      return switch (type.replaceFirst("<=.*", "")) {
+        case "bool" -> Optional.of(text.equalsIgnoreCase("true") || text.equals("1"));
+        case "float32", "float64" -> Optional.of(Double.valueOf(text));
+        case "string", "wstring" -> Optional.of(text.replaceFirst("^([\"'])(.*)\\1$", "$2"));
+        default -> Optional.of(Long.decode(text));
+      };
+    } catch (NumberFormatException e) {
+      return Optional.empty();
+    }
   }
 
   /** A '#' in quotes does not begin a comment. */

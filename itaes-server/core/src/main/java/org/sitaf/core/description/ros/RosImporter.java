@@ -80,6 +80,7 @@ public final class RosImporter implements Importer {
     }
 
     private void declareMessage(RosFile file) {
+      file.constants().forEach(findings::constant);
       if (file.name().kind() == Kind.MSG) {
         types.declare(file);
       }

@@ -1,6 +1,7 @@
 package org.sitaf.core.description.ros;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 
@@ -19,16 +20,16 @@ record RosName(String packageName, Kind kind, String name) {
 
   /** The kind of a file. Folder and file extension have the same name. */
   enum Kind {
-    MSG("msg", 1),
-    SRV("srv", 2),
-    ACTION("action", 3);
+    MSG("msg", ""),
+    SRV("srv", "_Request", "_Response"),
+    ACTION("action", "_Goal", "_Result", "_Feedback");
 
     private final String folder;
-    private final int sections;
+    private final List<String> sections;
 
-    Kind(String folder, int sections) {
+    Kind(String folder, String... sections) {
       this.folder = folder;
-      this.sections = sections;
+      this.sections = List.of(sections);
     }
 
     String folder() {
@@ -36,7 +37,7 @@ record RosName(String packageName, Kind kind, String name) {
     }
 
     int sections() {
-      return sections;
+      return sections.size();
     }
 
     static Optional<Kind> of(String path) {
@@ -47,6 +48,15 @@ record RosName(String packageName, Kind kind, String name) {
   /** {@code geometry_msgs/Pose}, or only {@code Pose} if the package is unknown. */
   String qualified() {
     return packageName.isEmpty() ? name : packageName + "/" + name;
+  }
+
+  /**
+   * The name of the message of a section, without the package, such as {@code Spin_Result}.
+   *
+   * @param index from 0; a section that the kind does not have is named as the file
+   */
+  String section(int index) {
+    return index < kind.sections.size() ? name + kind.sections.get(index) : name;
   }
 
   /** The name of a derived type, such as {@code turtlesim/Spawn_Response}. */

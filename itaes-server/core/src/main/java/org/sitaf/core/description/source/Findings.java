@@ -3,7 +3,9 @@ package org.sitaf.core.description.source;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.regex.Pattern;
 import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.InterfaceDescription;
@@ -21,6 +23,7 @@ public final class Findings {
   private final List<InterfaceDescription> provided = new ArrayList<>();
   private final List<InterfaceDescription> required = new ArrayList<>();
   private final List<DataType> types = new ArrayList<>();
+  private final Map<String, Object> constants = new TreeMap<>();
   private final Diagnostics diagnostics = new Diagnostics();
 
   /** Adds a component. */
@@ -41,6 +44,16 @@ public final class Findings {
   /** Adds a declared struct or enumeration. */
   public void type(DataType type) {
     types.add(type);
+  }
+
+  /**
+   * Adds a declared constant. The first of several declarations is used.
+   *
+   * @param name with dots, such as {@code Spin_Result.TIMEOUT}
+   * @param value Long, Double, Boolean or String
+   */
+  public void constant(String name, Object value) {
+    constants.putIfAbsent(name, value);
   }
 
   /** Reports an error. */
@@ -123,6 +136,11 @@ public final class Findings {
 
   /** What was found until now. */
   public ImportResult result() {
-    return new ImportResult(components, provided, required, types, diagnostics.all());
+    return new ImportResult(
+        components,
+        provided.stream().map(i -> i.withConstants(constants)).toList(),
+        required.stream().map(i -> i.withConstants(constants)).toList(),
+        types,
+        diagnostics.all());
   }
 }

@@ -1,22 +1,35 @@
 package org.sitaf.core.model.document;
 
+import static org.sitaf.core.model.document.Problems.text;
+
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
+import java.util.regex.Pattern;
 import org.sitaf.core.document.ElementLines;
 import org.sitaf.core.model.Condition;
+import org.sitaf.core.model.Definition;
 import org.sitaf.schemas.ConditionType;
+import org.sitaf.schemas.DefineType;
 
-/** Reads pre-conditions and post-conditions. */
+/** Reads definitions, pre-conditions and post-conditions. */
 final class ConditionReader {
   static final String PRE_CONDITION = "pre_condition";
   static final String POST_CONDITION = "post_condition";
 
+  static final String DEFINE = "define";
+
+  private static final Pattern NAME = Pattern.compile("[A-Za-z_][A-Za-z0-9_]{0,99}");
+
+  private final Problems problems;
   private final ElementLines lines;
 
   /**
    * @param lines of conditions
    */
-  ConditionReader(ElementLines lines) {
+  ConditionReader(Problems problems, ElementLines lines) {
+    this.problems = problems;
     this.lines = lines;
   }
 
@@ -30,7 +43,34 @@ final class ConditionReader {
     for (int i = 0; i < conditions.size(); i++) {
       String expression = conditions.get(i).getValue();
       if (expression != null && !expression.isBlank()) {
-        found.add(new Condition(expression.strip(), lines.of(element, i)));
+        String name = text(conditions.get(i).getName());
+        int line = lines.of(element, i);
+        if (!name.isEmpty() && element.equals(PRE_CONDITION)) {
+          problems.error(line, element, "a name has no effect here, only on a post_condition");
+        }
+        found.add(new Condition(name, expression.strip(), line));
+      }
+    }
+    return found;
+  }
+
+  /** Reads the definitions. A name that is missing, invalid or used twice is reported. */
+  List<Definition> definitions(List<DefineType> definitions) {
+    List<Definition> found = new ArrayList<>();
+    Set<String> names = new HashSet<>();
+    for (int i = 0; i < definitions.size(); i++) {
+      String name = text(definitions.get(i).getName());
+      String expression = text(definitions.get(i).getValue());
+      int line = lines.of(DEFINE, i);
+      String where = "define " + name;
+      if (!NAME.matcher(name).matches()) {
+        problems.error(line, where, "needs a name of letters, digits and '_', not '" + name + "'");
+      } else if (!names.add(name)) {
+        problems.error(line, where, "another definition has this name");
+      } else if (expression.isEmpty()) {
+        problems.error(line, where, "has no expression");
+      } else {
+        found.add(new Definition(name, expression, line));
       }
     }
     return found;

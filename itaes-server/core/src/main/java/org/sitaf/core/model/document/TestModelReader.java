@@ -7,6 +7,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.diagnostic.Diagnostics;
@@ -33,7 +34,7 @@ final class TestModelReader {
    */
   TestModelReader(String file, Diagnostics diagnostics, ElementLines lines) {
     this.problems = new Problems(file, diagnostics);
-    this.conditions = new ConditionReader(lines);
+    this.conditions = new ConditionReader(problems, lines);
   }
 
   TestModel read(TestModelDocument root) {
@@ -72,6 +73,10 @@ final class TestModelReader {
         name,
         text(root.getDescription()),
         target(root.getTarget(), name),
+        root.getDefinitionList() == null
+            ? List.of()
+            : conditions.definitions(root.getDefinitionList().getDefine()),
+        Map.of(),
         conditions.read(
             ConditionReader.PRE_CONDITION,
             root.getPreConditionSpecList() == null

@@ -24,7 +24,8 @@ public final class TestModelXml {
   public static TestModel read(InputStream document, String file) {
     Diagnostics diagnostics = new Diagnostics();
     ElementLines lines =
-        new ElementLines(ConditionReader.PRE_CONDITION, ConditionReader.POST_CONDITION);
+        new ElementLines(
+            ConditionReader.PRE_CONDITION, ConditionReader.POST_CONDITION, ConditionReader.DEFINE);
     TestModelDocument root =
         XmlDocuments.readStrictly(
             document, file, ROOT, TestModelDocument.class, diagnostics, lines, NAMES);

@@ -179,6 +179,7 @@ public final class TestResultXml {
           given.getError(),
           given.getDont(),
           given.getUnjudged() == null ? 0 : given.getUnjudged(),
+          given.getByError() == null ? 0 : given.getByError(),
           timed
               ? new Summary.Times(
                   orZero(time.getMin()),
@@ -251,6 +252,7 @@ public final class TestResultXml {
     written.setError(summary.error());
     written.setDont(summary.dont());
     written.setUnjudged(summary.unjudged());
+    written.setByError(summary.byError());
     SummaryType.ProcessingTime time = new SummaryType.ProcessingTime();
     time.setUnit(MICROSECONDS);
     if (summary.times() != null) {

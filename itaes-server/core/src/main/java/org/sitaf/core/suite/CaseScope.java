@@ -1,0 +1,70 @@
+package org.sitaf.core.suite;
+
+import java.util.Collection;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import org.sitaf.core.description.DataType;
+import org.sitaf.core.description.MemberPath;
+import org.sitaf.core.expression.Scope;
+import org.sitaf.core.expression.VariableTypes;
+import org.sitaf.core.expression.Variables;
+import org.sitaf.core.expression.type.Type;
+import org.sitaf.core.model.InputElement;
+import org.sitaf.core.model.InputKind;
+import org.sitaf.core.model.OutputElement;
+import org.sitaf.core.model.TestModel;
+
+/** The names that the expressions of a model can use. */
+public final class CaseScope {
+  private CaseScope() {}
+
+  /** Pre-conditions and expected values: the inputs and whether they are valid. */
+  public static Scope beforeCall(TestModel model) {
+    return scope(model, inputs(model));
+  }
+
+  /** Post-conditions: also the outputs, the error and the calls of required interfaces. */
+  public static Scope afterCall(TestModel model) {
+    Map<String, Type> variables = new LinkedHashMap<>();
+    VariableTypes outputs = new VariableTypes();
+    for (OutputElement output : model.outputs()) {
+      Type type = Type.of(output.type());
+      outputs.put("actual_" + output.name(), type);
+      if (MemberPath.root(output.name()).equals(OutputElement.RETURN_NAME)) {
+        outputs.put("actual" + output.name().substring(OutputElement.RETURN_NAME.length()), type);
+      }
+    }
+    variables.put("actual", Type.ANY);
+    variables.putAll(outputs.map());
+    variables.put(Variables.ERROR, Type.TEXT);
+    // An input named error hides the error.
+    variables.putAll(inputs(model));
+    variables.put(Variables.CALLS, new Type.Mapping(new Type.Sequence(Type.ANY)));
+    return scope(model, variables);
+  }
+
+  /** A copy in which nothing is known about some names. */
+  static Scope open(Scope scope, Collection<String> names) {
+    Map<String, DataType> unknown = new LinkedHashMap<>();
+    names.forEach(name -> unknown.put(name, new DataType.Unknown("")));
+    return scope.with(unknown);
+  }
+
+  private static Scope scope(TestModel model, Map<String, Type> variables) {
+    return new Scope(variables, model.definitions(), model.constants());
+  }
+
+  private static Map<String, Type> inputs(TestModel model) {
+    VariableTypes validity = new VariableTypes();
+    VariableTypes inputs = new VariableTypes();
+    for (InputElement input : model.inputs()) {
+      validity.put(Variables.VALID_PREFIX + input.name(), Type.BOOLEAN);
+      // A stub may also answer with an error or a delay.
+      inputs.put(input.name(), input.kind() == InputKind.TDTS ? Type.ANY : Type.of(input.type()));
+    }
+    Map<String, Type> variables = new LinkedHashMap<>(validity.map());
+    variables.put(Variables.VALID, Type.BOOLEAN);
+    variables.putAll(inputs.map());
+    return variables;
+  }
+}

@@ -1,0 +1,63 @@
+package org.sitaf.core.suite;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.expression.Variables;
+import org.sitaf.core.model.InputElement;
+import org.sitaf.core.model.TestModel;
+import org.sitaf.core.model.TestSpec;
+import org.sitaf.core.value.TestDataGenerator;
+import org.sitaf.core.value.TestValue;
+
+/**
+ * Which values of a case are valid. A suite says so only of whole cases; the values of the model
+ * say the rest.
+ */
+public final class InputValidity {
+  private final TestModel model;
+  private final long seed;
+  private @Nullable List<Set<String>> validLiterals;
+
+  /**
+   * @param seed seed of the suite
+   */
+  public InputValidity(TestModel model, long seed) {
+    this.model = model;
+    this.seed = seed;
+  }
+
+  /** Adds {@code valid} and the validity of each input of a case. */
+  public void put(Variables variables, TestCase testCase) {
+    variables.put(Variables.VALID, testCase.valid());
+    for (int i = 0; i < model.inputs().size(); i++) {
+      InputElement input = model.inputs().get(i);
+      variables.putValidity(
+          input.name(),
+          testCase.valid() || isRelated(input) || isValid(i, testCase.values().get(i)));
+    }
+  }
+
+  /** A related value is always valid. */
+  private static boolean isRelated(InputElement input) {
+    return input.specs().stream().anyMatch(TestSpec.Related.class::isInstance);
+  }
+
+  /** A value that the model does not generate counts as invalid, as when cases are combined. */
+  private synchronized boolean isValid(int input, String literal) {
+    if (validLiterals == null) {
+      List<Set<String>> all = new ArrayList<>();
+      for (InputElement each : model.inputs()) {
+        all.add(
+            TestDataGenerator.generate(each, seed).values().stream()
+                .filter(TestValue::valid)
+                .map(v -> v.value().literal())
+                .collect(Collectors.toSet()));
+      }
+      validLiterals = all;
+    }
+    return validLiterals.get(input).contains(literal);
+  }
+}
