@@ -25,6 +25,7 @@ def verdicts(run):
         "joint-pid",
         "touchless-approach",
         "joint-settling",
+        "heading",
     ],
 )
 def test_an_example_passes(sitaf, example):
@@ -127,3 +128,14 @@ def test_the_outputs_of_a_reference_are_the_expected_values(sitaf, tmp_path):
     run = sitaf("run", faulty)
     assert run.returncode == 2
     assert "reference: " in run.stderr, run.stderr
+
+
+def test_a_turn_in_one_direction_only_breaks_a_named_post_condition(sitaf):
+    run = sitaf("run", "examples/heading-faulty")
+    assert run.returncode == 1, run.stdout + run.stderr
+    cases, passed = verdicts(run)
+    assert 0 < passed < cases
+    assert re.search(r"post-condition violated: turns at most half way: .*\d <= 3\.14159", run.stdout)
+    assert "arrives at the heading" not in run.stdout
+    assert re.search(r", \d+ by an error", run.stdout)
+    assert "0 ERROR" in run.stdout
