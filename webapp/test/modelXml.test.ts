@@ -13,6 +13,9 @@ const COMPLETE = `<?xml version="1.0" encoding="UTF-8"?>
   <name>Move</name>
   <description>Moves &amp; turns</description>
   <target interface="Drive" method="Move" signature="double,int" settle="0.5" run_for="2"/>
+  <definition_list>
+    <define name="fast">speed &gt; 2.0</define>
+  </definition_list>
   <pre_condition_spec_list>
     <pre_condition>speed &lt; 3.0 &amp;&amp; mode != 1</pre_condition>
   </pre_condition_spec_list>
@@ -93,7 +96,7 @@ const COMPLETE = `<?xml version="1.0" encoding="UTF-8"?>
       <name>return</name>
       <type>RETURN</type>
       <description>the distance</description>
-      <expected>valid ? speed * 2.0 : -1.0</expected>
+      <expected or_error="Stalled Timeout">valid ? speed * 2.0 : -1.0</expected>
       <tolerance absolute="1e-9" relative="0.01" ulp="4"/>
     </test_element>
     <test_element abstract_type="NUMERIC" real_type="double">
@@ -103,7 +106,7 @@ const COMPLETE = `<?xml version="1.0" encoding="UTF-8"?>
     </test_element>
   </output_spec_list>
   <post_condition_spec_list>
-    <post_condition>actual &gt;= 0.0</post_condition>
+    <post_condition name="moves on">actual &gt;= 0.0</post_condition>
   </post_condition_spec_list>
   <trajectory_condition_spec_list>
     <trajectory_condition name="stops" from="settle">eventually[0, 2](always(speed &lt; 0.1 &amp;&amp; t &gt;= 0.0))</trajectory_condition>

@@ -100,7 +100,7 @@ export function build(id: string, changes: Partial<Build> = {}): Build {
 
 /** A finished build with the verdicts of its cases. */
 export function doneBuild(id: string, cases: readonly ResultCase[]): Build {
-  const { total, pass, fail, error, dont, unjudged } = result(cases).summary;
+  const { total, pass, fail, error, dont, unjudged, byError } = result(cases).summary;
   return build(id, {
     state: 'DONE',
     agent: 'bench-1',
@@ -108,7 +108,7 @@ export function doneBuild(id: string, cases: readonly ResultCase[]): Build {
     finished: '2026-03-01T10:00:04.200Z',
     casesTotal: total,
     casesDone: total - dont,
-    summary: { total, pass, fail, error, dont, unjudged },
+    summary: { total, pass, fail, error, dont, unjudged, byError },
   });
 }
 
@@ -149,6 +149,7 @@ export function result(cases: readonly ResultCase[]): Result {
       error: count('ERROR'),
       dont: count('DONT'),
       unjudged: 0,
+      byError: 0,
       processingTime: {
         unit: 'us',
         min: Math.min(...times),

@@ -209,6 +209,7 @@ function firstDraft(activity: Activity, description: Description): ModelDraft {
     name: 'Model',
     description: '',
     target: { interface: '', method: '', signature: '', settle: '', runFor: '' },
+    definitions: [],
     preConditions: [],
     inputs: [],
     outputs: [],

@@ -1,7 +1,8 @@
 import { Button, Group, NativeSelect, Stack, Table, Text, TextInput } from '@mantine/core';
 import type { ModelPreview } from '@/shared/api';
 import { Diagnostics, Formula, Loading, ScrollTable, Section, UserText } from '@/shared/ui';
-import type { ModelDraft, OutputDraft } from './draft';
+import type { ModelDraft, NamedText, OutputDraft } from './draft';
+import { FunctionReference } from './FunctionReference';
 import { TrajectoryConditions } from './TrajectoryConditions';
 
 interface OrderStepProps {
@@ -29,11 +30,17 @@ export function OrderStep({ draft, preview, counting, onChange }: OrderStepProps
       detail: `${kind} ${realType}`,
     })),
     { label: 'valid', detail: 'true in cases without an invalid value' },
+    ...draft.inputs.map(({ name }) => ({
+      label: `valid_${name}`,
+      detail: 'whether this value is valid',
+    })),
+    ...draft.definitions.map(({ name, text }) => ({ label: name, detail: text })),
   ];
   const outputWords = [
     ...words,
     { label: 'actual', detail: 'the return value' },
     ...draft.outputs.map(({ name }) => ({ label: `actual_${name}`, detail: 'output' })),
+    { label: 'error', detail: 'the name of the exception, or ""' },
     { label: 'calls', detail: "calls of the stub: calls['Interface.Method'].size()" },
   ];
   const otherProblems = (preview?.diagnostics ?? []).filter(
@@ -44,6 +51,17 @@ export function OrderStep({ draft, preview, counting, onChange }: OrderStepProps
       <Section title="Parameters">
         <ParameterTable draft={draft} preview={preview} />
       </Section>
+      <FunctionReference />
+      <Conditions
+        title="Definitions"
+        help="A definition names a part of several expressions."
+        words={outputWords}
+        named
+        texts={draft.definitions}
+        onChange={(definitions) => {
+          onChange({ ...draft, definitions });
+        }}
+      />
       <Section title="Expected values and tolerances">
         <Stack gap="sm">
           {draft.outputs.length === 0 && (
@@ -74,6 +92,7 @@ export function OrderStep({ draft, preview, counting, onChange }: OrderStepProps
         title="Post-conditions"
         help="Post-conditions are checked after each case."
         words={outputWords}
+        named
         texts={draft.postConditions}
         onChange={(postConditions) => {
           onChange({ ...draft, postConditions });
@@ -210,6 +229,16 @@ function Output({
           }}
         />
       </div>
+      <TextInput
+        label="Or errors"
+        aria-label={`Errors that pass as well as the value of ${output.name}`}
+        w={150}
+        placeholder="none"
+        value={output.orError}
+        onChange={(event) => {
+          onChange({ ...output, orError: event.currentTarget.value });
+        }}
+      />
       {TOLERANCES.map(({ name, label }) => (
         <TextInput
           key={name}
@@ -232,14 +261,16 @@ function Conditions({
   title,
   help,
   words,
+  named = false,
   texts,
   onChange,
 }: {
   title: string;
   help: string;
   words: Words;
-  texts: readonly string[];
-  onChange: (texts: string[]) => void;
+  named?: boolean;
+  texts: readonly NamedText[];
+  onChange: (texts: NamedText[]) => void;
 }) {
   return (
     <Section
@@ -249,7 +280,7 @@ function Conditions({
           size="xs"
           variant="default"
           onClick={() => {
-            onChange([...texts, '']);
+            onChange([...texts, { name: '', text: '' }]);
           }}
         >
           Add
@@ -257,15 +288,26 @@ function Conditions({
       }
     >
       {texts.length === 0 && <Text c="dimmed">None. {help}</Text>}
-      {texts.map((text, index) => (
+      {texts.map(({ name, text }, index) => (
         <Group key={index} align="end" wrap="nowrap">
+          {named && (
+            <TextInput
+              label="Name"
+              aria-label={`Name of ${title} ${index + 1}`}
+              w={170}
+              value={name}
+              onChange={(event) => {
+                onChange(texts.with(index, { name: event.currentTarget.value, text }));
+              }}
+            />
+          )}
           <div style={{ flex: 1 }}>
             <Formula
               label={`${title} ${index + 1}`}
               text={text}
               words={words}
               onChange={(changed) => {
-                onChange(texts.with(index, changed));
+                onChange(texts.with(index, { name, text: changed }));
               }}
             />
           </div>

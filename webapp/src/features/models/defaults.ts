@@ -173,6 +173,7 @@ export function draftFor(
       settle: '',
       runFor: '',
     },
+    definitions: [],
     preConditions: [],
     inputs: argumentsOf(method).map(({ input }) => input),
     outputs: outputsOf(method),
@@ -194,6 +195,7 @@ export function outputsOf(method: Method): OutputDraft[] {
     realType: type.spelling,
     description: '',
     expected: '',
+    orError: '',
     tolerance: FLOATING.test(type.spelling) ? { absolute: '1e-9' } : {},
   });
   return [

@@ -9,10 +9,12 @@ export interface ModelDraft {
     settle: string;
     runFor: string;
   };
-  preConditions: string[];
+  /** Named sub-expressions. */
+  definitions: NamedText[];
+  preConditions: NamedText[];
   inputs: InputDraft[];
   outputs: OutputDraft[];
-  postConditions: string[];
+  postConditions: NamedText[];
   trajectoryConditions: TrajectoryDraft[];
   invalidValues: 'isolate' | 'combine';
   order: string;
@@ -29,6 +31,12 @@ export interface TrajectoryDraft {
   name: string;
   from: string;
   formula: string;
+}
+
+/** An expression with its name; pre-conditions have none. */
+export interface NamedText {
+  name: string;
+  text: string;
 }
 
 export type InputKind = 'TDI' | 'TDSD' | 'TDTS';
@@ -89,6 +97,8 @@ export interface OutputDraft {
   realType: string;
   description: string;
   expected: string;
+  /** Names of exceptions that pass as well, separated by blanks. */
+  orError: string;
   /** Attributes of the element `tolerance`, by name. */
   tolerance: Record<string, string>;
 }

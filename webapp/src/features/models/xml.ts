@@ -3,6 +3,7 @@ import type {
   InputDraft,
   InputKind,
   ModelDraft,
+  NamedText,
   OutputDraft,
   SpecDraft,
 } from './draft';
@@ -41,10 +42,11 @@ export function readModel(xml: string): ModelDraft {
       settle: target?.getAttribute('settle') ?? '',
       runFor: target?.getAttribute('run_for') ?? '',
     },
-    preConditions: textsOf(child(root, 'pre_condition_spec_list'), 'pre_condition'),
+    definitions: namedOf(child(root, 'definition_list'), 'define'),
+    preConditions: namedOf(child(root, 'pre_condition_spec_list'), 'pre_condition'),
     inputs: children(child(root, 'input_spec_list'), 'test_element').map(readInput),
     outputs: children(child(root, 'output_spec_list'), 'test_element').map(readOutput),
-    postConditions: textsOf(child(root, 'post_condition_spec_list'), 'post_condition'),
+    postConditions: namedOf(child(root, 'post_condition_spec_list'), 'post_condition'),
     trajectoryConditions: children(
       child(root, 'trajectory_condition_spec_list'),
       'trajectory_condition',
@@ -128,6 +130,7 @@ function readOutput(element: Element): OutputDraft {
     realType: element.getAttribute('real_type') ?? '',
     description: textOf(element, 'description'),
     expected: textOf(element, 'expected'),
+    orError: child(element, 'expected')?.getAttribute('or_error') ?? '',
     tolerance: attributesOf(tolerance),
   };
 }
@@ -147,6 +150,7 @@ export function writeModel(draft: ModelDraft): string {
       settle: target.settle,
       run_for: target.runFor,
     })}/>`,
+    ...list('definition_list', 'define', draft.definitions),
     ...list('pre_condition_spec_list', 'pre_condition', draft.preConditions),
     '  <input_spec_list>',
     ...draft.inputs.flatMap(writeInput),
@@ -231,7 +235,11 @@ function writeOutput(output: OutputDraft): string[] {
     ...(output.description
       ? [`      <description>${escape(output.description)}</description>`]
       : []),
-    ...(output.expected ? [`      <expected>${escape(output.expected)}</expected>`] : []),
+    ...(output.expected
+      ? [
+          `      <expected${attributes({ or_error: output.orError })}>${escape(output.expected)}</expected>`,
+        ]
+      : []),
     ...(attributes(output.tolerance) === ''
       ? []
       : [`      <tolerance${attributes(output.tolerance)}/>`]),
@@ -239,12 +247,15 @@ function writeOutput(output: OutputDraft): string[] {
   ];
 }
 
-function list(name: string, item: string, texts: readonly string[]): string[] {
-  const given = texts.filter((text) => text.trim() !== '');
+function list(name: string, item: string, texts: readonly NamedText[]): string[] {
+  const given = texts.filter(({ text }) => text.trim() !== '');
   if (given.length === 0) return [];
   return [
     `  <${name}>`,
-    ...given.map((text) => `    <${item}>${escape(text)}</${item}>`),
+    ...given.map(
+      ({ name: own, text }) =>
+        `    <${item}${attributes({ name: own })}>${escape(text)}</${item}>`,
+    ),
     `  </${name}>`,
   ];
 }
@@ -280,6 +291,13 @@ function children(parent: Element | null | undefined, name: string): Element[] {
 
 function textOf(parent: Element, name: string): string {
   return child(parent, name)?.textContent.trim() ?? '';
+}
+
+function namedOf(parent: Element | undefined, name: string): NamedText[] {
+  return children(parent, name).map((element) => ({
+    name: element.getAttribute('name') ?? '',
+    text: element.textContent,
+  }));
 }
 
 function textsOf(parent: Element | undefined, name: string): string[] {

@@ -32,6 +32,11 @@ export function ResultSummary({ summary }: { summary: Summary }) {
           no post-condition.
         </Text>
       )}
+      {summary.byError > 0 && (
+        <Text size="sm" c="dimmed">
+          {plural(summary.byError, 'case')} passed by an exception, which says nothing about values.
+        </Text>
+      )}
     </Stack>
   );
 }
