@@ -1,8 +1,6 @@
 package org.sitaf.agent.build;
 
-import java.io.BufferedOutputStream;
 import java.io.IOException;
-import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -11,7 +9,6 @@ import java.time.temporal.ChronoUnit;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.TreeMap;
 import java.util.concurrent.CancellationException;
 import java.util.function.Consumer;
 import java.util.function.Function;
@@ -20,13 +17,8 @@ import org.sitaf.agent.compiler.TestApplicationCompiler;
 import org.sitaf.agent.executor.EarlyProcess;
 import org.sitaf.agent.executor.Execution;
 import org.sitaf.agent.executor.ExecutionRequest;
-import org.sitaf.agent.executor.ExecutionRequest.World;
 import org.sitaf.agent.executor.ParallelExecutor;
-import org.sitaf.agent.executor.SimulatorAddress;
 import org.sitaf.agent.executor.TestApplicationExecutor;
-import org.sitaf.agent.sandbox.Sandbox;
-import org.sitaf.agent.simulation.BuildSimulator;
-import org.sitaf.agent.simulation.WorldException;
 import org.sitaf.agent.spool.FreeSpace;
 import org.sitaf.agent.toolchain.Compilation;
 import org.sitaf.agent.toolchain.CompilationException;
@@ -41,7 +33,6 @@ import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.harness.TestApplication;
 import org.sitaf.core.suite.TestSuite;
-import org.sitaf.core.suite.document.TestSuiteXml;
 import org.sitaf.core.verdict.CaseRecord;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.Provenance;
@@ -141,7 +132,7 @@ public final class BuildRun {
       TestSuite suite = suite(log);
 
       listener.stage(BuildStage.PREPARING);
-      try (Prepared prepared = prepare(log)) {
+      try (Preparation.Prepared prepared = preparation().run(log)) {
         return compileAndRun(prepared, suite, started, log);
       }
     } catch (CompilationException e) {
@@ -177,7 +168,7 @@ public final class BuildRun {
   }
 
   private BuildOutcome compileAndRun(
-      Prepared prepared, TestSuite suite, Instant started, BuildLog log)
+      Preparation.Prepared prepared, TestSuite suite, Instant started, BuildLog log)
       throws CompilationException, IOException, InterruptedException {
     listener.stage(BuildStage.COMPILING);
     Toolchain toolchain = toolchain(application.activity().profile().harness());
@@ -227,92 +218,11 @@ public final class BuildRun {
   }
 
   /**
-   * Result of the preparation.
-   *
-   * @param simulator closed with the build; null if the activity has no world
-   * @param bridge version of the simulator; empty if the activity has no world
-   * @param signals of the cases, for trajectory conditions
-   */
-  private record Prepared(
-      @Nullable World world, @Nullable BuildSimulator simulator, String bridge, CaseSignals signals)
-      implements AutoCloseable {
-    @Override
-    public void close() {
-      if (simulator != null) {
-        simulator.close();
-      }
-    }
-  }
-
-  /**
-   * Writes the application's files and lets the simulator check the world before anything is
-   * compiled.
-   */
-  private Prepared prepare(BuildLog log)
-      throws IOException, InterruptedException, CompilationException {
-    FileTree files = application.files();
-    for (String path : files.paths()) {
-      Path file = applicationDirectory().resolve(path);
-      Files.createDirectories(file.getParent());
-      Files.write(file, files.content(path).orElseThrow());
-    }
-    // The agent compares; a component that can read the expected values could return them.
-    try (OutputStream suite = new BufferedOutputStream(Files.newOutputStream(suiteFile()))) {
-      TestSuiteXml.write(application.suite().withoutExpected(), suite);
-    }
-    String world = application.activity().profile().world();
-    CaseSignals signals = new CaseSignals(application, settings.signals(), listener);
-    if (world == null) {
-      return new Prepared(null, null, "", signals);
-    }
-    int slash = world.lastIndexOf('/');
-    FileTree folder = application.activity().files().below(world.substring(0, slash + 1));
-    Map<String, byte[]> worldFiles = new TreeMap<>();
-    folder.paths().forEach(path -> worldFiles.put(path, folder.content(path).orElseThrow()));
-    BuildSimulator simulator = settings.simulator().forBuild();
-    boolean prepared = false;
-    try {
-      String version = simulator.version();
-      long stepNanos = simulator.check(world.substring(slash + 1), worldFiles);
-      signals.begin(simulator, stepNanos);
-      log.remark("world " + world + " on " + version);
-      log.remark(simulator.description());
-      requireReachable(simulator.target(), log);
-      Path description = applicationDirectory().resolve("activity").resolve(world);
-      prepared = true;
-      return new Prepared(new World(description, simulator::open), simulator, version, signals);
-    } catch (WorldException e) {
-      String message = String.valueOf(e.getMessage());
-      throw new CompilationException(
-          "the simulator rejects the world: " + message,
-          List.of(SourceDiagnostic.ofFile("activity/" + world, message)));
-    } finally {
-      if (!prepared) {
-        simulator.close();
-      }
-    }
-  }
-
-  /** Access to a simulator over TCP requires network access for the component. */
-  private void requireReachable(String target, BuildLog log) throws IOException {
-    Sandbox sandbox = settings.sandbox();
-    if (new SimulatorAddress(target).socket().isPresent() || sandbox.kind().equals(Sandbox.NONE)) {
-      return;
-    }
-    String why =
-        "the simulator is at " + target + "; with unix:PATH the component needs no network";
-    if (sandbox.isRequired()) {
-      throw new IOException("--sandbox=required: " + why);
-    }
-    log.remark("the component has network access: " + why);
-  }
-
-  /**
    * Starts the first process during the compilation if the toolchain supports it; null otherwise,
    * and if the cases run in several processes.
    */
   private @Nullable EarlyProcess startEarly(
-      Toolchain toolchain, Compilation compilation, Prepared prepared, BuildLog log)
+      Toolchain toolchain, Compilation compilation, Preparation.Prepared prepared, BuildLog log)
       throws CompilationException, IOException, InterruptedException {
     if (application.suite().cases().isEmpty() || !executor().isInSequence(application.suite())) {
       return null;
@@ -326,11 +236,11 @@ public final class BuildRun {
         TestApplicationExecutor.DEFAULT.within(limit().cases()), sessions());
   }
 
-  private Path suiteFile() {
-    return applicationDirectory().resolve("suite.xml");
+  private Preparation preparation() {
+    return new Preparation(application, applicationDirectory(), settings, listener);
   }
 
-  private ExecutionRequest request(CompiledApplication compiled, Prepared prepared)
+  private ExecutionRequest request(CompiledApplication compiled, Preparation.Prepared prepared)
       throws IOException {
     Path execution = Files.createDirectories(directory.resolve(WRITTEN));
     return new ExecutionRequest(
@@ -338,7 +248,7 @@ public final class BuildRun {
         settings.sandbox(),
         applicationDirectory(),
         application.suite(),
-        suiteFile(),
+        preparation().suiteFile(),
         execution,
         execution.resolve("coverage"),
         settings.recordings() == null || prepared.world() == null
