@@ -1,36 +1,32 @@
 """The simulation of a world: advances time and applies parameters."""
 
 import copy
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 
 import mujoco
 import numpy as np
 
 from sitaf_bridge.errors import Cancelled, Diverged, InvalidRequest, UnreachableValue, WrongState
 from sitaf_bridge.world.additions import SpawnedEntity
-from sitaf_bridge.world.devices import Command, Reading
+from sitaf_bridge.world.devices import Command
 from sitaf_bridge.world.devices.camera import CameraBank, Image
 from sitaf_bridge.world.driving import entities
 from sitaf_bridge.world.driving.checking import check_names, check_step_count, check_values, steps_in
 from sitaf_bridge.world.driving.commanding import give
 from sitaf_bridge.world.driving.conditions import Condition, bind_condition
-from sitaf_bridge.world.driving.divergence import Divergence
 from sitaf_bridge.world.driving.entities import Motion
 from sitaf_bridge.world.driving.motion import MotionRecording
+from sitaf_bridge.world.driving.running_world import RunningWorld
 from sitaf_bridge.world.driving.saved_state import InitialState, SavedState, digest_of
 from sitaf_bridge.world.driving.signals import SignalRecording, Trace
-from sitaf_bridge.world.parameters.settings import INTEGRATION, Setting
+from sitaf_bridge.world.parameters.settings import INTEGRATION
 from sitaf_bridge.world.scene.drawing import draw
 from sitaf_bridge.world.sensing.faults import Fault
-from sitaf_bridge.world.sensing.sensing import Sensing
 from sitaf_bridge.world.state import ResetScope, WorldState
 from sitaf_bridge.world.world import World, load_world
 
-# Steps between checks whether the caller is still connected.
-CHUNK = 2_000
 
-
-class Simulation:
+class Simulation(RunningWorld):
     """A running world. Not thread-safe: using one MjData in two threads crashes the process.
 
     `seed` initializes all random numbers. A method that raises an error other than Diverged has changed nothing.
@@ -40,12 +36,7 @@ class Simulation:
         self._pristine = world
         self._defaults = {name: p.default for name, p in world.description.parameters.items()}
         self._values: dict[str, float] = {}
-        self._step = 0
-        self._frozen: str | None = None
-        self._motion: MotionRecording | None = None
-        self._signals: SignalRecording | None = None
-        self._sensing = Sensing(world, seed)
-        self._enter(world)
+        super().__init__(world, seed)
         self._restore_initial(self._defaults)
         self._state = self._observe()
         self._begun = InitialState(copy.copy(self._data), self._state, self._settings())
@@ -60,11 +51,6 @@ class Simulation:
     def model_identity(self) -> int:
         """Equal for simulations that share a compiled model."""
         return id(self._model)
-
-    @property
-    def time_ns(self) -> int:
-        """Simulation time."""
-        return self._step * self.world.timestep_ns
 
     def parameters(self, names: Iterable[str] = ()) -> dict[str, float]:
         """The current values of the named parameters, or of all. Raises InvalidRequest."""
@@ -272,20 +258,6 @@ class Simulation:
         if self._frozen is not None:
             raise Diverged(self._frozen)
 
-    def _enter(self, world: World) -> None:
-        """Switch to a world and create its model and data."""
-        self.world = world
-        # A copy costs 0.2 ms for a small model; if no parameter edits the model, all sessions share one.
-        self._model = copy.copy(world.model) if world.edits_model else world.model
-        self._data = mujoco.MjData(self._model)
-        self._divergence = Divergence(self._data)
-        self._state_size = mujoco.mj_stateSize(self._model, INTEGRATION)
-        self._sensing.world = world
-        # Settings that are not part of the data's state.
-        self._model_settings: list[Setting] = [
-            b.setting for binds in world.binds.values() for b in binds if b.setting.edits_model
-        ]
-
     def _move_to(self, world: World) -> None:
         """Switch to a world with other entities; bodies keep their state by name."""
         old_model, old_data, values = self._model, self._data, self._values
@@ -348,9 +320,6 @@ class Simulation:
             self._motion.record(self.world, self._data, self._state)
         return self._state
 
-    def _settings(self) -> tuple[float, ...]:
-        return tuple(setting.get(self._model, self._data) for setting in self._model_settings)
-
     def _restore_state(self) -> None:
         time = self._data.time
         mujoco.mj_resetData(self._model, self._data)
@@ -374,85 +343,3 @@ class Simulation:
                     except UnreachableValue as error:
                         raise UnreachableValue(f"parameter {name}: {values[name]:g}: {error}") from error
         self._values.update(values)
-
-    def _sample(self, readings: Sequence[Reading]) -> None:
-        if self._signals is not None:
-            self._signals.sample(self.world, self._model, self._data, self._step, readings)
-
-    def _run_sampled(self, signals: SignalRecording, steps: int, is_active: Callable[[], bool]) -> None:
-        """Advance time with a sample after each step."""
-        every = self._sensing.keeps_past(self._data)
-        if every or self._motion is not None or self._step == 0:
-            begin = self._observe()
-            if self._step == 0:
-                self._sample(begin.readings)
-        for count in range(steps):
-            if count % 500 == 0 and not is_active():
-                raise Cancelled("the caller disconnected; the step was undone")
-            mujoco.mj_step(self._model, self._data)
-            mujoco.mj_forward(self._model, self._data)
-            self._step += 1
-            if self._divergence.seen():
-                return
-            # Delayed devices need the readings of every step.
-            omitted = frozenset[str]() if every else signals.omitted_kinds
-            self._sample(self._read(omitted) if every or signals.reads_devices else ())
-            if self._motion is not None and self._motion.is_due(self._step):
-                self._observe()
-
-    def _run(self, steps: int, is_active: Callable[[], bool], settles: bool = False) -> None:
-        signals = self._signals
-        if signals is not None and steps > 0 and (signals.settling or not settles):
-            self._run_sampled(signals, steps, is_active)
-            return
-        left, motion = steps, self._motion
-        every = left > 0 and self._sensing.keeps_past(self._data)
-        # Devices that nobody reads during the run and that are not recorded, such as laser scans.
-        without = frozenset() if motion is None or every else motion.omitted_kinds
-        if left > 0 and (every or motion is not None):
-            self._observe(without)
-        while left > 0:
-            if not is_active():
-                raise Cancelled("the caller disconnected; the step was undone")
-            chunk = min(left, CHUNK, CHUNK if motion is None else motion.steps_to_next(self._step))
-            if every:
-                for _ in range(chunk):
-                    mujoco.mj_step(self._model, self._data)
-                    mujoco.mj_forward(self._model, self._data)
-                    self._step += 1
-                    self._read()
-            else:
-                mujoco.mj_step(self._model, self._data, chunk)
-                self._step += chunk
-            left -= chunk
-            if left > 0 and self._divergence.seen():
-                return
-            if left > 0 and motion is not None:
-                self._observe(without)
-
-    def _refresh(self) -> WorldState:
-        """Update derived quantities: after mj_step, sensor data lag by one substep."""
-        if self._divergence.seen():
-            self._frozen = self._divergence.message(self._step)
-            raise Diverged(self._frozen)
-        self._state = self._observe()
-        return self._state
-
-    def _observe(self, without: Collection[str] = ()) -> WorldState:
-        mujoco.mj_forward(self._model, self._data)
-        readings = self._read(without)
-        state = WorldState(
-            declared=self.world.description,
-            step=self._step,
-            time_ns=self.time_ns,
-            readings=readings,
-            observations={
-                name: o.measure(self._model, self._data, readings) for name, o in self.world.observations.items()
-            },
-        )
-        if self._motion is not None:
-            self._motion.record(self.world, self._data, state)
-        return state
-
-    def _read(self, without: Collection[str] = ()) -> tuple[Reading, ...]:
-        return self._sensing.read(self._model, self._data, self._step, without)
