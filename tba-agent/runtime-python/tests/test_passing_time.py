@@ -4,8 +4,8 @@ import threading
 
 import pytest
 
-from sitaf_runtime.nonblocking import NonblockingCall
 from sitaf_runtime.errors import SimulationError
+from sitaf_runtime.nonblocking import NonblockingCall
 from sitaf_runtime.simulation.passing_time import PassingTime
 from sitaf_runtime.stopwatch import Stopwatch
 

@@ -7,8 +7,8 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar
 
 from sitaf_runtime import component as components
-from sitaf_runtime.nonblocking import NonblockingCall
 from sitaf_runtime.hooks import Hooks
+from sitaf_runtime.nonblocking import NonblockingCall
 from sitaf_runtime.stopwatch import Stopwatch
 from sitaf_runtime.suite.result import CaseResult, Outcome
 from sitaf_runtime.suite.test_case import TestCase

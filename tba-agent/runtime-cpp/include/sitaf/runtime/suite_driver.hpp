@@ -3,8 +3,8 @@
 #include <memory>
 #include <utility>
 
-#include "sitaf/runtime/nonblocking_call.hpp"
 #include "sitaf/runtime/component.hpp"
+#include "sitaf/runtime/nonblocking_call.hpp"
 #include "sitaf/runtime/test_run.hpp"
 
 namespace sitaf::runtime {
