@@ -15,8 +15,7 @@ const GROUPS: readonly { title: string; functions: string; note: string }[] = [
   },
   {
     title: 'Angles',
-    functions:
-      'sin cos tan asin acos atan atan2 sinh cosh tanh wrap_angle angle_difference(a, b)',
+    functions: 'sin cos tan asin acos atan atan2 sinh cosh tanh wrap_angle angle_difference(a, b)',
     note: 'in radians; wrap_angle gives (-pi, pi]',
   },
   {

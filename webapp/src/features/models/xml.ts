@@ -253,8 +253,7 @@ function list(name: string, item: string, texts: readonly NamedText[]): string[]
   return [
     `  <${name}>`,
     ...given.map(
-      ({ name: own, text }) =>
-        `    <${item}${attributes({ name: own })}>${escape(text)}</${item}>`,
+      ({ name: own, text }) => `    <${item}${attributes({ name: own })}>${escape(text)}</${item}>`,
     ),
     `  </${name}>`,
   ];
