@@ -1,5 +1,6 @@
 """The other examples: each passes, and its faulty variant fails as described in its README."""
 
+import json
 import re
 import shutil
 
@@ -139,3 +140,23 @@ def test_a_turn_in_one_direction_only_breaks_a_named_post_condition(sitaf):
     assert "arrives at the heading" not in run.stdout
     assert re.search(r", \d+ by an error", run.stdout)
     assert "0 ERROR" in run.stdout
+
+
+def test_falsify_finds_a_violation_that_the_suite_does_not_show(sitaf, tmp_path):
+    faulty = shutil.copytree(sitaf.root / "examples" / "joint-scheduling-faulty", tmp_path / "activity")
+    run = sitaf("run", faulty)
+    assert "45 cases, 45 PASS" in run.stdout, run.stdout + run.stderr
+    found = tmp_path / "found.json"
+    run = sitaf("falsify", faulty, "--json", found, "--keep")
+    assert run.returncode == 1, run.stdout + run.stderr
+    result = json.loads(found.read_text())
+    assert result["condition"] == "settles"
+    assert result["margin"] < 0
+    assert 25 < result["executions"] <= 200
+    assert 0.3 < result["inputs"]["angle"] < 0.8
+    again = sitaf("run", faulty)
+    assert again.returncode == 1, again.stdout + again.stderr
+    assert "settles: broken at" in again.stdout
+    unknown = sitaf("falsify", faulty, "--condition", "holds")
+    assert unknown.returncode == 2
+    assert "the models have Settle: [settles]" in unknown.stderr

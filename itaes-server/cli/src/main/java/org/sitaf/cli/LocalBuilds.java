@@ -1,6 +1,10 @@
 package org.sitaf.cli;
 
+import static java.nio.charset.StandardCharsets.UTF_8;
+
 import java.io.IOException;
+import java.io.OutputStream;
+import java.io.PrintStream;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -70,9 +74,20 @@ final class LocalBuilds implements AutoCloseable {
 
   /** Generates, compiles and executes a test application; prints the progress to standard error. */
   BuildOutcome run(Activity activity, TestModel model, TestSuite suite) {
+    return run(activity, model, suite, System.err);
+  }
+
+  /** Like {@link #run}, without printing the progress. */
+  BuildOutcome runQuietly(Activity activity, TestModel model, TestSuite suite) {
+    return run(
+        activity, model, suite, new PrintStream(OutputStream.nullOutputStream(), false, UTF_8));
+  }
+
+  private BuildOutcome run(
+      Activity activity, TestModel model, TestSuite suite, PrintStream messages) {
     // Starts a compiler while the simulation starts.
     settings.toolchains().startAhead(activity.profile().harness(), settings.sandbox());
-    try (ProgressLine progress = new ProgressLine(System.err)) {
+    try (ProgressLine progress = new ProgressLine(messages)) {
       progress.step(model.name() + ": generating the test application");
       TestApplication application =
           InterfaceTestApplicationGenerator.generate(activity, model, suite);

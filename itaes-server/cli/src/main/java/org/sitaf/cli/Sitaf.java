@@ -21,6 +21,7 @@ import picocli.CommandLine.ExitCode;
       DescribeCommand.class,
       HarnessCommand.class,
       RunCommand.class,
+      FalsifyCommand.class,
       DemoCommand.class,
       UpCommand.class
     })

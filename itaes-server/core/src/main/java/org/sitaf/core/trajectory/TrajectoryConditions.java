@@ -33,6 +33,8 @@ public final class TrajectoryConditions {
   /** Maximum number of signals in a message. */
   private static final int MAX_LISTED = 50;
 
+  private static final DataType BOOLEAN = new DataType.Scalar(ScalarType.BOOLEAN);
+
   private static final ExpressionCompiler CONSTANTS = new ExpressionCompiler(List.of());
 
   private final List<CompiledCondition> conditions;
@@ -188,7 +190,7 @@ public final class TrajectoryConditions {
         }
       } catch (IllegalArgumentException e) {
         String message = String.valueOf(e.getMessage());
-        problem = message.contains("undeclared reference") ? message + names.known() : message;
+        problem = message.contains("unknown name") ? message + names.known() : message;
       }
       if (!problem.isEmpty()) {
         error(condition, model, atom.line(), atom.column(), problem, diagnostics);
@@ -216,7 +218,7 @@ public final class TrajectoryConditions {
   /**
    * The names that formulas can use.
    *
-   * @param types of signals and inputs
+   * @param types of signals, inputs and their validity
    * @param signals including the time
    * @param ambiguous names with two meanings
    */
@@ -224,8 +226,14 @@ public final class TrajectoryConditions {
     static Names of(TestModel model, Collection<String> signals) {
       Map<String, DataType> types = new HashMap<>();
       Set<String> ambiguous = new TreeSet<>();
-      for (String input :
-          Variables.roots(model.inputs().stream().map(InputElement::name).toList())) {
+      List<String> names = model.inputs().stream().map(InputElement::name).toList();
+      types.put(Variables.VALID, BOOLEAN);
+      for (String name : Variables.roots(names)) {
+        types.put(
+            Variables.VALID_PREFIX + name,
+            names.contains(name) ? BOOLEAN : new DataType.Unknown(""));
+      }
+      for (String input : Variables.roots(names)) {
         types.put(input, typeOf(input, model));
       }
       Set<String> all = new TreeSet<>();
@@ -263,6 +271,8 @@ public final class TrajectoryConditions {
       int more = signals.size() - MAX_LISTED;
       Set<String> inputs = new TreeSet<>(types.keySet());
       inputs.removeAll(signals);
+      inputs.removeIf(
+          name -> name.equals(Variables.VALID) || name.startsWith(Variables.VALID_PREFIX));
       return "; signals: "
           + list
           + (more > 0 ? " and " + more + " more" : "")

@@ -82,6 +82,14 @@ class TrajectoryConditionsTest {
   }
 
   @Test
+  void knowsWhetherTheInputsAreValid() throws Exception {
+    Map<String, double[]> signals = Map.of("robot_x", new double[] {5, 5});
+    Map<String, Object> invalid = Map.of("goal", 1.0, "valid", false, "valid_goal", false);
+    assertThat(outcome("valid -> always(robot_x < 2.0)", invalid, signals).holds()).isTrue();
+    assertThat(outcome("!valid_goal && always(robot_x > 2.0)", invalid, signals).holds()).isTrue();
+  }
+
+  @Test
   void settlingHasNegativeTimes() throws Exception {
     double[] values = {5, 1, 1, 1};
     Trace trace = new Trace(-2 * STEP_NANOS, STEP_NANOS, List.of("robot_x"), List.of(values));
@@ -104,9 +112,9 @@ class TrajectoryConditionsTest {
   void unknownSignalsNameThoseThatExist() {
     assertThat(problems("always(bump == 0.0)"))
         .containsExactly(
-            "column 8 of the formula: 'bump == 0.0' is not a valid expression: undeclared"
-                + " reference to 'bump' (in container ''); signals: base.linear.command, bumped,"
-                + " ir1.range, robot_x, t; inputs: goal");
+            "column 8 of the formula: 'bump == 0.0' is not a valid expression: unknown name 'bump';"
+                + " did you mean 'bumped'?; signals: base.linear.command, bumped, ir1.range,"
+                + " robot_x, t; inputs: goal");
     assertThat(problems("always(ir1.distance == 0.0)"))
         .singleElement()
         .asString()

@@ -1,0 +1,56 @@
+package org.sitaf.cli;
+
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.sitaf.core.diagnostic.InvalidInputException;
+import org.sitaf.core.model.TestModel;
+import org.sitaf.core.model.Value;
+import org.sitaf.core.model.document.TestModelXml;
+
+/** Adds a case to the {@code case_list} of a model and leaves the rest of its text unchanged. */
+final class KeptCaseText {
+  private static final String LIST_END = "</case_list>";
+  private static final String MODEL_END = "</test_model>";
+
+  private KeptCaseText() {}
+
+  /**
+   * Adds a case.
+   *
+   * @throws InvalidInputException if the place cannot be found; the file is unchanged then
+   */
+  static void add(Path file, TestModel model, List<Value> values) throws IOException {
+    String text = Files.readString(file);
+    StringBuilder added = new StringBuilder("<case>");
+    values.forEach(v -> added.append("<value>").append(escaped(v.literal())).append("</value>"));
+    added.append("</case>\n  ");
+    int list = text.lastIndexOf(LIST_END);
+    int end = text.lastIndexOf(MODEL_END);
+    String changed =
+        list >= 0
+            ? text.substring(0, list) + "  " + added + text.substring(list)
+            : end < 0
+                ? text
+                : text.substring(0, end)
+                    + "  <case_list>\n    "
+                    + added
+                    + LIST_END
+                    + "\n"
+                    + text.substring(end);
+    TestModel read =
+        TestModelXml.read(
+            new ByteArrayInputStream(changed.getBytes(StandardCharsets.UTF_8)), model.source());
+    if (read.keptCases().size() != model.keptCases().size() + 1) {
+      throw InvalidInputException.of(file.toString(), "has no place for a case; add it by hand");
+    }
+    Files.writeString(file, changed);
+  }
+
+  private static String escaped(String text) {
+    return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;");
+  }
+}
