@@ -7,8 +7,10 @@ import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.expression.Variables;
 import org.sitaf.core.model.InputElement;
+import org.sitaf.core.model.InputKind;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.model.TestSpec;
+import org.sitaf.core.model.Value;
 import org.sitaf.core.value.TestDataGenerator;
 import org.sitaf.core.value.TestValue;
 
@@ -45,7 +47,7 @@ public final class InputValidity {
     return input.specs().stream().anyMatch(TestSpec.Related.class::isInstance);
   }
 
-  /** A value that the model does not generate counts as invalid, as when cases are combined. */
+  /** As when cases are combined. */
   private synchronized boolean isValid(int input, String literal) {
     if (validLiterals == null) {
       List<Set<String>> all = new ArrayList<>();
@@ -58,6 +60,9 @@ public final class InputValidity {
       }
       validLiterals = all;
     }
-    return validLiterals.get(input).contains(literal);
+    InputElement element = model.inputs().get(input);
+    return validLiterals.get(input).contains(literal)
+        || element.kind() != InputKind.TDTS
+            && TestDataGenerator.isInClasses(element, Value.parse(literal, element.type()));
   }
 }

@@ -17,6 +17,7 @@ import org.sitaf.core.expression.Variables;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.model.Value;
 import org.sitaf.core.value.TestData;
+import org.sitaf.core.value.TestDataGenerator;
 import org.sitaf.core.value.TestValue;
 
 /** Converts kept cases to rows of a suite, and to seeds of the combinator. */
@@ -188,7 +189,8 @@ final class KeptRows {
   }
 
   /**
-   * The values of a kept case. Values that the model no longer generates are treated as invalid.
+   * The values of a kept case. A value that the model does not generate is valid if it lies in the
+   * classes of its element.
    */
   private List<TestValue> row(KeptCases.Kept keptCase) {
     List<List<TestValue>> all = data.stream().map(TestData::values).toList();
@@ -198,7 +200,8 @@ final class KeptRows {
               Value value = Objects.requireNonNull(keptCase.values().get(p));
               int index = indexOf(all, p, keptCase);
               return index < 0
-                  ? new TestValue(value, false)
+                  ? new TestValue(
+                      value, TestDataGenerator.isInClasses(model.inputs().get(p), value))
                   : new TestValue(value, all.get(p).get(index).valid());
             })
         .toList();

@@ -76,6 +76,20 @@ public final class TestDataGenerator {
     return new TestData(values, numbers.unrepresentable());
   }
 
+  /**
+   * Whether a value that the element does not generate, such as one of a kept case, lies in its
+   * classes. Without a class nothing is known about it, and it counts as invalid.
+   */
+  public static boolean isInClasses(InputElement element, Value value) {
+    boolean declared =
+        element.specs().stream()
+            .anyMatch(
+                spec ->
+                    spec instanceof TestSpec.BoundaryValues
+                        || spec instanceof TestSpec.EquivalencePartitioning);
+    return declared && isNumber(element.type()) && new Validity(element.specs()).allows(value);
+  }
+
   /** All values of an enumeration or a boolean. */
   private static List<Value> implied(DataType type) {
     if (type instanceof DataType.Enumeration enumeration) {

@@ -272,6 +272,11 @@ class ObjectCacheTest {
     assertThat(build()).isEqualTo(new Built(1, Set.of()));
   }
 
+  /** The list of warnings is empty. */
+  private static boolean hasContent(Path file) {
+    return file.toFile().isFile() && file.toFile().length() > 0;
+  }
+
   @Test
   void doesNotUseAModifiedEntry() throws Exception {
     component("value();");
@@ -279,9 +284,9 @@ class ObjectCacheTest {
     Path objects = directory.resolve("cache/cpp/objects");
     for (Path folder : List.of(objects, directory.resolve("cache/compiled"))) {
       try (Stream<Path> all = Files.walk(folder)) {
-        for (Path file : all.filter(Files::isRegularFile).toList()) {
+        for (Path file : all.filter(ObjectCacheTest::hasContent).toList()) {
           byte[] content = Files.readAllBytes(file);
-          content[content.length - 40] ^= 1;
+          content[Math.max(0, content.length - 40)] ^= 1;
           Files.write(file, content);
         }
       }
