@@ -113,9 +113,6 @@ def test_a_sanitizer_finds_a_write_beyond_the_end(sitaf, tmp_path):
     assert run.returncode == 1, run.stdout + run.stderr
     assert "18 cases, 6 PASS, 0 FAIL, 12 ERROR" in run.stdout
     assert f"heap-buffer-overflow at moving_average.cpp:{line}" in run.stdout
-    replace(faulty / "activity.yaml", "sanitize: [address, undefined]\n", "")
-    unchecked = sitaf("run", faulty)
-    assert "18 cases, 18 PASS" in unchecked.stdout, unchecked.stdout + unchecked.stderr
 
 
 @cpp
