@@ -10,7 +10,6 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
-import org.sitaf.agent.sandbox.SandboxMode;
 import org.sitaf.core.activity.Activity;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.falsify.Falsification;
@@ -21,7 +20,6 @@ import org.sitaf.core.model.TrajectoryCondition;
 import org.sitaf.core.model.Value;
 import org.sitaf.core.suite.GenerationOptions;
 import org.sitaf.core.suite.TestCase;
-import org.sitaf.core.suite.TestCaseGenerator;
 import org.sitaf.core.suite.TestSuite;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -68,14 +66,7 @@ final class FalsifyCommand implements Callable<Integer> {
 
   @Mixin private final SeedOption seed = new SeedOption();
 
-  @Option(
-      names = "--sandbox",
-      paramLabel = "MODE",
-      defaultValue = "auto",
-      description =
-          "The component runs in a sandbox (bubblewrap): required, auto (where it is installed) or"
-              + " off; default: ${DEFAULT-VALUE}.")
-  private SandboxMode sandbox = SandboxMode.AUTO;
+  @Mixin private final SandboxOption sandbox = new SandboxOption();
 
   @Override
   public Integer call() throws IOException, InterruptedException {
@@ -98,7 +89,9 @@ final class FalsifyCommand implements Callable<Integer> {
               + " RANDOM");
     }
     TestSuite suite =
-        TestCaseGenerator.generate(model, GenerationOptions.DEFAULT.withSeed(seed.value())).suite();
+        new SuiteCache(Installation.current().state().resolve("suites"))
+            .generate(model, GenerationOptions.DEFAULT.withSeed(seed.value()))
+            .suite();
     List<List<Value>> first =
         suite.cases().stream().filter(TestCase::valid).map(c -> values(model, c)).toList();
     Found found;

@@ -2,10 +2,14 @@ package org.sitaf.cli;
 
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import javax.xml.stream.XMLOutputFactory;
+import javax.xml.stream.XMLStreamException;
+import javax.xml.stream.XMLStreamWriter;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.model.Value;
@@ -25,9 +29,7 @@ final class KeptCaseText {
    */
   static void add(Path file, TestModel model, List<Value> values) throws IOException {
     String text = Files.readString(file);
-    StringBuilder added = new StringBuilder("<case>");
-    values.forEach(v -> added.append("<value>").append(escaped(v.literal())).append("</value>"));
-    added.append("</case>\n  ");
+    String added = element(values) + "\n  ";
     int list = text.lastIndexOf(LIST_END);
     int end = text.lastIndexOf(MODEL_END);
     String changed =
@@ -50,7 +52,21 @@ final class KeptCaseText {
     Files.writeString(file, changed);
   }
 
-  private static String escaped(String text) {
-    return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;");
+  private static String element(List<Value> values) {
+    StringWriter text = new StringWriter();
+    try {
+      XMLStreamWriter xml = XMLOutputFactory.newFactory().createXMLStreamWriter(text);
+      xml.writeStartElement("case");
+      for (Value value : values) {
+        xml.writeStartElement("value");
+        xml.writeCharacters(value.literal());
+        xml.writeEndElement();
+      }
+      xml.writeEndElement();
+      xml.flush();
+    } catch (XMLStreamException e) {
+      throw new IllegalStateException(e);
+    }
+    return text.toString();
   }
 }

@@ -13,7 +13,6 @@ import java.util.Objects;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.build.BuildOutcome;
-import org.sitaf.agent.sandbox.SandboxMode;
 import org.sitaf.cli.system.RemoteRun;
 import org.sitaf.core.activity.Activity;
 import org.sitaf.core.activity.FileTree;
@@ -63,14 +62,7 @@ final class RunCommand implements Callable<Integer> {
 
   @Mixin private final GenerationArguments generation = new GenerationArguments();
 
-  @Option(
-      names = "--sandbox",
-      paramLabel = "MODE",
-      defaultValue = "auto",
-      description =
-          "The component runs in a sandbox (bubblewrap): required, auto (where it is installed) or"
-              + " off; default: ${DEFAULT-VALUE}.")
-  private SandboxMode sandbox = SandboxMode.AUTO;
+  @Mixin private final SandboxOption sandbox = new SandboxOption();
 
   @Option(
       names = "--no-coverage",

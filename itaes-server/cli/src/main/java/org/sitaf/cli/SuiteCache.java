@@ -11,19 +11,17 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
-import java.nio.file.attribute.FileTime;
 import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
-import java.util.Comparator;
-import java.util.HexFormat;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 import java.util.zip.GZIPInputStream;
 import java.util.zip.GZIPOutputStream;
+import org.sitaf.agent.spool.LeastRecentlyUsed;
 import org.sitaf.core.diagnostic.Diagnostic;
 import org.sitaf.core.diagnostic.Severity;
+import org.sitaf.core.digest.Sha256;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.suite.GeneratedSuite;
 import org.sitaf.core.suite.GenerationOptions;
@@ -38,7 +36,7 @@ import org.sitaf.core.suite.document.TestSuiteXml;
  */
 final class SuiteCache {
   private static final int MAX_CASES = 20_000;
-  private static final int MAX_FILES = 200;
+  private static final LeastRecentlyUsed BOUNDS = new LeastRecentlyUsed(256L << 20, 200);
   private static final int MAX_BYTES = 64 << 20;
   private static final String SUFFIX = ".suite";
 
@@ -67,16 +65,12 @@ final class SuiteCache {
   }
 
   private static String key(TestModel model, GenerationOptions options) {
-    try {
-      MessageDigest digest = MessageDigest.getInstance("SHA-256");
-      for (String part : List.of(model.toString(), options.toString(), generator())) {
-        digest.update(part.getBytes(StandardCharsets.UTF_8));
-        digest.update((byte) 0);
-      }
-      return HexFormat.of().formatHex(digest.digest());
-    } catch (NoSuchAlgorithmException e) {
-      throw new IllegalStateException(e);
+    MessageDigest digest = Sha256.newDigest();
+    for (String part : List.of(model.toString(), options.toString(), generator())) {
+      digest.update(part.getBytes(StandardCharsets.UTF_8));
+      digest.update((byte) 0);
     }
+    return Sha256.hex(digest);
   }
 
   /** The file of the generator with its size and time, which differ between builds of a version. */
@@ -113,7 +107,7 @@ final class SuiteCache {
           TestSuiteXml.read(
               new ByteArrayInputStream(in.readNBytes(MAX_BYTES)), file.getFileName().toString());
       // Files that were not used for long are removed first.
-      Files.setLastModifiedTime(file, FileTime.from(java.time.Instant.now()));
+      LeastRecentlyUsed.touch(file);
       return Optional.of(new GeneratedSuite(suite, notes));
     } catch (IOException | IllegalArgumentException e) {
       return Optional.empty();
@@ -159,23 +153,10 @@ final class SuiteCache {
 
   private void removeOldest() throws IOException {
     try (Stream<Path> files = Files.list(folder)) {
-      List<Path> newestFirst =
-          files
-              .filter(f -> f.toString().endsWith(SUFFIX))
-              .sorted(Comparator.comparing(SuiteCache::time).reversed())
-              .toList();
-      for (Path file :
-          newestFirst.subList(Math.min(MAX_FILES, newestFirst.size()), newestFirst.size())) {
-        Files.deleteIfExists(file);
-      }
-    }
-  }
-
-  private static FileTime time(Path file) {
-    try {
-      return Files.getLastModifiedTime(file);
-    } catch (IOException e) {
-      return FileTime.fromMillis(0);
+      BOUNDS.shrink(
+          files.filter(f -> f.toString().endsWith(SUFFIX)).toList(),
+          file -> file.toFile().length(),
+          Files::deleteIfExists);
     }
   }
 }

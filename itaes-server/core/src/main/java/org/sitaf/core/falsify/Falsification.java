@@ -67,7 +67,7 @@ public final class Falsification {
    *
    * @param margin smallest margin of the searched conditions
    * @param violated whether one of them is false
-   * @param condition the one with the smallest margin
+   * @param condition the one with the smallest margin; empty if none was evaluated
    */
   public record Outcome(double margin, boolean violated, String condition) {
     /** A case that was not executed, for example because a pre-condition excludes it. */
@@ -249,7 +249,7 @@ public final class Falsification {
         continue;
       }
       executions++;
-      if (isWorse(outcome, best.outcome())) {
+      if (!outcome.condition().isEmpty() && isWorse(outcome, best.outcome())) {
         best = new Found(fresh.get(i), outcome, executions);
       }
     }

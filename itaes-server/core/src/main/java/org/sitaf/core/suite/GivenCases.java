@@ -1,6 +1,5 @@
 package org.sitaf.core.suite;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.sitaf.core.diagnostic.Diagnostics;
@@ -32,18 +31,14 @@ public final class GivenCases {
   }
 
   /**
-   * A case with its expected values; empty if a pre-condition excludes it.
+   * A case with its expected values; empty if a pre-condition excludes it or cannot be evaluated
+   * for it.
    *
    * @param values one for each input of the model
    */
   public Optional<TestCase> of(int no, List<Value> values) {
-    Variables variables = new Variables().put(Variables.VALID, true);
-    for (int i = 0; i < values.size(); i++) {
-      variables.putValidity(model.inputs().get(i).name(), true);
-    }
-    for (int i = 0; i < values.size(); i++) {
-      variables.put(model.inputs().get(i).name(), values.get(i), model.inputs().get(i).type());
-    }
+    List<TestValue> row = values.stream().map(value -> new TestValue(value, true)).toList();
+    Variables variables = CaseVariables.of(model, row);
     for (Expression condition : conditions.pre()) {
       try {
         if (!condition.isTrue(variables.map())) {
@@ -53,8 +48,6 @@ public final class GivenCases {
         return Optional.empty();
       }
     }
-    List<TestValue> row = new ArrayList<>();
-    values.forEach(value -> row.add(new TestValue(value, true)));
     return Optional.of(
         new TestCase(
             no, true, values.stream().map(Value::literal).toList(), oracle.expect(no, row)));

@@ -163,15 +163,7 @@ final class KeptRows {
     if (!keptCase.isComplete()) {
       return true;
     }
-    List<TestValue> row = row(keptCase);
-    Variables variables = new Variables();
-    for (int p = 0; p < row.size(); p++) {
-      variables.putValidity(model.inputs().get(p).name(), row.get(p).valid());
-    }
-    variables.put(Variables.VALID, row.stream().allMatch(TestValue::valid));
-    for (int p = 0; p < row.size(); p++) {
-      variables.put(model.inputs().get(p).name(), row.get(p).value(), model.inputs().get(p).type());
-    }
+    Variables variables = CaseVariables.of(model, row(keptCase));
     Optional<Expression> broken =
         preConditions.stream().filter(c -> !constraints.holds(c, variables)).findFirst();
     broken.ifPresent(

@@ -47,14 +47,7 @@ final class Oracle {
   /** The expected values of a case, in the order of the model's outputs. */
   List<ExpectedValue> expect(int no, List<TestValue> row) {
     List<Value> values = row.stream().map(TestValue::value).toList();
-    Variables variables = new Variables();
-    for (int i = 0; i < row.size(); i++) {
-      variables.putValidity(model.inputs().get(i).name(), row.get(i).valid());
-    }
-    variables.put(Variables.VALID, row.stream().allMatch(TestValue::valid));
-    for (int i = 0; i < row.size(); i++) {
-      variables.put(model.inputs().get(i).name(), values.get(i), model.inputs().get(i).type());
-    }
+    Variables variables = CaseVariables.of(model, row);
     List<ExpectedValue> expected = new ArrayList<>();
     for (OutputElement output : model.outputs()) {
       Expression expression = conditions.expected().get(output.name());
