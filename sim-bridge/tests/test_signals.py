@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+import mujoco
 import pytest
 
 from sitaf_bridge.errors import InvalidRequest, LimitReached
@@ -13,6 +14,7 @@ from sitaf_bridge.world.driving.simulation import Simulation
 from sitaf_bridge.world.world import World, load_world
 
 MAZE = Path(__file__).parents[2] / "examples" / "worlds" / "maze" / "maze.world.yaml"
+JOINT = MAZE.parents[2] / "joint-settling" / "world" / "joint.world.yaml"
 FORWARD = Command("base", "drive", {"linear": 0.5, "angular": 0.2})
 
 
@@ -49,6 +51,22 @@ def test_each_step_is_sampled_like_single_steps(maze: World) -> None:
     assert trace.names == (observation, "base.linear")
     assert trace.values.tolist() == [list(row) for row in expected]
     assert sampled.digest() == single.digest()
+
+
+@pytest.mark.parametrize("integrator", ["Euler", "RK4", "implicit", "implicitfast"])
+def test_sampling_changes_no_bit_of_a_simulation(tmp_path: Path, integrator: str) -> None:
+    for file in JOINT.parent.iterdir():
+        text = file.read_text().replace('integrator="implicitfast"', f'integrator="{integrator}"')
+        (tmp_path / file.name).write_text(text)
+    world = load_world(read_world(tmp_path / JOINT.name))
+    assert int(world.model.opt.integrator) == int(getattr(mujoco.mjtIntegrator, f"mjINT_{integrator.upper()}"))
+    sampled, plain = recorded(world, *world.observations, "motor.effort"), Simulation(world)
+    for simulation in (sampled, plain):
+        simulation.prepare({}, 0)
+        simulation.write([Command("motor", "joint", {"effort": 0.3})])
+        simulation.step(700)
+    assert sampled.digest() == plain.digest()
+    assert len(sampled.signals(0).values) == 701
 
 
 def test_a_command_shows_from_the_next_sample_on(maze: World) -> None:

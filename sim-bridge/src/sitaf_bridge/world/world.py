@@ -1,6 +1,6 @@
 """A compiled world: the model that sessions share, and the bound parameters, devices and observations."""
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -15,7 +15,7 @@ from sitaf_bridge.world.description.mjcf_limits import MAX_TIMESTEP_S, MIN_TIMES
 from sitaf_bridge.world.description.robot import load_robot
 from sitaf_bridge.world.description.source import WorldSource
 from sitaf_bridge.world.description.yaml_block import Problems
-from sitaf_bridge.world.devices import KINDS, KNOBS, Bank
+from sitaf_bridge.world.devices import KINDS, KNOBS, Bank, DeviceDeclaration
 from sitaf_bridge.world.devices.camera import CameraDeclaration
 from sitaf_bridge.world.observing import BoundObservation, find_observation
 from sitaf_bridge.world.parameters.gap import BoundGap, find_gap
@@ -76,7 +76,7 @@ def load_world(source: WorldSource, entities: tuple[SpawnedEntity, ...] = ()) ->
         model=model,
         timestep_ns=_timestep_ns(model, shown),
         binds={name: _bind(model, description, p, problems) for name, p in description.parameters.items()},
-        banks=_banks(model, description, problems),
+        banks=bind_devices(model, description.devices.values(), problems),
         observations=_observations(model, description, problems),
     )
     problems.raise_if_any()
@@ -131,11 +131,12 @@ def _bound(model: mujoco.MjModel, description: Description, bind: Bind) -> Bound
     return BoundBind(setting, None if bind.gap is None else find_gap(model, bind.gap, setting))
 
 
-def _banks(model: mujoco.MjModel, description: Description, problems: Problems) -> dict[str, Bank]:
+def bind_devices(model: mujoco.MjModel, devices: Collection[DeviceDeclaration], problems: Problems) -> dict[str, Bank]:
+    """The banks of these devices by kind."""
     return {
-        name: kind.bind(model, [d for d in description.devices.values() if d.kind == name], problems)
+        name: kind.bind(model, [d for d in devices if d.kind == name], problems)
         for name, kind in KINDS.items()
-        if any(d.kind == name for d in description.devices.values())
+        if any(d.kind == name for d in devices)
     }
 
 

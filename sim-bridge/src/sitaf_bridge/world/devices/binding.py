@@ -1,7 +1,7 @@
 """Resolves the names in device declarations: sites, joints, and the actuators that drive them."""
 
 from collections.abc import Callable, Sequence
-from typing import TypeVar
+from typing import NamedTuple, TypeVar
 
 import mujoco
 
@@ -17,6 +17,13 @@ NOUNS = {
     "camera": mujoco.mjtObj.mjOBJ_CAMERA,
 }
 Found = TypeVar("Found")
+
+
+class Joint(NamedTuple):
+    """A hinge or slide joint: the indices of its position and its velocity in the state of a model."""
+
+    position: int
+    velocity: int
 
 
 class BindingError(Exception):
@@ -35,12 +42,12 @@ def find(model: mujoco.MjModel, noun: str, name: str, key: str | None = None) ->
     return found
 
 
-def find_single_joint(model: mujoco.MjModel, name: str, key: str = "joint") -> int:
-    """The id of a hinge or slide joint. Raises BindingError."""
+def find_single_joint(model: mujoco.MjModel, name: str, key: str = "joint") -> Joint:
+    """A hinge or slide joint. Raises BindingError."""
     joint = find(model, "joint", name, key)
     if mujoco.mjtJoint(int(model.jnt_type[joint])) not in (mujoco.mjtJoint.mjJNT_HINGE, mujoco.mjtJoint.mjJNT_SLIDE):
         raise BindingError(key, f"the joint {name!r} is neither a hinge nor a slide")
-    return joint
+    return Joint(int(model.jnt_qposadr[joint]), int(model.jnt_dofadr[joint]))
 
 
 def find_all(
@@ -70,7 +77,7 @@ def part_of(model: mujoco.MjModel, body: int) -> frozenset[int]:
     return frozenset(b for b in range(1, model.nbody) if anchor(b) == own)
 
 
-def joint_of(model: mujoco.MjModel, actuator: int, key: str) -> int:
+def joint_of(model: mujoco.MjModel, actuator: int, key: str) -> Joint:
     """The hinge or slide joint that an actuator drives. Raises BindingError."""
     if mujoco.mjtTrn(int(model.actuator_trntype[actuator])) != mujoco.mjtTrn.mjTRN_JOINT:
         raise BindingError(key, "the actuator does not drive a joint")

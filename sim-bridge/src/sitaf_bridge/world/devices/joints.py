@@ -8,6 +8,7 @@ import mujoco
 from sitaf_bridge.errors import InvalidRequest
 from sitaf_bridge.world.description.yaml_block import Block, Problems
 from sitaf_bridge.world.devices.binding import (
+    Joint,
     command_actuator,
     find,
     find_all,
@@ -38,7 +39,7 @@ class MotorDeclaration(DeviceDeclaration):
 @dataclass(frozen=True)
 class _Motor:
     actuator: int
-    joint: int
+    joint: Joint
     mode: str
 
 
@@ -62,7 +63,7 @@ class JointEncoderKind(DeviceKind):
     ) -> "EncoderBank":
         """Find the joints."""
 
-        def joint(declaration: DeviceDeclaration) -> int:
+        def joint(declaration: DeviceDeclaration) -> Joint:
             assert isinstance(declaration, EncoderDeclaration)  # noqa: S101
             return find_single_joint(model, declaration.joint)
 
@@ -76,22 +77,20 @@ class JointEncoderKind(DeviceKind):
 class EncoderBank:
     """All encoders of a world."""
 
-    def __init__(self, devices: Sequence[tuple[DeviceDeclaration, int]]) -> None:
+    def __init__(self, devices: Sequence[tuple[DeviceDeclaration, Joint]]) -> None:
         self._devices = tuple(devices)
 
     def read(self, model: mujoco.MjModel, data: mujoco.MjData) -> Sequence[Reading]:
         """Position and velocity."""
-        return [Reading(d, _encoded(model, data, d, joint)) for d, joint in self._devices]
+        return [Reading(d, _encoded(data, d, joint)) for d, joint in self._devices]
 
 
-def _encoded(
-    model: mujoco.MjModel, data: mujoco.MjData, declaration: DeviceDeclaration, joint: int
-) -> tuple[float, ...]:
+def _encoded(data: mujoco.MjData, declaration: DeviceDeclaration, joint: Joint) -> tuple[float, ...]:
     assert isinstance(declaration, EncoderDeclaration)  # noqa: S101
-    position = float(data.qpos[model.jnt_qposadr[joint]])
+    position: float = data.qpos.item(joint.position)
     if declaration.resolution > 0:
         position = round(position / declaration.resolution) * declaration.resolution
-    return position, float(data.qvel[model.jnt_dofadr[joint]])
+    return position, data.qvel.item(joint.velocity)
 
 
 class JointMotorKind(DeviceKind):
@@ -129,12 +128,11 @@ class MotorBank:
 
     def read(self, model: mujoco.MjModel, data: mujoco.MjData) -> Sequence[Reading]:
         """Position, velocity, and the force or torque of the actuators on the joint."""
-        readings: list[Reading] = []
-        for declaration, motor in self._devices:
-            dof = int(model.jnt_dofadr[motor.joint])
-            position = float(data.qpos[model.jnt_qposadr[motor.joint]])
-            readings.append(Reading(declaration, (position, float(data.qvel[dof]), float(data.qfrc_actuator[dof]))))
-        return readings
+        qpos, qvel, force = data.qpos, data.qvel, data.qfrc_actuator
+        return [
+            Reading(d, (qpos.item(m.joint.position), qvel.item(m.joint.velocity), force.item(m.joint.velocity)))
+            for d, m in self._devices
+        ]
 
     def write(self, model: mujoco.MjModel, data: mujoco.MjData, command: Command) -> None:
         """Set the control in the mode of the actuator."""

@@ -7,7 +7,7 @@ import mujoco
 
 from sitaf_bridge.errors import UnreachableValue
 from sitaf_bridge.world.description.yaml_block import Block, Problems
-from sitaf_bridge.world.devices.binding import BindingError, command_actuator, find, find_all, joint_of, mode_of
+from sitaf_bridge.world.devices.binding import BindingError, Joint, command_actuator, find, find_all, joint_of, mode_of
 from sitaf_bridge.world.devices.kind import Command, DeviceDeclaration, DeviceKind, Reading, expected_form
 
 
@@ -34,7 +34,7 @@ class _Pair:
     """Two actuators, and the joints that they drive."""
 
     actuators: tuple[int, int]
-    joints: tuple[int, int]
+    joints: tuple[Joint, Joint]
 
 
 def _pair(model: mujoco.MjModel, names: tuple[str, str], keys: tuple[str, str], mode: str) -> _Pair:
@@ -91,8 +91,8 @@ class DriveBank:
         readings: list[Reading] = []
         for declaration, pair in self._devices:
             assert isinstance(declaration, DriveDeclaration)  # noqa: S101
-            left, right = (float(data.qvel[model.jnt_dofadr[j]]) * declaration.wheel_radius for j in pair.joints)
-            positions = (float(data.qpos[model.jnt_qposadr[j]]) for j in pair.joints)
+            left, right = (data.qvel.item(joint.velocity) * declaration.wheel_radius for joint in pair.joints)
+            positions = (data.qpos.item(joint.position) for joint in pair.joints)
             readings.append(Reading(declaration, ((left + right) / 2, (right - left) / declaration.track, *positions)))
         return readings
 
@@ -152,8 +152,8 @@ class GripperBank:
         """The sum of the openings of both fingers, and the mean of their forces."""
         readings: list[Reading] = []
         for declaration, pair in self._devices:
-            width = sum(float(data.qpos[model.jnt_qposadr[j]]) for j in pair.joints)
-            effort = sum(float(data.qfrc_actuator[model.jnt_dofadr[j]]) for j in pair.joints) / 2
+            width = sum(data.qpos.item(joint.position) for joint in pair.joints)
+            effort = sum(data.qfrc_actuator.item(joint.velocity) for joint in pair.joints) / 2
             readings.append(Reading(declaration, (width, effort)))
         return readings
 

@@ -1,13 +1,14 @@
 """A world with its time: advances it, and observes it at each step."""
 
 import copy
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection
 
 import mujoco
 
 from sitaf_bridge.errors import Cancelled, Diverged
 from sitaf_bridge.world.devices import Reading
 from sitaf_bridge.world.driving.divergence import Divergence
+from sitaf_bridge.world.driving.integration import integration_of
 from sitaf_bridge.world.driving.motion import MotionRecording
 from sitaf_bridge.world.driving.signals import SignalRecording
 from sitaf_bridge.world.parameters.settings import INTEGRATION, Setting
@@ -46,6 +47,8 @@ class RunningWorld:
         self._divergence = Divergence(self._data)
         self._state_size = mujoco.mj_stateSize(self._model, INTEGRATION)
         self._sensing.world = world
+        if self._signals is not None:
+            self._signals.bind(world)
         # Settings that are not part of the data's state.
         self._model_settings: list[Setting] = [
             b.setting for binds in world.binds.values() for b in binds if b.setting.edits_model
@@ -54,30 +57,38 @@ class RunningWorld:
     def _settings(self) -> tuple[float, ...]:
         return tuple(setting.get(self._model, self._data) for setting in self._model_settings)
 
-    def _sample(self, readings: Sequence[Reading]) -> None:
+    def _sample(self) -> None:
+        """Sample the signals, from data after `mj_forward`."""
         if self._signals is not None:
-            self._signals.sample(self.world, self._model, self._data, self._step, readings)
+            self._signals.sample(self._model, self._data, self._step, self._sensing)
 
     def _run_sampled(self, signals: SignalRecording, steps: int, is_active: Callable[[], bool]) -> None:
-        """Advance time with a sample after each step."""
+        """Advance time with a sample before each step but the first one, whose state was sampled before."""
         every = self._sensing.keeps_past(self._data)
         if every or self._motion is not None or self._step == 0:
-            begin = self._observe()
+            self._observe()
             if self._step == 0:
-                self._sample(begin.readings)
+                self._sample()
+        model, data, sensing = self._model, self._data, self._sensing
+        integrate = integration_of(model)
         for count in range(steps):
-            if count % 500 == 0 and not is_active():
-                raise Cancelled("the caller disconnected; the step was undone")
-            mujoco.mj_step(self._model, self._data)
-            mujoco.mj_forward(self._model, self._data)
+            if count % 500 == 0:
+                if not is_active():
+                    raise Cancelled("the caller disconnected; the step was undone")
+                if self._divergence.seen():
+                    return
+            mujoco.mj_checkPos(model, data)
+            mujoco.mj_checkVel(model, data)
+            mujoco.mj_forward(model, data)
+            if count:
+                signals.sample(model, data, self._step, sensing)
+                # Delayed devices need the readings of every step.
+                if every:
+                    self._read()
+                if self._motion is not None and self._motion.is_due(self._step):
+                    self._observe()
+            integrate(model, data)
             self._step += 1
-            if self._divergence.seen():
-                return
-            # Delayed devices need the readings of every step.
-            omitted = frozenset[str]() if every else signals.omitted_kinds
-            self._sample(self._read(omitted) if every or signals.reads_devices else ())
-            if self._motion is not None and self._motion.is_due(self._step):
-                self._observe()
 
     def _run(self, steps: int, is_active: Callable[[], bool], settles: bool = False) -> None:
         signals = self._signals
@@ -115,6 +126,8 @@ class RunningWorld:
             self._frozen = self._divergence.message(self._step)
             raise Diverged(self._frozen)
         self._state = self._observe()
+        if self._signals is not None and self._signals.next_step == self._step:
+            self._sample()
         return self._state
 
     def _observe(self, without: Collection[str] = ()) -> WorldState:

@@ -1,7 +1,8 @@
 """Samples signals at each step: observations, numbers in readings of devices, and commands."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import mujoco
 import numpy as np
@@ -9,16 +10,17 @@ from numpy.typing import NDArray
 
 from sitaf_bridge.errors import InvalidRequest, LimitReached
 from sitaf_bridge.world.description.observation import DeviceNumber
-from sitaf_bridge.world.devices import KINDS, Command, Reading
-from sitaf_bridge.world.world import World
+from sitaf_bridge.world.description.yaml_block import Problems
+from sitaf_bridge.world.devices import KINDS, Command
+from sitaf_bridge.world.observing import Measure
+from sitaf_bridge.world.sensing.sensing import Sensing
+from sitaf_bridge.world.world import World, bind_devices
 
 # 64 MB per case.
 MAX_NUMBERS = 8_000_000
 COMMAND = "command"
 # Simulation time in seconds.
 TIME = "t"
-
-Measure = Callable[[mujoco.MjModel, mujoco.MjData, Sequence[Reading], Mapping[str, float]], float]
 
 
 @dataclass(frozen=True)
@@ -40,24 +42,23 @@ class SignalRecording:
     def __init__(self, names: Sequence[str], settling: bool, world: World, most: int = MAX_NUMBERS) -> None:
         self.settling = settling
         self._names = tuple(names)
+        self._most_rows = most // max(1, len(self._names))
         self._most = most
-        self._bound: tuple[World, tuple[Measure, ...]] = (world, ())
-        # The kinds of devices that need not be read for the signals.
-        self.omitted_kinds: frozenset[str] = frozenset()
-        self._bind(world)
+        self._commands: dict[str, float] = {}
+        self.bind(world)
         self.restart()
 
     def restart(self) -> None:
         """Delete all samples and commands."""
-        self._commands: dict[str, float] = {}
+        self._commands.clear()
         self._first_step = 0
-        self._rows: list[tuple[float, ...]] = []
+        self._rows: list[list[float]] = []
         self._is_full = False
 
     @property
-    def reads_devices(self) -> bool:
-        """Whether a signal depends on readings."""
-        return self._reads_devices
+    def next_step(self) -> int:
+        """The step after the last sample."""
+        return self._first_step + len(self._rows)
 
     def give(self, commands: Sequence[Command]) -> None:
         """Remember commands that devices accepted."""
@@ -65,21 +66,19 @@ class SignalRecording:
             for field, value in command.numbers.items():
                 self._commands[f"{command.device}.{field}.{COMMAND}"] = value
 
-    def sample(
-        self, world: World, model: mujoco.MjModel, data: mujoco.MjData, step: int, readings: Sequence[Reading]
-    ) -> None:
+    def sample(self, model: mujoco.MjModel, data: mujoco.MjData, step: int, sensing: Sensing) -> None:
         """Sample a step, from data after `mj_forward`; replaces later samples and an earlier one of the same step."""
-        if self._bound[0] is not world:
-            self._bind(world)
-        row = tuple([measure(model, data, readings, self._commands) for measure in self._bound[1]])
-        index = step - self._first_step
-        if not self._rows or index < 0 or index > len(self._rows):
-            self._first_step, self._rows, index = step, [], 0
-        if (index + 1) * len(row) > self._most:
+        readings = sensing.read_banks(model, data, step, self._banks) if self._banks else ()
+        row = [measure(model, data, readings) for measure in self._measures]
+        rows, index = self._rows, step - self._first_step
+        if index != len(rows):
+            if not rows or index < 0 or index > len(rows):
+                self._first_step, index = step, 0
+            del rows[index:]
+        if index >= self._most_rows:
             self._is_full = True
             return
-        del self._rows[index:]
-        self._rows.append(row)
+        rows.append(row)
 
     def trace(self, call_ns: int, timestep_ns: int) -> Trace:
         """The samples of a case whose call began at this simulation time. Raises InvalidRequest, LimitReached."""
@@ -97,39 +96,54 @@ class SignalRecording:
             first_ns, timestep_ns, self._names, np.array(rows, np.float64).reshape(len(rows), len(self._names))
         )
 
-    def _bind(self, world: World) -> None:
-        devices = [d for d in world.description.devices.values() if not KINDS[d.kind].image]
-        measures: dict[str, Measure] = {TIME: lambda _model, data, _readings, _commands: data.time}
-        kinds: dict[str, str] = {}
-        for position, device in enumerate(devices):
-            for index, field in enumerate(KINDS[device.kind].fields(device)):
-                measures[f"{device.name}.{field}"] = _reading(position, index)
-                kinds[f"{device.name}.{field}"] = device.kind
-        for name, bound in world.observations.items():
-            measures[name] = _observation(bound.measure)
-            sight = world.description.observations[name].sight
-            if isinstance(sight, DeviceNumber):
-                kinds[name] = world.description.devices[sight.device].kind
-        commanded = {d.name for d in devices if KINDS[d.kind].takes is not None}
+    def bind(self, world: World) -> None:
+        """Find the signals in a world, of whose devices only the needed ones are read. Raises InvalidRequest."""
+        numbers = _numbers(world)
+        devices = {numbers[name].device: None for name in self._names if name in numbers}
+        declared = world.description.devices
+        banks = bind_devices(world.model, [declared[name] for name in devices], Problems(world.source.description))
+        self._banks = tuple(banks.values())
+        # In the order in which the banks are read.
+        positions = {name: i for i, name in enumerate(n for kind in banks for n in devices if declared[n].kind == kind)}
+        commanded = {d.name for d in declared.values() if KINDS[d.kind].takes is not None}
+        measures: list[Measure] = []
         for name in self._names:
-            if name.endswith(f".{COMMAND}") and name.count(".") == 2 and name.split(".")[0] in commanded:
-                measures[name] = _command(name)
-            if name not in measures:
-                known = ", ".join(list(measures)[:100])
+            if name in numbers:
+                measures.append(_reading(positions[numbers[name].device], numbers[name].field))
+            elif name == TIME:
+                measures.append(lambda _model, data, _readings: data.time)
+            elif name in world.observations:
+                measures.append(world.observations[name].measure)
+            elif name.endswith(f".{COMMAND}") and name.count(".") == 2 and name.split(".")[0] in commanded:
+                measures.append(self._command(name))
+            else:
+                known = ", ".join(list(dict.fromkeys((TIME, *numbers, *world.observations)))[:100])
                 raise InvalidRequest(f"signals: no signal {name!r}; signals of this world: {known}")
-        needed = {kinds[name] for name in self._names if name in kinds}
-        self.omitted_kinds = frozenset(d.kind for d in devices) - needed
-        self._reads_devices = bool(needed)
-        self._bound = world, tuple(measures[name] for name in self._names)
+        self._measures = tuple(measures)
+
+    def _command(self, name: str) -> Measure:
+        commands = self._commands
+        return lambda _model, _data, _readings: commands.get(name, 0.0)
+
+
+class _Number(NamedTuple):
+    """A number in the readings of a device."""
+
+    device: str
+    field: int
+
+
+def _numbers(world: World) -> dict[str, _Number]:
+    """The signals that are read from devices: their fields, and the observations of them."""
+    devices = [d for d in world.description.devices.values() if not KINDS[d.kind].image]
+    found = {
+        f"{d.name}.{field}": _Number(d.name, i) for d in devices for i, field in enumerate(KINDS[d.kind].fields(d))
+    }
+    for name, observation in world.description.observations.items():
+        if isinstance(observation.sight, DeviceNumber):
+            found[name] = _Number(observation.sight.device, observation.sight.index)
+    return found
 
 
 def _reading(position: int, index: int) -> Measure:
-    return lambda _model, _data, readings, _commands: readings[position].values[index]
-
-
-def _observation(measure: Callable[[mujoco.MjModel, mujoco.MjData, Sequence[Reading]], float]) -> Measure:
-    return lambda model, data, readings, _commands: measure(model, data, readings)
-
-
-def _command(name: str) -> Measure:
-    return lambda _model, _data, _readings, commands: commands.get(name, 0.0)
+    return lambda _model, _data, readings: readings[position].values[index]

@@ -122,7 +122,7 @@ class Simulation(RunningWorld):
             self._run(steps, is_active, settles=True)
 
         state = self._all_or_nothing(prepared)
-        self._sample(state.readings)
+        self._sample()
         return state
 
     def advance_until(
@@ -147,8 +147,9 @@ class Simulation(RunningWorld):
                 mujoco.mj_step(self._model, self._data)
                 self._step += 1
                 mujoco.mj_forward(self._model, self._data)
-                if self._sensing.keeps_past(self._data) or self._signals is not None:
-                    self._sample(self._read())
+                self._sample()
+                if self._sensing.keeps_past(self._data):
+                    self._read()
                 if self._motion is not None and self._motion.is_due(self._step):
                     self._observe()
                 met = judge(self._data, self.time_ns, self._read)
@@ -220,7 +221,7 @@ class Simulation(RunningWorld):
         if self._signals is None:
             raise WrongState("this session records no signals; its endpoint was opened without signals")
         # The last sample is the state at the end.
-        self._sample(self._state.readings)
+        self._sample()
         return self._signals.trace(call_ns, self.world.timestep_ns)
 
     def entity(self, name: str) -> Motion:
@@ -314,7 +315,7 @@ class Simulation(RunningWorld):
         self._step, self._frozen, self._state = 0, None, self._begun.state
         if self._signals is not None:
             self._signals.restart()
-            self._sample(self._state.readings)
+            self._sample()
         if self._motion is not None:
             self._motion.restart()
             self._motion.record(self.world, self._data, self._state)

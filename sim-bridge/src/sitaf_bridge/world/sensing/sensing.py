@@ -7,7 +7,7 @@ import mujoco
 import numpy as np
 
 from sitaf_bridge.errors import InvalidRequest
-from sitaf_bridge.world.devices import KINDS, KNOBS, Reading
+from sitaf_bridge.world.devices import KINDS, KNOBS, Bank, Reading
 from sitaf_bridge.world.sensing.faults import MAX_FAULTS, Fault, FaultKind, apply_fault, check_fault
 from sitaf_bridge.world.sensing.noise import gaussian, stream
 from sitaf_bridge.world.world import World
@@ -87,9 +87,21 @@ class Sensing:
             actual += [Reading(device, ()) for device in devices if device.kind in without and device.kind in banks]
         if len(self.world.banks) > 1:
             actual.sort(key=lambda reading: -reading.device.slot)
+        return tuple(self._perceived(model, data, step, actual))
+
+    def read_banks(
+        self, model: mujoco.MjModel, data: mujoco.MjData, step: int, banks: Sequence[Bank]
+    ) -> Sequence[Reading]:
+        """The readings of the devices of these banks, in their order, from data after `mj_forward`."""
+        return self._perceived(model, data, step, [reading for bank in banks for reading in bank.read(model, data)])
+
+    def _perceived(
+        self, model: mujoco.MjModel, data: mujoco.MjData, step: int, actual: Sequence[Reading]
+    ) -> Sequence[Reading]:
+        """With noise, delay and faults."""
         if not self._faults and not any(self._knobs(data)):
-            return tuple(actual)
-        return tuple(self._read(model, data, step, reading) for reading in actual)
+            return actual
+        return [self._read(model, data, step, reading) for reading in actual]
 
     def _knobs(self, data: mujoco.MjData) -> list[float]:
         """The knobs of all devices, as lists, which are faster than arrays for few numbers."""
