@@ -92,6 +92,36 @@ TEST_CASE("a record with any text is one line") {
         "<processing_time unit=\"us\" hardware=\"0.250\" stub=\"0.000\">1.500</processing_time></case_record>\n");
 }
 
+TEST_CASE("repeated calls have times in nanoseconds and the first difference") {
+  const TestCase testCase = oneCase({}, {});
+  const auto called = [&testCase](int value, double micros) {
+    CaseResult result(testCase);
+    result.setTime(micros, 0, 0);
+    result.record("return", value);
+    return result;
+  };
+  CaseResult first = called(3, 370);
+  CHECK(first.isRepeatable());
+  first.beginRepeated();
+  first.addRepeated(called(3, 9), 2, false);
+  first.addRepeated(called(3, 4.125), 3, true);
+  first.addRepeated(called(5, 6), 4, true);
+  CaseResult thrown = called(3, 1);
+  thrown.threw("NoEcho", "too far");
+  first.addRepeated(thrown, 5, true);
+  CHECK(first.line().find("<repeated_calls>4125 6000</repeated_calls><differs>call 4: return is 5, not 3</differs></case_record>") !=
+        std::string::npos);
+
+  CaseResult other = called(3, 370);
+  other.beginRepeated();
+  other.addRepeated(thrown, 2, true);
+  CHECK(other.line().find("<repeated_calls></repeated_calls><differs>call 2: threw NoEcho, but the first call returned</differs>") !=
+        std::string::npos);
+  CaseResult failed(testCase);
+  failed.endWith(sitaf::suite::Outcome::error, "no");
+  CHECK_FALSE(failed.isRepeatable());
+}
+
 TEST_CASE("the type name of an exception is recorded") {
   const TestCase testCase = oneCase({}, {});
   CaseResult result(testCase);

@@ -125,3 +125,31 @@ def test_a_missing_simulation_is_reported(tmp_path):
     )
     assert ended.returncode == 3
     assert "--bridge TARGET" in ended.stderr
+
+
+FLAKY = """\
+calls = getattr(Navigator, "calls", 0)
+Navigator.calls = calls + 1
+if calls == 4:
+    raise ValueError("the fifth time")
+return 2, route.points[-1], 0.5
+"""
+
+
+def test_calls_are_repeated_and_a_difference_is_reported(tmp_path):
+    path = with_component(tmp_path, FLAKY.splitlines())
+    arguments = ["--repeat", "6", "--warm-up", "1"]
+    ended, results = run(ENTRY, NAVIGATOR / "suite.xml", tmp_path / "results", path, *arguments)
+    assert ended.returncode == 0, ended.stderr
+    first = results[1]
+    assert first.attrib["outcome"] == "RETURNED", first.findtext("message")
+    assert first.findtext("differs") == "call 5: threw ValueError, but the first call returned"
+    assert len([int(ns) for ns in first.findtext("repeated_calls").split()]) == 5
+    assert len(results[2].findtext("repeated_calls").split()) == 6
+    assert results[2].find("differs") is None
+
+
+def test_options_of_repeated_calls_are_checked(tmp_path):
+    for arguments in (["--warm-up", "1"], ["--repeat", "-1"], ["--repeat", "1", "--repeat-within", "0"]):
+        ended, _ = run(ENTRY, NAVIGATOR / "suite.xml", tmp_path / "results", NAVIGATOR_PATH, *arguments)
+        assert (ended.returncode, ended.stderr.count("\n")) == (3, 1)

@@ -1,5 +1,6 @@
 #include "runtime/command_line.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <limits>
 #include <map>
@@ -12,7 +13,7 @@ namespace {
 [[noreturn]] void refuse(const std::string& problem) {
   throw CannotRun(problem +
                   "; usage: --suite FILE --results FILE [--bridge TARGET --world FILE.world.yaml] [--seed N] [--from NO] "
-                  "[--recording FOLDER] [--case-sim SECONDS]");
+                  "[--recording FOLDER] [--case-sim SECONDS] [--repeat N [--warm-up N] [--repeat-within SECONDS]]");
 }
 
 std::uint64_t number(const std::map<std::string, std::string>& given, const std::string& option, std::uint64_t otherwise) {
@@ -29,6 +30,36 @@ std::uint64_t number(const std::map<std::string, std::string>& given, const std:
   return value;
 }
 
+std::optional<std::chrono::nanoseconds> seconds(const std::map<std::string, std::string>& given, const std::string& option) {
+  const auto found = given.find(option);
+  if (found == given.end()) {
+    return std::nullopt;
+  }
+  const std::string& text = found->second;
+  double value = 0;
+  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (problem != std::errc() || end != text.data() + text.size() || !(value > 0) || value > 1e9) {
+    refuse(option + ": '" + text + "' is not a number of seconds above 0");
+  }
+  return std::chrono::nanoseconds(static_cast<std::int64_t>(value * 1e9));
+}
+
+std::optional<Repetition> repetitionOf(const std::map<std::string, std::string>& given) {
+  if (given.count("--repeat") == 0) {
+    if (given.count("--warm-up") > 0 || given.count("--repeat-within") > 0) {
+      refuse("--warm-up and --repeat-within need --repeat");
+    }
+    return std::nullopt;
+  }
+  // More repeated calls of either kind are never made.
+  constexpr std::uint64_t most = 10'000;
+  Repetition repetition;
+  repetition.warmUp = static_cast<int>(std::min(number(given, "--warm-up", 0), most));
+  repetition.repeat = static_cast<int>(std::min(number(given, "--repeat", 0), most));
+  repetition.within = seconds(given, "--repeat-within").value_or(repetition.within);
+  return repetition;
+}
+
 }  // namespace
 
 CommandLine CommandLine::parse(int argc, char** argv) {
@@ -36,7 +67,8 @@ CommandLine CommandLine::parse(int argc, char** argv) {
   for (int i = 1; i < argc; i += 2) {
     const std::string option = argv[i];
     const bool known = option == "--suite" || option == "--results" || option == "--bridge" || option == "--world" || option == "--seed" ||
-                       option == "--from" || option == "--recording" || option == "--case-sim";
+                       option == "--from" || option == "--recording" || option == "--case-sim" || option == "--repeat" ||
+                       option == "--warm-up" || option == "--repeat-within";
     if (!known || i + 1 == argc) {
       refuse("'" + option + "' is not an option with a value");
     }
@@ -65,15 +97,8 @@ CommandLine CommandLine::parse(int argc, char** argv) {
   if (given.count("--recording") > 0) {
     command.recording = given["--recording"];
   }
-  if (given.count("--case-sim") > 0) {
-    const std::string& text = given["--case-sim"];
-    double seconds = 0;
-    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), seconds);
-    if (problem != std::errc() || end != text.data() + text.size() || !(seconds > 0) || seconds > 1e9) {
-      refuse("--case-sim: '" + text + "' is not a number of seconds above 0");
-    }
-    command.caseTime = std::chrono::nanoseconds(static_cast<std::int64_t>(seconds * 1e9));
-  }
+  command.caseTime = seconds(given, "--case-sim");
+  command.repetition = repetitionOf(given);
   return command;
 }
 

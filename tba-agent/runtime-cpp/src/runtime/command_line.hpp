@@ -7,6 +7,16 @@
 
 namespace sitaf::runtime {
 
+/// How the call of each case is repeated to measure its time.
+struct Repetition {
+  /// Repeated calls before the measured ones.
+  int warmUp = 0;
+  /// Measured calls.
+  int repeat = 0;
+  /// No further call begins when this time has passed since the case began.
+  std::chrono::nanoseconds within = std::chrono::nanoseconds::max();
+};
+
 /// The command line of a test application.
 struct CommandLine {
   std::string suite;
@@ -21,6 +31,8 @@ struct CommandLine {
   std::string recording;
   /// Maximum simulation time of a case.
   std::optional<std::chrono::nanoseconds> caseTime;
+  /// How the call of each case is repeated to measure its time.
+  std::optional<Repetition> repetition;
 
   /// Reads the arguments; throws CannotRun when they are wrong.
   static CommandLine parse(int argc, char** argv);

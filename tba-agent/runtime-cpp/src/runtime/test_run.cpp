@@ -1,5 +1,6 @@
 #include "sitaf/runtime/test_run.hpp"
 
+#include <chrono>
 #include <cstdio>
 #include <optional>
 #include <stdexcept>
@@ -57,7 +58,8 @@ void closing(const std::string& what, Closing close) {
 
 class TestRun::State {
  public:
-  explicit State(const CommandLine& command) : from_(command.from), suite(command.suite), results(command.results, command.from > 0) {
+  explicit State(const CommandLine& command)
+      : from_(command.from), repetition_(command.repetition), suite(command.suite), results(command.results, command.from > 0) {
     if (command.bridge) {
       simulation.emplace(*command.bridge, *command.world, command.seed, stopwatch);
       currentHardware = &simulation->hardware();
@@ -75,6 +77,10 @@ class TestRun::State {
   State& operator=(const State&) = delete;
 
   void save(suite::CaseResult& result) {
+    if (repeating_) {
+      requireSimulator();
+      return;
+    }
     if (simulation && stopwatch.wasStarted()) {
       simulation->keepSignals(suite.current().no());
     }
@@ -82,7 +88,9 @@ class TestRun::State {
     if (addition) {
       addition(result);
     }
-    results.save(result);
+    if (!repetition_) {
+      results.save(result);
+    }
   }
 
   /// Throws when the simulator was lost, because later measurements are invalid.
@@ -113,6 +121,34 @@ class TestRun::State {
   void runOne(Driver& driver, const suite::TestCase& testCase) {
     suite::CaseResult result(testCase);
     beginCase(testCase.no());
+    if (!repetition_) {
+      call(driver, testCase, result);
+      return;
+    }
+    const auto began = std::chrono::steady_clock::now();
+    call(driver, testCase, result);
+    if (result.isRepeatable()) {
+      repeating_ = true;
+      repeat(driver, testCase, result, began);
+      repeating_ = false;
+    }
+    results.save(result);
+  }
+
+  /// Repeats the call of a case, each time in the same world and with a new component.
+  void repeat(Driver& driver, const suite::TestCase& testCase, suite::CaseResult& first, std::chrono::steady_clock::time_point began) {
+    first.beginRepeated();
+    for (int i = 0; i < repetition_->warmUp + repetition_->repeat; ++i) {
+      if (std::chrono::steady_clock::now() - began > repetition_->within) {
+        break;
+      }
+      suite::CaseResult again(testCase);
+      call(driver, testCase, again);
+      first.addRepeated(again, i + 2, i >= repetition_->warmUp);
+    }
+  }
+
+  void call(Driver& driver, const suite::TestCase& testCase, suite::CaseResult& result) {
     stopwatch.reset();
     try {
       if (!driver.runAndSave(testCase, result)) {
@@ -127,7 +163,7 @@ class TestRun::State {
         save(result);
       }
     }
-    if (simulation) {
+    if (simulation && !repeating_) {
       closing("recording case " + std::to_string(testCase.no()), [&] { simulation->saveMotion(testCase.no()); });
     }
     closing("closing the component after case " + std::to_string(testCase.no()), [&] { driver.endCase(); });
@@ -167,6 +203,9 @@ class TestRun::State {
   }
 
   const int from_;
+  const std::optional<Repetition> repetition_;
+  /// Whether the current call is repeated, so that only its time and its outputs count.
+  bool repeating_ = false;
 
  public:
   Stopwatch stopwatch;

@@ -77,6 +77,17 @@ void RecordLine::time(double component, double hardware, double stub) {
   xml_ += "</processing_time>";
 }
 
+void RecordLine::repeated(const std::vector<std::int64_t>& nanos, std::string_view differs) {
+  xml_ += "<repeated_calls>";
+  for (std::size_t i = 0; i < nanos.size(); ++i) {
+    xml_ += (i == 0 ? "" : " ") + std::to_string(nanos[i]);
+  }
+  xml_ += "</repeated_calls>";
+  if (!differs.empty()) {
+    element("differs", "", differs);
+  }
+}
+
 void RecordLine::calls(const StubCalls& calls) {
   for (const StubCall& call : calls.first) {
     xml_ += "<call method=\"";

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "sitaf/suite/outcome.hpp"
 #include "sitaf/suite/stub_call.hpp"
@@ -26,6 +28,9 @@ class RecordLine {
 
   /// In microseconds.
   void time(double component, double hardware, double stub);
+
+  /// The times of repeated calls in nanoseconds, and how one of them differs; empty if none does.
+  void repeated(const std::vector<std::int64_t>& nanos, std::string_view differs);
 
   void message(std::string_view text);
 

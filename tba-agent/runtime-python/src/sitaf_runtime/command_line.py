@@ -7,9 +7,36 @@ from sitaf_runtime.errors import CannotRunError
 
 USAGE = (
     "--suite FILE --results FILE [--bridge TARGET --world FILE.world.yaml] [--seed N] [--from NO] [--case-sim SECONDS]"
-    " [--recording DIR]"
+    " [--recording DIR] [--repeat N [--warm-up N] [--repeat-within SECONDS]]"
 )
-_OPTIONS = ("--suite", "--results", "--bridge", "--world", "--seed", "--from", "--case-sim", "--recording")
+_OPTIONS = (
+    "--suite",
+    "--results",
+    "--bridge",
+    "--world",
+    "--seed",
+    "--from",
+    "--case-sim",
+    "--recording",
+    "--repeat",
+    "--warm-up",
+    "--repeat-within",
+)
+# More repeated calls of either kind are never made.
+_MAX_CALLS = 10_000
+
+
+@dataclass(frozen=True, slots=True)
+class Repetition:
+    """How the call of each case is repeated to measure its time.
+
+    `warm_up` calls are not measured, then `repeat` calls are. No further call begins when `within_s` has passed since
+    the case began.
+    """
+
+    warm_up: int
+    repeat: int
+    within_s: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,7 +45,8 @@ class CommandLine:
 
     `bridge` is the gRPC target of the simulator and `world` the world description; both None when the component needs
     no simulation. `first` is the number of the first case to run; 0 for all. `case_sim_s` is the maximum simulation
-    time of a case. `recording` is the folder for a recording of the motion in each case; None for none.
+    time of a case. `recording` is the folder for a recording of the motion in each case; None for none. `repetition` is
+    None when calls are not repeated.
     """
 
     suite: Path
@@ -29,6 +57,7 @@ class CommandLine:
     first: int = 0
     case_sim_s: float | None = None
     recording: Path | None = None
+    repetition: Repetition | None = None
 
     @classmethod
     def parse(cls, arguments: list[str]) -> "CommandLine":
@@ -55,7 +84,20 @@ class CommandLine:
             _number(given, "--from", 0),
             _seconds(given, "--case-sim"),
             Path(given["--recording"]) if "--recording" in given else None,
+            _repetition(given),
         )
+
+
+def _repetition(given: dict[str, str]) -> Repetition | None:
+    if "--repeat" not in given:
+        if "--warm-up" in given or "--repeat-within" in given:
+            raise _usage_error("--warm-up and --repeat-within need --repeat")
+        return None
+    return Repetition(
+        min(_number(given, "--warm-up", 0), _MAX_CALLS),
+        min(_number(given, "--repeat", 0), _MAX_CALLS),
+        _seconds(given, "--repeat-within") or float("inf"),
+    )
 
 
 def _number(given: dict[str, str], option: str, default: int) -> int:

@@ -96,13 +96,10 @@ class SuiteDriver(ABC, Generic[C]):
         """Write the result of the case, with the time of its call, to the results file."""
         watch = self._run.stopwatch
         result.set_time(watch.component_us, watch.hardware_us, watch.stub_us)
-        result.set_calls(self._run.stubbing.calls, self._run.stubbing.left_out)
         too_long = self._run.took_too_long
         if too_long:
             result.end_with(Outcome.ERROR, too_long)
-        self._run.keep_signals()
-        self._run.require_simulator()
-        self._run.results.save(result)
+        self._run.save(result)
         self._saved = True
 
     @property

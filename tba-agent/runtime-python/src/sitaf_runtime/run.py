@@ -19,7 +19,7 @@ from itertools import islice
 from typing import TYPE_CHECKING, Any, NoReturn
 
 from sitaf_runtime import case_streams
-from sitaf_runtime.command_line import CommandLine
+from sitaf_runtime.command_line import CommandLine, Repetition
 from sitaf_runtime.driver import SuiteDriver
 from sitaf_runtime.errors import CannotRunError, CaseDataError, SimulationError
 from sitaf_runtime.robot.hardware import set_current
@@ -52,6 +52,9 @@ class TestRun:
         self._error: CaseDataError | None = None
         self._simulation: Simulation | None = None
         self._case_no = 0
+        self._repetition = command.repetition
+        # Whether the current call is repeated, so that only its time and its outputs count.
+        self._repeating = False
         if command.bridge is not None and command.world is not None:
             from sitaf_runtime.simulation.session import Simulation
 
@@ -80,13 +83,25 @@ class TestRun:
         """The message when the case exceeded its limit of simulation time; otherwise None."""
         return None if self._simulation is None else self._simulation.took_too_long
 
-    def keep_signals(self) -> None:
+    def save(self, result: CaseResult) -> None:
+        """Write the record of a case with the calls of its stubs.
+
+        Raises SimulationError when the simulator was lost, because later measurements are invalid.
+        """
+        self._keep_signals()
+        self._require_simulator()
+        if self._repeating:
+            return
+        result.set_calls(self.stubbing.calls, self.stubbing.left_out)
+        if self._repetition is None:
+            self.results.save(result)
+
+    def _keep_signals(self) -> None:
         """Let the simulator keep the signals of the current case, if it was called."""
-        if self._simulation is not None and self.stopwatch.was_started:
+        if self._simulation is not None and self.stopwatch.was_started and not self._repeating:
             self._simulation.keep_signals(self._case_no)
 
-    def require_simulator(self) -> None:
-        """Raise SimulationError when the simulator was lost, because later measurements are invalid."""
+    def _require_simulator(self) -> None:
         if self._simulation is not None:
             self._simulation.require_not_lost()
 
@@ -150,6 +165,32 @@ class TestRun:
         result = CaseResult(case)
         case_streams.begin(case.no)
         self._case_no = case.no
+        if self._repetition is None:
+            self._call(driver, case, result)
+            return
+        began = time.monotonic()
+        self._call(driver, case, result)
+        if result.is_repeatable:
+            self._repeating = True
+            try:
+                self._repeat(driver, case, result, self._repetition, began)
+            finally:
+                self._repeating = False
+        self.results.save(result)
+
+    def _repeat(
+        self, driver: SuiteDriver[Any], case: TestCase, first: CaseResult, repetition: Repetition, began: float
+    ) -> None:
+        """Repeat the call of a case, each time in the same world and with a new component."""
+        first.begin_repeated()
+        for number in range(repetition.warm_up + repetition.repeat):
+            if time.monotonic() - began > repetition.within_s:
+                break
+            again = CaseResult(case)
+            self._call(driver, case, again)
+            first.add_repeated(again, number + 2, measured=number >= repetition.warm_up)
+
+    def _call(self, driver: SuiteDriver[Any], case: TestCase, result: CaseResult) -> None:
         self.stopwatch.reset()
         driver.begin_case()
         try:
@@ -165,7 +206,7 @@ class TestRun:
             else:
                 self._end(result, case, raised)
         finally:
-            if self._simulation is not None:
+            if self._simulation is not None and not self._repeating:
                 simulation = self._simulation
                 _closing(f"recording case {case.no}", lambda: simulation.save_motion(case.no))
             _closing(f"closing the component after case {case.no}", driver.end_case)
@@ -174,8 +215,7 @@ class TestRun:
         """Complete the record of a case that did not save its result. Raises when no further case can run."""
         watch = self.stopwatch
         called = watch.was_started
-        self.keep_signals()
-        self.require_simulator()
+        self._require_simulator()
         if isinstance(raised, SimulationError) and raised.lost:
             raise raised
         if self.took_too_long:
@@ -192,8 +232,7 @@ class TestRun:
             result.end_with(Outcome.NOT_CALLED, str(raised))
         else:
             result.end_with(Outcome.ERROR, describe(raised))
-        result.set_calls(self.stubbing.calls, self.stubbing.left_out)
-        self.results.save(result)
+        self.save(result)
 
 
 def execute(arguments: list[str], factory: Callable[[TestRun], SuiteDriver[Any]]) -> int:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -50,6 +51,15 @@ class CaseResult {
   /// Sets the outcome of a case that did not return; the reason is appended to the message.
   void endWith(Outcome outcome, std::string_view reason);
 
+  /// Whether the component was called and nothing else failed.
+  bool isRepeatable() const { return outcome_ == Outcome::returned || outcome_ == Outcome::threw; }
+
+  /// From now on, repeated calls of the case are added.
+  void beginRepeated() { repeated_ = true; }
+
+  /// Adds the record of a repeated call with its number, from 2. The time of a call that is not measured does not count.
+  void addRepeated(const CaseResult& again, int number, bool measured);
+
   /// The record as one line of XML that ends with a line feed.
   std::string line() const;
 
@@ -57,6 +67,8 @@ class CaseResult {
   void recordValue(std::string_view output, const Value& value);
   void recordNull(std::string_view output);
   void put(std::string_view output, std::string literal);
+  std::string differenceFrom(const CaseResult& first) const;
+  std::string ending() const;
 
   const TestCase& testCase_;
   std::vector<std::pair<std::string, std::string>> actual_;
@@ -68,6 +80,9 @@ class CaseResult {
   std::string thrown_;
   std::string message_;
   StubCalls calls_;
+  bool repeated_ = false;
+  std::vector<std::int64_t> repeatedNanos_;
+  std::string differs_;
 };
 
 }  // namespace sitaf::suite

@@ -14,6 +14,8 @@ from sitaf_runtime.suite.test_case import TestCase
 
 # In characters; messages of a component's exceptions may have any length.
 _MAX_MESSAGE_LENGTH = 8000
+# In characters, of a value in the text about a difference.
+_MAX_DIFFERENCE = 200
 
 # Maximum number of results that a power failure loses; a killed process loses none.
 _LINES_TO_SYNC = 4096
@@ -38,7 +40,18 @@ class CaseResult:
     The test driver fills it in and saves it. It contains neither expected values nor verdicts, which the agent adds.
     """
 
-    __slots__ = ("_actual", "_calls", "_calls_left_out", "_case", "_message", "_outcome", "_thrown", "_time")
+    __slots__ = (
+        "_actual",
+        "_calls",
+        "_calls_left_out",
+        "_case",
+        "_differs",
+        "_message",
+        "_outcome",
+        "_repeated_ns",
+        "_thrown",
+        "_time",
+    )
 
     def __init__(self, test_case: TestCase) -> None:
         self._case = test_case
@@ -49,6 +62,8 @@ class CaseResult:
         self._outcome = Outcome.RETURNED
         self._thrown = ""
         self._message = ""
+        self._repeated_ns: list[int] | None = None
+        self._differs = ""
 
     def set_time(self, component: float, hardware: float, stub: float) -> None:
         """Set the processing time in microseconds; `component` excludes the other two."""
@@ -77,6 +92,44 @@ class CaseResult:
         self._outcome = outcome
         self._message = f"{self._message}; {reason}" if self._message else reason
 
+    @property
+    def is_repeatable(self) -> bool:
+        """Whether the component was called and nothing else failed."""
+        return self._outcome in (Outcome.RETURNED, Outcome.THREW)
+
+    def begin_repeated(self) -> None:
+        """From now on, repeated calls of the case are added."""
+        self._repeated_ns = []
+
+    def add_repeated(self, again: "CaseResult", number: int, *, measured: bool) -> None:
+        """Add the record of a repeated call.
+
+        `number` is that of the call, from 2. The time of a call that is not `measured` does not count.
+        """
+        if not self._differs:
+            difference = again._difference(self)
+            if difference:
+                self._differs = f"call {number}: {difference}"
+        if measured and again._time is not None and again._outcome is self._outcome and self._repeated_ns is not None:
+            self._repeated_ns.append(round(again._time[0] * 1000))
+
+    def _difference(self, first: "CaseResult") -> str:
+        """What this record gives instead of the first one; empty if they give the same."""
+        if self._outcome is not first._outcome or self._thrown != first._thrown:
+            return f"{self._ending()}, but the first call {first._ending()}"
+        for name, literal in self._actual.items():
+            before = first._actual.get(name, "null")
+            if literal != before:
+                return f"{name} is {_cut(literal)}, not {_cut(before)}"
+        return ""
+
+    def _ending(self) -> str:
+        if self._outcome is Outcome.RETURNED:
+            return "returned"
+        if self._outcome is Outcome.THREW:
+            return f"threw {_cut(self._thrown)}"
+        return f"failed: {_cut(self._message)}"
+
     def line(self) -> bytes:
         """The record as one line of XML (docs/test-application.md, The record of a case), ending with a line feed."""
         parts = [f'<case_record no="{self._case.no}" outcome="{self._outcome.name}">']
@@ -92,6 +145,10 @@ class CaseResult:
                 f'<processing_time unit="us" hardware="{hardware:.3f}" stub="{stub:.3f}">'
                 f"{component:.3f}</processing_time>"
             )
+        if self._repeated_ns is not None:
+            parts.append(f"<repeated_calls>{' '.join(map(str, self._repeated_ns))}</repeated_calls>")
+            if self._differs:
+                parts.append(f"<differs>{_escaped(self._differs)}</differs>")
         if self._message:
             parts.append(f"<message>{_escaped(_shortened(self._message))}</message>")
         parts.append("</case_record>\n")
@@ -177,6 +234,10 @@ def _value(element: str, name: str, literal: str) -> str:
 def _call(call: StubCall) -> str:
     arguments = "".join(_value("argument", name, literal) for name, literal in call.arguments.items())
     return f'<call method="{_escaped(call.method)}">{arguments}</call>'
+
+
+def _cut(text: str) -> str:
+    return text if len(text) <= _MAX_DIFFERENCE else f"{text[:_MAX_DIFFERENCE]}..."
 
 
 def _shortened(text: str) -> str:

@@ -16,6 +16,7 @@ import org.jspecify.annotations.Nullable;
  * @param world the world description; null when {@code bridge} is null
  * @param from the number of the first case to run; 0 for all
  * @param caseSimulation maximum simulation time of a case; null for no limit
+ * @param repetition how the call of each case is repeated; null if it is not
  * @param recording folder for a recording of the motion in each case; null for none
  */
 record CommandLine(
@@ -26,10 +27,12 @@ record CommandLine(
     long seed,
     int from,
     @Nullable Path recording,
-    @Nullable Duration caseSimulation) {
+    @Nullable Duration caseSimulation,
+    @Nullable Repetition repetition) {
   static final String USAGE =
       "--suite FILE --results FILE [--bridge TARGET --world FILE.world.yaml] [--seed N] [--from NO]"
-          + " [--recording FOLDER] [--case-sim SECONDS]";
+          + " [--recording FOLDER] [--case-sim SECONDS] [--repeat N [--warm-up N] [--repeat-within"
+          + " SECONDS]]";
 
   private static final Set<String> OPTIONS =
       Set.of(
@@ -40,8 +43,12 @@ record CommandLine(
           "--seed",
           "--from",
           "--recording",
-          "--case-sim");
+          "--case-sim",
+          "--repeat",
+          "--warm-up",
+          "--repeat-within");
   private static final long DEFAULT_SEED = 1;
+  private static final Duration MAX_TIME = Duration.ofDays(1000);
 
   /**
    * Reads the arguments.
@@ -70,7 +77,22 @@ record CommandLine(
         number(given, "--seed", DEFAULT_SEED),
         Math.toIntExact(Math.min(number(given, "--from", 0), Integer.MAX_VALUE)),
         given.containsKey("--recording") ? path(given, "--recording") : null,
-        given.containsKey("--case-sim") ? seconds(given.get("--case-sim")) : null);
+        given.containsKey("--case-sim") ? seconds("--case-sim", given.get("--case-sim")) : null,
+        repetition(given));
+  }
+
+  private static @Nullable Repetition repetition(Map<String, String> given) {
+    if (!given.containsKey("--repeat")) {
+      if (given.containsKey("--warm-up") || given.containsKey("--repeat-within")) {
+        throw usageError("--warm-up and --repeat-within need --repeat");
+      }
+      return null;
+    }
+    String within = given.get("--repeat-within");
+    return new Repetition(
+        Math.toIntExact(Math.min(number(given, "--warm-up", 0), Repetition.MAX_CALLS)),
+        Math.toIntExact(Math.min(number(given, "--repeat", 0), Repetition.MAX_CALLS)),
+        within == null ? MAX_TIME : seconds("--repeat-within", within));
   }
 
   private static String text(Map<String, String> given, String option) {
@@ -106,7 +128,7 @@ record CommandLine(
     throw usageError(option + ": '" + value + "' is not a whole number from 0");
   }
 
-  private static Duration seconds(String value) {
+  private static Duration seconds(String option, String value) {
     try {
       double seconds = Double.parseDouble(value);
       if (seconds > 0 && seconds <= 1e9) {
@@ -115,7 +137,7 @@ record CommandLine(
     } catch (NumberFormatException e) {
       // Reported below, together with numbers that are not above 0.
     }
-    throw usageError("--case-sim: '" + value + "' is not a number of seconds above 0");
+    throw usageError(option + ": '" + value + "' is not a number of seconds above 0");
   }
 
   private static CannotRunException usageError(String problem) {

@@ -31,6 +31,10 @@ public final class TestRun {
   static final int EXIT_CANNOT_RUN = 3;
 
   private int currentNo;
+
+  /** Whether the current call is repeated, so that only its time and its outputs count. */
+  private boolean repeating;
+
   private final Stopwatch stopwatch = new Stopwatch();
   private final CommandLine command;
   private final SuiteReader suite;
@@ -146,6 +150,12 @@ public final class TestRun {
 
   /** Writes the record of a case with the calls of its stubs. */
   void save(CaseResult result) throws IOException {
+    if (repeating) {
+      if (simulation != null) {
+        simulation.requireNotLost();
+      }
+      return;
+    }
     if (simulation != null) {
       if (stopwatch.wasStarted()) {
         simulation.keepSignals(currentNo);
@@ -153,7 +163,9 @@ public final class TestRun {
       simulation.requireNotLost();
     }
     stubbing.writeTo(result);
-    results.save(result);
+    if (command.repetition() == null) {
+      results.save(result);
+    }
   }
 
   private static ResultsFile openResults(CommandLine command) throws IOException {
@@ -197,6 +209,40 @@ public final class TestRun {
     CaseResult result = new CaseResult(testCase);
     CaseStreams.begin(testCase.no());
     currentNo = testCase.no();
+    Repetition repetition = command.repetition();
+    if (repetition == null) {
+      call(driver, testCase, result);
+      return;
+    }
+    long begin = System.nanoTime();
+    call(driver, testCase, result);
+    if (result.isRepeatable()) {
+      repeating = true;
+      try {
+        repeat(driver, testCase, result, repetition, begin);
+      } finally {
+        repeating = false;
+      }
+    }
+    results.save(result);
+  }
+
+  /** Repeats the call of a case, each time in the same world and with a new component. */
+  private void repeat(
+      SuiteDriver<?> driver, TestCase testCase, CaseResult first, Repetition repetition, long begin)
+      throws IOException {
+    int calls = repetition.warmUp() + repetition.repeat();
+    long within = repetition.within().toNanos();
+    first.beginRepeated();
+    for (int i = 0; i < calls && System.nanoTime() - begin <= within; i++) {
+      CaseResult again = new CaseResult(testCase);
+      call(driver, testCase, again);
+      first.addRepeated(again, i + 2, i >= repetition.warmUp());
+    }
+  }
+
+  private void call(SuiteDriver<?> driver, TestCase testCase, CaseResult result)
+      throws IOException {
     stopwatch.reset();
     stubbing.begin();
     try {
@@ -213,7 +259,7 @@ public final class TestRun {
         save(result);
       }
     } finally {
-      if (simulation != null) {
+      if (simulation != null && !repeating) {
         closing("recording case", testCase.no(), () -> simulation.saveMotion(testCase.no()));
       }
       closing("closing the component after case", testCase.no(), driver::endCase);

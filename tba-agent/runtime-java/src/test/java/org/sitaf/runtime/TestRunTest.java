@@ -43,6 +43,12 @@ class TestRunTest {
       if (divisor == 98) {
         Thread.currentThread().interrupt();
       }
+      if (divisor == 50 && LIFE.size() > 8) {
+        return 0;
+      }
+      if (divisor == 51 && LIFE.size() > 8) {
+        throw new IllegalStateException("the fifth time");
+      }
       return 100 / divisor;
     }
 
@@ -189,6 +195,9 @@ class TestRunTest {
       {"--bridge", "127.0.0.1:1"},
       {"--colour", "red"},
       {"--seed", "minus"},
+      {"--warm-up", "3"},
+      {"--repeat", "-1"},
+      {"--repeat", "3", "--repeat-within", "0"},
       {"--bridge", "127.0.0.1:1", "--world", folder.resolve("missing.world.yaml").toString()}
     };
     for (String[] more : wrong) {
@@ -221,6 +230,51 @@ class TestRunTest {
     assertThat(Thread.interrupted()).isTrue();
     assertThat(lines()).hasSize(3);
     assertThat(lines().get(2)).contains("outcome=\"RETURNED\"");
+  }
+
+  private static List<String> repeatedTimes(String line) {
+    String times = line.replaceAll(".*<repeated_calls>(.*)</repeated_calls>.*", "$1");
+    return List.of(times.split(" "));
+  }
+
+  @Test
+  void repeatsEachCallWithANewComponent() throws IOException {
+    suiteOf("5", "0", "x");
+
+    assertThat(run(LifeCycle.CASE, "--repeat", "4", "--warm-up", "2")).isZero();
+    assertThat(lines()).hasSize(3);
+    assertThat(lines().get(0)).contains("outcome=\"RETURNED\"", "<actual name=\"return\">20<");
+    assertThat(repeatedTimes(lines().get(0))).hasSize(4).allMatch(t -> t.matches("[0-9]+"));
+    assertThat(lines().get(1)).contains("<thrown>ArithmeticException</thrown>");
+    assertThat(repeatedTimes(lines().get(1))).hasSize(4);
+    assertThat(lines().get(2)).contains("NOT_CALLED").doesNotContain("repeated_calls");
+    assertThat(lines()).noneMatch(line -> line.contains("<differs>"));
+    assertThat(Divider.LIFE).hasSize(2 * 14);
+  }
+
+  @Test
+  void aRepeatedCallThatDiffersIsReportedAndDoesNotDecide() throws IOException {
+    suiteOf("50");
+    assertThat(run(LifeCycle.CASE, "--repeat", "6")).isZero();
+    assertThat(lines().get(0))
+        .contains("<actual name=\"return\">2</actual>")
+        .contains("<differs>call 5: return is 0, not 2</differs></case_record>");
+    assertThat(repeatedTimes(lines().get(0))).hasSize(6);
+
+    Divider.LIFE.clear();
+    suiteOf("51");
+    assertThat(run(LifeCycle.CASE, "--repeat", "6")).isZero();
+    assertThat(lines().get(0))
+        .contains("outcome=\"RETURNED\"")
+        .contains("<differs>call 5: threw IllegalStateException, but the first call returned<");
+    assertThat(repeatedTimes(lines().get(0))).hasSize(3);
+  }
+
+  @Test
+  void repeatsNoLongerThanTheGivenTime() throws IOException {
+    suiteOf("5");
+    assertThat(run(LifeCycle.CASE, "--repeat", "10000", "--repeat-within", "0.000000001")).isZero();
+    assertThat(lines().get(0)).contains("<repeated_calls></repeated_calls>");
   }
 
   @Test

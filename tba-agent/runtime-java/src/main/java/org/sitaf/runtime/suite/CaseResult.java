@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -12,6 +13,9 @@ import org.jspecify.annotations.Nullable;
  * values nor verdicts, which the agent adds.
  */
 public final class CaseResult {
+  /** Longest value in the text about a difference, in characters. */
+  private static final int MAX_DIFFERENCE = 200;
+
   private record Call(String method, List<String> parameters, List<String> arguments) {}
 
   private final TestCase testCase;
@@ -22,6 +26,7 @@ public final class CaseResult {
   private Outcome outcome = Outcome.RETURNED;
   private String thrown = "";
   private String message = "";
+  private @Nullable RepeatedCalls repeated;
 
   /** An empty record of a case. */
   public CaseResult(TestCase testCase) {
@@ -94,6 +99,61 @@ public final class CaseResult {
     message = message.isEmpty() ? reason : message + "; " + reason;
   }
 
+  /** Whether the component was called and nothing else failed. */
+  public boolean isRepeatable() {
+    return outcome == Outcome.RETURNED || outcome == Outcome.THREW;
+  }
+
+  /** From now on, repeated calls of the case are added. */
+  public void beginRepeated() {
+    repeated = new RepeatedCalls();
+  }
+
+  /**
+   * Adds a repeated call of the case.
+   *
+   * @param again the record of the call
+   * @param number of the call, from 2
+   * @param measured whether its time counts
+   */
+  public void addRepeated(CaseResult again, int number, boolean measured) {
+    RepeatedCalls calls = Objects.requireNonNull(repeated);
+    if (!calls.differ()) {
+      again.differenceFrom(this).ifPresent(text -> calls.differs("call " + number + ": " + text));
+    }
+    if (measured && again.time != null && again.outcome == outcome) {
+      calls.add(again.time.component());
+    }
+  }
+
+  /** What this record gives instead of the first one; empty if they give the same. */
+  private Optional<String> differenceFrom(CaseResult first) {
+    if (outcome != first.outcome || !thrown.equals(first.thrown)) {
+      return Optional.of(ending() + ", but the first call " + first.ending());
+    }
+    for (Map.Entry<String, String> value : actual.entrySet()) {
+      String before = first.actual.get(value.getKey());
+      if (!value.getValue().equals(before)) {
+        return Optional.of(
+            value.getKey() + " is " + shortened(value.getValue()) + ", not " + shortened(before));
+      }
+    }
+    return Optional.empty();
+  }
+
+  private String ending() {
+    return switch (outcome) {
+      case RETURNED -> "returned";
+      case THREW -> "threw " + shortened(thrown);
+      case ERROR, NOT_CALLED -> "failed: " + shortened(message);
+    };
+  }
+
+  private static String shortened(@Nullable String text) {
+    String whole = String.valueOf(text);
+    return whole.length() <= MAX_DIFFERENCE ? whole : whole.substring(0, MAX_DIFFERENCE) + "...";
+  }
+
   /** The record as one line of XML that ends with a line feed. */
   String line() {
     RecordLine line = new RecordLine(testCase.no(), outcome);
@@ -109,6 +169,9 @@ public final class CaseResult {
     }
     if (time != null) {
       line.time(time);
+    }
+    if (repeated != null) {
+      line.repeated(repeated);
     }
     if (!message.isEmpty()) {
       line.message(message);

@@ -43,6 +43,20 @@ final class RecordLine {
     xml.append("</processing_time>");
   }
 
+  /** The times of repeated calls in nanoseconds, and how one of them differs. */
+  void repeated(RepeatedCalls calls) {
+    xml.append("<repeated_calls>");
+    String before = "";
+    for (long nanos : calls.nanos()) {
+      xml.append(before).append(nanos);
+      before = " ";
+    }
+    xml.append("</repeated_calls>");
+    if (calls.differ()) {
+      element("differs", "", calls.differs());
+    }
+  }
+
   /** Appends a non-negative number with three decimals; ten times as fast as String.format. */
   private void thousandths(double number) {
     long rounded = Math.round(number * 1000);
