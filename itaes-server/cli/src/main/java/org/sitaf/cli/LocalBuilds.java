@@ -77,10 +77,13 @@ final class LocalBuilds implements AutoCloseable {
     return run(activity, model, suite, System.err);
   }
 
-  /** Like {@link #run}, without printing the progress. */
+  /** Like {@link #run}, without repeated calls and without printing the progress. */
   BuildOutcome runQuietly(Activity activity, TestModel model, TestSuite suite) {
     return run(
-        activity, model, suite, new PrintStream(OutputStream.nullOutputStream(), false, UTF_8));
+        activity.withoutTiming(),
+        model.withoutTiming(),
+        suite,
+        new PrintStream(OutputStream.nullOutputStream(), false, UTF_8));
   }
 
   private BuildOutcome run(

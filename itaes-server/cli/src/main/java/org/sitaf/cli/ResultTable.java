@@ -28,6 +28,10 @@ public final class ResultTable {
     List<String> header = new ArrayList<>(List.of("No"));
     result.parameters().stream().map(CaseParameter::name).forEach(header::add);
     header.addAll(List.of("ER", "MR", "PF", "Time(us)"));
+    boolean repeated = result.cases().stream().anyMatch(c -> c.repeated() != null);
+    if (repeated) {
+      header.addAll(List.of("95 %", "First(us)"));
+    }
     rows.add(header);
     for (CaseResult testCase : cases) {
       List<String> row = new ArrayList<>(List.of(Integer.toString(testCase.no())));
@@ -35,7 +39,12 @@ public final class ResultTable {
       row.add(values(testCase.expected()));
       row.add(values(testCase.actual()));
       row.add(testCase.verdict().name());
-      row.add(testCase.time() == null ? "-" : number(testCase.time().total()));
+      String first = testCase.time() == null ? "-" : number(testCase.time().total());
+      if (repeated) {
+        row.add(testCase.micros().isPresent() ? number(testCase.micros().getAsDouble()) : "-");
+        row.add(RepeatedCallsText.interval(testCase.repeated()));
+      }
+      row.add(first);
       rows.add(row.stream().map(ResultTable::cell).toList());
     }
     int columns = header.size();
@@ -85,6 +94,7 @@ public final class ResultTable {
           number(summary.times().average()),
           number(summary.times().standardDeviation()));
     }
+    RepeatedCallsText.print(result, out);
     Coverage coverage = result.coverage();
     if (coverage != null && coverage.statement().isPresent()) {
       out.printf(
@@ -116,7 +126,7 @@ public final class ResultTable {
     return line.length() <= MAX_WIDTH ? line : line.substring(0, MAX_WIDTH - 1) + "…";
   }
 
-  private static String number(double microseconds) {
+  static String number(double microseconds) {
     return String.format(Locale.ROOT, "%.3f", microseconds);
   }
 }

@@ -73,7 +73,13 @@ public record Activity(
     List<Diagnostic> found = new ArrayList<>(TestCaseGenerator.verifyConditions(model));
     found.addAll(
         ModelAgainstActivity.verify(
-            model, provided, required, world, outputPorts, profile.limits()));
+            model,
+            provided,
+            required,
+            world,
+            outputPorts,
+            profile.component().lifeCycle(),
+            profile.limits()));
     return found;
   }
 
@@ -89,6 +95,12 @@ public record Activity(
   public Activity withoutReferenceFiles() {
     Component reference = profile.reference();
     return reference == null ? this : with(profile, reference.folders());
+  }
+
+  /** The same activity without repeated calls, unless a model orders them. */
+  public Activity withoutTiming() {
+    return new Activity(
+        profile.withoutTiming(), files, provided, required, outputPorts, world, models, warnings);
   }
 
   private Activity with(ActivityProfile other, List<String> hidden) {

@@ -9,6 +9,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.core.timing.Timing;
 
 /**
  * The test profile (paper, Fig. 13): the content of {@code activity.yaml}.
@@ -22,6 +23,7 @@ import org.jspecify.annotations.Nullable;
  * @param world the world description; null if the component needs no simulation
  * @param models test models, relative to the activity
  * @param parallel whether cases may run in several simulations at once
+ * @param timing how often the call of each case is repeated, unless the model says; null for never
  * @param sanitizers with which a C++ component and its test application are compiled
  */
 public record ActivityProfile(
@@ -37,6 +39,7 @@ public record ActivityProfile(
     List<String> models,
     boolean parallel,
     Set<Sanitizer> sanitizers,
+    @Nullable Timing timing,
     Limits limits) {
   public ActivityProfile {
     Objects.requireNonNull(name);
@@ -74,6 +77,26 @@ public record ActivityProfile(
         models,
         parallel,
         second.language() == Language.CPP ? sanitizers : Set.of(),
+        null,
+        limits);
+  }
+
+  /** The same profile without repeated calls. */
+  public ActivityProfile withoutTiming() {
+    return new ActivityProfile(
+        name,
+        description,
+        component,
+        reference,
+        provided,
+        required,
+        libraries,
+        harness,
+        world,
+        models,
+        parallel,
+        sanitizers,
+        null,
         limits);
   }
 

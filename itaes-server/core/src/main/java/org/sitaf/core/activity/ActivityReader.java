@@ -80,7 +80,13 @@ final class ActivityReader {
         diagnostics.addAll(TestCaseGenerator.verifyConditions(model));
         diagnostics.addAll(
             ModelAgainstActivity.verify(
-                model, provided, required, world, outputPorts, profile.limits()));
+                model,
+                provided,
+                required,
+                world,
+                outputPorts,
+                profile.component().lifeCycle(),
+                profile.limits()));
       }
     }
     diagnostics.throwIfErrors();

@@ -8,6 +8,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.core.activity.ActivityProfile.LifeCycle;
 import org.sitaf.core.activity.ActivityProfile.Limits;
 import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.Direction;
@@ -26,6 +27,7 @@ import org.sitaf.core.model.InputElement;
 import org.sitaf.core.model.OutputElement;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.model.Value;
+import org.sitaf.core.timing.Timing;
 import org.sitaf.core.trajectory.TrajectoryConditions;
 import org.sitaf.core.value.TestDataGenerator;
 import org.sitaf.core.value.TestValue;
@@ -44,6 +46,7 @@ final class ModelAgainstActivity {
   private final @Nullable WorldDescription world;
   private final List<Port.Data> outputPorts;
   private final Limits limits;
+  private final LifeCycle lifeCycle;
   private final Diagnostics diagnostics = new Diagnostics();
 
   private ModelAgainstActivity(
@@ -51,8 +54,10 @@ final class ModelAgainstActivity {
       List<InterfaceDescription> required,
       @Nullable WorldDescription world,
       List<Port.Data> outputPorts,
+      LifeCycle lifeCycle,
       Limits limits) {
     this.limits = limits;
+    this.lifeCycle = lifeCycle;
     this.model = model;
     this.required = required;
     this.world = world;
@@ -65,8 +70,11 @@ final class ModelAgainstActivity {
       List<InterfaceDescription> required,
       @Nullable WorldDescription world,
       List<Port.Data> outputPorts,
+      LifeCycle lifeCycle,
       Limits limits) {
-    var verification = new ModelAgainstActivity(model, required, world, outputPorts, limits);
+    var verification =
+        new ModelAgainstActivity(model, required, world, outputPorts, lifeCycle, limits);
+    verification.timing();
     try {
       Method method = TargetMethod.find(model, provided).method();
       verification.inputs(method);
@@ -76,6 +84,13 @@ final class ModelAgainstActivity {
       verification.error(0, "target", String.valueOf(e.getMessage()));
     }
     return verification.diagnostics.all();
+  }
+
+  private void timing() {
+    Timing timing = model.timing();
+    if (timing != null && lifeCycle == LifeCycle.SUITE) {
+      error(timing.line(), "timing", ProfileReader.TIMING_NEEDS_CASE);
+    }
   }
 
   private void inputs(Method method) {

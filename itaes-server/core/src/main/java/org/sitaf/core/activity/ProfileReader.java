@@ -19,6 +19,7 @@ import org.sitaf.core.activity.ActivityProfile.Sanitizer;
 import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.document.YamlDocument;
 import org.sitaf.core.document.YamlMapping;
+import org.sitaf.core.timing.Timing;
 
 /** Reads {@code activity.yaml}. */
 final class ProfileReader {
@@ -37,6 +38,7 @@ final class ProfileReader {
           "models",
           "parallel",
           "sanitize",
+          "timing",
           "limits");
   private static final Set<String> COMPONENT_ENTRIES =
       Set.of(
@@ -57,6 +59,11 @@ final class ProfileReader {
 
   private static final String COMPONENT = "component";
   private static final String REFERENCE = "reference";
+
+  /** Why the calls of a component that lives as long as the suite cannot be repeated. */
+  static final String TIMING_NEEDS_CASE =
+      "needs life_cycle: case, because a component with life_cycle: suite keeps its state, so that"
+          + " a repeated call is another case; write life_cycle: case, or remove timing";
 
   private ProfileReader() {}
 
@@ -95,6 +102,7 @@ final class ProfileReader {
         root.texts("models"),
         root.booleanValue("parallel").orElse(false),
         sanitizers(root, component, harness),
+        timing(root, component),
         root.mapping("limits").map(ProfileReader::limits).orElse(Limits.DEFAULT));
   }
 
@@ -181,6 +189,31 @@ final class ProfileReader {
           "has no effect on a compiled library; give the sources of the component, or remove it");
     }
     return found;
+  }
+
+  private static @Nullable Timing timing(YamlMapping root, Component component) {
+    Optional<YamlMapping> found = root.mapping("timing");
+    if (found.isEmpty()) {
+      return null;
+    }
+    YamlMapping entry = found.get();
+    entry.allowOnly(Set.of("warm_up", "repeat"));
+    if (component.lifeCycle() == LifeCycle.SUITE) {
+      root.problem("timing", TIMING_NEEDS_CASE);
+    }
+    return new Timing(
+        calls(entry, "warm_up", 0, Timing.MAX_WARM_UP, Timing.DEFAULT_WARM_UP),
+        calls(entry, "repeat", 1, Timing.MAX_REPEAT, Timing.DEFAULT_REPEAT),
+        root.line("timing"));
+  }
+
+  private static int calls(YamlMapping entry, String name, int min, int max, int otherwise) {
+    double number = entry.number(name).orElse((double) otherwise);
+    if (number != Math.rint(number) || number < min || number > max) {
+      entry.problem(name, "must be a whole number from %d to %d".formatted(min, max));
+      return otherwise;
+    }
+    return (int) number;
   }
 
   private static LifeCycle lifeCycle(YamlMapping entry) {

@@ -51,7 +51,7 @@ public final class InterfaceTestApplicationGenerator {
    */
   public static TestApplication ofReference(TestApplication application) {
     Activity activity = application.activity().ofReference();
-    TestModel model = application.model();
+    TestModel model = application.model().withoutTiming();
     TestSuite suite = application.suite().withoutExpected();
     return new TestApplication(
         activity,

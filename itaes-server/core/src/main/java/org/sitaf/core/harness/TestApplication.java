@@ -1,10 +1,12 @@
 package org.sitaf.core.harness;
 
 import java.util.Objects;
+import org.jspecify.annotations.Nullable;
 import org.sitaf.core.activity.Activity;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.suite.TestSuite;
+import org.sitaf.core.timing.Timing;
 
 /**
  * Everything that an agent needs to compile and execute a test. The server sends it to the agent;
@@ -37,6 +39,11 @@ public record TestApplication(
   /** The same application without the files of the activity's reference implementation. */
   public TestApplication withoutReferenceFiles() {
     return new TestApplication(activity.withoutReferenceFiles(), model, suite, harness, entryPoint);
+  }
+
+  /** How often the call of each case is repeated; null if it is not. */
+  public @Nullable Timing timing() {
+    return model.timing() == null ? activity.profile().timing() : model.timing();
   }
 
   /** The application as files, in the layout above. */

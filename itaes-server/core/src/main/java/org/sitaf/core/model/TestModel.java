@@ -4,6 +4,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.timing.Timing;
 
 /**
  * The test specifications of one method (paper, Fig. 4).
@@ -12,6 +14,7 @@ import java.util.Optional;
  * @param constants constants and enumeration literals of the activity's interfaces by name: Long,
  *     Double, Boolean or String
  * @param maxCases maximum number of cases, at least 1
+ * @param timing how often calls are repeated; null if the model does not say
  * @param source name of the document
  */
 public record TestModel(
@@ -30,6 +33,7 @@ public record TestModel(
     List<MixedStrength> mixedStrengths,
     List<KeptCase> keptCases,
     int maxCases,
+    @Nullable Timing timing,
     String source) {
   /** The number of cases is not bounded by the model. */
   public static final int UNBOUNDED = Integer.MAX_VALUE;
@@ -70,6 +74,7 @@ public record TestModel(
         mixedStrengths,
         keptCases,
         maxCases,
+        timing,
         source);
   }
 
@@ -91,6 +96,7 @@ public record TestModel(
         mixedStrengths,
         keptCases,
         maxCases,
+        timing,
         source);
   }
 
@@ -112,6 +118,29 @@ public record TestModel(
         mixedStrengths,
         keptCases,
         maxCases,
+        timing,
+        source);
+  }
+
+  /** A copy without repeated calls. */
+  public TestModel withoutTiming() {
+    return new TestModel(
+        name,
+        description,
+        target,
+        definitions,
+        constants,
+        preConditions,
+        inputs,
+        outputs,
+        postConditions,
+        trajectoryConditions,
+        invalidValues,
+        strength,
+        mixedStrengths,
+        keptCases,
+        maxCases,
+        null,
         source);
   }
 

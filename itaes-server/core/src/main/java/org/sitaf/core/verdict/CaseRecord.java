@@ -3,6 +3,7 @@ package org.sitaf.core.verdict;
 import java.util.List;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.core.timing.RepeatedCalls;
 
 /**
  * The record of one case, as written by a test application. Contains measurements only: {@link
@@ -14,6 +15,7 @@ import org.jspecify.annotations.Nullable;
  * @param actual recorded values of the outputs
  * @param calls of required interfaces
  * @param time of the call; null if the call did not end
+ * @param repeated the repeated calls; null if there are none
  * @param message describes the exception or the reason; empty if the call returned
  */
 public record CaseRecord(
@@ -23,6 +25,7 @@ public record CaseRecord(
     List<NamedValue> actual,
     StubCalls calls,
     CaseResult.@Nullable ProcessingTime time,
+    @Nullable RepeatedCalls repeated,
     String message) {
   public CaseRecord {
     Objects.requireNonNull(outcome);
@@ -30,6 +33,18 @@ public record CaseRecord(
     actual = List.copyOf(actual);
     Objects.requireNonNull(calls);
     Objects.requireNonNull(message);
+  }
+
+  /** A record without repeated calls. */
+  public CaseRecord(
+      int no,
+      Outcome outcome,
+      String thrown,
+      List<NamedValue> actual,
+      StubCalls calls,
+      CaseResult.@Nullable ProcessingTime time,
+      String message) {
+    this(no, outcome, thrown, actual, calls, time, null, message);
   }
 
   /** How the case ended. */
@@ -49,8 +64,23 @@ public record CaseRecord(
     return new CaseRecord(no, Outcome.ERROR, "", List.of(), StubCalls.NONE, null, message);
   }
 
-  /** A copy without the processing time. */
+  /** A copy without processing times. */
   public CaseRecord withoutTime() {
-    return new CaseRecord(no, outcome, thrown, actual, calls, null, message);
+    return new CaseRecord(no, outcome, thrown, actual, calls, null, null, message);
+  }
+
+  /** A copy that says that its call was the first of its process. */
+  public CaseRecord ofFirstCall() {
+    return time == null
+        ? this
+        : new CaseRecord(
+            no,
+            outcome,
+            thrown,
+            actual,
+            calls,
+            new CaseResult.ProcessingTime(time.total(), time.hardware(), time.stub(), true),
+            repeated,
+            message);
   }
 }

@@ -2,7 +2,9 @@ package org.sitaf.core.verdict;
 
 import java.util.List;
 import java.util.Objects;
+import java.util.OptionalDouble;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.core.timing.RepeatedCalls;
 
 /**
  * The result of one case.
@@ -10,7 +12,8 @@ import org.jspecify.annotations.Nullable;
  * @param values literals in the order of the suite's parameters
  * @param calls of required interfaces
  * @param trajectories results of the trajectory conditions; empty if they were not evaluated
- * @param time null if the call did not end
+ * @param time of the judged call; null if it did not end
+ * @param repeated the repeated calls; null if there are none
  * @param message why the verdict is not PASS; empty otherwise
  */
 public record CaseResult(
@@ -22,6 +25,7 @@ public record CaseResult(
     StubCalls calls,
     List<TrajectoryResult> trajectories,
     @Nullable ProcessingTime time,
+    @Nullable RepeatedCalls repeated,
     String message) {
   public CaseResult {
     Objects.requireNonNull(verdict);
@@ -56,12 +60,30 @@ public record CaseResult(
       StubCalls calls,
       @Nullable ProcessingTime time,
       String message) {
-    this(no, verdict, values, expected, actual, calls, List.of(), time, message);
+    this(no, verdict, values, expected, actual, calls, List.of(), time, null, message);
   }
 
   /** A copy with the results of trajectory conditions. */
   public CaseResult with(List<TrajectoryResult> results) {
-    return new CaseResult(no, verdict, values, expected, actual, calls, results, time, message);
+    return new CaseResult(
+        no, verdict, values, expected, actual, calls, results, time, repeated, message);
+  }
+
+  /** A copy with repeated calls. */
+  public CaseResult with(RepeatedCalls measured) {
+    return new CaseResult(
+        no, verdict, values, expected, actual, calls, trajectories, time, measured, message);
+  }
+
+  /**
+   * The time that stands for the case, in microseconds: the median of its repeated calls, else the
+   * time of its call. Empty if the call did not end.
+   */
+  public OptionalDouble micros() {
+    if (repeated != null && repeated.median() != null) {
+      return OptionalDouble.of(repeated.median());
+    }
+    return time == null ? OptionalDouble.empty() : OptionalDouble.of(time.total());
   }
 
   /** A copy with another verdict. The reason is added to the message. */
@@ -75,6 +97,7 @@ public record CaseResult(
         calls,
         trajectories,
         time,
+        repeated,
         message.isEmpty() ? reason : message + "; " + reason);
   }
 
@@ -84,6 +107,18 @@ public record CaseResult(
    * @param total the component's own time, without the other two
    * @param hardware spent in virtual hardware
    * @param stub spent in stubs
+   * @param cold never null: whether this is the first call of its process, which also loads and
+   *     compiles code
    */
-  public record ProcessingTime(double total, double hardware, double stub) {}
+  public record ProcessingTime(double total, double hardware, double stub, @Nullable Boolean cold) {
+    public ProcessingTime {
+      // Stored results of earlier versions have none.
+      cold = Boolean.TRUE.equals(cold);
+    }
+
+    /** The time of a call that is not the first of its process. */
+    public ProcessingTime(double total, double hardware, double stub) {
+      this(total, hardware, stub, false);
+    }
+  }
 }

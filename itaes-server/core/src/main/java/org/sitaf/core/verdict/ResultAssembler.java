@@ -21,6 +21,7 @@ import org.sitaf.core.suite.InputValidity;
 import org.sitaf.core.suite.PostConditions;
 import org.sitaf.core.suite.TestCase;
 import org.sitaf.core.suite.TestSuite;
+import org.sitaf.core.timing.RepeatedCalls;
 import org.sitaf.core.trajectory.TrajectoryConditions;
 
 /**
@@ -95,6 +96,12 @@ public final class ResultAssembler {
    * @throws IllegalArgumentException if the suite has no such case
    */
   public CaseResult judge(CaseRecord record, TraceSource signals) {
+    CaseResult result = judgeFirst(record, signals);
+    RepeatedCalls repeated = record.repeated();
+    return repeated == null ? result : result.with(repeated);
+  }
+
+  private CaseResult judgeFirst(CaseRecord record, TraceSource signals) {
     TestCase testCase = cases.get(record.no());
     if (testCase == null) {
       throw new IllegalArgumentException("the suite has no case " + record.no());

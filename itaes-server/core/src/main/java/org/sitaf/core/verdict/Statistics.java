@@ -1,7 +1,7 @@
 package org.sitaf.core.verdict;
 
 import java.util.List;
-import java.util.Objects;
+import org.jspecify.annotations.Nullable;
 import org.sitaf.core.model.Value;
 
 /** Computes the summary of a result. */
@@ -16,13 +16,6 @@ final class Statistics {
    */
   static Summary of(List<CaseResult> cases, boolean postConditions) {
     int pass = count(cases, Verdict.PASS);
-    double[] times =
-        cases.stream()
-            .filter(c -> c.verdict() == Verdict.PASS || c.verdict() == Verdict.FAIL)
-            .map(CaseResult::time)
-            .filter(Objects::nonNull)
-            .mapToDouble(CaseResult.ProcessingTime::total)
-            .toArray();
     int unjudged =
         postConditions
             ? 0
@@ -35,7 +28,7 @@ final class Statistics {
         count(cases, Verdict.DONT),
         unjudged,
         count(cases.stream().filter(Statistics::endedWithError).toList(), Verdict.PASS),
-        times.length == 0 ? null : times(times));
+        times(cases));
   }
 
   private static boolean isUnjudged(CaseResult result) {
@@ -46,8 +39,44 @@ final class Statistics {
     return result.actual().stream().anyMatch(a -> a.literal().startsWith(Value.ERROR_PREFIX));
   }
 
+  /**
+   * The times of the cases. The first call of a process also loads and compiles code, so it is left
+   * out where other times remain.
+   */
+  private static Summary.@Nullable Times times(List<CaseResult> all) {
+    List<CaseResult> timed =
+        all.stream()
+            .filter(c -> c.verdict() == Verdict.PASS || c.verdict() == Verdict.FAIL)
+            .filter(c -> c.micros().isPresent())
+            .toList();
+    if (timed.isEmpty()) {
+      return null;
+    }
+    List<CaseResult> warm = timed.stream().filter(c -> !isColdOnly(c)).toList();
+    double[] times =
+        (warm.isEmpty() ? timed : warm)
+            .stream().mapToDouble(c -> c.micros().getAsDouble()).toArray();
+    Double first =
+        warm.isEmpty()
+            ? null
+            : timed.stream()
+                .map(CaseResult::time)
+                .filter(t -> t != null && t.cold())
+                .map(CaseResult.ProcessingTime::total)
+                .findFirst()
+                .orElse(null);
+    return times(times, first);
+  }
+
+  /** Whether the only call of the case was the first of its process. */
+  private static boolean isColdOnly(CaseResult result) {
+    CaseResult.ProcessingTime time = result.time();
+    boolean repeated = result.repeated() != null && result.repeated().median() != null;
+    return !repeated && time != null && time.cold();
+  }
+
   /** Welford's algorithm, which is numerically stable for similar times. */
-  private static Summary.Times times(double[] times) {
+  private static Summary.Times times(double[] times, @Nullable Double first) {
     double min = Double.POSITIVE_INFINITY;
     double max = Double.NEGATIVE_INFINITY;
     double mean = 0;
@@ -60,7 +89,7 @@ final class Statistics {
       max = Math.max(max, times[i]);
     }
     double deviation = times.length > 1 ? Math.sqrt(squares / (times.length - 1)) : 0;
-    return new Summary.Times(min, max, mean, deviation);
+    return new Summary.Times(min, max, mean, deviation, first);
   }
 
   private static int count(List<CaseResult> cases, Verdict verdict) {

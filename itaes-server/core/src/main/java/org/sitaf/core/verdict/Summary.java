@@ -25,6 +25,19 @@ public record Summary(
     }
   }
 
-  /** Processing times in microseconds; sample standard deviation, 0 for a single case. */
-  public record Times(double min, double max, double average, double standardDeviation) {}
+  /**
+   * Processing times in microseconds: the median of a case with repeated calls, else the time of
+   * its call.
+   *
+   * @param standardDeviation of the sample; 0 for a single case
+   * @param first the time of the first call of a process, which the other numbers leave out; null
+   *     if they leave none out
+   */
+  public record Times(
+      double min, double max, double average, double standardDeviation, @Nullable Double first) {
+    /** Times of which none is left out. */
+    public Times(double min, double max, double average, double standardDeviation) {
+      this(min, max, average, standardDeviation, null);
+    }
+  }
 }

@@ -20,9 +20,12 @@ import org.junit.jupiter.api.Test;
 import org.sitaf.core.activity.ActivityProfile.Language;
 import org.sitaf.core.diagnostic.Diagnostic;
 import org.sitaf.core.diagnostic.InvalidInputException;
+import org.sitaf.core.harness.TestApplication;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.suite.GenerationOptions;
 import org.sitaf.core.suite.TestCaseGenerator;
+import org.sitaf.core.suite.TestSuite;
+import org.sitaf.core.timing.Timing;
 
 class ActivityTest {
   private final Map<String, String> files = new HashMap<>();
@@ -261,6 +264,53 @@ class ActivityTest {
     assertThat(problems())
         .anyMatch(p -> p.contains("sanitize: must list address and undefined only, not 'thread'"))
         .anyMatch(p -> p.contains("sanitize: is only allowed for components in C++; remove it"));
+  }
+
+  @Test
+  void theModelsTimingReplacesThatOfTheActivity() {
+    replace("activity.yaml", "provided:", "timing: {repeat: 30}\nprovided:");
+    Activity activity = read();
+    assertThat(activity.profile().timing()).isEqualTo(new Timing(3, 30, 6));
+    TestModel model = activity.model("GetInfraredData").orElseThrow();
+    TestSuite suite = TestCaseGenerator.generate(model, GenerationOptions.DEFAULT).suite();
+    assertThat(new TestApplication(activity, model, suite, activity.files(), "x").timing())
+        .isEqualTo(new Timing(3, 30, 6));
+    replace("GetInfraredData.xml", "</test_model>", "<timing warm_up=\"0\"/></test_model>");
+    TestModel own = read().model("GetInfraredData").orElseThrow();
+    Timing timing = new TestApplication(activity, own, suite, activity.files(), "x").timing();
+    assertThat(timing.warmUp()).isZero();
+    assertThat(timing.repeat()).isEqualTo(20);
+  }
+
+  @Test
+  void timingsOutOfRangeAreReportedTogether() {
+    replace(
+        "activity.yaml",
+        "provided:",
+        "timing: {warm_up: 1001, repeat: 2.5, repeats: 3}\nprovided:");
+    replace(
+        "GetInfraredData.xml", "</test_model>", "<timing repeat=\"0\" warmup=\"1\"/></test_model>");
+    assertThat(problems())
+        .anyMatch(
+            p ->
+                p.startsWith(
+                    "activity.yaml:6: error: timing.warm_up: must be a whole number from 0"))
+        .anyMatch(p -> p.contains("timing.repeat: must be a whole number from 1 to 10000"))
+        .anyMatch(p -> p.contains("timing.repeats: unknown entry"))
+        .anyMatch(p -> p.contains("timing: repeat must be a whole number from 1 to 10000, not 0"))
+        .anyMatch(p -> p.contains("warmup"));
+  }
+
+  @Test
+  void timingNeedsAComponentPerCase() {
+    replace("activity.yaml", "provided:", "  life_cycle: suite\ntiming: {}\nprovided:");
+    assertThat(problems())
+        .anyMatch(p -> p.startsWith("activity.yaml:7: error: timing: needs life_cycle: case, "));
+    replace("activity.yaml", "timing: {}\n", "");
+    replace("GetInfraredData.xml", "</test_model>", "<timing/></test_model>");
+    assertThat(problems())
+        .anyMatch(p -> p.contains("write life_cycle: case, or remove timing"))
+        .allMatch(p -> p.matches(".*GetInfraredData.xml:[1-9].*"));
   }
 
   @Test

@@ -78,6 +78,7 @@ public record OneCase(
         List.of(),
         List.of(),
         TestModel.UNBOUNDED,
+        null,
         "model.xml");
   }
 
@@ -110,6 +111,7 @@ public record OneCase(
         List.of("model.xml"),
         false,
         Set.of(),
+        null,
         Limits.DEFAULT);
   }
 }

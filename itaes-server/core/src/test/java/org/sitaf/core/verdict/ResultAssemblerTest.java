@@ -1,6 +1,7 @@
 package org.sitaf.core.verdict;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.io.ByteArrayInputStream;
@@ -8,11 +9,13 @@ import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.model.document.TestModelXml;
 import org.sitaf.core.suite.GenerationOptions;
 import org.sitaf.core.suite.TestCaseGenerator;
 import org.sitaf.core.suite.TestSuite;
+import org.sitaf.core.timing.RepeatedCalls;
 import org.sitaf.core.verdict.document.JunitXml;
 import org.sitaf.core.verdict.document.TestResultXml;
 
@@ -122,6 +125,50 @@ class ResultAssemblerTest {
     TestResultXml.write(result, out);
     assertThat(TestResultXml.read(new ByteArrayInputStream(out.toByteArray()), "result.xml"))
         .isEqualTo(result);
+  }
+
+  @Test
+  void readsRepeatedCallsOfAWrittenResultUnchanged() {
+    CaseResult first =
+        new CaseResult(
+            1,
+            Verdict.PASS,
+            List.of(),
+            List.of(),
+            List.of(),
+            new CaseResult.ProcessingTime(370, 1, 2, true),
+            "");
+    long[] nanos = {5001, 3000, 4000, 3999, 5001, 8000, 12};
+    List<CaseResult> cases =
+        List.of(
+            first.with(RepeatedCalls.of(3, nanos, "call 9: return is 1, not 0")),
+            first.with(RepeatedCalls.of(3, new long[0], "")));
+    TestResult whole =
+        new TestResult(
+            "M",
+            new Provenance("", 1, "", "", "", "", "", ""),
+            Statistics.of(cases, true),
+            List.of(),
+            cases,
+            null);
+    assertThat(whole.summary().times().first()).isEqualTo(370.0);
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    TestResultXml.write(whole, out);
+    String document = out.toString(StandardCharsets.UTF_8);
+    assertThat(read(document)).isEqualTo(whole);
+    for (String damage : List.of("calls=\"8\"", "calls=\"-1\"", "calls=\"7000000\"")) {
+      assertThatThrownBy(() -> read(document.replace("calls=\"7\"", damage)))
+          .as(damage)
+          .isInstanceOf(InvalidInputException.class)
+          .hasMessageContaining("repeated_calls must have");
+    }
+    assertThatThrownBy(() -> read(document.replace(">5.001 ", ">x ")))
+        .hasMessageContaining("repeated_calls must have numbers as samples");
+  }
+
+  private static TestResult read(String document) {
+    return TestResultXml.read(
+        new ByteArrayInputStream(document.getBytes(StandardCharsets.UTF_8)), "result.xml");
   }
 
   @Test

@@ -255,6 +255,7 @@ public final class BuildRun {
             ? null
             : execution.resolve("recording"),
         prepared.world(),
+        application.timing(),
         application.activity().profile().limits());
   }
 

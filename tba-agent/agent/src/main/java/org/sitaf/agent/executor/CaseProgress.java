@@ -5,9 +5,12 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.suite.TestCase;
 import org.sitaf.core.suite.TestSuite;
+import org.sitaf.core.timing.RepeatedCalls;
+import org.sitaf.core.timing.Timing;
 import org.sitaf.core.verdict.CaseRecord;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.document.CaseRecordLine;
@@ -22,6 +25,9 @@ final class CaseProgress implements ResultsChannel.Lines {
 
   private static final long MAX_BYTES_OF_CASE = 4096;
 
+  /** Memory for the time of a repeated call in a record. */
+  private static final long MAX_BYTES_OF_CALL = 16;
+
   /** Reading stops after this many bytes of unexpected lines. */
   private static final long MAX_SUSPICIOUS_BYTES = 16L << 20;
 
@@ -33,6 +39,7 @@ final class CaseProgress implements ResultsChannel.Lines {
   private final List<TestCase> cases;
   private final Map<Integer, TestCase> byNumber = new HashMap<>();
   private final Map<Integer, CaseResult> results = new HashMap<>();
+  private final @Nullable Timing timing;
   private final Function<CaseRecord, CaseResult> judge;
   private final Suspicions suspicions;
   private final long maxBytes;
@@ -40,19 +47,27 @@ final class CaseProgress implements ResultsChannel.Lines {
   private long suspiciousBytes;
   private String full = "";
   private boolean ready;
+  private boolean called;
   private double elapsedUs = Double.POSITIVE_INFINITY;
   private int next;
 
   /**
    * Creates a progress without results.
    *
+   * @param timing how often calls are repeated; null for never
    * @param judge gives the result of each recorded case
    */
-  CaseProgress(TestSuite suite, Function<CaseRecord, CaseResult> judge, OutputSink sink) {
+  CaseProgress(
+      TestSuite suite,
+      @Nullable Timing timing,
+      Function<CaseRecord, CaseResult> judge,
+      OutputSink sink) {
     this.cases = suite.cases();
+    this.timing = timing;
     this.judge = judge;
     this.suspicions = new Suspicions(sink);
-    this.maxBytes = MAX_BYTES + MAX_BYTES_OF_CASE * cases.size();
+    long ofCalls = timing == null ? 0 : MAX_BYTES_OF_CALL * timing.repeat();
+    this.maxBytes = MAX_BYTES + (MAX_BYTES_OF_CASE + ofCalls) * cases.size();
     cases.forEach(testCase -> byNumber.put(testCase.no(), testCase));
   }
 
@@ -81,6 +96,7 @@ final class CaseProgress implements ResultsChannel.Lines {
   /** A new process starts, which is not ready yet. */
   void beginProcess() {
     ready = false;
+    called = false;
   }
 
   /** Whether the process has reported that it is ready for its first case. */
@@ -148,7 +164,7 @@ final class CaseProgress implements ResultsChannel.Lines {
     ready = true;
     CaseRecord record;
     try {
-      record = CaseRecordLine.read(line);
+      record = CaseRecordLine.read(line, timing);
     } catch (InvalidInputException e) {
       suspicious("a numbered line is not a case_record: " + e.getMessage(), line.length());
       return;
@@ -166,14 +182,24 @@ final class CaseProgress implements ResultsChannel.Lines {
       if (bytes > maxBytes) {
         full = "the results exceed " + (maxBytes >> 20) + " MiB";
       }
-      accept(checked(record));
+      accept(withFirstCall(checked(record)));
     }
   }
 
-  /** The record without a processing time that is impossible. */
+  /** Marks the first call of the process, which also loads and compiles code. */
+  private CaseRecord withFirstCall(CaseRecord record) {
+    if (called || record.time() == null) {
+      return record;
+    }
+    called = true;
+    return record.ofFirstCall();
+  }
+
+  /** The record without processing times if one is impossible. */
   private CaseRecord checked(CaseRecord record) {
     CaseResult.ProcessingTime time = record.time();
-    if (time == null || isPossible(time)) {
+    RepeatedCalls repeated = record.repeated();
+    if ((time == null || isPossible(time)) && (repeated == null || isPossible(repeated))) {
       return record;
     }
     suspicions.add(
@@ -189,6 +215,11 @@ final class CaseProgress implements ResultsChannel.Lines {
         && time.hardware() >= 0
         && time.stub() >= 0
         && all <= elapsedUs + CLOCK_TOLERANCE_US;
+  }
+
+  private boolean isPossible(RepeatedCalls repeated) {
+    double all = repeated.samples().stream().mapToDouble(Double::doubleValue).sum();
+    return all <= elapsedUs + CLOCK_TOLERANCE_US;
   }
 
   /** Records an error for the current case, which the test application could not report. */

@@ -15,6 +15,7 @@ import org.sitaf.core.activity.ActivityProfile.Limits;
 import org.sitaf.core.suite.TestCase;
 import org.sitaf.core.suite.TestSuite;
 import org.sitaf.core.suite.document.TestSuiteXml;
+import org.sitaf.core.timing.Timing;
 
 /**
  * Input of an execution.
@@ -25,6 +26,7 @@ import org.sitaf.core.suite.document.TestSuiteXml;
  * @param coverage holds one folder of coverage data per process; created when needed
  * @param recording folder of the recordings of cases; created when needed; null for none
  * @param world null if the activity has none
+ * @param timing how often the call of each case is repeated; null for never
  */
 public record ExecutionRequest(
     CompiledApplication application,
@@ -36,6 +38,7 @@ public record ExecutionRequest(
     Path coverage,
     @Nullable Path recording,
     @Nullable World world,
+    @Nullable Timing timing,
     Limits limits) {
   public ExecutionRequest {
     Objects.requireNonNull(application);
@@ -78,6 +81,7 @@ public record ExecutionRequest(
         // Each process runs as another user, who owns what it writes to.
         recording == null ? null : recordingOfShard(recording, number),
         world,
+        timing,
         limits);
   }
 

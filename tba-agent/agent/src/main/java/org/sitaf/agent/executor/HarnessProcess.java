@@ -19,6 +19,7 @@ import org.sitaf.agent.sandbox.ProcessLimits;
 import org.sitaf.agent.simulation.SimulatorEndpoint;
 import org.sitaf.agent.toolchain.CompiledApplication;
 import org.sitaf.agent.toolchain.ProcessPlace;
+import org.sitaf.core.timing.Timing;
 
 /** A process of a test application. */
 final class HarnessProcess implements AutoCloseable {
@@ -167,6 +168,16 @@ final class HarnessProcess implements AutoCloseable {
     arguments.add(Integer.toString(fromCase));
     arguments.add("--case-sim");
     arguments.add(seconds(request.limits().caseSimulation()));
+    Timing timing = request.timing();
+    if (timing != null) {
+      arguments.add("--warm-up");
+      arguments.add(Integer.toString(timing.warmUp()));
+      arguments.add("--repeat");
+      arguments.add(Integer.toString(timing.repeat()));
+      // A call that begins later could end after the time limit of the case.
+      arguments.add("--repeat-within");
+      arguments.add(seconds(request.limits().caseWall().dividedBy(2)));
+    }
     return arguments;
   }
 

@@ -68,7 +68,7 @@ public record TestApplicationExecutor(Duration startUp, int crashesInARow, Durat
       OutputSink sink,
       Function<CaseRecord, CaseResult> judge)
       throws IOException, InterruptedException {
-    CaseProgress progress = new CaseProgress(request.suite(), judge, sink);
+    CaseProgress progress = new CaseProgress(request.suite(), request.timing(), judge, sink);
     Run run = new Run(request, early, progress, sink);
     String reason = "";
     while (!progress.isComplete() && reason.isEmpty()) {

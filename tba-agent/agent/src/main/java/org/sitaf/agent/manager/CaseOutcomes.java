@@ -26,7 +26,7 @@ final class CaseOutcomes {
     if (result.time() != null) {
       outcome.setProcessingTime(
           ProcessingTime.newBuilder()
-              .setTotal(result.time().total())
+              .setTotal(result.micros().orElse(result.time().total()))
               .setHardware(result.time().hardware())
               .setStub(result.time().stub()));
     }

@@ -35,6 +35,7 @@ import org.sitaf.core.suite.TestCase;
 import org.sitaf.core.suite.TestCaseGenerator;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.StubCalls;
+import org.sitaf.core.verdict.Verdict;
 
 /** The application of tests/compliance gives the same results in every language. */
 @Tag("slow")
@@ -60,7 +61,7 @@ class ApplicationComplianceTest {
         .toList();
   }
 
-  private static TestApplication application(Language language) throws IOException {
+  private static TestApplication application(Language language, String timing) throws IOException {
     String name = language.name().toLowerCase(Locale.ROOT);
     Map<String, byte[]> files = new HashMap<>();
     for (String file : List.of("Probe.idl", "Sensor.idl", "Locate.xml")) {
@@ -68,8 +69,9 @@ class ApplicationComplianceTest {
     }
     String profile =
         Files.readString(APPLICATION.resolve("activity.yaml"))
-            .replace("LANGUAGE", name)
-            .replace("CLASS", CLASSES.get(language));
+                .replace("LANGUAGE", name)
+                .replace("CLASS", CLASSES.get(language))
+            + timing;
     files.put("activity.yaml", profile.getBytes(StandardCharsets.UTF_8));
     Path sources = APPLICATION.resolve(name);
     try (Stream<Path> found = Files.walk(sources)) {
@@ -97,12 +99,34 @@ class ApplicationComplianceTest {
   @ParameterizedTest
   @EnumSource(Language.class)
   void resultsAreThoseOfTheTable(Language language) throws Exception {
+    assertThat(resultsOf(language, "")).allMatch(result -> result.repeated() == null);
+  }
+
+  @ParameterizedTest
+  @EnumSource(Language.class)
+  void repeatedCallsDoNotChangeResults(Language language) throws Exception {
+    List<CaseResult> results = resultsOf(language, "timing: {warm_up: 1, repeat: 7}\n");
+    for (CaseResult result : results) {
+      if (result.verdict() == Verdict.DONT) {
+        assertThat(result.repeated()).isNull();
+      } else {
+        assertThat(result.repeated().calls()).as("case %d", result.no()).isEqualTo(7);
+        assertThat(result.repeated().warmUp()).isEqualTo(1);
+        assertThat(result.repeated().differs()).isEmpty();
+      }
+    }
+    assertThat(results.get(0).time().cold()).isTrue();
+    assertThat(results.subList(1, results.size()))
+        .noneMatch(result -> result.time() != null && result.time().cold());
+  }
+
+  private List<CaseResult> resultsOf(Language language, String timing) throws Exception {
     assumeTrue(
         EchoActivity.toolchains().of(language).isPresent(),
         () -> "skipped: " + EchoActivity.toolchains().missingMessage(language));
     BuildOutcome outcome =
         new BuildRun(
-                application(language),
+                application(language, timing),
                 directory.resolve("build"),
                 EchoActivity.settings(SandboxMode.AUTO.open()),
                 recording)
@@ -110,12 +134,12 @@ class ApplicationComplianceTest {
 
     assertThat(outcome).as(recording.logText()).isInstanceOf(Completed.class);
     List<String> results = new ArrayList<>();
-    for (CaseResult result : ((Completed) outcome).result().cases()) {
-      results.add(described(result));
-    }
+    List<CaseResult> cases = ((Completed) outcome).result().cases();
+    cases.forEach(result -> results.add(described(result)));
     List<String> expected =
         rows().stream().map(row -> String.join("\t", row.subList(0, 7))).toList();
     assertThat(results).as(recording.logText()).isEqualTo(expected);
+    return cases;
   }
 
   private static String described(CaseResult result) {

@@ -97,6 +97,7 @@ class EarlyProcessTest {
         execution.resolve("coverage"),
         null,
         null,
+        null,
         application.activity().profile().limits());
   }
 

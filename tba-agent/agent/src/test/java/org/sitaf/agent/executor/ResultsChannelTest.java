@@ -1,6 +1,8 @@
 package org.sitaf.agent.executor;
 
+import static org.assertj.core.api.Assertions.as;
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.InstanceOfAssertFactories.STRING;
 
 import java.io.FileOutputStream;
 import java.io.IOException;
@@ -9,6 +11,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -16,6 +19,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.sitaf.agent.testing.EchoActivity;
 import org.sitaf.core.harness.TestApplication;
+import org.sitaf.core.timing.Timing;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.ResultAssembler;
 import org.sitaf.core.verdict.Verdict;
@@ -26,19 +30,7 @@ class ResultsChannelTest {
   @TempDir private Path folder;
   private final List<String> remarks = new ArrayList<>();
   private final TestApplication application = EchoActivity.withBody("").application();
-  private final CaseProgress progress =
-      new CaseProgress(
-          application.suite(),
-          new ResultAssembler(application.model(), application.suite())::judge,
-          new OutputSink() {
-            @Override
-            public void output(String text, int caseNo) {}
-
-            @Override
-            public void remark(String line) {
-              remarks.add(line);
-            }
-          });
+  private CaseProgress progress = progress(null);
   private ResultsChannel channel;
   private OutputStream driver;
 
@@ -54,6 +46,22 @@ class ResultsChannelTest {
     driver.close();
     channel.close();
     assertThat(folder).isEmptyDirectory();
+  }
+
+  private CaseProgress progress(@Nullable Timing timing) {
+    return new CaseProgress(
+        application.suite(),
+        timing,
+        new ResultAssembler(application.model(), application.suite())::judge,
+        new OutputSink() {
+          @Override
+          public void output(String text, int caseNo) {}
+
+          @Override
+          public void remark(String line) {
+            remarks.add(line);
+          }
+        });
   }
 
   private boolean write(String text) throws IOException {
@@ -88,6 +96,47 @@ class ResultsChannelTest {
     assertThat(progress.results()).extracting(CaseResult::verdict).containsOnly(Verdict.PASS);
     assertThat(progress.suspicions()).isEmpty();
     assertThat(remarks).isEmpty();
+  }
+
+  private static String repeated(int no, String nanos) {
+    return passed(no)
+        .replace("</case_record>", "<repeated_calls>" + nanos + "</repeated_calls></case_record>");
+  }
+
+  @Test
+  void onlyTheFirstCallOfAProcessIsCold() throws Exception {
+    line(1, "");
+    line(2, "<case_record no=\"1\" outcome=\"NOT_CALLED\"></case_record>");
+    line(3, passed(2));
+    line(4, passed(3));
+    progress.beginProcess();
+    line(5, passed(4));
+    line(6, passed(5));
+    assertThat(progress.results().stream().filter(r -> r.time() != null && r.time().cold()))
+        .extracting(CaseResult::no)
+        .containsExactly(2, 4);
+  }
+
+  @Test
+  void impossibleRepeatedCallsAreSuspect() throws Exception {
+    line(1, "");
+    line(2, repeated(1, "4000 5000"));
+    assertThat(progress.suspicions())
+        .singleElement(as(STRING))
+        .startsWith("a numbered line is not a case_record");
+
+    progress = progress(new Timing(0, 2));
+    progress.processHasRun(1e6);
+    line(3, "");
+    line(4, repeated(1, "4000 5000"));
+    assertThat(progress.suspicions()).isEmpty();
+    // 0.6 s each in a process that ran for one second.
+    line(5, repeated(2, "600000000 600000000"));
+    line(6, repeated(3, "1 2 3"));
+    assertThat(progress.results())
+        .extracting(r -> r.repeated() != null)
+        .containsExactly(true, false);
+    assertThat(progress.suspicions()).hasSize(2);
   }
 
   @Test

@@ -20,9 +20,11 @@ import org.sitaf.core.model.OutputElement;
 import org.sitaf.core.model.Strength;
 import org.sitaf.core.model.Target;
 import org.sitaf.core.model.TestModel;
+import org.sitaf.core.timing.Timing;
 import org.sitaf.schemas.StrengthType;
 import org.sitaf.schemas.TargetType;
 import org.sitaf.schemas.TestModelDocument;
+import org.sitaf.schemas.TimingType;
 
 /** Converts the parsed document to a {@link TestModel} and reports all contradictions. */
 final class TestModelReader {
@@ -97,6 +99,7 @@ final class TestModelReader {
             ? List.of()
             : new KeptCaseReader(problems).read(root.getCaseList().getCases(), inputs),
         maxCases(root.getMaxCases(), line),
+        timing(root.getTiming()),
         problems.file());
   }
 
@@ -153,6 +156,31 @@ final class TestModelReader {
         : problems
             .attempt(line, "max_cases", () -> Settings.whole(text.strip(), 1))
             .orElse(TestModel.UNBOUNDED);
+  }
+
+  private @Nullable Timing timing(@Nullable TimingType given) {
+    if (given == null) {
+      return null;
+    }
+    int line = XmlDocuments.line(given);
+    return problems
+        .attempt(
+            line,
+            "timing",
+            () ->
+                new Timing(
+                    calls("warm_up", given.getWarmUp(), Timing.DEFAULT_WARM_UP),
+                    calls("repeat", given.getRepeat(), Timing.DEFAULT_REPEAT),
+                    line))
+        .orElse(null);
+  }
+
+  private static int calls(String name, @Nullable String text, int otherwise) {
+    try {
+      return text == null ? otherwise : Settings.whole(text, 0);
+    } catch (IllegalArgumentException e) {
+      throw new IllegalArgumentException(name + " " + e.getMessage(), e);
+    }
   }
 
   private MixedStrength mixed(StrengthType strength, List<InputElement> inputs) {

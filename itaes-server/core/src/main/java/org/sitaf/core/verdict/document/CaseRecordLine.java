@@ -1,9 +1,12 @@
 package org.sitaf.core.verdict.document;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.diagnostic.InvalidInputException;
+import org.sitaf.core.timing.RepeatedCalls;
+import org.sitaf.core.timing.Timing;
 import org.sitaf.core.verdict.CaseRecord;
 import org.sitaf.core.verdict.CaseRecord.Outcome;
 import org.sitaf.core.verdict.CaseResult.ProcessingTime;
@@ -20,10 +23,12 @@ public final class CaseRecordLine {
   private static final int MAX_DIGITS_OF_CASE = 9;
 
   private final String line;
+  private final @Nullable Timing ordered;
   private int at;
 
-  private CaseRecordLine(String line) {
+  private CaseRecordLine(String line, @Nullable Timing ordered) {
     this.line = line;
+    this.ordered = ordered;
   }
 
   /**
@@ -32,7 +37,17 @@ public final class CaseRecordLine {
    * @throws InvalidInputException when the line is not a {@code case_record} element
    */
   public static CaseRecord read(String line) {
-    return new CaseRecordLine(line).record();
+    return read(line, null);
+  }
+
+  /**
+   * The record of a case whose call may have been repeated.
+   *
+   * @param ordered the repetitions that were ordered; a record with more of them is rejected
+   * @throws InvalidInputException when the line is not a {@code case_record} element
+   */
+  public static CaseRecord read(String line, @Nullable Timing ordered) {
+    return new CaseRecordLine(line, ordered).record();
   }
 
   private CaseRecord record() {
@@ -59,13 +74,14 @@ public final class CaseRecordLine {
       expect("</calls_left_out>");
     }
     ProcessingTime time = time();
+    RepeatedCalls repeated = repeated();
     String message = skip("<message>") ? text("</message>") : "";
     expect("</case_record>");
     if (at != line.length()) {
       throw invalid("nothing");
     }
     return new CaseRecord(
-        no, outcome, thrown, actual, new StubCalls(calls, leftOut), time, message);
+        no, outcome, thrown, actual, new StubCalls(calls, leftOut), time, repeated, message);
   }
 
   private Outcome outcome() {
@@ -99,6 +115,25 @@ public final class CaseRecordLine {
     double total = decimal();
     expect("</processing_time>");
     return new ProcessingTime(total, hardware, stub);
+  }
+
+  private @Nullable RepeatedCalls repeated() {
+    if (ordered == null || !skip("<repeated_calls>")) {
+      return null;
+    }
+    long[] nanos = new long[ordered.repeat()];
+    int calls = 0;
+    while (!skip("</repeated_calls>")) {
+      if (calls > 0) {
+        expect(" ");
+      }
+      if (calls == nanos.length) {
+        throw invalid("at most " + nanos.length + " repeated calls");
+      }
+      nanos[calls++] = whole(MAX_DIGITS);
+    }
+    String differs = skip("<differs>") ? text("</differs>") : "";
+    return RepeatedCalls.of(ordered.warmUp(), Arrays.copyOf(nanos, calls), differs);
   }
 
   private boolean skip(String part) {

@@ -108,6 +108,11 @@ public final class JunitXml {
           "expected " + values(testCase.expected()) + ", actual " + values(testCase.actual()));
       xml.writeEndElement();
     }
+    if (testCase.repeated() != null && testCase.repeated().differ()) {
+      xml.writeStartElement("system-out");
+      xml.writeCharacters("repeated calls differ: " + testCase.repeated().differs());
+      xml.writeEndElement();
+    }
     xml.writeEndElement();
   }
 
@@ -120,7 +125,7 @@ public final class JunitXml {
   }
 
   private static double microseconds(CaseResult testCase) {
-    return testCase.time() == null ? 0 : testCase.time().total();
+    return testCase.micros().orElse(0);
   }
 
   private static String seconds(double microseconds) {

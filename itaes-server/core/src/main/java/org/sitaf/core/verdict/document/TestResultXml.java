@@ -124,7 +124,11 @@ public final class TestResultXml {
         time == null
             ? null
             : new CaseResult.ProcessingTime(
-                time.getValue(), orZero(time.getHardware()), orZero(time.getStub())),
+                time.getValue(),
+                orZero(time.getHardware()),
+                orZero(time.getStub()),
+                Boolean.TRUE.equals(time.isCold())),
+        RepeatedCallsXml.read(given.getRepeatedCalls()),
         given.getMessage() == null ? "" : given.getMessage());
   }
 
@@ -185,7 +189,8 @@ public final class TestResultXml {
                   orZero(time.getMin()),
                   orZero(time.getMax()),
                   orZero(time.getAverage()),
-                  orZero(time.getStandardDeviation()))
+                  orZero(time.getStandardDeviation()),
+                  time.getFirst())
               : null);
     } catch (IllegalArgumentException e) {
       throw InvalidInputException.of(file, "summary: " + e.getMessage());
@@ -213,8 +218,10 @@ public final class TestResultXml {
       time.setValue(result.time().total());
       time.setHardware(result.time().hardware());
       time.setStub(result.time().stub());
+      time.setCold(result.time().cold() ? true : null);
       written.setProcessingTime(time);
     }
+    written.setRepeatedCalls(RepeatedCallsXml.write(result.repeated()));
     written.setMessage(result.message().isEmpty() ? null : result.message());
     return written;
   }
@@ -260,6 +267,7 @@ public final class TestResultXml {
       time.setMax(summary.times().max());
       time.setAverage(summary.times().average());
       time.setStandardDeviation(summary.times().standardDeviation());
+      time.setFirst(summary.times().first());
     }
     written.setProcessingTime(time);
     return written;

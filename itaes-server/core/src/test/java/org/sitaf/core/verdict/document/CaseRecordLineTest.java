@@ -13,6 +13,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.sitaf.core.diagnostic.InvalidInputException;
+import org.sitaf.core.timing.RepeatedCalls;
+import org.sitaf.core.timing.Timing;
 import org.sitaf.core.verdict.CaseRecord;
 import org.sitaf.core.verdict.CaseRecord.Outcome;
 import org.sitaf.core.verdict.CaseResult;
@@ -55,6 +57,33 @@ class CaseRecordLineTest {
 
     assertThat(record.thrown()).isEqualTo("NoEcho");
     assertThat(record.message()).isEqualTo("robot.NoEcho: a < b\n\ud83e\udd16");
+  }
+
+  private static final String REPEATED =
+      "<case_record no=\"1\" outcome=\"RETURNED\"><processing_time unit=\"us\" hardware=\"0.000\""
+          + " stub=\"0.000\">370.000</processing_time><repeated_calls>%s</repeated_calls>%s"
+          + "</case_record>";
+
+  @Test
+  void readsRepeatedCallsThatWereOrdered() {
+    String line = REPEATED.formatted("4000 6000", "<differs>call 7: return is 1, not 0</differs>");
+    assertThat(CaseRecordLine.read(line, new Timing(3, 2)).repeated())
+        .isEqualTo(
+            new RepeatedCalls(
+                3, 2, 5.0, null, null, List.of(4.0, 6.0), "call 7: return is 1, not 0"));
+    assertThat(CaseRecordLine.read(REPEATED.formatted("", ""), new Timing(3, 2)).repeated().calls())
+        .isZero();
+  }
+
+  @Test
+  void rejectsRepeatedCallsThatWereNotOrdered() {
+    assertThatThrownBy(() -> CaseRecordLine.read(REPEATED.formatted("4000", "")))
+        .hasMessageContaining("expected '</case_record>'");
+    for (String nanos : List.of("1 2 3", "-1", "1  2", "1e3", "1 ")) {
+      assertThatThrownBy(() -> CaseRecordLine.read(REPEATED.formatted(nanos, ""), new Timing(0, 2)))
+          .as(nanos)
+          .isInstanceOf(InvalidInputException.class);
+    }
   }
 
   @ParameterizedTest
