@@ -41,7 +41,41 @@ public final class WorldSignals {
           "gripper", List.of("width"),
           "digital_io", List.of("level"));
 
+  /**
+   * Units by kind and field; for a vector, the field without its component. Numbers without a unit
+   * and joints, which turn or slide, are missing.
+   */
+  private static final Map<String, String> UNITS =
+      Map.ofEntries(
+          Map.entry("range.range", "m"),
+          Map.entry("contact.force", "N"),
+          Map.entry("differential_drive.linear", "m/s"),
+          Map.entry("differential_drive.angular", "rad/s"),
+          Map.entry("differential_drive.left_position", "rad"),
+          Map.entry("differential_drive.right_position", "rad"),
+          Map.entry("gripper.width", "m"),
+          Map.entry("gripper.effort", "N"),
+          Map.entry("battery.voltage", "V"),
+          Map.entry("battery.current", "A"),
+          Map.entry("battery.charge", "Ah"),
+          Map.entry("magnetometer.field", "T"),
+          Map.entry("force_torque.force", "N"),
+          Map.entry("force_torque.torque", "N m"),
+          Map.entry("pose.position", "m"),
+          Map.entry("imu.angular_velocity", "rad/s"),
+          Map.entry("imu.linear_acceleration", "m/s²"));
+
   private WorldSignals() {}
+
+  /** The unit of a signal; empty if it has none or the world does not declare it. */
+  public static String unit(WorldDescription world, String name) {
+    String[] parts = name.split("\\.", -1);
+    return world.devices().stream()
+        .filter(device -> parts.length > 1 && device.name().equals(parts[0]))
+        .map(device -> UNITS.getOrDefault(device.kind() + "." + parts[1], ""))
+        .findFirst()
+        .orElse("");
+  }
 
   /** All names; a name that is two signals is listed twice. */
   public static List<String> of(WorldDescription world) {

@@ -16,6 +16,7 @@ final class CompiledCondition {
   /** The time relative to the call, in seconds. */
   static final String TIME = "t";
 
+  private static final double NANOS_PER_SECOND = 1e9;
   private static final int BYTES_PER_NUMBER = Double.BYTES;
 
   /** Arrays per atom: truth values, margins, and copies during the evaluation. */
@@ -50,6 +51,22 @@ final class CompiledCondition {
   /** The memory for an evaluation. */
   long bytes(long samples) {
     return samples * BYTES_PER_NUMBER * (signals().size() + (long) ARRAYS_PER_ATOM * atoms.size());
+  }
+
+  /** Where the condition applies in a trace; an end after the trace is the end of the trace. */
+  ConditionSpan span(Trace trace) {
+    Interval span = formula.span();
+    long begin = condition.fromSettle() ? trace.firstNanos() : 0;
+    return new ConditionSpan(
+        condition.name(),
+        after(begin, span.from(), trace),
+        after(begin, span.to(), trace),
+        signals());
+  }
+
+  private static long after(long begin, double seconds, Trace trace) {
+    long last = trace.nanos(trace.count() - 1);
+    return Math.max(begin, (long) Math.min(last, begin + seconds * NANOS_PER_SECOND));
   }
 
   TrajectoryOutcome evaluate(Trace whole, Map<String, Object> inputs) throws EvaluationException {

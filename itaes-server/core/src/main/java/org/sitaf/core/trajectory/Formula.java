@@ -5,6 +5,9 @@ sealed interface Formula {
   /** The values at all samples in a lattice; the caller may change the array. */
   double[] values(Lattice lattice);
 
+  /** The times after the first sample that the formula refers to at that sample. */
+  Interval span();
+
   /**
    * A CEL expression that is true or false at each sample.
    *
@@ -15,12 +18,22 @@ sealed interface Formula {
     public double[] values(Lattice lattice) {
       return lattice.atom(index);
     }
+
+    @Override
+    public Interval span() {
+      return Interval.NOW;
+    }
   }
 
   record Not(Formula operand) implements Formula {
     @Override
     public double[] values(Lattice lattice) {
       return Lattice.negative(operand.values(lattice));
+    }
+
+    @Override
+    public Interval span() {
+      return operand.span();
     }
   }
 
@@ -29,6 +42,11 @@ sealed interface Formula {
     public double[] values(Lattice lattice) {
       return Lattice.minimum(left.values(lattice), right.values(lattice));
     }
+
+    @Override
+    public Interval span() {
+      return left.span().hull(right.span());
+    }
   }
 
   record Or(Formula left, Formula right) implements Formula {
@@ -36,12 +54,22 @@ sealed interface Formula {
     public double[] values(Lattice lattice) {
       return Lattice.maximum(left.values(lattice), right.values(lattice));
     }
+
+    @Override
+    public Interval span() {
+      return left.span().hull(right.span());
+    }
   }
 
   record Implies(Formula left, Formula right) implements Formula {
     @Override
     public double[] values(Lattice lattice) {
       return Lattice.maximum(Lattice.negative(left.values(lattice)), right.values(lattice));
+    }
+
+    @Override
+    public Interval span() {
+      return left.span().hull(right.span());
     }
   }
 
@@ -51,6 +79,11 @@ sealed interface Formula {
     public double[] values(Lattice lattice) {
       return lattice.window(quantifier, interval, operand.values(lattice));
     }
+
+    @Override
+    public Interval span() {
+      return quantifier.isFuture() ? interval : Interval.NOW;
+    }
   }
 
   /** {@code left until right}: samples from now on. */
@@ -59,6 +92,11 @@ sealed interface Formula {
     public double[] values(Lattice lattice) {
       return lattice.until(interval, left.values(lattice), right.values(lattice));
     }
+
+    @Override
+    public Interval span() {
+      return interval;
+    }
   }
 
   /** {@code left since right}: samples up to now. */
@@ -66,6 +104,11 @@ sealed interface Formula {
     @Override
     public double[] values(Lattice lattice) {
       return lattice.since(interval, left.values(lattice), right.values(lattice));
+    }
+
+    @Override
+    public Interval span() {
+      return Interval.NOW;
     }
   }
 

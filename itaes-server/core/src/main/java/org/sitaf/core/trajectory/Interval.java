@@ -10,6 +10,9 @@ record Interval(double from, double to) {
   /** The interval of an operator without one. */
   static final Interval UNBOUNDED = new Interval(0, Double.POSITIVE_INFINITY);
 
+  /** The current sample only. */
+  static final Interval NOW = new Interval(0, 0);
+
   /** Samples this close to a bound are within the interval, in seconds. */
   static final double TOLERANCE = 1e-9;
 
@@ -20,6 +23,11 @@ record Interval(double from, double to) {
     if (!(from >= 0) || Double.isInfinite(from) || !(to >= from)) {
       throw new IllegalArgumentException("an interval [" + from + ", " + to + "] is not possible");
     }
+  }
+
+  /** The smallest interval that contains both. */
+  Interval hull(Interval other) {
+    return new Interval(Math.min(from, other.from), Math.max(to, other.to));
   }
 
   /** The number of steps to the first sample of the interval. */

@@ -118,6 +118,11 @@ public final class TrajectoryConditions {
     return conditions.stream().map(c -> c.condition().name()).toList();
   }
 
+  /** Where each condition applies in a trace, in the order of the model. */
+  public List<ConditionSpan> spans(Trace trace) {
+    return conditions.stream().map(c -> c.span(trace)).toList();
+  }
+
   /**
    * Evaluates one condition.
    *

@@ -182,6 +182,44 @@ class TrajectoryConditionsTest {
     assertThat(conditions.beyond(1 << 20, 1_000_000)).containsOnlyKeys("condition");
   }
 
+  @Test
+  void theSpanOfAConditionIsTheIntervalOfItsOutermostOperators() {
+    assertThat(span("eventually[0.1, 2](always[0, 1](bumped == 0.0))", 500))
+        .isEqualTo(new ConditionSpan("condition", 100_000_000, 2_000_000_000, List.of("bumped")));
+    assertThat(span("always(bumped == 0.0)", 101).toNanos()).isEqualTo(1_000_000_000);
+    assertThat(span("bumped == 0.0 && always[1, 2](t < 5.0)", 500))
+        .isEqualTo(new ConditionSpan("condition", 0, 2_000_000_000, List.of("bumped")));
+    assertThat(span("once(bumped == 0.0)", 500).toNanos()).isZero();
+    ConditionSpan late = span("(robot_x > 0.0) until[3, 4] (bumped == 1.0)", 101);
+    assertThat(late.fromNanos()).isEqualTo(1_000_000_000).isEqualTo(late.toNanos());
+    assertThat(late.signals()).containsExactlyInAnyOrder("robot_x", "bumped");
+  }
+
+  @Test
+  void theSpanOfAConditionWithSettlingBeginsBeforeTheCall() {
+    String settling =
+        "<trajectory_condition name='condition' from='settle'>always[0, 0.3](bumped == 0.0)"
+            + "</trajectory_condition>";
+    Trace trace = new Trace(-200_000_000, STEP_NANOS, List.of("bumped"), List.of(new double[100]));
+
+    assertThat(compiled(settling).spans(trace))
+        .containsExactly(
+            new ConditionSpan("condition", -200_000_000, 100_000_000, List.of("bumped")));
+  }
+
+  private static ConditionSpan span(String formula, int count) {
+    Trace trace = new Trace(0, STEP_NANOS, List.of("bumped"), List.of(new double[count]));
+    return compiled(condition(formula)).spans(trace).get(0);
+  }
+
+  private static TrajectoryConditions compiled(String conditions) {
+    Diagnostics diagnostics = new Diagnostics();
+    TrajectoryConditions compiled =
+        TrajectoryConditions.compile(model(conditions), SIGNALS, 60, diagnostics);
+    assertThat(diagnostics.all()).isEmpty();
+    return compiled;
+  }
+
   private static double margin(String formula, Map<String, double[]> signals) throws Exception {
     return outcome(formula, Map.of("goal", 1.0), signals).margin();
   }
