@@ -60,6 +60,7 @@ public class Leases {
    *
    * @param activity name of the activity
    * @param recordingBytes maximum total size of the recordings
+   * @param signalBytes maximum total size of the signals
    */
   public record Assignment(
       AttemptKey key,
@@ -68,7 +69,8 @@ public class Leases {
       String language,
       List<StoredFile> files,
       RecordedCases recordedCases,
-      long recordingBytes) {}
+      long recordingBytes,
+      long signalBytes) {}
 
   /** Assigns a build to an agent; empty if it is no longer queued. */
   public Optional<Assignment> lease(String buildId, String agent) {
@@ -97,7 +99,8 @@ public class Leases {
             build.language(),
             build.files(),
             build.recordedCases(),
-            settings.maxRecordings().toBytes()));
+            settings.maxRecordings().toBytes(),
+            settings.maxSignals().toBytes()));
   }
 
   /** Renews the leases of an agent's attempts; returns the attempts that the agent must stop. */

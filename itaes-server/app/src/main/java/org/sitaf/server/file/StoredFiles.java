@@ -128,7 +128,9 @@ public class StoredFiles {
                 + " AND NOT EXISTS (SELECT 1 FROM build_file b"
                 + " WHERE b.sha256 = file_content.sha256)"
                 + " AND NOT EXISTS (SELECT 1 FROM recording r"
-                + " WHERE r.sha256 = file_content.sha256)")
+                + " WHERE r.sha256 = file_content.sha256)"
+                + " AND NOT EXISTS (SELECT 1 FROM case_signals s"
+                + " WHERE s.sha256 = file_content.sha256)")
         .param(now().minus(GRACE_PERIOD))
         .update();
   }

@@ -31,6 +31,7 @@ import org.springframework.validation.annotation.Validated;
  * @param maxUpload maximum size of a request body
  * @param maxLog maximum size of a build's log; the rest is dropped, with a note
  * @param maxRecordings maximum total size of a build's recordings
+ * @param maxSignals maximum total size of the signals of a build's cases
  * @param minFree with less free space on the disk of the data the server accepts no new work, and
  *     with less than a quarter of it writes nothing; 0 disables the check
  * @param stopWithStdin whether the server stops when its standard input is closed, so that it does
@@ -49,6 +50,7 @@ public record SitafSettings(
     @DefaultValue("256MB") DataSize maxUpload,
     @DefaultValue("64MB") DataSize maxLog,
     @DefaultValue("64MB") DataSize maxRecordings,
+    @DefaultValue("32MB") DataSize maxSignals,
     @DefaultValue("256MB") DataSize minFree,
     @DefaultValue("false") boolean stopWithStdin) {
   public SitafSettings {

@@ -34,6 +34,7 @@ class DiskSpaceTest {
             anySize,
             anySize,
             anySize,
+            anySize,
             DataSize.ofMegabytes(minFreeMib),
             false);
     return new DiskSpace(

@@ -19,7 +19,7 @@ import org.springframework.jdbc.core.simple.JdbcClient;
 import tools.jackson.databind.JsonNode;
 
 /** Builds from request to result, with a fake agent. Runs with each database. */
-abstract class BuildStory extends RecordingStory {
+abstract class BuildStory extends SignalStory {
   @Autowired private JdbcClient jdbc;
 
   @Test

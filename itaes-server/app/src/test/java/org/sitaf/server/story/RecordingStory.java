@@ -25,7 +25,7 @@ import tools.jackson.databind.JsonNode;
 /** Recordings of cases, from the upload by an agent to the download. */
 abstract class RecordingStory extends DispatchStory {
   @Autowired private StoredFiles files;
-  @Autowired private JdbcClient jdbc;
+  @Autowired JdbcClient jdbc;
 
   /** The header of a binary glTF file. */
   private static byte[] glb(int size, int content) {
@@ -197,7 +197,7 @@ abstract class RecordingStory extends DispatchStory {
             e -> assertThat(e.getStatus().getCode()).as(e.getMessage()).isEqualTo(code));
   }
 
-  private void deleteUnreferenced() {
+  void deleteUnreferenced() {
     jdbc.sql("UPDATE file_content SET stored = TIMESTAMP WITH TIME ZONE '2001-01-01 00:00:00Z'")
         .update();
     files.deleteUnreferenced();

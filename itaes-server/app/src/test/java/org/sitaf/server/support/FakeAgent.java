@@ -32,6 +32,7 @@ import org.sitaf.agent.v1.AttemptRef;
 import org.sitaf.agent.v1.AttemptState;
 import org.sitaf.agent.v1.BuildFailure;
 import org.sitaf.agent.v1.CaseOutcome;
+import org.sitaf.agent.v1.CaseSignals;
 import org.sitaf.agent.v1.DownloadFileRequest;
 import org.sitaf.agent.v1.EnrolRequest;
 import org.sitaf.agent.v1.Heartbeat;
@@ -43,6 +44,8 @@ import org.sitaf.agent.v1.SubmitResultRequest;
 import org.sitaf.agent.v1.SubmitResultResponse;
 import org.sitaf.agent.v1.Toolchain;
 import org.sitaf.agent.v1.UploadRecordingRequest;
+import org.sitaf.agent.v1.UploadSignalsRequest;
+import org.sitaf.agent.v1.UploadSignalsResponse;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.harness.TestApplication;
 import org.sitaf.core.verdict.CaseResult;
@@ -320,6 +323,16 @@ public final class FakeAgent implements AutoCloseable {
             .setGltf(ByteString.copyFrom(gltf))
             .setSha256(sha256)
             .build());
+  }
+
+  public void uploadSignals(AttemptRef attempt, int caseNo, CaseSignals signals) {
+    UploadSignalsResponse unused =
+        calls.uploadSignals(
+            UploadSignalsRequest.newBuilder()
+                .setAttempt(attempt)
+                .setCaseNo(caseNo)
+                .setSignals(signals)
+                .build());
   }
 
   public boolean submit(AttemptRef attempt, byte[] document) {

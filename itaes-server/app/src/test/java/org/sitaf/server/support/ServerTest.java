@@ -24,6 +24,7 @@ import org.springframework.test.context.DynamicPropertySource;
       "sitaf.retry-delay=50ms",
       "sitaf.max-log=64KB",
       "sitaf.max-recordings=1MB",
+      "sitaf.max-signals=100KB",
       "sitaf.webhooks.allowed-hosts=localhost",
       "sitaf.webhooks.private-addresses=true",
       "sitaf.webhooks.interval=200ms"

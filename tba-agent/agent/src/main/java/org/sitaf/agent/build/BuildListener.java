@@ -32,4 +32,9 @@ public interface BuildListener {
    * @param recording binary glTF, the build's own copy
    */
   void recorded(int no, Path recording);
+
+  /** The signals of a finished case are kept for a server. */
+  default void signalsKept(int no, SignalExcerpt signals) {
+    // Only agents send them to a server.
+  }
 }

@@ -196,6 +196,7 @@ public final class BuildRun {
               early,
               record -> signals.judge(assembler, record, prepared.simulator()),
               log);
+      signals.report(log);
 
       TestResult result = report(execution, assembler, prepared.bridge(), started);
       return new BuildOutcome.Completed(withCoverage(result, compiled, request, log), warnings);

@@ -16,6 +16,7 @@ import org.sitaf.agent.toolchain.Toolchains;
  * @param agent name and version of the agent, for the provenance; empty for a local run
  * @param recordings which cases are recorded; null for none
  * @param signals whether all signals of each case are reported to the listener
+ * @param kept limits of the signals that are kept for a server; null for none
  * @param atMost limit for the duration of a build, regardless of its own limits
  */
 public record BuildSettings(
@@ -26,6 +27,7 @@ public record BuildSettings(
     String agent,
     @Nullable RecordingOrder recordings,
     boolean signals,
+    @Nullable SignalLimits kept,
     Duration atMost) {
   /** Default limit for the duration of a build. */
   public static final Duration DEFAULT_LIMIT = Duration.ofHours(12);
@@ -43,24 +45,30 @@ public record BuildSettings(
   /** Without recordings, and with the default limit. */
   public BuildSettings(
       Simulator simulator, Toolchains toolchains, Sandbox sandbox, boolean coverage, String agent) {
-    this(simulator, toolchains, sandbox, coverage, agent, null, false, DEFAULT_LIMIT);
+    this(simulator, toolchains, sandbox, coverage, agent, null, false, null, DEFAULT_LIMIT);
   }
 
   /** The same settings with recordings. */
   public BuildSettings recording(RecordingOrder order) {
     return new BuildSettings(
-        simulator, toolchains, sandbox, coverage, agent, order, signals, atMost);
+        simulator, toolchains, sandbox, coverage, agent, order, signals, kept, atMost);
   }
 
   /** The same settings with the signals of each case. */
   public BuildSettings withSignals() {
     return new BuildSettings(
-        simulator, toolchains, sandbox, coverage, agent, recordings, true, atMost);
+        simulator, toolchains, sandbox, coverage, agent, recordings, true, kept, atMost);
+  }
+
+  /** The same settings with signals that are kept for a server. */
+  public BuildSettings keeping(SignalLimits limits) {
+    return new BuildSettings(
+        simulator, toolchains, sandbox, coverage, agent, recordings, signals, limits, atMost);
   }
 
   /** The same settings with another limit for the duration. */
   public BuildSettings within(Duration limit) {
     return new BuildSettings(
-        simulator, toolchains, sandbox, coverage, agent, recordings, signals, limit);
+        simulator, toolchains, sandbox, coverage, agent, recordings, signals, kept, limit);
   }
 }

@@ -5,6 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.agent.executor.OutputSink;
 import org.sitaf.agent.simulation.BuildSimulator;
 import org.sitaf.agent.simulation.SignalOrder;
 import org.sitaf.agent.simulation.SimulatorException;
@@ -33,11 +34,12 @@ final class CaseSignals {
   private final SignalOrder order;
   private final boolean reported;
   private final BuildListener listener;
+  private final @Nullable KeptSignals kept;
 
   /**
-   * @param reported whether all signals are reported to the listener
+   * @param settings whether all signals are reported to the listener, and which are kept
    */
-  CaseSignals(TestApplication application, boolean reported, BuildListener listener) {
+  CaseSignals(TestApplication application, BuildSettings settings, BuildListener listener) {
     this.application = application;
     this.listener = listener;
     WorldDescription world = application.activity().world();
@@ -48,7 +50,18 @@ final class CaseSignals {
         TrajectoryConditions.compile(
             application.model(), all, limits.caseSimulation().toNanos() / 1e9, diagnostics);
     diagnostics.throwIfErrors();
-    this.reported = reported && world != null;
+    this.reported = settings.signals() && world != null;
+    SignalLimits limitsOfKept = settings.kept();
+    RecordingOrder recordings = settings.recordings();
+    this.kept =
+        limitsOfKept == null || world == null
+            ? null
+            : new KeptSignals(
+                limitsOfKept,
+                recordings == null ? null : recordings.cases(),
+                world,
+                conditions,
+                listener);
     List<String> names = List.copyOf(new TreeSet<>(this.reported ? all : conditions.signals()));
     // The time alone gives the number of samples.
     this.order = new SignalOrder(names.isEmpty() ? List.of("t") : names, conditions.needSettling());
@@ -107,6 +120,18 @@ final class CaseSignals {
     }
     Optional<Trace> taken = trace;
     String why = problem;
-    return assembler.judge(record, () -> taken.orElseThrow(() -> new MissingTraceException(why)));
+    CaseResult result =
+        assembler.judge(record, () -> taken.orElseThrow(() -> new MissingTraceException(why)));
+    if (kept != null && taken.isPresent()) {
+      kept.add(result, taken.get());
+    }
+    return result;
+  }
+
+  /** Logs which signals are kept. */
+  void report(OutputSink log) {
+    if (kept != null) {
+      kept.report(log);
+    }
   }
 }

@@ -62,7 +62,7 @@ record Preparation(
       TestSuiteXml.write(application.suite().withoutExpected(), suite);
     }
     String world = application.activity().profile().world();
-    CaseSignals signals = new CaseSignals(application, settings.signals(), listener);
+    CaseSignals signals = new CaseSignals(application, settings, listener);
     if (world == null) {
       return new Prepared(null, null, "", signals);
     }

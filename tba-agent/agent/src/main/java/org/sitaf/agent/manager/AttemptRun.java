@@ -19,6 +19,8 @@ import org.sitaf.agent.build.BuildRun;
 import org.sitaf.agent.build.BuildSettings;
 import org.sitaf.agent.build.BuildStage;
 import org.sitaf.agent.build.RecordingOrder.Cases;
+import org.sitaf.agent.build.SignalExcerpt;
+import org.sitaf.agent.build.SignalLimits;
 import org.sitaf.agent.spool.FileCache;
 import org.sitaf.agent.toolchain.SourceDiagnostic;
 import org.sitaf.agent.v1.ApplicationFile;
@@ -31,6 +33,7 @@ import org.sitaf.core.verdict.CaseResult;
 
 /** Runs one attempt: downloads the test application and builds it. */
 final class AttemptRun {
+  private static final System.Logger LOGGER = System.getLogger("org.sitaf.agent");
   private static final long MAX_APPLICATION_BYTES = 512L << 20;
   private static final int MAX_RECORDINGS = 100_000;
   private static final int MAX_DAMAGED_DOWNLOADS = 3;
@@ -70,7 +73,7 @@ final class AttemptRun {
     return attempt;
   }
 
-  /** Folder of recordings that were not uploaded yet; may not exist. */
+  /** Folder of recordings and signals that were not uploaded yet; may not exist. */
   Path recordings() {
     return directory.resolve("recordings");
   }
@@ -156,20 +159,24 @@ final class AttemptRun {
 
   private BuildSettings recorded() {
     RecordingOrder order = assignment.getRecordings();
+    int cases = atMost(assignment.getSignals().getMaxCases());
+    long bytes = Math.max(0, assignment.getSignals().getMaxBytes());
+    BuildSettings keeping =
+        cases == 0 ? settings : settings.keeping(new SignalLimits(cases, bytes));
     return switch (order.getCases()) {
-      case FAILED -> recorded(order, Cases.FAILED);
-      case ALL -> recorded(order, Cases.ALL);
-      case CASES_UNSPECIFIED, UNRECOGNIZED -> settings;
+      case FAILED -> keeping.recording(recorded(order, Cases.FAILED));
+      case ALL -> keeping.recording(recorded(order, Cases.ALL));
+      case CASES_UNSPECIFIED, UNRECOGNIZED -> keeping;
     };
   }
 
-  private BuildSettings recorded(RecordingOrder order, Cases cases) {
-    return settings.recording(
-        new org.sitaf.agent.build.RecordingOrder(
-            recordings(),
-            cases,
-            (int) Math.min(Integer.toUnsignedLong(order.getMaxRecordings()), MAX_RECORDINGS),
-            Math.max(0, order.getMaxBytes())));
+  private org.sitaf.agent.build.RecordingOrder recorded(RecordingOrder order, Cases cases) {
+    return new org.sitaf.agent.build.RecordingOrder(
+        recordings(), cases, atMost(order.getMaxRecordings()), Math.max(0, order.getMaxBytes()));
+  }
+
+  private static int atMost(int unsigned) {
+    return (int) Math.min(Integer.toUnsignedLong(unsigned), MAX_RECORDINGS);
   }
 
   private BuildOutcome downloadAndBuild(ProgressReport report) {
@@ -231,6 +238,17 @@ final class AttemptRun {
       @Override
       public void recorded(int no, Path recording) {
         report.recorded(no, recording);
+      }
+
+      @Override
+      public void signalsKept(int no, SignalExcerpt signals) {
+        try {
+          report.signalsKept(SignalFiles.write(recordings(), no, signals));
+        } catch (IOException e) {
+          LOGGER.log(
+              System.Logger.Level.WARNING,
+              attempt + ": the signals of case " + no + " cannot be written: " + e);
+        }
       }
     };
   }

@@ -50,7 +50,7 @@ final class ProgressReport implements BuildListener, AutoCloseable {
    * Starts to report.
    *
    * @param directory folder of the build
-   * @param recordings uploads recordings; closed by the caller
+   * @param recordings uploads recordings and signals; closed by the caller
    * @param onAttemptEnded called when the server reports that the attempt has ended
    */
   ProgressReport(
@@ -95,6 +95,11 @@ final class ProgressReport implements BuildListener, AutoCloseable {
   @Override
   public void recorded(int no, Path recording) {
     recordings.add(recording);
+  }
+
+  /** The signals of a case are in this file. */
+  void signalsKept(Path file) {
+    recordings.add(file);
   }
 
   private void work() {

@@ -8,14 +8,15 @@ import java.time.Duration;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.agent.v1.CaseSignals;
 
 /**
- * Uploads the recordings of a running attempt for the live view. Files that the server has stored
- * or rejected are deleted; the rest is uploaded from the spool.
+ * Uploads the recordings and signals of a running attempt for the live view. Files that the server
+ * has stored or rejected are deleted; the rest is uploaded from the spool.
  */
 final class RecordingUpload implements AutoCloseable {
   private static final System.Logger LOGGER = System.getLogger("org.sitaf.agent");
-  private static final String SUFFIX = ".glb";
+  private static final String RECORDING = ".glb";
   private static final Duration FLUSH = Duration.ofSeconds(2);
 
   private final Attempt attempt;
@@ -32,9 +33,9 @@ final class RecordingUpload implements AutoCloseable {
   }
 
   /**
-   * Adds a recording.
+   * Adds a file.
    *
-   * @param file {@code NO.glb}
+   * @param file {@code NO.glb} or {@code NO.signals}
    */
   synchronized void add(Path file) {
     waiting.add(file);
@@ -77,27 +78,35 @@ final class RecordingUpload implements AutoCloseable {
   }
 
   /**
-   * Uploads a recording.
+   * Uploads a recording or the signals of a case.
    *
-   * @param file {@code NO.glb}
+   * @param file {@code NO.glb} or {@code NO.signals}
    * @return whether the upload is complete and the file deleted
    */
   static boolean upload(Attempt attempt, ServerCalls calls, Path file) throws IOException {
     String name = file.getFileName().toString();
-    int no = Integer.parseInt(name.substring(0, name.length() - SUFFIX.length()));
+    boolean isRecording = name.endsWith(RECORDING);
+    String suffix = isRecording ? RECORDING : SignalFiles.SUFFIX;
+    int no = Integer.parseInt(name.substring(0, name.length() - suffix.length()));
+    byte[] content = Files.readAllBytes(file);
     try {
-      calls.uploadRecording(attempt, no, Files.readAllBytes(file));
+      if (isRecording) {
+        calls.uploadRecording(attempt, no, content);
+      } else {
+        calls.uploadSignals(attempt, no, CaseSignals.parseFrom(content));
+      }
     } catch (StatusRuntimeException e) {
       if (ServerCalls.meaningOf(e) == ServerCalls.Failure.LATER) {
         return false;
       }
       LOGGER.log(
           System.Logger.Level.WARNING,
-          attempt
-              + ": the recording of case "
-              + no
-              + " was rejected: "
-              + ServerCalls.describe(e.getStatus()));
+          "%s: the server rejected the %s of case %d: %s"
+              .formatted(
+                  attempt,
+                  isRecording ? "recording" : "signals",
+                  no,
+                  ServerCalls.describe(e.getStatus())));
     }
     Files.delete(file);
     return true;

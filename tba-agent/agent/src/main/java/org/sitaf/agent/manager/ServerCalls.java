@@ -18,6 +18,7 @@ import org.sitaf.agent.v1.AgentServiceGrpc;
 import org.sitaf.agent.v1.AppendLogRequest;
 import org.sitaf.agent.v1.AttemptState;
 import org.sitaf.agent.v1.CaseOutcome;
+import org.sitaf.agent.v1.CaseSignals;
 import org.sitaf.agent.v1.DownloadFileRequest;
 import org.sitaf.agent.v1.DownloadFileResponse;
 import org.sitaf.agent.v1.ReportCasesRequest;
@@ -25,6 +26,8 @@ import org.sitaf.agent.v1.ReportStateRequest;
 import org.sitaf.agent.v1.SubmitResultRequest;
 import org.sitaf.agent.v1.SubmitResultResponse;
 import org.sitaf.agent.v1.UploadRecordingRequest;
+import org.sitaf.agent.v1.UploadSignalsRequest;
+import org.sitaf.agent.v1.UploadSignalsResponse;
 import org.sitaf.core.digest.Sha256;
 
 /**
@@ -152,6 +155,22 @@ final class ServerCalls {
           .withDescription("the server confirmed different content")
           .asRuntimeException();
     }
+  }
+
+  /**
+   * Uploads the signals of a case.
+   *
+   * @throws StatusRuntimeException as specified in the protocol
+   */
+  void uploadSignals(Attempt attempt, int caseNo, CaseSignals signals) {
+    UploadSignalsResponse unused =
+        stub(TRANSFER_DEADLINE_S)
+            .uploadSignals(
+                UploadSignalsRequest.newBuilder()
+                    .setAttempt(attempt.ref())
+                    .setCaseNo(caseNo)
+                    .setSignals(signals)
+                    .build());
   }
 
   /** Submits the result; the response tells what the server has stored and whether it counts. */

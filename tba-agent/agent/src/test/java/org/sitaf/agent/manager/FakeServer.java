@@ -28,6 +28,7 @@ import org.sitaf.agent.v1.AttemptRef;
 import org.sitaf.agent.v1.AttemptState;
 import org.sitaf.agent.v1.Cancellation;
 import org.sitaf.agent.v1.CaseOutcome;
+import org.sitaf.agent.v1.CaseSignals;
 import org.sitaf.agent.v1.DownloadFileRequest;
 import org.sitaf.agent.v1.DownloadFileResponse;
 import org.sitaf.agent.v1.EnrolRequest;
@@ -44,6 +45,8 @@ import org.sitaf.agent.v1.SubmitResultRequest;
 import org.sitaf.agent.v1.SubmitResultResponse;
 import org.sitaf.agent.v1.UploadRecordingRequest;
 import org.sitaf.agent.v1.UploadRecordingResponse;
+import org.sitaf.agent.v1.UploadSignalsRequest;
+import org.sitaf.agent.v1.UploadSignalsResponse;
 import org.sitaf.core.activity.FileTree;
 
 /**
@@ -64,6 +67,7 @@ final class FakeServer extends AgentServiceGrpc.AgentServiceImplBase implements 
   private final Map<String, ByteArrayOutputStream> logs = new HashMap<>();
   private @Nullable StreamObserver<ServerMessage> agent;
   private final Map<Integer, String> recordings = new HashMap<>();
+  private final Map<Integer, CaseSignals> signals = new HashMap<>();
   private final List<String> order = new ArrayList<>();
   private int downloads;
   private boolean damageDownloads;
@@ -218,6 +222,11 @@ final class FakeServer extends AgentServiceGrpc.AgentServiceImplBase implements 
     return Map.copyOf(recordings);
   }
 
+  /** Uploaded signals, by case. */
+  synchronized Map<Integer, CaseSignals> signals() {
+    return Map.copyOf(signals);
+  }
+
   /** The order in which recordings and results arrived. */
   synchronized List<String> order() {
     return List.copyOf(order);
@@ -355,6 +364,15 @@ final class FakeServer extends AgentServiceGrpc.AgentServiceImplBase implements 
       order.add("recording " + request.getCaseNo());
       answer(
           responses, UploadRecordingResponse.newBuilder().setSha256(request.getSha256()).build());
+    }
+  }
+
+  @Override
+  public synchronized void uploadSignals(
+      UploadSignalsRequest request, StreamObserver<UploadSignalsResponse> responses) {
+    if (!refused(responses)) {
+      signals.put(request.getCaseNo(), request.getSignals());
+      answer(responses, UploadSignalsResponse.getDefaultInstance());
     }
   }
 

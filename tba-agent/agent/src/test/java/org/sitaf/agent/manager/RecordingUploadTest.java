@@ -7,14 +7,18 @@ import io.grpc.Status;
 import io.grpc.netty.shaded.io.grpc.netty.NettyChannelBuilder;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.sitaf.agent.build.SignalExcerpt;
 import org.sitaf.agent.spool.AgentDirectory;
 import org.sitaf.agent.spool.Spool;
+import org.sitaf.agent.v1.CaseSignals;
 import org.sitaf.agent.v1.SubmitResultRequest;
+import org.sitaf.core.trajectory.ConditionSpan;
 
 /** Upload of recordings from the agent's disk to the server. */
 @Timeout(60)
@@ -43,6 +47,33 @@ class RecordingUploadTest {
   private Path recording(int no) throws Exception {
     return Files.writeString(
         Files.createDirectories(directory.resolve("recordings")).resolve(no + ".glb"), "g" + no);
+  }
+
+  @Test
+  void uploadsSignalsDuringTheBuild() throws Exception {
+    SignalExcerpt excerpt =
+        new SignalExcerpt(
+            7,
+            new long[] {-5, 20},
+            List.of(new SignalExcerpt.Signal("robot_x", "m", new double[] {1, 2})),
+            List.of(new ConditionSpan("stops", 0, 20, List.of("robot_x"))));
+    Path file = SignalFiles.write(directory.resolve("recordings"), 4, excerpt);
+    Path recording = recording(4);
+    try (RecordingUpload upload = new RecordingUpload(ATTEMPT, calls)) {
+      upload.add(file);
+      upload.add(recording);
+    }
+
+    CaseSignals uploaded = server.signals().get(4);
+    assertThat(uploaded.getSamples()).isEqualTo(7);
+    assertThat(uploaded.getTimesNsList()).containsExactly(-5L, 20L);
+    assertThat(uploaded.getSignals(0).getName()).isEqualTo("robot_x");
+    assertThat(uploaded.getSignals(0).getUnit()).isEqualTo("m");
+    assertThat(uploaded.getSignals(0).getValuesList()).containsExactly(1.0, 2.0);
+    assertThat(uploaded.getConditions(0).getName()).isEqualTo("stops");
+    assertThat(uploaded.getConditions(0).getToNs()).isEqualTo(20);
+    assertThat(server.recordings()).containsKey(4);
+    assertThat(file).doesNotExist();
   }
 
   @Test

@@ -23,12 +23,15 @@ import org.sitaf.agent.v1.SubmitResultRequest;
 import org.sitaf.agent.v1.SubmitResultResponse;
 import org.sitaf.agent.v1.UploadRecordingRequest;
 import org.sitaf.agent.v1.UploadRecordingResponse;
+import org.sitaf.agent.v1.UploadSignalsRequest;
+import org.sitaf.agent.v1.UploadSignalsResponse;
 import org.sitaf.server.access.enrolment.Enrolments;
 import org.sitaf.server.build.AttemptKey;
 import org.sitaf.server.build.Attempts;
 import org.sitaf.server.build.Attempts.Delivery;
 import org.sitaf.server.build.log.BuildLogs;
 import org.sitaf.server.build.recording.Recordings;
+import org.sitaf.server.build.signal.StoredSignals;
 import org.sitaf.server.error.RequestException;
 import org.sitaf.server.file.StoredFiles;
 import org.sitaf.server.result.Results;
@@ -48,6 +51,7 @@ class AgentService extends AgentServiceGrpc.AgentServiceImplBase {
   private final Attempts attempts;
   private final BuildLogs logs;
   private final Recordings recordings;
+  private final StoredSignals signals;
   private final StoredFiles contents;
   private final SitafSettings settings;
   private final DiskSpace disk;
@@ -61,6 +65,7 @@ class AgentService extends AgentServiceGrpc.AgentServiceImplBase {
       Attempts attempts,
       BuildLogs logs,
       Recordings recordings,
+      StoredSignals signals,
       StoredFiles contents,
       SitafSettings settings,
       DiskSpace disk,
@@ -72,6 +77,7 @@ class AgentService extends AgentServiceGrpc.AgentServiceImplBase {
     this.attempts = attempts;
     this.logs = logs;
     this.recordings = recordings;
+    this.signals = signals;
     this.contents = contents;
     this.settings = settings;
     this.disk = disk;
@@ -180,6 +186,21 @@ class AgentService extends AgentServiceGrpc.AgentServiceImplBase {
     recordings.store(
         Messages.toKey(request.getAttempt()), request.getCaseNo(), gltf, request.getSha256());
     return UploadRecordingResponse.newBuilder().setSha256(request.getSha256()).build();
+  }
+
+  @Override
+  public void uploadSignals(
+      UploadSignalsRequest request, StreamObserver<UploadSignalsResponse> responses) {
+    answer(
+        responses,
+        () -> {
+          disk.requireFor(request.getSerializedSize());
+          signals.store(
+              Messages.toKey(request.getAttempt()),
+              request.getCaseNo(),
+              Messages.toSignals(request.getSignals()));
+          return UploadSignalsResponse.getDefaultInstance();
+        });
   }
 
   @Override

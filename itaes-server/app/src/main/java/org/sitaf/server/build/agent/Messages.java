@@ -11,6 +11,7 @@ import org.sitaf.agent.v1.CaseOutcome;
 import org.sitaf.agent.v1.OutputValue;
 import org.sitaf.agent.v1.RecordingOrder;
 import org.sitaf.agent.v1.Register;
+import org.sitaf.agent.v1.SignalLimits;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.NamedValue;
 import org.sitaf.core.verdict.Verdict;
@@ -22,6 +23,8 @@ import org.sitaf.server.build.Leases;
 import org.sitaf.server.build.recording.Recordings;
 import org.sitaf.server.build.request.AgentConstraints;
 import org.sitaf.server.build.request.Capabilities;
+import org.sitaf.server.build.signal.CaseSignals;
+import org.sitaf.server.build.signal.StoredSignals;
 import org.sitaf.server.error.RequestException;
 
 /** Converts messages of the protocol; errors name the invalid field. */
@@ -61,7 +64,11 @@ final class Messages {
             .setAttempt(toRef(assignment.key()))
             .setActivity(assignment.activity())
             .setModel(assignment.model())
-            .setRecordings(toOrder(assignment));
+            .setRecordings(toOrder(assignment))
+            .setSignals(
+                SignalLimits.newBuilder()
+                    .setMaxCases(StoredSignals.MAX_CASES)
+                    .setMaxBytes(assignment.signalBytes()));
     assignment.files().stream()
         .sorted(java.util.Comparator.comparing(f -> f.path()))
         .forEach(
@@ -86,6 +93,35 @@ final class Messages {
         .setMaxRecordings(Recordings.MAX_RECORDINGS)
         .setMaxBytes(assignment.recordingBytes())
         .build();
+  }
+
+  static CaseSignals toSignals(org.sitaf.agent.v1.CaseSignals message) {
+    return new CaseSignals(
+        message.getSamples(),
+        message.getTimesNsList().stream().map(Messages::toSeconds).toList(),
+        message.getSignalsList().stream()
+            .map(
+                s ->
+                    new CaseSignals.Signal(
+                        s.getName(),
+                        s.getUnit(),
+                        s.getValuesList().stream()
+                            .map(v -> Double.isFinite(v) ? v : null)
+                            .toList()))
+            .toList(),
+        message.getConditionsList().stream()
+            .map(
+                c ->
+                    new CaseSignals.Condition(
+                        c.getName(),
+                        toSeconds(c.getFromNs()),
+                        toSeconds(c.getToNs()),
+                        c.getSignalsList()))
+            .toList());
+  }
+
+  private static double toSeconds(long nanos) {
+    return nanos / 1e9;
   }
 
   static BuildState toState(AttemptState state) {
