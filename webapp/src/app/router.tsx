@@ -12,6 +12,7 @@ import {
   compareSearch,
   listSearch,
   newScheduleSearch,
+  replaySearch,
   signInSearch,
   suiteSearch,
 } from './search';
@@ -93,6 +94,7 @@ const live = createRoute({
 const replay = createRoute({
   getParentRoute,
   path: '/builds/$buildId/cases/$caseNo',
+  validateSearch: replaySearch,
   component: lazyRouteComponent(() => import('./pages/ReplayPage'), 'ReplayPage'),
 });
 

@@ -44,6 +44,14 @@ export interface NewScheduleSearch extends RequestedOptions {
   model?: string;
 }
 
+/** The moment of a case that the replay shows first. */
+export interface ReplaySearch {
+  /** Name of a trajectory condition. */
+  condition?: string;
+  /** Seconds after the call. */
+  at?: number;
+}
+
 export interface CompareSearch {
   with?: string;
 }
@@ -97,6 +105,11 @@ export function newScheduleSearch(raw: Raw): NewScheduleSearch {
     ...textsIn(raw, 'labels'),
     ...choiceIn(raw, 'recordings', RECORDED_CASES),
   };
+}
+
+export function replaySearch(raw: Raw): ReplaySearch {
+  const at = raw['at'] === undefined ? NaN : Number(raw['at']);
+  return { ...textIn(raw, 'condition'), ...(Number.isFinite(at) && { at }) };
 }
 
 export function compareSearch(raw: Raw): CompareSearch {

@@ -6,6 +6,7 @@ import type {
   Agent,
   Build,
   BuildRequest,
+  CaseSignals,
   Diagnostic,
   ModelPreview,
   ResultCase,
@@ -59,6 +60,7 @@ const NOUNS = [
   'result',
   'schedules',
   'session',
+  'signals',
   'suites',
 ];
 
@@ -75,6 +77,8 @@ export class FakeServer {
   readonly caseLogs = new Map<string, string>();
   /** Binary glTF by build and case: `b1 7`. */
   readonly recordings = new Map<string, Uint8Array>();
+  /** The signals of cases: `b1 7`. */
+  readonly signals = new Map<string, CaseSignals>();
   agents: Agent[] = [AGENT];
   readonly buildRequests: BuildRequest[] = [];
   readonly scheduleRequests: unknown[] = [];
@@ -342,6 +346,8 @@ export class FakeServer {
       if (query.get('order') === 'NEWEST') items.reverse();
       return { status: 200, json: pageOf(items, query) };
     },
+    'GET builds * cases * signals': ({ path }) =>
+      found(this.signals.get(`${path[1] ?? ''} ${path[3] ?? ''}`)),
     'GET builds * recordings *': ({ path }) => {
       const bytes = this.recordings.get(`${path[1] ?? ''} ${path[3] ?? ''}`);
       return bytes ? { status: 200, bytes } : notFound();

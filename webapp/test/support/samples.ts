@@ -3,6 +3,7 @@ import type {
   ActivityDescription,
   Agent,
   Build,
+  CaseSignals,
   Result,
   ResultCase,
   ResultParameter,
@@ -128,6 +129,29 @@ export function resultCase(no: number, verdict: Verdict, changes: Partial<Result
   };
   return sample;
 }
+
+/** Signals of a case that ends one second after the call, with two trajectory conditions. */
+export function caseSignals(): CaseSignals {
+  return {
+    samples: 3000,
+    times: [-0.5, 0, 0.4, 0.5, 1],
+    signals: [
+      { name: 'base.linear.command', unit: 'm/s', values: [0, 0, 0.5, 0.5, 0] },
+      { name: 'bumped', unit: '', values: [0, 0, 0, 1, 0] },
+      { name: 'lidar.range', unit: 'm', values: [3, 2, null, 1, 1] },
+    ],
+    conditions: [
+      { name: 'stops', from: 0, to: 1, signals: ['base.linear.command'] },
+      { name: 'never touches', from: 0.25, to: 0.75, signals: ['bumped'] },
+    ],
+  };
+}
+
+/** The results of its conditions: one is violated. */
+export const TRAJECTORIES: ResultCase['trajectories'] = [
+  { name: 'stops', verdict: 'PASS', margin: '0.0', at: 1 },
+  { name: 'never touches', verdict: 'FAIL', margin: '-1.0', at: 0.5 },
+];
 
 export function resultCases(verdicts: readonly Verdict[]): ResultCase[] {
   return verdicts.map((verdict, index) => resultCase(index + 1, verdict));

@@ -66,6 +66,18 @@ export function BuildPage() {
               show(withoutAbsent<BuildSearch>({ ...shown, case: no }));
             }}
             caseDetails={caseDetails}
+            momentLink={({ no }, { name, at }) =>
+              at !== undefined && (
+                <RouteLink
+                  to="/builds/$buildId/cases/$caseNo"
+                  params={{ buildId, caseNo: String(no) }}
+                  search={{ condition: name, at }}
+                  aria-label={`Show the violation of ${name}`}
+                >
+                  Show the moment
+                </RouteLink>
+              )
+            }
           />
         ) : (
           <LiveTable build={build.data} caseDetails={caseDetails} />

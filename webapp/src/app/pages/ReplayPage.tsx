@@ -4,20 +4,23 @@ import { NotFound } from '@/app/NotFound';
 import { useBuild } from '@/features/builds';
 import { CaseReplay, useRecordedCases } from '@/features/replay';
 import { CaseFacts, useResult, useCase } from '@/features/results';
+import { callTime, SignalPlot, useSignals } from '@/features/signals';
 import { ApiError } from '@/shared/api';
 import { VERDICT_LABELS } from '@/shared/lib/verdicts';
 import { Loading, ProblemAlert, RouteLink, Section, UserText } from '@/shared/ui';
 
 const route = getRouteApi('/builds/$buildId/cases/$caseNo');
 
-/** The 3D replay of a case with its result. */
+/** The 3D replay of a case with its signals and its result. */
 export function ReplayPage() {
   const { buildId, caseNo } = route.useParams();
+  const { at, condition } = route.useSearch();
   const navigate = route.useNavigate();
   const build = useBuild(buildId);
   const no = Number(caseNo);
   const done = build.data?.state === 'DONE';
   const item = useCase(buildId, done ? no : undefined);
+  const signals = useSignals(buildId, no);
   if (!Number.isSafeInteger(no) || no < 1) return <NotFound />;
   if (build.isPending) return <Loading what="the build" />;
   if (!build.data) {
@@ -50,6 +53,25 @@ export function ReplayPage() {
         caseNo={no}
         verdict={item.data?.verdict}
         facts={done && <CaseOfResult buildId={buildId} no={no} />}
+        loading={signals.isPending || (done && item.isPending)}
+        startAt={(recording) =>
+          at === undefined ? undefined : callTime(signals.data ?? null, recording) + at
+        }
+        plot={(recording, playback) => (
+          <>
+            {signals.error && (
+              <ProblemAlert title="The signals could not be read" error={signals.error} />
+            )}
+            <SignalPlot
+              signals={signals.data ?? null}
+              readings={recording}
+              results={item.data?.trajectories ?? []}
+              playback={playback}
+              condition={condition}
+              at={at}
+            />
+          </>
+        )}
         onRequested={({ id }) => {
           void navigate({ to: '/builds/$buildId', params: { buildId: id } });
         }}

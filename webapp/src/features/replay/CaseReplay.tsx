@@ -5,6 +5,8 @@ import { Loading, ProblemAlert } from '@/shared/ui';
 import { NotRecorded } from './NotRecorded';
 import { Player } from './Player';
 import { useRecording } from './queries';
+import type { Recording } from './recording';
+import type { Playback } from './usePlayback';
 
 interface CaseReplayProps {
   build: Build;
@@ -13,19 +15,35 @@ interface CaseReplayProps {
   /** The result of the case. */
   facts: ReactNode;
   onRequested: (build: Build) => void;
+  /** The time of the recording to show first. */
+  startAt?: ((recording: Recording) => number | undefined) | undefined;
+  /** More about the case over time. Recording and playback are null if there is no recording. */
+  plot?: ((recording: Recording | null, playback: Playback | null) => ReactNode) | undefined;
+  /** Whether `startAt` and `plot` are not known yet. */
+  loading?: boolean;
 }
 
 /** The 3D replay of a case. */
-export function CaseReplay({ build, caseNo, verdict, facts, onRequested }: CaseReplayProps) {
-  const recording = useRecording(build.id, caseNo);
-  if (recording.isPending) return <Loading what="the recording" />;
-  if (recording.error) {
-    return <ProblemAlert title="The recording could not be read" error={recording.error} />;
+export function CaseReplay({
+  build,
+  caseNo,
+  verdict,
+  facts,
+  onRequested,
+  startAt,
+  plot,
+  loading = false,
+}: CaseReplayProps) {
+  const { data, error, isPending } = useRecording(build.id, caseNo);
+  if (isPending || loading) return <Loading what="the recording" />;
+  if (error) {
+    return <ProblemAlert title="The recording could not be read" error={error} />;
   }
-  if (!recording.data) {
+  if (!data) {
     return (
       <Stack gap="lg">
         <NotRecorded build={build} onRequested={onRequested} />
+        {plot?.(null, null)}
         {facts}
       </Stack>
     );
@@ -33,10 +51,12 @@ export function CaseReplay({ build, caseNo, verdict, facts, onRequested }: CaseR
   return (
     <Stack gap="sm">
       <Player
-        recording={recording.data}
+        recording={data}
         verdict={verdict}
         label={`3D replay of case ${caseNo}`}
         facts={facts}
+        startAt={startAt?.(data)}
+        plot={plot && ((playback) => plot(data, playback))}
       />
       <Anchor
         size="sm"

@@ -19,13 +19,17 @@ interface PlayerProps {
   facts?: ReactNode;
   /** Called at the end of the recording. */
   onEnd?: (() => void) | undefined;
+  /** The time to show first, instead of playing from the begin. */
+  startAt?: number | undefined;
+  /** More about the case over time, shown below the scene. */
+  plot?: ((playback: Playback) => ReactNode) | undefined;
 }
 
 /** Plays a recording: the scene, the time and the readings of the devices. */
-export function Player({ recording, verdict, label, facts, onEnd }: PlayerProps) {
+export function Player({ recording, verdict, label, facts, onEnd, startAt, plot }: PlayerProps) {
   // No autoplay if the user prefers reduced motion.
   const [autoplay] = useState(() => !window.matchMedia('(prefers-reduced-motion: reduce)').matches);
-  const playback = usePlayback(recording.times, autoplay);
+  const playback = usePlayback(recording.times, autoplay, startAt);
   const [body, setBody] = useState<string | null>(null);
   const [following, setFollowing] = useState(true);
   const frame = frameAt(recording, playback.time);
@@ -84,6 +88,7 @@ export function Player({ recording, verdict, label, facts, onEnd }: PlayerProps)
               }}
             />
           </Group>
+          {plot?.(playback)}
           <Text size="xs" c="dimmed">
             Space: play or pause. Comma, full stop: previous or next frame. Home, End: start or end.
             Drag: rotate. Mouse wheel: zoom.

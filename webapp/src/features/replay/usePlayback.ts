@@ -13,17 +13,21 @@ export interface Playback {
   setSpeed: (speed: number) => void;
 }
 
-/** The playback of a recording. It starts again when another recording is loaded. */
-export function usePlayback(times: Float32Array, autoplay: boolean): Playback {
+/**
+ * The playback of a recording. It starts again when another recording is loaded, or pauses at
+ * `startAt` if that is given.
+ */
+export function usePlayback(times: Float32Array, autoplay: boolean, startAt?: number): Playback {
   const begin = times[0] ?? 0;
   const end = times[times.length - 1] ?? begin;
   const [shown, setShown] = useState(times);
-  const [time, setTime] = useState(begin);
-  const [playing, setPlaying] = useState(autoplay);
+  const first = startAt === undefined ? begin : Math.min(end, Math.max(begin, startAt));
+  const [time, setTime] = useState(first);
+  const [playing, setPlaying] = useState(autoplay && startAt === undefined);
   const [speed, setSpeed] = useState(1);
   if (shown !== times) {
     setShown(times);
-    setTime(begin);
+    setTime(first);
   }
   const running = playing && time < end;
   useEffect(() => {

@@ -3,7 +3,7 @@ import type { ReactNode } from 'react';
 import type { ResultCase, ResultParameter } from '@/shared/api';
 import { VERDICT_LABELS } from '@/shared/lib/verdicts';
 import { UserText } from '@/shared/ui';
-import { CaseFacts } from './CaseFacts';
+import { CaseFacts, type Trajectory } from './CaseFacts';
 import classes from './results.module.css';
 
 interface CaseDrawerProps {
@@ -12,10 +12,11 @@ interface CaseDrawerProps {
   onClose: () => void;
   /** More details of a case, provided by the app. */
   details?: (item: ResultCase) => ReactNode;
+  momentLink?: ((item: ResultCase, trajectory: Trajectory) => ReactNode) | undefined;
 }
 
 /** All data of a case. */
-export function CaseDrawer({ item, parameters, onClose, details }: CaseDrawerProps) {
+export function CaseDrawer({ item, parameters, onClose, details, momentLink }: CaseDrawerProps) {
   return (
     <Drawer
       opened={item !== null}
@@ -32,7 +33,7 @@ export function CaseDrawer({ item, parameters, onClose, details }: CaseDrawerPro
               <UserText>{item.message}</UserText>
             </Text>
           )}
-          <CaseFacts item={item} parameters={parameters} />
+          <CaseFacts item={item} parameters={parameters} momentLink={momentLink} />
           {details?.(item)}
         </Stack>
       )}

@@ -1,18 +1,21 @@
+import type { ReactNode } from 'react';
 import type { ResultCase, ResultParameter } from '@/shared/api';
 import { formatTime } from '@/shared/lib/format';
 import { UserText } from '@/shared/ui';
 import { differenceOf } from './difference';
 import classes from './results.module.css';
 
-type Trajectory = ResultCase['trajectories'][number];
+export type Trajectory = ResultCase['trajectories'][number];
 
 interface CaseFactsProps {
   item: ResultCase;
   parameters: readonly ResultParameter[];
+  /** A link to the moment when a trajectory condition was violated. */
+  momentLink?: ((item: ResultCase, trajectory: Trajectory) => ReactNode) | undefined;
 }
 
 /** The inputs of a case, its expected and actual outputs, and its times. */
-export function CaseFacts({ item, parameters }: CaseFactsProps) {
+export function CaseFacts({ item, parameters, momentLink }: CaseFactsProps) {
   return (
     <dl className={classes.facts}>
       {parameters.map((parameter, index) => (
@@ -41,6 +44,7 @@ export function CaseFacts({ item, parameters }: CaseFactsProps) {
           key={`t ${trajectory.name}`}
           name={`Condition over time: ${trajectory.name}`}
           value={describe(trajectory)}
+          more={trajectory.verdict === 'FAIL' && momentLink?.(item, trajectory)}
         />
       ))}
       <Fact name="Time in the component (µs)" value={formatTime(item.processingTimeUs)} />
@@ -50,14 +54,14 @@ export function CaseFacts({ item, parameters }: CaseFactsProps) {
   );
 }
 
-function Fact({ name, value }: { name: string; value: string }) {
+function Fact({ name, value, more }: { name: string; value: string; more?: ReactNode }) {
   return (
     <div>
       <dt>
         <UserText>{name}</UserText>
       </dt>
       <dd>
-        <UserText>{value}</UserText>
+        <UserText>{value}</UserText> {more}
       </dd>
     </div>
   );

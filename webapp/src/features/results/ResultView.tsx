@@ -3,6 +3,7 @@ import type { ReactNode } from 'react';
 import type { ResultCase } from '@/shared/api';
 import { Loading, ProblemAlert, Section } from '@/shared/ui';
 import { CaseDrawer } from './CaseDrawer';
+import type { Trajectory } from './CaseFacts';
 import { CaseFilters } from './CaseFilters';
 import { useCase, useFirstCases, useResult, type CaseFilter } from './queries';
 import { ResultSummary } from './ResultSummary';
@@ -14,6 +15,8 @@ interface ResultViewProps {
   filter: CaseFilter;
   onFilter: (filter: CaseFilter) => void;
   caseDetails?: (item: ResultCase) => ReactNode;
+  /** A link to the moment when a trajectory condition was violated. */
+  momentLink?: (item: ResultCase, trajectory: Trajectory) => ReactNode;
   /** Number of the selected case, if any. */
   caseNo?: number | undefined;
   onCase: (no: number | undefined) => void;
@@ -25,6 +28,7 @@ export function ResultView({
   filter,
   onFilter,
   caseDetails,
+  momentLink,
   caseNo,
   onCase,
 }: ResultViewProps) {
@@ -66,6 +70,7 @@ export function ResultView({
         onClose={() => {
           onCase(undefined);
         }}
+        momentLink={momentLink}
         {...(caseDetails && { details: caseDetails })}
       />
     </Stack>

@@ -11,6 +11,7 @@ export type BuildState = Build['state'];
 export type ActivityDescription = Schemas['ActivityDescription'];
 export type BuildRequest = Schemas['BuildRequest'];
 export type Calendar = Schemas['Calendar'];
+export type CaseSignals = Schemas['CaseSignals'];
 export type CaseChange = Schemas['CaseChange'];
 export type Combinations = Schemas['Combinations'];
 export type ComparedCase = Schemas['ComparedCase'];

@@ -1,0 +1,3 @@
+export { callTime } from './lanes';
+export { useSignals } from './queries';
+export { SignalPlot } from './SignalPlot';
