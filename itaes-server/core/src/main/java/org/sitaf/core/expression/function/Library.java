@@ -18,9 +18,11 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
+import java.util.function.BiFunction;
 import java.util.function.DoubleBinaryOperator;
 import java.util.function.DoubleUnaryOperator;
+import java.util.function.Function;
+import java.util.function.UnaryOperator;
 import org.sitaf.core.expression.function.Signature.Cost;
 import org.sitaf.core.expression.function.Signature.Kind;
 import org.sitaf.core.expression.function.Signature.Result;
@@ -43,8 +45,6 @@ public final class Library {
 
   private final Map<String, List<Signature>> signatures = new LinkedHashMap<>();
   private final Map<String, List<CelFunctionBinding>> bindings = new LinkedHashMap<>();
-  private final Map<String, DoubleUnaryOperator> unary = new LinkedHashMap<>();
-  private final Map<String, DoubleBinaryOperator> binary = new LinkedHashMap<>();
 
   private Library() {
     operators();
@@ -73,16 +73,6 @@ public final class Library {
     return all;
   }
 
-  /** A function of one floating-point number, if it is one. */
-  public static Optional<DoubleUnaryOperator> unary(String function) {
-    return Optional.ofNullable(INSTANCE.unary.get(function));
-  }
-
-  /** A function of two floating-point numbers, if it is one. */
-  public static Optional<DoubleBinaryOperator> binary(String function) {
-    return Optional.ofNullable(INSTANCE.binary.get(function));
-  }
-
   private void operators() {
     bind2("@add", Arithmetic::add);
     bind2("@subtract", Arithmetic::subtract);
@@ -93,7 +83,7 @@ public final class Library {
   }
 
   private void scalars() {
-    number("abs", Scalars::abs, Math::abs);
+    number("abs", Scalars::abs);
     sign(new Signature("min", List.of(LIST), SAME, Cost.PARTS));
     bind1("min", list -> Scalars.least(elements("min", list)));
     sign(new Signature("max", List.of(LIST), SAME, Cost.PARTS));
@@ -106,10 +96,10 @@ public final class Library {
                 "clamp_3",
                 List.of(Object.class, Object.class, Object.class),
                 a -> Scalars.clamp(a[0], a[1], a[2])));
-    number("sign", Scalars::sign, Math::signum);
-    number("floor", Scalars::floor, Math::floor);
-    number("ceil", Scalars::ceil, Math::ceil);
-    number("round", Scalars::round, x -> (Double) Scalars.round(x));
+    number("sign", Scalars::sign);
+    number("floor", Scalars::floor);
+    number("ceil", Scalars::ceil);
+    number("round", Scalars::round);
     real("sqrt", Math::sqrt);
     real("cbrt", StrictMath::cbrt);
     real("pow", StrictMath::pow);
@@ -200,36 +190,32 @@ public final class Library {
   }
 
   /** A function whose result is whole for a whole number. */
-  private void number(
-      String name, java.util.function.UnaryOperator<Object> function, DoubleUnaryOperator real) {
+  private void number(String name, UnaryOperator<Object> function) {
     sign(new Signature(name, List.of(NUMBER), SAME, Cost.CONSTANT));
-    bind1(name, function::apply);
-    unary.put(name, real);
+    bind1(name, function);
   }
 
   private void real(String name, DoubleUnaryOperator function) {
     sign(new Signature(name, List.of(NUMBER), Result.REAL, Cost.CONSTANT));
     bind1(name, x -> function.applyAsDouble(Numbers.real(x)));
-    unary.put(name, function);
   }
 
   private void real(String name, DoubleBinaryOperator function) {
     sign(new Signature(name, List.of(NUMBER, NUMBER), Result.REAL, Cost.CONSTANT));
     bind2(name, (x, y) -> function.applyAsDouble(Numbers.real(x), Numbers.real(y)));
-    binary.put(name, function);
   }
 
   private void sign(Signature signature) {
     signatures.computeIfAbsent(signature.name(), n -> new ArrayList<>()).add(signature);
   }
 
-  private void bind1(String name, java.util.function.Function<Object, Object> function) {
+  private void bind1(String name, Function<Object, Object> function) {
     bindings
         .computeIfAbsent(name, n -> new ArrayList<>())
         .add(CelFunctionBinding.from(name + "_1", Object.class, function::apply));
   }
 
-  private void bind2(String name, java.util.function.BiFunction<Object, Object, Object> function) {
+  private void bind2(String name, BiFunction<Object, Object, Object> function) {
     bindings
         .computeIfAbsent(name, n -> new ArrayList<>())
         .add(CelFunctionBinding.from(name + "_2", Object.class, Object.class, function::apply));
