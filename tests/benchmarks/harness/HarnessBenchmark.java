@@ -52,7 +52,7 @@ public final class HarnessBenchmark {
           Language.PYTHON, new Targets("ir-sensor-python", 300, 5_000, Double.NaN, 1));
 
   private final Path home = Path.of(System.getProperty("sitaf.home"));
-  private final List<String> shortOf = new ArrayList<>();
+  private final Rows rows = new Rows();
   private double bareMicros;
   private double lineMicros;
   private double clockMicros;
@@ -84,13 +84,13 @@ public final class HarnessBenchmark {
     }
     double micros = median(plain, run -> run.casesMicros() / run.cases());
     double more = median(recorded, run -> run.casesMicros() / run.cases());
-    row(
+    rows.row(
         example + ": overhead of a recording per case",
         more - micros, "us", Double.NaN, false,
         more / micros, String.format(Locale.ROOT, "a case without recording (%.0f us)", micros));
     double seconds = median(plain, Builds.Run::seconds);
     double longer = median(recorded, Builds.Run::seconds);
-    row(
+    rows.row(
         example + ": overhead of recordings for a build of " + plain.get(0).cases() + " cases",
         longer - seconds, "s", RECORDING_SECONDS, false,
         longer / seconds, String.format(Locale.ROOT, "the build without recordings (%.2f s)", seconds));
@@ -128,9 +128,9 @@ public final class HarnessBenchmark {
       }
       lineMicros = Alternatives.lineMicros(directory);
       clockMicros = Alternatives.clockMicros();
-      print("simulation only, in bulk, per case", bareMicros, "us");
-      print("writing a line only", lineMicros, "us");
-      print("reading the clock twice", clockMicros, "us");
+      rows.print("simulation only, in bulk, per case", bareMicros, "us");
+      rows.print("writing a line only", lineMicros, "us");
+      rows.print("reading the clock twice", clockMicros, "us");
       if (languages.isEmpty() || languages.contains("recording")) {
         measureRecordings(builds);
       }
@@ -153,9 +153,7 @@ public final class HarnessBenchmark {
         }
       }
     }
-    System.out.println(
-        "harness: " + (shortOf.isEmpty() ? "held" : "short: " + String.join(", ", shortOf)));
-    return shortOf.isEmpty();
+    return rows.end("harness");
   }
 
   private void measure(Language language, Path example, Builds builds) throws Exception {
@@ -165,19 +163,19 @@ public final class HarnessBenchmark {
     // The baseline prepares each case, so every case must be prepared here, too.
     Builds.Run few = median(example, LongSuite.withDistinctDistances(FEW), builds);
     double overhead = few.casesMicros() / few.cases() - bareMicros - few.medianComponentMicros();
-    row(
+    rows.row(
         name + ": overhead per case, 1,000 cases",
         overhead, "us", targets.overheadMicros(), false,
         overhead / lineMicros, "writing its line");
     if (overhead < 0) {
-      shortOf.add(name + ": negative overhead: the baseline was slower than the measured cases");
+      rows.fail(name + ": negative overhead: the baseline was slower than the measured cases");
     }
     endToEnd(name + ": end to end, 21,000 distances", LongSuite.withDistinctDistances(MANY), example, targets, builds);
     endToEnd(name + ": end to end, cases of the example repeated", LongSuite.repeated(MANY), example, targets, builds);
 
     Path empty = EmptyComponent.write(language, builds.directory().resolve("empty-" + name));
     double call = builds.run(empty, LongSuite.repeated(FEW), "").medianComponentMicros();
-    row(
+    rows.row(
         name + ": processing time of an empty component",
         call, "us", targets.emptyMicros(), false,
         call / clockMicros, "reading the clock twice");
@@ -202,7 +200,7 @@ public final class HarnessBenchmark {
     }
     seconds.sort(null);
     double change = seconds.get(CHANGES / 2);
-    row(
+    rows.row(
         what,
         change, "s", targets.changeSeconds(), false,
         change / compiler, String.format(Locale.ROOT, "compiling the component (%.2f s)", compiler));
@@ -212,7 +210,7 @@ public final class HarnessBenchmark {
       String what, UnaryOperator<TestSuite> suite, Path example, Targets targets, Builds builds) throws Exception {
     Builds.Run run = median(example, suite, builds);
     double perCase = run.casesMicros() / run.cases();
-    row(
+    rows.row(
         what,
         1e6 / perCase, "cases/s", targets.casesPerSecond(), true,
         perCase / bareMicros, "the time of the simulation");
@@ -225,28 +223,5 @@ public final class HarnessBenchmark {
     }
     runs.sort(Comparator.comparing(Builds.Run::casesMicros));
     return runs.get(RUNS / 2);
-  }
-
-  private static void print(String what, double value, String unit) {
-    System.out.printf(Locale.ROOT, "%-58s %10.2f %s%n", what, value, unit);
-  }
-
-  private void row(
-      String what, double value, String unit, double target, boolean atLeast, double ratio, String alternative) {
-    boolean hasTarget = !Double.isNaN(target);
-    boolean held = !hasTarget || (atLeast ? value >= target : value < target);
-    if (!held) {
-      shortOf.add(what);
-    }
-    System.out.printf(
-        Locale.ROOT,
-        "%-58s %10s %-8s %-16s %-6s%.1f times %s%n",
-        what,
-        String.format(Locale.ROOT, value < 10 ? "%.2f" : "%.0f", value),
-        unit,
-        hasTarget ? (atLeast ? "at least " : "under ") + (target < 10 ? target : (long) target) : "",
-        hasTarget ? (held ? "held" : "SHORT") : "",
-        ratio,
-        alternative);
   }
 }
