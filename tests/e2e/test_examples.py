@@ -26,6 +26,8 @@ def verdicts(run):
         "joint-pid",
         "touchless-approach",
         "joint-settling",
+        "joint-settling-cpp",
+        "path-tracking",
         "heading",
     ],
 )
@@ -93,6 +95,29 @@ def test_a_slow_controller_does_not_settle_in_time(sitaf):
     assert run.returncode == 1, run.stdout + run.stderr
     assert re.search(r"settles: broken at [0-9.]+ s: angle_held is", run.stdout)
     assert "angle_held: expected" not in run.stdout
+
+
+@pytest.mark.parametrize(
+    ("example", "change", "condition"),
+    [
+        ("joint-settling-cpp-faulty", None, "does not swing beyond the target"),
+        ("joint-settling-cpp", ("dt = 0.01", "dt = 0.005"), "settles"),
+        ("path-tracking-faulty", None, "comes to the line"),
+    ],
+)
+def test_a_fault_that_no_final_value_shows_violates_a_condition(
+    sitaf, tmp_path, example, change, condition
+):
+    activity = shutil.copytree(sitaf.root / "examples" / example, tmp_path / "activity")
+    if change:
+        source = activity / "component" / "controller.cpp"
+        assert change[0] in source.read_text()
+        source.write_text(source.read_text().replace(*change))
+    run = sitaf("run", activity)
+    assert run.returncode == 1, run.stdout + run.stderr
+    assert f"{condition}: broken at" in run.stdout
+    _, passed = verdicts(run)
+    assert passed > 0
 
 
 def test_a_wrist_reaches_whole_rotations(sitaf):
