@@ -2,7 +2,7 @@ import { Text } from '@mantine/core';
 import { useMemo, type KeyboardEvent, type PointerEvent } from 'react';
 import { Chart, UserText } from '@/shared/ui';
 import { isViolated, valueAt, type Condition, type Lane } from './lanes';
-import { AXIS_HEIGHT, LANE_HEIGHT, LEFT, plotOption, RIGHT } from './option';
+import { AXIS_HEIGHT, LANE_HEIGHT, LEFT, plotHeight, plotOption, RIGHT } from './option';
 import classes from './signals.module.css';
 
 /** An arrow key moves the playhead by this share of the axis. */
@@ -41,11 +41,7 @@ export function SignalLanes({ lanes, range, condition, time, onSeek }: SignalLan
   const at = condition?.result?.at ?? undefined;
   return (
     <div className={classes.plot}>
-      <Chart
-        label={`${names} over time`}
-        option={option}
-        height={lanes.length * LANE_HEIGHT + AXIS_HEIGHT}
-      />
+      <Chart label={`${names} over time`} option={option} height={plotHeight(lanes.length)} />
       <dl className={classes.titles} aria-label="Signals at this time">
         {lanes.map((lane, index) => (
           <div key={lane.name} style={{ top: index * LANE_HEIGHT }}>

@@ -5,12 +5,17 @@ import { isBinary, type Lane } from './lanes';
 export const LEFT = 56;
 export const RIGHT = 12;
 export const LANE_HEIGHT = 96;
-export const AXIS_HEIGHT = 26;
+export const AXIS_HEIGHT = 24;
 const TITLE_HEIGHT = 26;
 const GAP = 8;
 
 const LINE = '#1c7ed6';
 const MUTED = '#868e96';
+
+/** The height of a plot with this number of lanes; the axis is below the last one. */
+export function plotHeight(lanes: number): number {
+  return lanes * LANE_HEIGHT - GAP + AXIS_HEIGHT;
+}
 
 /** One small plot per lane, with a common time axis. */
 export function plotOption(
