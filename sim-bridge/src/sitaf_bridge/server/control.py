@@ -6,7 +6,7 @@ from typing import Any
 import grpc
 
 from sitaf_bridge import __version__
-from sitaf_bridge.errors import BridgeError, InvalidRequest, LimitReached, WrongState
+from sitaf_bridge.errors import BridgeError, InvalidRequest, WrongState
 from sitaf_bridge.server.many import prepare_many_response
 from sitaf_bridge.server.operations import OPERATIONS, operate, replay
 from sitaf_bridge.server.packing import state_message
@@ -104,8 +104,10 @@ class SimulationControl(pb_grpc.SimulationControlServicer):
             raise WrongState("this endpoint records no signals")
         with self._registry.use(request.session_id) as session, session.simulation() as simulation:
             try:
+                session.preparations.check(request.case_no)
                 trace = simulation.signals(request.call_time_ns)
-            except LimitReached as error:
+            except BridgeError as error:
+                # Otherwise the case could get signals that a component simulated in another session.
                 signals.keep(request.case_no, error)
             else:
                 signals.keep(request.case_no, trace)
@@ -162,6 +164,7 @@ class SimulationControl(pb_grpc.SimulationControlServicer):
             if session.recorder is not None:
                 raise WrongState("this session is recording already; stop the recording first")
             session.delete_snapshots()
+            session.preparations.reset()
             state = simulation.reset(ResetScope.ALL)
             session.recorder = Recorder(simulation.digest())
             return pb.StartRecordingResponse(state=state_message(state))

@@ -83,6 +83,7 @@ def replay(session: Session, simulation: Simulation, recording: pb.Recording, is
     if (recording.world_digest, recording.seed) != (session.world.digest, session.seed):
         raise WrongState("the recording has another world or seed than this session")
     session.delete_snapshots()
+    session.preparations.reset()
     simulation.reset(ResetScope.ALL)
     digest, different = simulation.digest(), -1
     for index, entry in enumerate(recording.operations):
@@ -106,7 +107,10 @@ def replay(session: Session, simulation: Simulation, recording: pb.Recording, is
     return different, digest
 
 
-def _prepare(_: Session, simulation: Simulation, request: pb.PrepareRequest, is_active: IsActive) -> pb.PrepareResponse:
+def _prepare(
+    session: Session, simulation: Simulation, request: pb.PrepareRequest, is_active: IsActive
+) -> pb.PrepareResponse:
+    session.preparations.prepared(request.case_no)
     state = simulation.prepare(dict(request.parameters), request.settle_ns, is_active)
     return pb.PrepareResponse(state=state_message(state))
 
@@ -124,8 +128,9 @@ def _get(
 
 
 def _reset(
-    _: Session, simulation: Simulation, request: pb.ResetSimulationRequest, _wanted: IsActive
+    session: Session, simulation: Simulation, request: pb.ResetSimulationRequest, _wanted: IsActive
 ) -> pb.ResetSimulationResponse:
+    session.preparations.reset()
     return pb.ResetSimulationResponse(state=state_message(simulation.reset(scope_of(request.scope))))
 
 
@@ -181,6 +186,7 @@ def _restore(
     session: Session, simulation: Simulation, request: pb.RestoreSnapshotRequest, _wanted: IsActive
 ) -> pb.RestoreSnapshotResponse:
     state = simulation.restore(session.snapshot(request.snapshot_id))
+    session.preparations.reset()
     return pb.RestoreSnapshotResponse(state=state_message(state))
 
 

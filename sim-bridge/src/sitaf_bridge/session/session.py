@@ -5,6 +5,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
 from sitaf_bridge.errors import Cancelled, InvalidRequest, LimitReached, NoSuchSession, TimeReset
+from sitaf_bridge.session.preparations import Preparations
 from sitaf_bridge.session.recording import Recorder
 from sitaf_bridge.session.statistics import Statistics
 from sitaf_bridge.world.driving.saved_state import SavedState
@@ -30,6 +31,7 @@ class Session:
         self.seed = seed
         self.lease_s = lease_s
         self.recorder: Recorder | None = None
+        self.preparations = Preparations()
         self.statistics = statistics or Statistics()
         self._simulation = Simulation(world, seed)
         self._changed = threading.Condition(threading.Lock())

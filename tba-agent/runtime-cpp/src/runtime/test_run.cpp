@@ -121,6 +121,9 @@ class TestRun::State {
   void runOne(Driver& driver, const suite::TestCase& testCase) {
     suite::CaseResult result(testCase);
     beginCase(testCase.no());
+    if (simulation) {
+      simulation->caseBegins(testCase.no());
+    }
     if (!repetition_) {
       call(driver, testCase, result);
       return;

@@ -197,6 +197,8 @@ class Simulation::Session : public Simulator {
     }
   }
 
+  void caseBegins(int no) { caseNo_ = no; }
+
   void callBegins() { callTime_ = world_.time(); }
 
   void keepSignals(int no) {
@@ -264,6 +266,7 @@ class Simulation::Session : public Simulator {
       (*request.mutable_parameters())[prepared.parameters[i]] = prepared.values[i];
     }
     request.set_settle_ns(prepared.settle.count());
+    request.set_case_no(caseNo_);
     pending_.reset();
     world_.freeze(wire_.control(describeParameters(prepared.parameters, prepared.values), &Control::Prepare, request).state());
   }
@@ -366,6 +369,7 @@ class Simulation::Session : public Simulator {
   std::optional<Pending> pending_;
   bool alone_ = false;
   std::chrono::nanoseconds callTime_{0};
+  int caseNo_ = 0;
 };
 
 Simulation::Simulation(const std::string& target, const std::string& worldDescription, std::uint64_t seed, runtime::Stopwatch& stopwatch)
@@ -401,6 +405,8 @@ void Simulation::giveUp() { session_->time().giveUp(); }
 void Simulation::limitCases(std::chrono::nanoseconds most) { session_->time().limit(most); }
 
 void Simulation::record(const std::string& folder) { session_->record(folder); }
+
+void Simulation::caseBegins(int no) { session_->caseBegins(no); }
 
 void Simulation::callBegins() { session_->callBegins(); }
 

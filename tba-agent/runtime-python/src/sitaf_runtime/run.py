@@ -165,6 +165,8 @@ class TestRun:
         result = CaseResult(case)
         case_streams.begin(case.no)
         self._case_no = case.no
+        if self._simulation is not None:
+            self._simulation.case_begins(case.no)
         if self._repetition is None:
             self._call(driver, case, result)
             return

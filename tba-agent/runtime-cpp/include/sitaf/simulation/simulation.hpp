@@ -75,6 +75,9 @@ class Simulation {
   /// Saves the motion of a case as NO.glb in the folder of the recording, unless the folder is full.
   void saveMotion(int no);
 
+  /// A case begins, which the simulator notes when it is prepared.
+  void caseBegins(int no);
+
   /// The call under test begins now.
   void callBegins();
 

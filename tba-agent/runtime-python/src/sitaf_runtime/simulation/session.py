@@ -95,6 +95,7 @@ class Simulation:
         # Whether the simulator samples signals for the agent; worlds that are prepared in bulk have none.
         self._keeps_signals: bool = created.keeps_signals
         self._call_ns = 0
+        self._case_no = 0
         if self._keeps_signals:
             self._ahead.stop()
         self._limit_ns = None if limit_s is None else round(limit_s * _NANOS)
@@ -125,7 +126,9 @@ class Simulation:
         self._time.restart()
         settle_ns = round(settle_s * _NANOS)
         settled_ns = self._time.steps_in(settle_ns) * self._timestep_ns
-        request = pb.PrepareRequest(session_id=self._session, parameters=parameters, settle_ns=settle_ns)
+        request = pb.PrepareRequest(
+            session_id=self._session, parameters=parameters, settle_ns=settle_ns, case_no=self._case_no
+        )
         known = self._ahead.world(parameters, settle_ns, settled_ns)
         if known is not None:
             self._pending_preparation = request
@@ -184,6 +187,10 @@ class Simulation:
                 return
             raise self._failure(f"taking the recording of case {no}", e) from None
         self._recording.save(no, taken.gltf)
+
+    def case_begins(self, no: int) -> None:
+        """A case begins, which the simulator notes when it is prepared."""
+        self._case_no = no
 
     def call_begins(self) -> None:
         """The call under test begins now."""

@@ -209,6 +209,9 @@ public final class TestRun {
     CaseResult result = new CaseResult(testCase);
     CaseStreams.begin(testCase.no());
     currentNo = testCase.no();
+    if (simulation != null) {
+      simulation.caseBegins(currentNo);
+    }
     Repetition repetition = command.repetition();
     if (repetition == null) {
       call(driver, testCase, result);

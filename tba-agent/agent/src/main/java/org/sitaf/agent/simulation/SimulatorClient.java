@@ -132,10 +132,11 @@ public final class SimulatorClient implements AutoCloseable {
               .withDeadlineAfter(DEADLINE_S, TimeUnit.SECONDS)
               .takeSignals(TakeSignalsRequest.newBuilder().setName(endpoint).setCaseNo(no).build());
     } catch (StatusRuntimeException e) {
-      if (e.getStatus().getCode() == Status.Code.RESOURCE_EXHAUSTED) {
-        throw new SimulatorException(String.valueOf(e.getStatus().getDescription()), e);
-      }
-      throw noAnswer(e);
+      throw switch (e.getStatus().getCode()) {
+        case RESOURCE_EXHAUSTED, INVALID_ARGUMENT, DATA_LOSS ->
+            new SimulatorException(String.valueOf(e.getStatus().getDescription()), e);
+        default -> noAnswer(e);
+      };
     }
     if (taken.getTimesKept() == 0) {
       return Optional.empty();

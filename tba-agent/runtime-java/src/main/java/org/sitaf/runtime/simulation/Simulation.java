@@ -87,6 +87,7 @@ public final class Simulation implements AutoCloseable {
   private final boolean keepsSignals;
 
   private volatile long callNanos;
+  private volatile int caseNo;
 
   /** How a case is prepared. */
   private record Prepared(Map<String, Double> parameters, Duration settle) {}
@@ -277,6 +278,11 @@ public final class Simulation implements AutoCloseable {
     }
   }
 
+  /** A case begins, which the simulator notes when it is prepared. */
+  public void caseBegins(int no) {
+    caseNo = no;
+  }
+
   /** The call under test begins now. */
   public void callBegins() {
     callNanos = world.timeNanos();
@@ -327,6 +333,7 @@ public final class Simulation implements AutoCloseable {
             .setSessionId(session)
             .putAllParameters(prepared.parameters())
             .setSettleNs(prepared.settle().toNanos())
+            .setCaseNo(caseNo)
             .build();
     freeze(
         ask("setting " + prepared.parameters(), () -> stub(channel).prepare(request).getState()));
