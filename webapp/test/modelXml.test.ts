@@ -111,6 +111,13 @@ const COMPLETE = `<?xml version="1.0" encoding="UTF-8"?>
   <trajectory_condition_spec_list>
     <trajectory_condition name="stops" from="settle">eventually[0, 2](always(speed &lt; 0.1 &amp;&amp; t &gt;= 0.0))</trajectory_condition>
   </trajectory_condition_spec_list>
+  <relation_list>
+    <relation name="faster &amp; further">
+      <change name="speed">speed + 1.0</change>
+      <change name="mode">mode + level</change>
+      <holds>after.value &gt;= before.value</holds>
+    </relation>
+  </relation_list>
   <invalid_values>combine</invalid_values>
   <order_of_combinations>3</order_of_combinations>
   <strength t="4"><param>speed</param><param>mode</param></strength>

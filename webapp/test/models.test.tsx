@@ -127,6 +127,20 @@ describe('the editor of a test model', () => {
     expect(await screen.findByText('55 cases: 25 valid, 30 with an invalid value')).toBeVisible();
   });
 
+  test('adds a relation between two runs', async () => {
+    const { user } = openPortal(server, ADDRESS);
+    await user.click(await screen.findByRole('button', { name: /Combination/ }));
+    await user.click(screen.getByRole('button', { name: 'Add a relation' }));
+    await user.type(screen.getByLabelText('Name of relation 1'), 'farther');
+    await user.selectOptions(screen.getByLabelText('Changed input 1 of relation 1'), 'Distance');
+    await user.click(screen.getByRole('button', { name: 'Add a change to relation 1' }));
+    await waitFor(() => {
+      expect(readModel(server.previews.at(-1) ?? MODEL).relations).toMatchObject([
+        { name: 'farther', changes: [{ name: 'Distance' }, { name: 'IndexOfSensor' }] },
+      ]);
+    });
+  });
+
   test('generates test cases from the saved model', async () => {
     const { user, history } = openPortal(server, ADDRESS);
     await user.type(await screen.findByLabelText('Description'), 'Distances');

@@ -215,6 +215,7 @@ function firstDraft(activity: Activity, description: Description): ModelDraft {
     outputs: [],
     postConditions: [],
     trajectoryConditions: [],
+    relations: [],
     invalidValues: 'isolate',
     order: '2',
     maxCases: '',

@@ -3,6 +3,7 @@ import type { ModelPreview } from '@/shared/api';
 import { Diagnostics, Formula, Loading, ScrollTable, Section, UserText } from '@/shared/ui';
 import type { ModelDraft, NamedText, OutputDraft } from './draft';
 import { FunctionReference } from './FunctionReference';
+import { Relations } from './Relations';
 import { TrajectoryConditions } from './TrajectoryConditions';
 
 interface OrderStepProps {
@@ -102,6 +103,15 @@ export function OrderStep({ draft, preview, counting, onChange }: OrderStepProps
         conditions={draft.trajectoryConditions}
         onChange={(trajectoryConditions) => {
           onChange({ ...draft, trajectoryConditions });
+        }}
+      />
+      <Relations
+        relations={draft.relations}
+        inputs={draft.inputs.map(({ name }) => name)}
+        outputs={draft.outputs.map(({ name }) => name)}
+        words={words}
+        onChange={(relations) => {
+          onChange({ ...draft, relations });
         }}
       />
       <Section title="Combination">

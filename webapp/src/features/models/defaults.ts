@@ -179,6 +179,7 @@ export function draftFor(
     outputs: outputsOf(method),
     postConditions: [],
     trajectoryConditions: [],
+    relations: [],
     invalidValues: 'isolate',
     order: '2',
     maxCases: '',

@@ -16,6 +16,7 @@ export interface ModelDraft {
   outputs: OutputDraft[];
   postConditions: NamedText[];
   trajectoryConditions: TrajectoryDraft[];
+  relations: RelationDraft[];
   invalidValues: 'isolate' | 'combine';
   order: string;
   /** Maximum number of cases; empty if there is none. */
@@ -31,6 +32,14 @@ export interface TrajectoryDraft {
   name: string;
   from: string;
   formula: string;
+}
+
+/** A relation between two runs: the changed inputs of the second run, and what must hold. */
+export interface RelationDraft {
+  name: string;
+  /** Each names an input. */
+  changes: NamedText[];
+  holds: string;
 }
 
 /** An expression with its name; pre-conditions have none. */

@@ -55,6 +55,11 @@ export function readModel(xml: string): ModelDraft {
       from: condition.getAttribute('from') ?? '',
       formula: condition.textContent.trim(),
     })),
+    relations: children(child(root, 'relation_list'), 'relation').map((relation) => ({
+      name: relation.getAttribute('name') ?? '',
+      changes: namedOf(relation, 'change'),
+      holds: textOf(relation, 'holds'),
+    })),
     invalidValues: textOf(root, 'invalid_values') === 'combine' ? 'combine' : 'isolate',
     order: textOf(root, 'order_of_combinations'),
     maxCases: textOf(root, 'max_cases'),
@@ -160,6 +165,7 @@ export function writeModel(draft: ModelDraft): string {
       : []),
     ...list('post_condition_spec_list', 'post_condition', draft.postConditions),
     ...writeTrajectoryConditions(draft),
+    ...writeRelations(draft),
     `  <invalid_values>${draft.invalidValues}</invalid_values>`,
     `  <order_of_combinations>${escape(draft.order)}</order_of_combinations>`,
     ...draft.strengths.map((strength) => `  ${strength}`),
@@ -181,6 +187,23 @@ function writeTrajectoryConditions({ trajectoryConditions }: ModelDraft): string
         `    <trajectory_condition${attributes({ name, from })}>${escape(formula)}</trajectory_condition>`,
     ),
     '  </trajectory_condition_spec_list>',
+  ];
+}
+
+function writeRelations({ relations }: ModelDraft): string[] {
+  if (relations.length === 0) return [];
+  return [
+    '  <relation_list>',
+    ...relations.flatMap(({ name, changes, holds }) => [
+      `    <relation${attributes({ name })}>`,
+      ...changes.map(
+        (change) =>
+          `      <change${attributes({ name: change.name })}>${escape(change.text)}</change>`,
+      ),
+      `      <holds>${escape(holds)}</holds>`,
+      '    </relation>',
+    ]),
+    '  </relation_list>',
   ];
 }
 

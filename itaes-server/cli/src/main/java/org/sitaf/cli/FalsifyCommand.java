@@ -134,7 +134,8 @@ final class FalsifyCommand implements Callable<Integer> {
             .filter(m -> condition == null || names(m).contains(Objects.requireNonNull(condition)))
             .toList();
     if (fitting.size() == 1) {
-      return fitting.get(0);
+      // The search needs margins only.
+      return fitting.get(0).withoutRelations();
     }
     List<String> known = all.stream().map(m -> m.name() + ": " + names(m)).toList();
     if (all.isEmpty()) {

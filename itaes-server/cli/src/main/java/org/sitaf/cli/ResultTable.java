@@ -9,6 +9,7 @@ import org.sitaf.core.suite.CaseParameter;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.Coverage;
 import org.sitaf.core.verdict.NamedValue;
+import org.sitaf.core.verdict.RelationCount;
 import org.sitaf.core.verdict.Summary;
 import org.sitaf.core.verdict.TestResult;
 import org.sitaf.core.verdict.Verdict;
@@ -84,6 +85,16 @@ public final class ResultTable {
         summary.dont() == 0 ? "" : " (not executed)",
         summary.unjudged() == 0 ? "" : ", " + summary.unjudged() + " unjudged",
         summary.byError() == 0 ? "" : ", " + summary.byError() + " by an error");
+    for (RelationCount relation : RelationCount.of(result.cases())) {
+      out.printf(
+          Locale.ROOT,
+          "relation '%s': %d checked, %d broken, %d skipped, %d errors%n",
+          Printable.line(relation.name()),
+          relation.checked(),
+          relation.broken(),
+          relation.skipped(),
+          relation.errors());
+    }
     if (summary.times() != null) {
       out.printf(
           Locale.ROOT,

@@ -51,7 +51,7 @@ public final class InterfaceTestApplicationGenerator {
    */
   public static TestApplication ofReference(TestApplication application) {
     Activity activity = application.activity().ofReference();
-    TestModel model = application.model().withoutTiming();
+    TestModel model = application.model().withoutTiming().withoutRelations();
     TestSuite suite = application.suite().withoutExpected();
     return new TestApplication(
         activity,

@@ -28,6 +28,7 @@ public record TestModel(
     List<OutputElement> outputs,
     List<Condition> postConditions,
     List<TrajectoryCondition> trajectoryConditions,
+    List<Relation> relations,
     InvalidValues invalidValues,
     Strength strength,
     List<MixedStrength> mixedStrengths,
@@ -52,6 +53,7 @@ public record TestModel(
     outputs = List.copyOf(outputs);
     postConditions = List.copyOf(postConditions);
     trajectoryConditions = List.copyOf(trajectoryConditions);
+    relations = List.copyOf(relations);
     mixedStrengths = List.copyOf(mixedStrengths);
     keptCases = List.copyOf(keptCases);
   }
@@ -69,6 +71,7 @@ public record TestModel(
         outputs,
         postConditions,
         trajectoryConditions,
+        relations,
         invalidValues,
         strength,
         mixedStrengths,
@@ -91,6 +94,7 @@ public record TestModel(
         outputs,
         postConditions,
         trajectoryConditions,
+        relations,
         invalidValues,
         strength,
         mixedStrengths,
@@ -113,6 +117,30 @@ public record TestModel(
         replaced,
         postConditions,
         trajectoryConditions,
+        relations,
+        invalidValues,
+        strength,
+        mixedStrengths,
+        keptCases,
+        maxCases,
+        timing,
+        source);
+  }
+
+  /** A copy without relations. */
+  public TestModel withoutRelations() {
+    return new TestModel(
+        name,
+        description,
+        target,
+        definitions,
+        constants,
+        preConditions,
+        inputs,
+        outputs,
+        postConditions,
+        trajectoryConditions,
+        List.of(),
         invalidValues,
         strength,
         mixedStrengths,
@@ -135,6 +163,7 @@ public record TestModel(
         outputs,
         postConditions,
         trajectoryConditions,
+        relations,
         invalidValues,
         strength,
         mixedStrengths,

@@ -43,6 +43,32 @@ public final class CaseScope {
     return scope(model, variables);
   }
 
+  /**
+   * Conditions of relations: the inputs of the first run, and the outputs and the error of both
+   * runs.
+   */
+  static Scope betweenRuns(TestModel model) {
+    VariableTypes outputs = new VariableTypes();
+    for (OutputElement output : model.outputs()) {
+      if (!output.type().isVoid()) {
+        outputs.put(inRun(output.name()), Type.of(output.type()));
+      }
+    }
+    Map<String, Type> members = new LinkedHashMap<>(outputs.map());
+    members.put(Variables.ERROR, Type.TEXT);
+    Map<String, Type> variables = new LinkedHashMap<>(inputs(model));
+    variables.put(Relations.BEFORE, new Type.Members("", members));
+    variables.put(Relations.AFTER, new Type.Members("", members));
+    return scope(model, variables);
+  }
+
+  /** The path of an output in the map of a run: {@code return.x} is {@code value.x} there. */
+  public static String inRun(String output) {
+    return MemberPath.root(output).equals(OutputElement.RETURN_NAME)
+        ? Relations.VALUE + output.substring(OutputElement.RETURN_NAME.length())
+        : output;
+  }
+
   /** A copy in which nothing is known about some names. */
   static Scope open(Scope scope, Collection<String> names) {
     Map<String, DataType> unknown = new LinkedHashMap<>();

@@ -18,6 +18,7 @@ import org.sitaf.core.expression.type.Type;
 import org.sitaf.core.model.Condition;
 import org.sitaf.core.model.Definition;
 import org.sitaf.core.model.OutputElement;
+import org.sitaf.core.model.Relation;
 import org.sitaf.core.model.TestModel;
 
 /**
@@ -26,8 +27,13 @@ import org.sitaf.core.model.TestModel;
  * @param pre pre-conditions in the order of the model
  * @param expected expected values by output name
  * @param post post-conditions in the order of the model
+ * @param relations between two runs
  */
-record Conditions(List<Expression> pre, Map<String, Expression> expected, List<Expression> post) {
+record Conditions(
+    List<Expression> pre,
+    Map<String, Expression> expected,
+    List<Expression> post,
+    Relations relations) {
   /** Maximum length of all expressions of a model; takes a few seconds to compile. */
   private static final int MAX_CHARACTERS = 500_000;
 
@@ -44,7 +50,10 @@ record Conditions(List<Expression> pre, Map<String, Expression> expected, List<E
                 model.preConditions().stream().map(Condition::expression),
                 model.postConditions().stream().map(Condition::expression),
                 model.definitions().stream().map(Definition::expression),
-                model.outputs().stream().map(o -> o.expected() == null ? "" : o.expected()))
+                model.outputs().stream().map(o -> o.expected() == null ? "" : o.expected()),
+                model.relations().stream().map(Relation::holds),
+                model.relations().stream()
+                    .flatMap(r -> r.changes().stream().map(Relation.Change::expression)))
             .flatMap(texts -> texts)
             .mapToLong(String::length)
             .sum();
@@ -59,7 +68,7 @@ record Conditions(List<Expression> pre, Map<String, Expression> expected, List<E
                   + " allowed; simplify them",
               characters,
               MAX_CHARACTERS));
-      return new Conditions(List.of(), Map.of(), List.of());
+      return new Conditions(List.of(), Map.of(), List.of(), Relations.NONE);
     }
     return new Compilation(model, diagnostics).all();
   }
@@ -91,7 +100,14 @@ record Conditions(List<Expression> pre, Map<String, Expression> expected, List<E
               new ExpressionCompiler(CaseScope.open(after, invalid)),
               model.postConditions(),
               "post_condition_spec_list");
-      return new Conditions(pre, expected, post);
+      Relations relations =
+          new RelationCompiler(
+                  model,
+                  before,
+                  new ExpressionCompiler(CaseScope.open(CaseScope.betweenRuns(model), invalid)),
+                  diagnostics)
+              .compile();
+      return new Conditions(pre, expected, post, relations);
     }
 
     /** Checks each definition where it is written. Returns the names of those that are invalid. */

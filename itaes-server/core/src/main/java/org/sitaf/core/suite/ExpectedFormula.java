@@ -65,7 +65,7 @@ public final class ExpectedFormula {
       InputElement input = model.inputs().get(i);
       variables.put(input.name(), testCase.values().get(i), input.type());
     }
-    String literal = Oracle.literal(expression.evaluate(variables.map()), output.type());
+    String literal = ResultLiteral.of(expression.evaluate(variables.map()), output.type());
     return new ExpectedValue(model.outputs().size() == 1 ? "" : output.name(), literal);
   }
 }

@@ -1,12 +1,9 @@
 package org.sitaf.core.suite;
 
-import dev.cel.common.values.NullValue;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import org.sitaf.core.description.DataType;
 import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.expression.EvaluationException;
 import org.sitaf.core.expression.Expression;
@@ -23,9 +20,6 @@ final class Oracle {
    * ERROR.
    */
   private static final String UNEVALUATED = "!unevaluated:";
-
-  /** The expected value of a method that returns nothing. */
-  private static final String NOTHING = "null";
 
   /** Maximum number of listed cases without an expected value; more are only counted. */
   private static final int MAX_WARNINGS = 1_000;
@@ -77,7 +71,7 @@ final class Oracle {
       int no,
       List<Value> values) {
     try {
-      return literal(expression.evaluate(variables.map()), output.type());
+      return ResultLiteral.of(expression.evaluate(variables.map()), output.type());
     } catch (EvaluationException | IllegalArgumentException e) {
       if (e instanceof EvaluationException evaluation && evaluation.tooCostly()) {
         // The other cases would most likely exceed the limit, too.
@@ -108,45 +102,5 @@ final class Oracle {
     return IntStream.range(0, values.size())
         .mapToObj(i -> model.inputs().get(i).name() + "=" + shown(values.get(i).literal()))
         .collect(Collectors.joining(", "));
-  }
-
-  /**
-   * Converts a result to a literal of the output's type: {@code -1} for a double becomes {@code
-   * -1.0}.
-   */
-  static String literal(Object result, DataType type) {
-    if (result instanceof String text && Value.isOutcome(text)) {
-      return text;
-    }
-    if (type.isVoid()) {
-      if (!(result instanceof NullValue)) {
-        throw new IllegalArgumentException(
-            "the method returns nothing; expect null or an error such as \"!error:NAME\", not "
-                + result);
-      }
-      return NOTHING;
-    }
-    if (result instanceof Map<?, ?> map) {
-      return map.entrySet().stream()
-          .map(
-              e ->
-                  e.getKey() + ": " + nested(e.getValue(), type.member(String.valueOf(e.getKey()))))
-          .collect(Collectors.joining(", ", "{", "}"));
-    }
-    if (result instanceof List<?> list) {
-      DataType element =
-          type instanceof DataType.Sequence sequence
-              ? sequence.element()
-              : type instanceof DataType.FixedArray array ? array.element() : type;
-      return list.stream().map(e -> nested(e, element)).collect(Collectors.joining(", ", "[", "]"));
-    }
-    return Value.parse(String.valueOf(result), type).literal();
-  }
-
-  /** Quotes strings in a list or a map, since they may contain commas. */
-  private static String nested(Object result, DataType type) {
-    return result instanceof String text && !(type instanceof DataType.Enumeration)
-        ? '"' + text.replace("\\", "\\\\").replace("\"", "\\\"") + '"'
-        : literal(result, type);
   }
 }

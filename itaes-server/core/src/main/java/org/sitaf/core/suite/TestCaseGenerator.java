@@ -97,7 +97,35 @@ public final class TestCaseGenerator {
                 .map(i -> new CaseParameter(i.name(), i.kind(), i.realType()))
                 .toList(),
             cases);
+    verifyRelations(model, suite, diagnostics);
     return new GeneratedSuite(suite, diagnostics.all());
+  }
+
+  /** Reports relations that are never checked. */
+  private static void verifyRelations(TestModel model, TestSuite suite, Diagnostics diagnostics) {
+    if (model.relations().isEmpty()) {
+      return;
+    }
+    if (suite.validCount() == 0) {
+      diagnostics.error(
+          model.source(),
+          model.relations().get(0).line(),
+          "relation_list",
+          "has no effect, since the suite has no valid case");
+      diagnostics.throwIfErrors();
+    }
+    List<SecondRun> runs = SecondRuns.of(model, suite, null);
+    for (int i = 0; i < runs.size(); i++) {
+      Map<Integer, SecondRun.Reason> left = runs.get(i).left();
+      if (left.size() == suite.validCount()) {
+        SecondRun.Reason first = left.values().iterator().next();
+        diagnostics.warning(
+            model.source(),
+            model.relations().get(i).line(),
+            "relation " + runs.get(i).relation(),
+            "is checked in none of the valid cases; in one of them: " + first.message());
+      }
+    }
   }
 
   /** Compiles the conditions and expected values of a model and returns all problems. */

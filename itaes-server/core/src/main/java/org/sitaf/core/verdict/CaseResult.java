@@ -12,6 +12,7 @@ import org.sitaf.core.timing.RepeatedCalls;
  * @param values literals in the order of the suite's parameters
  * @param calls of required interfaces
  * @param trajectories results of the trajectory conditions; empty if they were not evaluated
+ * @param relations results of the relations between two runs; empty if they were not checked
  * @param time of the judged call; null if it did not end
  * @param repeated the repeated calls; null if there are none
  * @param message why the verdict is not PASS; empty otherwise
@@ -24,6 +25,7 @@ public record CaseResult(
     List<NamedValue> actual,
     StubCalls calls,
     List<TrajectoryResult> trajectories,
+    List<RelationResult> relations,
     @Nullable ProcessingTime time,
     @Nullable RepeatedCalls repeated,
     String message) {
@@ -36,6 +38,7 @@ public record CaseResult(
     Objects.requireNonNull(calls);
     // Stored results of earlier versions have none.
     trajectories = trajectories == null ? List.of() : List.copyOf(trajectories);
+    relations = relations == null ? List.of() : List.copyOf(relations);
   }
 
   /** A result of a case in which the component called no required interface. */
@@ -50,7 +53,7 @@ public record CaseResult(
     this(no, verdict, values, expected, actual, StubCalls.NONE, time, message);
   }
 
-  /** A result without trajectory conditions. */
+  /** A result without trajectory conditions and relations. */
   public CaseResult(
       int no,
       Verdict verdict,
@@ -60,19 +63,45 @@ public record CaseResult(
       StubCalls calls,
       @Nullable ProcessingTime time,
       String message) {
-    this(no, verdict, values, expected, actual, calls, List.of(), time, null, message);
+    this(no, verdict, values, expected, actual, calls, List.of(), List.of(), time, null, message);
   }
 
   /** A copy with the results of trajectory conditions. */
   public CaseResult with(List<TrajectoryResult> results) {
     return new CaseResult(
-        no, verdict, values, expected, actual, calls, results, time, repeated, message);
+        no, verdict, values, expected, actual, calls, results, relations, time, repeated, message);
+  }
+
+  /** A copy with the results of relations. */
+  public CaseResult withRelations(List<RelationResult> results) {
+    return new CaseResult(
+        no,
+        verdict,
+        values,
+        expected,
+        actual,
+        calls,
+        trajectories,
+        results,
+        time,
+        repeated,
+        message);
   }
 
   /** A copy with repeated calls. */
   public CaseResult with(RepeatedCalls measured) {
     return new CaseResult(
-        no, verdict, values, expected, actual, calls, trajectories, time, measured, message);
+        no,
+        verdict,
+        values,
+        expected,
+        actual,
+        calls,
+        trajectories,
+        relations,
+        time,
+        measured,
+        message);
   }
 
   /**
@@ -96,6 +125,7 @@ public record CaseResult(
         actual,
         calls,
         trajectories,
+        relations,
         time,
         repeated,
         message.isEmpty() ? reason : message + "; " + reason);

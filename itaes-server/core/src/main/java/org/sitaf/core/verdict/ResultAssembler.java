@@ -36,6 +36,7 @@ public final class ResultAssembler {
   private final CallRecord calls;
   private final Expectations expectations;
   private final TrajectoryVerdicts trajectories;
+  private final RelationVerdicts relations;
   private final InputValidity validity;
   private final Map<Integer, TestCase> cases = new HashMap<>();
 
@@ -64,6 +65,23 @@ public final class ResultAssembler {
       TestSuite suite,
       List<InterfaceDescription> required,
       TrajectoryConditions trajectories) {
+    this(model, suite, required, trajectories, List.of());
+  }
+
+  /**
+   * Creates an assembler for a model with relations between two runs.
+   *
+   * @param required the interfaces whose calls the test stub records
+   * @param trajectories the compiled trajectory conditions of the model
+   * @param secondRuns one for each relation of the model, in its order; empty if there are none
+   */
+  public ResultAssembler(
+      TestModel model,
+      TestSuite suite,
+      List<InterfaceDescription> required,
+      TrajectoryConditions trajectories,
+      List<ExecutedSecondRun> secondRuns) {
+    this.relations = new RelationVerdicts(model, secondRuns, this::expectsException);
     this.trajectories = new TrajectoryVerdicts(trajectories);
     this.calls = new CallRecord(required);
     this.model = Objects.requireNonNull(model);
@@ -90,7 +108,7 @@ public final class ResultAssembler {
 
   /**
    * The result of a recorded case: its values compared with the expected ones, then its
-   * post-conditions and trajectory conditions evaluated. The worst verdict counts.
+   * post-conditions, trajectory conditions and relations evaluated. The worst verdict counts.
    *
    * @param signals used if the case completed and the model has trajectory conditions
    * @throws IllegalArgumentException if the suite has no such case
@@ -107,19 +125,27 @@ public final class ResultAssembler {
       throw new IllegalArgumentException("the suite has no case " + record.no());
     }
     CaseResult result = expectations.judge(testCase, record);
-    if (record.outcome() == CaseRecord.Outcome.THREW && result.verdict() == Verdict.ERROR) {
-      return accepted(testCase, record, result).orElse(result);
-    }
+    boolean threw = record.outcome() == CaseRecord.Outcome.THREW;
+    Optional<CaseResult> accepted =
+        threw && result.verdict() == Verdict.ERROR
+            ? accepted(testCase, record, result)
+            : Optional.empty();
     boolean completed =
         record.outcome() == CaseRecord.Outcome.RETURNED
-            || record.outcome() == CaseRecord.Outcome.THREW && result.verdict() == Verdict.PASS;
-    if (!completed) {
-      return result;
+            || threw && (result.verdict() == Verdict.PASS || accepted.isPresent());
+    Map<String, Object> inputs = completed ? inputs(testCase, record.thrown()).map() : Map.of();
+    if (accepted.isPresent()) {
+      result = accepted.get();
+    } else if (completed) {
+      result = trajectories.judge(withPostConditions(testCase, record, result), inputs, signals);
     }
-    return trajectories.judge(
-        withPostConditions(testCase, record, result),
-        inputs(testCase, record.thrown()).map(),
-        signals);
+    return relations.judge(testCase, record, result, completed, inputs);
+  }
+
+  /** Whether a case may throw the recorded exception. */
+  private boolean expectsException(TestCase testCase, CaseRecord record) {
+    CaseResult result = expectations.judge(testCase, record);
+    return result.verdict() == Verdict.PASS || accepted(testCase, record, result).isPresent();
   }
 
   /**

@@ -11,8 +11,8 @@ final class Statistics {
   /**
    * Counts verdicts and computes the times of PASS and FAIL cases.
    *
-   * @param postConditions whether the model has any; if not, a case without expected values is
-   *     counted as unjudged
+   * @param postConditions whether the model has any; if not, a case without expected values and
+   *     relations is counted as unjudged
    */
   static Summary of(List<CaseResult> cases, boolean postConditions) {
     int pass = count(cases, Verdict.PASS);
@@ -32,7 +32,8 @@ final class Statistics {
   }
 
   private static boolean isUnjudged(CaseResult result) {
-    return result.expected().stream().allMatch(e -> e.literal().strip().equals(Value.ANY));
+    return result.expected().stream().allMatch(e -> e.literal().strip().equals(Value.ANY))
+        && result.relations().stream().noneMatch(r -> r.outcome() == RelationResult.Outcome.PASS);
   }
 
   private static boolean endedWithError(CaseResult result) {

@@ -5,7 +5,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * The summary of a result (paper, Fig. 17): {@code total = pass + fail + error + dont}.
  *
- * @param unjudged number of PASS cases with neither an expected value nor a post-condition
+ * @param unjudged number of PASS cases without an expected value, a condition or a relation
  * @param byError number of PASS cases that ended with an exception, which says nothing about values
  * @param times of PASS and FAIL cases; null if there are none
  */

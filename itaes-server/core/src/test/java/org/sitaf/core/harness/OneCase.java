@@ -73,6 +73,7 @@ public record OneCase(
         List.of(),
         List.of(),
         List.of(),
+        List.of(),
         InvalidValues.ISOLATE,
         new Strength(1),
         List.of(),

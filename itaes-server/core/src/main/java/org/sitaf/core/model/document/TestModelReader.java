@@ -29,6 +29,7 @@ import org.sitaf.schemas.TimingType;
 /** Converts the parsed document to a {@link TestModel} and reports all contradictions. */
 final class TestModelReader {
   private final Problems problems;
+  private final ElementLines lines;
   private final ConditionReader conditions;
 
   /**
@@ -36,6 +37,7 @@ final class TestModelReader {
    */
   TestModelReader(String file, Diagnostics diagnostics, ElementLines lines) {
     this.problems = new Problems(file, diagnostics);
+    this.lines = lines;
     this.conditions = new ConditionReader(problems, lines);
   }
 
@@ -92,6 +94,7 @@ final class TestModelReader {
                 ? List.of()
                 : root.getPostConditionSpecList().getPostCondition()),
         new TrajectoryConditionReader(problems).read(root.getTrajectoryConditionSpecList()),
+        new RelationReader(problems, lines, inputs).read(root.getRelationList()),
         invalidValues(root.getInvalidValues(), line),
         strength(root.getOrderOfCombinations(), "order_of_combinations", line),
         root.getStrength().stream().map(s -> mixed(s, inputs)).toList(),

@@ -25,7 +25,10 @@ public final class TestModelXml {
     Diagnostics diagnostics = new Diagnostics();
     ElementLines lines =
         new ElementLines(
-            ConditionReader.PRE_CONDITION, ConditionReader.POST_CONDITION, ConditionReader.DEFINE);
+            ConditionReader.PRE_CONDITION,
+            ConditionReader.POST_CONDITION,
+            ConditionReader.DEFINE,
+            RelationReader.HOLDS);
     TestModelDocument root =
         XmlDocuments.readStrictly(
             document, file, ROOT, TestModelDocument.class, diagnostics, lines, NAMES);

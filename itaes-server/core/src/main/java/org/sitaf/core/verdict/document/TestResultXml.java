@@ -14,6 +14,7 @@ import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.Coverage;
 import org.sitaf.core.verdict.NamedValue;
 import org.sitaf.core.verdict.Provenance;
+import org.sitaf.core.verdict.RelationResult;
 import org.sitaf.core.verdict.StubCalls;
 import org.sitaf.core.verdict.Summary;
 import org.sitaf.core.verdict.TestResult;
@@ -23,6 +24,7 @@ import org.sitaf.schemas.CallType;
 import org.sitaf.schemas.CaseTimeType;
 import org.sitaf.schemas.NamedValueType;
 import org.sitaf.schemas.ProvenanceType;
+import org.sitaf.schemas.RelationResultType;
 import org.sitaf.schemas.SummaryType;
 import org.sitaf.schemas.TestResultDocument;
 import org.sitaf.schemas.TestResultListType;
@@ -121,6 +123,7 @@ public final class TestResultXml {
                 .toList(),
             given.getCallsLeftOut() == null ? 0 : given.getCallsLeftOut()),
         given.getTrajectory().stream().map(TestResultXml::read).toList(),
+        given.getRelation().stream().map(TestResultXml::read).toList(),
         time == null
             ? null
             : new CaseResult.ProcessingTime(
@@ -146,6 +149,25 @@ public final class TestResultXml {
     written.setVerdict(result.verdict().name());
     written.setMargin(result.margin());
     written.setAt(result.at());
+    return written;
+  }
+
+  private static RelationResult read(RelationResultType given) {
+    return new RelationResult(
+        orEmpty(given.getName()),
+        RelationResult.Outcome.valueOf(String.valueOf(given.getVerdict())),
+        given.getValue(),
+        read(given.getActual()),
+        orEmpty(given.getMessage()));
+  }
+
+  private static RelationResultType write(RelationResult result) {
+    RelationResultType written = new RelationResultType();
+    written.setName(result.name());
+    written.setVerdict(result.outcome().name());
+    written.getValue().addAll(result.values());
+    written.getActual().addAll(write(result.actual()));
+    written.setMessage(result.message().isEmpty() ? null : result.message());
     return written;
   }
 
@@ -212,6 +234,7 @@ public final class TestResultXml {
     }
     written.setCallsLeftOut(result.calls().leftOut() == 0 ? null : result.calls().leftOut());
     result.trajectories().forEach(t -> written.getTrajectory().add(write(t)));
+    result.relations().forEach(r -> written.getRelation().add(write(r)));
     if (result.time() != null) {
       CaseTimeType time = new CaseTimeType();
       time.setUnit(MICROSECONDS);
