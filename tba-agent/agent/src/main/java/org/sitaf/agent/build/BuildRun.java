@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -101,9 +102,12 @@ public final class BuildRun {
   }
 
   private TimeLimit limit() {
-    int cases = application.suite().cases().size();
+    int runs =
+        1
+            + application.model().relations().size()
+            + (application.activity().profile().reference() == null ? 0 : 1);
     return TimeLimit.of(
-        application.activity().profile().reference() == null ? cases : 2 * cases,
+        runs * application.suite().cases().size(),
         application.activity().profile().limits(),
         settings.atMost());
   }
@@ -186,10 +190,17 @@ public final class BuildRun {
 
       listener.stage(BuildStage.RUNNING);
       CaseSignals signals = prepared.signals();
+      ExecutionRequest request = request(compiled, prepared);
+      RelationRuns.Executed relations =
+          new RelationRuns(application, executor(), signals)
+              .execute(request, prepared.simulator(), log);
       ResultAssembler assembler =
           new ResultAssembler(
-              application.model(), suite, application.activity().required(), signals.conditions());
-      ExecutionRequest request = request(compiled, prepared);
+              application.model(),
+              suite,
+              application.activity().required(),
+              signals.conditions(),
+              relations.runs());
       Execution execution =
           execute(
               request,
@@ -198,7 +209,8 @@ public final class BuildRun {
               log);
       signals.report(log);
 
-      TestResult result = report(execution, assembler, prepared.bridge(), started);
+      TestResult result =
+          report(execution, relations.suspicions(), assembler, prepared.bridge(), started);
       return new BuildOutcome.Completed(withCoverage(result, compiled, request, log), warnings);
     }
   }
@@ -220,12 +232,14 @@ public final class BuildRun {
 
   /**
    * Starts the first process during the compilation if the toolchain supports it; null otherwise,
-   * and if the cases run in several processes.
+   * and if the cases run in several processes or after those of a relation.
    */
   private @Nullable EarlyProcess startEarly(
       Toolchain toolchain, Compilation compilation, Preparation.Prepared prepared, BuildLog log)
       throws CompilationException, IOException, InterruptedException {
-    if (application.suite().cases().isEmpty() || !executor().isInSequence(application.suite())) {
+    if (application.suite().cases().isEmpty()
+        || !application.model().relations().isEmpty()
+        || !executor().isInSequence(application.suite())) {
       return null;
     }
     Optional<CompiledApplication> opened = toolchain.openEarly(compilation);
@@ -322,7 +336,13 @@ public final class BuildRun {
   }
 
   private TestResult report(
-      Execution execution, ResultAssembler assembler, String bridge, Instant started) {
+      Execution execution,
+      List<String> furtherSuspicions,
+      ResultAssembler assembler,
+      String bridge,
+      Instant started) {
+    List<String> suspicions = new ArrayList<>(furtherSuspicions);
+    suspicions.addAll(execution.suspicions());
     byte[] suite = application.files().content("suite.xml").orElseThrow();
     Provenance provenance =
         new Provenance(
@@ -336,7 +356,7 @@ public final class BuildRun {
             Instant.now().truncatedTo(ChronoUnit.MILLIS).toString());
     return assembler
         .assemble(execution.results(), execution.reasonOfRest(), provenance)
-        .withSuspicions(execution.suspicions());
+        .withSuspicions(suspicions);
   }
 
   /** The files of the component: sources or library, adapter and external libraries. */

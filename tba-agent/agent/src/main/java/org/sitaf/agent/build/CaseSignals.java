@@ -102,6 +102,18 @@ final class CaseSignals {
     }
   }
 
+  /** Removes the signals of a case that is not judged by them. */
+  void discard(int no, @Nullable BuildSimulator simulator) {
+    if (simulator == null || conditions.isEmpty() && !reported) {
+      return;
+    }
+    try {
+      var unused = simulator.takeSignals(no);
+    } catch (SimulatorException e) {
+      // They are not needed.
+    }
+  }
+
   /** The result of a recorded case. */
   CaseResult judge(
       ResultAssembler assembler, CaseRecord record, @Nullable BuildSimulator simulator) {

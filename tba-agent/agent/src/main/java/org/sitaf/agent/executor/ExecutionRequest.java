@@ -58,24 +58,13 @@ public record ExecutionRequest(
    */
   ExecutionRequest part(int number, List<TestCase> cases) throws IOException {
     Path own = Files.createDirectories(directory.resolve("part-" + number));
-    TestSuite part =
-        new TestSuite(
-            suite.name(),
-            suite.description(),
-            suite.modelName(),
-            suite.generation(),
-            suite.parameters(),
-            cases);
-    Path file = own.resolve("suite.xml");
-    try (OutputStream out = new BufferedOutputStream(Files.newOutputStream(file))) {
-      TestSuiteXml.write(part.withoutExpected(), out);
-    }
+    TestSuite part = suite.withCases(cases);
     return new ExecutionRequest(
         application,
         sandbox,
         files,
         part,
-        file,
+        written(part, own),
         own,
         coverage,
         // Each process runs as another user, who owns what it writes to.
@@ -83,6 +72,36 @@ public record ExecutionRequest(
         world,
         timing,
         limits);
+  }
+
+  /**
+   * Other cases of the same application, with their own folder. They are neither recorded nor
+   * repeated, and their coverage is kept apart.
+   *
+   * @param folder name of the folder
+   */
+  public ExecutionRequest apart(String folder, TestSuite others) throws IOException {
+    Path own = Files.createDirectories(directory.resolve(folder));
+    return new ExecutionRequest(
+        application,
+        sandbox,
+        files,
+        others,
+        written(others, own),
+        own,
+        own.resolve("coverage"),
+        null,
+        world,
+        null,
+        limits);
+  }
+
+  private static Path written(TestSuite suite, Path folder) throws IOException {
+    Path file = folder.resolve("suite.xml");
+    try (OutputStream out = new BufferedOutputStream(Files.newOutputStream(file))) {
+      TestSuiteXml.write(suite.withoutExpected(), out);
+    }
+    return file;
   }
 
   static Path recordingOfShard(Path recording, int number) {

@@ -35,6 +35,7 @@ public final class EchoActivity {
   private String extra = "";
   private int cases = 5;
   private String postConditions = "";
+  private String relations = "";
   private final String harness = resource("ScriptedHarness.java");
 
   /** The component's class with the given body of {@code int echo(int value) throws Exception}. */
@@ -101,6 +102,14 @@ public final class EchoActivity {
     return this;
   }
 
+  /** Adds a relation over {@code Value}; must not contain characters that XML escapes. */
+  public EchoActivity relation(String name, String change, String holds) {
+    relations +=
+        "<relation name=\"%s\"><change name=\"Value\">%s</change><holds>%s</holds></relation>"
+            .formatted(name, change, holds);
+    return this;
+  }
+
   public EchoActivity file(String path, String content) {
     return file(path, content.getBytes(StandardCharsets.UTF_8));
   }
@@ -160,11 +169,13 @@ public final class EchoActivity {
         .replace("@VALUES@", values)
         .replace(
             "  <order_of",
-            postConditions.isEmpty()
-                ? "  <order_of"
-                : "  <post_condition_spec_list>"
-                    + postConditions
-                    + "</post_condition_spec_list>\n  <order_of");
+            list("post_condition_spec_list", postConditions)
+                + list("relation_list", relations)
+                + "  <order_of");
+  }
+
+  private static String list(String element, String content) {
+    return content.isEmpty() ? "" : "  <" + element + ">" + content + "</" + element + ">\n";
   }
 
   private static String resource(String name) {
