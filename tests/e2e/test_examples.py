@@ -156,6 +156,26 @@ def test_the_outputs_of_a_reference_are_the_expected_values(sitaf, tmp_path):
     assert "reference: " in run.stderr, run.stderr
 
 
+def test_relations_compare_two_runs_of_each_case(sitaf, tmp_path):
+    result = tmp_path / "result.xml"
+    run = sitaf("run", "examples/angle-normalisation", "--model", "Normalise", "--result", result)
+    assert run.returncode == 0, run.stdout + run.stderr
+    assert "Normalise: 25 cases, 25 PASS" in run.stdout
+    assert "relation 'a whole turn changes nothing': 25 checked, 0 broken, 0 skipped, 0 errors" in run.stdout
+    assert result.read_text().count('<relation name="the opposite angle has the opposite result" verdict="PASS">') == 25
+
+
+def test_a_fault_that_only_a_relation_shows(sitaf):
+    run = sitaf("run", "examples/angle-normalisation-faulty")
+    assert run.returncode == 1, run.stdout + run.stderr
+    cases, passed = verdicts(run)
+    assert cases == 25 and 0 < passed < cases
+    assert f"relation 'a whole turn changes nothing': 25 checked, {cases - passed} broken" in run.stdout
+    assert "relation 'the opposite angle has the opposite result': 25 checked, 0 broken" in run.stdout
+    assert re.search(r"first run: angle=\S+ gave \S+; second run: angle=\S+ gave ", run.stdout)
+    assert "post-condition violated" not in run.stdout
+
+
 def test_a_turn_in_one_direction_only_breaks_a_named_post_condition(sitaf):
     run = sitaf("run", "examples/heading-faulty")
     assert run.returncode == 1, run.stdout + run.stderr
