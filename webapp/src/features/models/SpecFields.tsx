@@ -76,8 +76,10 @@ export function SpecFields({ spec, others = [], onChange }: SpecFieldsProps) {
       return (
         <Group align="end">
           <ClassFields spec={spec} onChange={onChange} />
-          {setting('representatives', 'Values per class', '1')}
-          {setting('offset', 'Offset', '1')}
+          {spec.classes[0]?.type !== 'NEC_BOOLEAN' && [
+            setting('representatives', 'Values per class', '1'),
+            setting('offset', 'Offset', '1'),
+          ]}
           {special}
         </Group>
       );
@@ -210,7 +212,17 @@ function ClassFields({ spec, onChange, kinds }: SpecFieldsProps & { kinds?: stri
         value={given.type}
         data={CLASSES.filter(({ value }) => !kinds || kinds.some((kind) => value.endsWith(kind)))}
         onChange={(event) => {
-          set({ type: event.currentTarget.value, attributes: {}, values: [] });
+          const type = event.currentTarget.value;
+          // The server refuses settings that have no effect.
+          const { offset = '', representatives = '', ...settings } = spec.settings;
+          onChange({
+            ...spec,
+            settings: {
+              ...settings,
+              ...(type !== 'NEC_BOOLEAN' && { offset, representatives }),
+            },
+            classes: [{ type, attributes: {}, values: [] }],
+          });
         }}
       />
       {given.type === 'NEC_NUMERIC_TWO_BOUNDARY' && [

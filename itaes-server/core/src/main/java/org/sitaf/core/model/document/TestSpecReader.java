@@ -82,6 +82,13 @@ final class TestSpecReader {
         attempt(
             "offset", () -> positive(first(spec.getOffset(), spec.getOffsetElement(), "1"), type));
     var special = special(spec);
+    if (declared.isPresent() && declared.get() instanceof EquivalenceClass.BooleanClass) {
+      refuse("offset", first(spec.getOffset(), spec.getOffsetElement()), "NEC_BOOLEAN");
+      refuse(
+          "representatives",
+          first(spec.getRepresentatives(), spec.getRepresentativesElement()),
+          "NEC_BOOLEAN");
+    }
     return declared.isEmpty() || representatives.isEmpty() || offset.isEmpty() || special.isEmpty()
         ? Optional.empty()
         : Optional.of(
@@ -94,6 +101,10 @@ final class TestSpecReader {
     boolean onlySpecial =
         spec.getEquivClass().isEmpty() && spec.getSpecial() != null && !spec.getSpecial().isEmpty();
     if (onlySpecial) {
+      refuse(
+          "offset",
+          first(spec.getOffset(), spec.getOffsetElement()),
+          "BVA without an equiv_class, which has no boundaries");
       attempt(
           "special",
           () -> {
@@ -132,6 +143,13 @@ final class TestSpecReader {
     return attempt(
         "special",
         () -> new TestSpec.BoundaryValues(declared.orElse(null), offset.get(), special.get()));
+  }
+
+  /** Reports a setting that is given but has no effect. */
+  private void refuse(String setting, @Nullable String given, String in) {
+    if (given != null) {
+      problems.error(line, where + "/" + setting, "has no effect in " + in + "; remove it");
+    }
   }
 
   private Optional<TestSpec.Special> special(TestSpecType spec) {

@@ -3,6 +3,7 @@ package org.sitaf.core.model.document;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
+import static org.assertj.core.api.Assertions.tuple;
 
 import java.io.ByteArrayInputStream;
 import java.nio.charset.StandardCharsets;
@@ -221,6 +222,35 @@ class TestModelXmlTest {
         .containsExactlyInAnyOrder(
             "0.5 is not a whole number, but the real_type is int32",
             "0.5 is not a whole number, but the real_type is int32");
+  }
+
+  @Test
+  void settingsOfBoundariesAreErrorsWhereThereAreNone() {
+    assertThat(
+            problems(
+                model(
+                    """
+                    <test_element abstract_type="BOOLEAN" real_type="boolean">
+                      <name>A</name><type>TDI</type>
+                      <test_spec type="ECP" offset="1" representatives="2">
+                        <equiv_class type="NEC_BOOLEAN"/>
+                      </test_spec>
+                    </test_element>
+                    <test_element abstract_type="NUMERIC" real_type="double">
+                      <name>B</name><type>TDI</type>
+                      <test_spec type="BVA" offset="1" special="true"/>
+                    </test_element>
+                    """)))
+        .extracting(Diagnostic::element, Diagnostic::message)
+        .containsExactlyInAnyOrder(
+            tuple("test_element A/test_spec/offset", "has no effect in NEC_BOOLEAN; remove it"),
+            tuple(
+                "test_element A/test_spec/representatives",
+                "has no effect in NEC_BOOLEAN; remove it"),
+            tuple(
+                "test_element B/test_spec/offset",
+                "has no effect in BVA without an equiv_class, which has no boundaries; remove"
+                    + " it"));
   }
 
   @Test
