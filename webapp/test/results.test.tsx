@@ -1,5 +1,6 @@
 import { screen, waitFor, within } from '@testing-library/react';
 import { describe, expect, test } from 'vitest';
+import type { ResultCase } from '@/shared/api';
 import { eachWithServer } from './support/eachWithServer';
 import type { FakeServer } from './support/FakeServer';
 import { openPortal } from './support/openPortal';
@@ -148,6 +149,41 @@ describe('a result', () => {
       expect(nothing).toBeVisible();
     });
     expect(history.location.search).toBe('?case=1');
+  });
+
+  test('shows both runs of a relation and in how many cases it was checked', async () => {
+    const broken: ResultCase['relations'][number] = {
+      name: 'the order does not matter',
+      verdict: 'FAIL',
+      values: ['4', '2', '5.0'],
+      actual: { return: '7.0' },
+      message: 'is broken',
+    };
+    const skipped = { ...broken, verdict: 'SKIPPED' as const, values: [], actual: {} };
+    const cases = [
+      resultCase(1, 'FAIL', { relations: [broken] }),
+      resultCase(2, 'PASS', { relations: [{ ...skipped, message: 'violates a pre-condition' }] }),
+    ];
+    server.cases.set('b1', cases);
+    server.builds.push(doneBuild('b1', cases));
+    openPortal(server, '/builds/b1?case=1');
+    const counts = await screen.findByRole('table', {
+      name: 'Relations between two runs',
+      hidden: true,
+    });
+    expect(cells(within(counts).getAllByRole('row', { hidden: true })[1])).toEqual([
+      'the order does not matter',
+      '1',
+      '1',
+      '1',
+      '0',
+    ]);
+    const runs = await screen.findByRole('table', {
+      name: 'Runs of the relation the order does not matter',
+    });
+    const [, first, second] = within(runs).getAllByRole('row');
+    expect(cells(first)).toEqual(['First run', '2', '4', '5.0', '10.0']);
+    expect(cells(second)).toEqual(['Second run', '4', '2', '5.0', '7.0']);
   });
 
   test('shows the lines of the component that are not covered', async () => {

@@ -124,6 +124,7 @@ export function resultCase(no: number, verdict: Verdict, changes: Partial<Result
     actual: { return: verdict === 'FAIL' ? '10.0' : expected },
     verdict,
     trajectories: [],
+    relations: [],
     processingTimeUs: 4 + (no % 9) / 4,
     ...changes,
   };
@@ -155,6 +156,21 @@ export const TRAJECTORIES: ResultCase['trajectories'] = [
 
 export function resultCases(verdicts: readonly Verdict[]): ResultCase[] {
   return verdicts.map((verdict, index) => resultCase(index + 1, verdict));
+}
+
+function relationCounts(cases: readonly ResultCase[]): Result['relations'] {
+  const results = cases.flatMap(({ relations }) => relations);
+  return [...new Set(results.map(({ name }) => name))].map((name) => {
+    const count = (...verdicts: string[]) =>
+      results.filter((each) => each.name === name && verdicts.includes(each.verdict)).length;
+    return {
+      name,
+      checked: count('PASS', 'FAIL'),
+      broken: count('FAIL'),
+      skipped: count('SKIPPED'),
+      errors: count('ERROR'),
+    };
+  });
 }
 
 export function result(cases: readonly ResultCase[]): Result {
@@ -194,6 +210,7 @@ export function result(cases: readonly ResultCase[]): Result {
       finished: CREATED,
     },
     suspicions: [],
+    relations: relationCounts(cases),
   };
 }
 

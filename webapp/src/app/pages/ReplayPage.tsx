@@ -3,7 +3,7 @@ import { getRouteApi } from '@tanstack/react-router';
 import { NotFound } from '@/app/NotFound';
 import { useBuild } from '@/features/builds';
 import { CaseReplay, useRecordedCases } from '@/features/replay';
-import { CaseFacts, useResult, useCase } from '@/features/results';
+import { CaseFacts, RelationRuns, useResult, useCase } from '@/features/results';
 import { callTime, SignalPlot, useSignals } from '@/features/signals';
 import { ApiError } from '@/shared/api';
 import { VERDICT_LABELS } from '@/shared/lib/verdicts';
@@ -95,6 +95,7 @@ function CaseOfResult({ buildId, no }: { buildId: string; no: number }) {
         </Text>
       )}
       <CaseFacts item={item.data} parameters={result.data.parameters} />
+      <RelationRuns item={item.data} parameters={result.data.parameters} />
     </Section>
   );
 }

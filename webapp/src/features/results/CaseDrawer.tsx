@@ -4,6 +4,7 @@ import type { ResultCase, ResultParameter } from '@/shared/api';
 import { VERDICT_LABELS } from '@/shared/lib/verdicts';
 import { UserText } from '@/shared/ui';
 import { CaseFacts, type Trajectory } from './CaseFacts';
+import { RelationRuns } from './RelationRuns';
 import classes from './results.module.css';
 
 interface CaseDrawerProps {
@@ -34,6 +35,7 @@ export function CaseDrawer({ item, parameters, onClose, details, momentLink }: C
             </Text>
           )}
           <CaseFacts item={item} parameters={parameters} momentLink={momentLink} />
+          <RelationRuns item={item} parameters={parameters} />
           {details?.(item)}
         </Stack>
       )}

@@ -6,6 +6,7 @@ import { CaseDrawer } from './CaseDrawer';
 import type { Trajectory } from './CaseFacts';
 import { CaseFilters } from './CaseFilters';
 import { useCase, useFirstCases, useResult, type CaseFilter } from './queries';
+import { RelationCounts } from './RelationCounts';
 import { ResultSummary } from './ResultSummary';
 import { ResultTable } from './ResultTable';
 import { Suspicions } from './Suspicions';
@@ -40,12 +41,13 @@ export function ResultView({
   if (!result.data) {
     return <ProblemAlert title="The result could not be read" error={result.error} />;
   }
-  const { summary, parameters, suspicions } = result.data;
+  const { summary, parameters, suspicions, relations } = result.data;
   return (
     <Stack gap="lg">
       <Section title="Result" actions={<Downloads buildId={buildId} />}>
         <Suspicions reasons={suspicions} />
         <ResultSummary summary={summary} />
+        <RelationCounts relations={relations} />
       </Section>
       <Section title="Cases">
         <CaseFilters

@@ -8,6 +8,7 @@ import org.jspecify.annotations.Nullable;
 import org.sitaf.core.model.OutputElement;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.NamedValue;
+import org.sitaf.core.verdict.RelationResult;
 import org.sitaf.core.verdict.TrajectoryResult;
 import org.sitaf.core.verdict.Verdict;
 
@@ -21,6 +22,8 @@ public record CaseView(
     Verdict verdict,
     @Schema(description = "the trajectory conditions, in the order of the model")
         List<TrajectoryView> trajectories,
+    @Schema(description = "the relations between two runs, in the order of the model")
+        List<RelationView> relations,
     @Schema(description = "time of the component, in microseconds")
         @Nullable Double processingTimeUs,
     @Schema(description = "time spent in virtual hardware, in microseconds")
@@ -36,6 +39,7 @@ public record CaseView(
         byOutput(result.actual()),
         result.verdict(),
         result.trajectories().stream().map(TrajectoryView::of).toList(),
+        result.relations().stream().map(RelationView::of).toList(),
         time == null ? null : time.total(),
         time == null ? null : time.hardware(),
         time == null ? null : time.stub(),
@@ -55,6 +59,25 @@ public record CaseView(
       Double margin = result.margin();
       return new TrajectoryView(
           result.name(), result.verdict(), margin == null ? null : margin.toString(), result.at());
+    }
+  }
+
+  /** The result of a relation between two runs in the REST interface. */
+  @Schema(name = "RelationResult")
+  public record RelationView(
+      String name,
+      RelationResult.Outcome verdict,
+      @Schema(description = "inputs of the second run; empty if there was none")
+          List<String> values,
+      @Schema(description = "outputs of the second run, by name") Map<String, String> actual,
+      @Schema(description = "why the verdict is not PASS") @Nullable String message) {
+    static RelationView of(RelationResult result) {
+      return new RelationView(
+          result.name(),
+          result.outcome(),
+          result.values(),
+          byOutput(result.actual()),
+          result.message().isEmpty() ? null : result.message());
     }
   }
 

@@ -15,6 +15,7 @@ import java.util.Objects;
 import org.sitaf.core.suite.CaseParameter;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.Provenance;
+import org.sitaf.core.verdict.RelationCount;
 import org.sitaf.core.verdict.Summary;
 import org.sitaf.core.verdict.TestResult;
 import org.sitaf.core.verdict.Verdict;
@@ -96,13 +97,14 @@ record ResultReport(
             new Share(Verdict.FAIL, summary.fail()),
             new Share(Verdict.ERROR, summary.error()),
             new Share(Verdict.DONT, summary.dont())),
-        facts(summary),
+        facts(result),
         leftOut,
         result.parameters().stream().map(CaseParameter::name).toList(),
         shown.stream().map(Case::of).toList());
   }
 
-  private static List<Fact> facts(Summary summary) {
+  private static List<Fact> facts(TestResult result) {
+    Summary summary = result.summary();
     List<Fact> facts = new ArrayList<>();
     facts.add(new Fact("Total", Integer.toString(summary.total())));
     facts.add(new Fact("Pass", Integer.toString(summary.pass())));
@@ -115,6 +117,17 @@ record ResultReport(
       facts.add(new Fact("Max (µs)", number(times.max())));
       facts.add(new Fact("Average (µs)", number(times.average())));
       facts.add(new Fact("Std deviation (µs)", number(times.standardDeviation())));
+    }
+    for (RelationCount relation : RelationCount.of(result.cases())) {
+      facts.add(
+          new Fact(
+              relation.name(),
+              "%d checked, %d broken, %d skipped, %d errors"
+                  .formatted(
+                      relation.checked(),
+                      relation.broken(),
+                      relation.skipped(),
+                      relation.errors())));
     }
     return facts;
   }

@@ -6,6 +6,7 @@ import org.jspecify.annotations.Nullable;
 import org.sitaf.core.model.InputKind;
 import org.sitaf.core.suite.CaseParameter;
 import org.sitaf.core.verdict.Provenance;
+import org.sitaf.core.verdict.RelationCount;
 import org.sitaf.core.verdict.Summary;
 
 /** A result in the REST interface, without its cases. */
@@ -16,7 +17,22 @@ record ResultView(
     List<ParameterView> parameters,
     ProvenanceView provenance,
     @Schema(description = "why the verdicts cannot be trusted; empty if they can")
-        List<String> suspicions) {
+        List<String> suspicions,
+    @Schema(description = "the relations between two runs, in the order of the model")
+        List<RelationView> relations) {
+
+  @Schema(name = "RelationCount", description = "in how many cases a relation was checked")
+  record RelationView(
+      String name,
+      @Schema(description = "in which it holds or is broken") int checked,
+      int broken,
+      @Schema(description = "to which it does not apply") int skipped,
+      @Schema(description = "in which it could not be checked") int errors) {
+    static RelationView of(RelationCount count) {
+      return new RelationView(
+          count.name(), count.checked(), count.broken(), count.skipped(), count.errors());
+    }
+  }
 
   @Schema(name = "ResultParameter")
   record ParameterView(String name, InputKind type, String realType) {
@@ -92,6 +108,9 @@ record ResultView(
         SummaryView.of(overview.summary()),
         overview.parameters().stream().map(ParameterView::of).toList(),
         ProvenanceView.of(overview.provenance()),
-        overview.suspicions() == null ? List.of() : overview.suspicions());
+        overview.suspicions() == null ? List.of() : overview.suspicions(),
+        overview.relations() == null
+            ? List.of()
+            : overview.relations().stream().map(RelationView::of).toList());
   }
 }
