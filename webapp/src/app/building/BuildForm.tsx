@@ -1,4 +1,4 @@
-import { Button, NativeSelect, Group, Stack, Text } from '@mantine/core';
+import { Button, NativeSelect, Group, NumberInput, Stack, Text } from '@mantine/core';
 import { useState, type SyntheticEvent } from 'react';
 import type { Activity, SuiteOptions } from '@/shared/api';
 import { DEFAULT_OPTIONS } from '@/features/builds';
@@ -19,6 +19,7 @@ export function BuildForm({ activity }: { activity: Activity }) {
   const later = useBuildLater();
   const [model, setModel] = useState(activity.models[0]?.name);
   const [invalidValues, setInvalidValues] = useState('');
+  const [maxCases, setMaxCases] = useState<number | string>('');
   const [buildOptions, setBuildOptions] = useState(DEFAULT_OPTIONS);
   const chosen = activity.models.find(({ name }) => name === model);
   if (!chosen) return <Text c="dimmed">The activity has no test models.</Text>;
@@ -29,7 +30,7 @@ export function BuildForm({ activity }: { activity: Activity }) {
       start.mutate({
         activityId: activity.id,
         model: chosen.name,
-        options: optionsOf(invalidValues),
+        options: optionsOf(invalidValues, maxCases),
         buildOptions,
       });
     }
@@ -55,6 +56,15 @@ export function BuildForm({ activity }: { activity: Activity }) {
             }}
             data={[...INVALID_VALUES]}
           />
+          <NumberInput
+            label="Maximum number of cases"
+            placeholder="As in the model"
+            w={190}
+            min={1}
+            allowDecimal={false}
+            value={maxCases}
+            onChange={setMaxCases}
+          />
           <BuildOptionsButton options={buildOptions} onOptions={setBuildOptions} />
           <Button
             variant="default"
@@ -63,7 +73,7 @@ export function BuildForm({ activity }: { activity: Activity }) {
               later.mutate({
                 activityId: activity.id,
                 model: chosen.name,
-                options: optionsOf(invalidValues),
+                options: optionsOf(invalidValues, maxCases),
                 buildOptions,
               });
             }}
@@ -93,6 +103,9 @@ export function BuildForm({ activity }: { activity: Activity }) {
   );
 }
 
-function optionsOf(invalidValues: string): SuiteOptions {
-  return invalidValues === 'isolate' || invalidValues === 'combine' ? { invalidValues } : {};
+function optionsOf(invalidValues: string, maxCases: number | string): SuiteOptions {
+  return {
+    ...((invalidValues === 'isolate' || invalidValues === 'combine') && { invalidValues }),
+    ...(typeof maxCases === 'number' && { maxCases }),
+  };
 }

@@ -12,7 +12,8 @@ import org.sitaf.server.error.RequestException;
 record SuiteOptions(
     @Schema(description = "default 1") @Nullable Long seed,
     @Schema(description = "1 to 6, or all") @Nullable String orderOfCombinations,
-    @Nullable Handling invalidValues) {
+    @Nullable Handling invalidValues,
+    @Schema(description = "maximum number of all cases, at least 1") @Nullable Integer maxCases) {
 
   /** How invalid values are combined. */
   enum Handling {
@@ -20,9 +21,12 @@ record SuiteOptions(
     combine
   }
 
-  static final SuiteOptions NONE = new SuiteOptions(null, null, null);
+  static final SuiteOptions NONE = new SuiteOptions(null, null, null, null);
 
   GenerationOptions toGeneration() {
+    if (maxCases != null && maxCases < 1) {
+      throw RequestException.malformed("maxCases must be at least 1, not " + maxCases + ".");
+    }
     try {
       return new GenerationOptions(
           orderOfCombinations == null ? null : Strength.parse(orderOfCombinations),
@@ -30,7 +34,9 @@ record SuiteOptions(
               ? null
               : invalidValues == Handling.isolate ? InvalidValues.ISOLATE : InvalidValues.COMBINE,
           seed == null ? GenerationOptions.DEFAULT.seed() : seed,
-          GenerationOptions.DEFAULT.effort());
+          GenerationOptions.DEFAULT.effort(),
+          null,
+          maxCases);
     } catch (IllegalArgumentException e) {
       throw RequestException.malformed("orderOfCombinations: " + e.getMessage() + ".");
     }

@@ -126,7 +126,7 @@ public class Suites {
    * @throws org.sitaf.core.diagnostic.InvalidInputException if the suite cannot be generated
    */
   public String generate(String activityId, String modelName, @Nullable Long seed) {
-    return generate(activityId, modelName, new SuiteOptions(seed, null, null).toGeneration());
+    return generate(activityId, modelName, new SuiteOptions(seed, null, null, null).toGeneration());
   }
 
   String generate(String activityId, String modelName, GenerationOptions options) {

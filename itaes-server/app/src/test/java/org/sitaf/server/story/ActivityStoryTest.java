@@ -114,6 +114,9 @@ class ActivityStoryTest extends ServerTest {
         .isEqualTo("-1.0");
     assertThat(total("/api/v1/activities/" + activityId + "/suites")).isEqualTo(2);
     api.post(suites, "{\"orderOfCombinations\":\"7\"}").expect(400);
+    JsonNode bounded = api.post(suites, "{\"maxCases\":40}").expect(201).json();
+    assertThat(bounded.get("total").asInt()).isBetween(20, 40);
+    api.post(suites, "{\"maxCases\":0}").expect(400);
     api.post(suites.replace(Activities.MODEL, "Nothing"), "{}").expect(404);
     assertThat(api.get("/api/v1/suites/" + id + "/harness").expect(200).json())
         .filteredOn(f -> f.get("editable").asBoolean())
