@@ -122,6 +122,7 @@ const COMPLETE = `<?xml version="1.0" encoding="UTF-8"?>
   <order_of_combinations>3</order_of_combinations>
   <strength t="4"><param>speed</param><param>mode</param></strength>
   <max_cases>200</max_cases>
+  <timing warm_up="5" repeat="30"/>
   <case_list><case no="1" class="valid"><value>1</value></case></case_list>
 </test_model>
 `;

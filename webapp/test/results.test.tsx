@@ -108,6 +108,29 @@ describe('a result', () => {
     });
   });
 
+  test('shows the median of repeated calls with its interval, and calls that differ', async () => {
+    const repeated = { calls: 20, warmUp: 3, medianUs: 4.1, lowUs: 4, highUs: 4.5 };
+    const cases = [
+      resultCase(1, 'PASS', { processingTimeUs: 370, repeated }),
+      resultCase(2, 'PASS', { repeated: { ...repeated, differs: 'call 7: return is 1, not 0' } }),
+    ];
+    server.cases.set('b1', cases);
+    server.builds.push(doneBuild('b1', cases));
+    openPortal(server, '/builds/b1?case=2');
+    const table = await screen.findByRole('table', { name: 'Cases', hidden: true });
+    const times = within(table)
+      .getAllByRole('row', { hidden: true })
+      .slice(2)
+      .map((row) => row.lastElementChild);
+    expect(times.map((time) => time?.textContent)).toEqual(['4.100 ± 0.250', '4.100 ± 0.250 ≠']);
+    expect(times[0]).toHaveAttribute(
+      'title',
+      'Median of 20 calls, 95 % interval 4.000 to 4.500; first call 370.000',
+    );
+    expect(await screen.findByText('call 7: return is 1, not 0')).toBeVisible();
+    expect(screen.getByText('4.000 to 4.500')).toBeVisible();
+  });
+
   test('is filtered by verdict through its address', async () => {
     const cases = resultCases(['PASS', 'FAIL', 'PASS', 'FAIL']);
     server.cases.set('b1', cases);
@@ -223,3 +246,60 @@ describe('a result', () => {
 function cells(row: HTMLElement | undefined): (string | null)[] {
   return [...(row?.children ?? [])].map((cell) => cell.textContent);
 }
+
+describe('a comparison', () => {
+  const comparison = {
+    parameters: [{ name: 'Distance', type: 'TDSD' as const, realType: 'double' }],
+    common: 2,
+    onlyBefore: 0,
+    onlyNow: 0,
+    newlyFailing: 0,
+    fixed: 0,
+    slower: 0,
+    timed: 0,
+    items: [],
+  };
+
+  test('says why no case is slower and what to change', async () => {
+    server.comparison = { ...comparison, notTimed: 'Times are not compared. Repeat the calls.' };
+    openPortal(server, '/builds/b1/compare?with=b0');
+    expect(await screen.findByText('Times are not compared. Repeat the calls.')).toBeVisible();
+    expect(screen.getByRole('heading', { name: 'Slower: 0' })).toBeVisible();
+  });
+
+  test('shows the ratio and the p-value of slower cases', async () => {
+    server.comparison = {
+      ...comparison,
+      slower: 1,
+      timed: 2,
+      items: [
+        {
+          change: 'slower',
+          no: 7,
+          values: ['5.0'],
+          before: 'PASS',
+          now: 'PASS',
+          timeBeforeUs: 4,
+          timeNowUs: 6,
+          ratio: 1.5,
+          p: 0.0000679,
+        },
+      ],
+    };
+    openPortal(server, '/builds/b1/compare?with=b0');
+    const table = await screen.findByRole('table', { name: 'Slower' });
+    const row = within(table).getAllByRole('row')[1];
+    expect(cells(row)).toEqual([
+      '7',
+      '5.0',
+      'Pass',
+      'Pass',
+      '4.000',
+      '6.000',
+      '1.50',
+      '0.000068',
+      '',
+    ]);
+    expect(screen.getByText(/2 cases with repeated calls in both results/)).toBeVisible();
+  });
+});

@@ -10,6 +10,7 @@ import type {
   Diagnostic,
   ModelPreview,
   ResultCase,
+  ResultComparison,
   SuiteCase,
 } from '@/shared/api';
 import { AGENT, activity, build, result, suite } from './samples';
@@ -48,6 +49,7 @@ const NOUNS = [
   'cancel',
   'calendars',
   'cases',
+  'comparison',
   'coverage',
   'description',
   'expected',
@@ -69,6 +71,9 @@ export class FakeServer {
   readonly activities: Activity[] = [];
   readonly builds: Build[] = [];
   readonly cases = new Map<string, ResultCase[]>();
+  /** Of any two builds. */
+  comparison: ResultComparison | undefined;
+
   /** Finished cases of builds that have no result yet. */
   readonly liveCases = new Map<string, ResultCase[]>();
   /** The logs of builds. Like the server, it sends them in parts of at most `LOG_PART` bytes. */
@@ -295,6 +300,7 @@ export class FakeServer {
       status: 200,
       text: this.caseLogs.get(`${path[1]} ${path[3]}`) ?? '',
     }),
+    'GET builds * result comparison': () => ({ status: 200, json: this.comparison }),
     'GET builds * result coverage': () => ({
       status: 200,
       json: {

@@ -28,14 +28,28 @@ export function ResultComparison({ buildId, other }: { buildId: string; other: s
       </Text>
       {CHANGES.map(({ change, title }) => (
         <Section key={change} title={`${title}: ${data[change]}`}>
-          <Cases
-            comparison={data}
-            items={data.items.filter((item) => item.change === change)}
-            label={title}
-          />
+          {change === 'slower' && <TimesNote comparison={data} />}
+          {(change !== 'slower' || data.timed > 0) && (
+            <Cases
+              comparison={data}
+              items={data.items.filter((item) => item.change === change)}
+              label={title}
+              withTimes={change === 'slower'}
+            />
+          )}
         </Section>
       ))}
     </Stack>
+  );
+}
+
+/** How slower cases are found, or why there are none. */
+function TimesNote({ comparison: { timed, notTimed } }: { comparison: Comparison }) {
+  return (
+    <Text size="sm" c="dimmed">
+      {notTimed ??
+        `${plural(timed, 'case')} with repeated calls in both results. A case is slower if its median grew by at least 10 % with p ≤ 0.05 (Mann-Whitney U test, adjusted for the number of cases).`}
+    </Text>
   );
 }
 
@@ -43,10 +57,12 @@ function Cases({
   comparison,
   items,
   label,
+  withTimes,
 }: {
   comparison: Comparison;
   items: readonly ComparedCase[];
   label: string;
+  withTimes: boolean;
 }) {
   if (items.length === 0) return <Text c="dimmed">None.</Text>;
   return (
@@ -63,6 +79,8 @@ function Cases({
           <Table.Th>Now</Table.Th>
           <Table.Th ta="right">Time before (µs)</Table.Th>
           <Table.Th ta="right">Time now (µs)</Table.Th>
+          {withTimes && <Table.Th ta="right">Ratio</Table.Th>}
+          {withTimes && <Table.Th ta="right">p</Table.Th>}
           <Table.Th>Message</Table.Th>
         </Table.Tr>
       </Table.Thead>
@@ -79,6 +97,8 @@ function Cases({
             <Table.Td>{VERDICT_LABELS[item.now].label}</Table.Td>
             <Table.Td ta="right">{formatTime(item.timeBeforeUs)}</Table.Td>
             <Table.Td ta="right">{formatTime(item.timeNowUs)}</Table.Td>
+            {withTimes && <Table.Td ta="right">{item.ratio?.toFixed(2)}</Table.Td>}
+            {withTimes && <Table.Td ta="right">{item.p?.toPrecision(2)}</Table.Td>}
             <Table.Td>{item.message && <UserText>{item.message}</UserText>}</Table.Td>
           </Table.Tr>
         ))}

@@ -219,6 +219,7 @@ function firstDraft(activity: Activity, description: Description): ModelDraft {
     invalidValues: 'isolate',
     order: '2',
     maxCases: '',
+    timing: null,
     strengths: [],
     others: [],
   };

@@ -1,4 +1,13 @@
-import { Button, Group, NativeSelect, Stack, Table, Text, TextInput } from '@mantine/core';
+import {
+  Checkbox,
+  Button,
+  Group,
+  NativeSelect,
+  Stack,
+  Table,
+  Text,
+  TextInput,
+} from '@mantine/core';
 import type { ModelPreview } from '@/shared/api';
 import { Diagnostics, Formula, Loading, ScrollTable, Section, UserText } from '@/shared/ui';
 import type { ModelDraft, NamedText, OutputDraft } from './draft';
@@ -148,6 +157,18 @@ export function OrderStep({ draft, preview, counting, onChange }: OrderStepProps
             }}
           />
         </Group>
+        <Group align="end">
+          <Checkbox
+            label="Repeat the call of each case to measure its time"
+            checked={draft.timing !== null}
+            mb={8}
+            onChange={(event) => {
+              const timing = event.currentTarget.checked ? { warmUp: '3', repeat: '20' } : null;
+              onChange({ ...draft, timing });
+            }}
+          />
+          {draft.timing && <TimingFields timing={draft.timing} draft={draft} onChange={onChange} />}
+        </Group>
         {otherProblems.length > 0 && <Diagnostics items={otherProblems} />}
         {counting ? (
           <Loading what="the number of cases" />
@@ -160,6 +181,37 @@ export function OrderStep({ draft, preview, counting, onChange }: OrderStepProps
         )}
       </Section>
     </Stack>
+  );
+}
+
+interface TimingFieldsProps {
+  timing: NonNullable<ModelDraft['timing']>;
+  draft: ModelDraft;
+  onChange: (draft: ModelDraft) => void;
+}
+
+function TimingFields({ timing, draft, onChange }: TimingFieldsProps) {
+  return (
+    <>
+      <TextInput
+        label="Calls to warm up"
+        placeholder="3"
+        w={140}
+        value={timing.warmUp}
+        onChange={(event) => {
+          onChange({ ...draft, timing: { ...timing, warmUp: event.currentTarget.value } });
+        }}
+      />
+      <TextInput
+        label="Measured calls"
+        placeholder="20"
+        w={140}
+        value={timing.repeat}
+        onChange={(event) => {
+          onChange({ ...draft, timing: { ...timing, repeat: event.currentTarget.value } });
+        }}
+      />
+    </>
   );
 }
 

@@ -183,6 +183,7 @@ export function draftFor(
     invalidValues: 'isolate',
     order: '2',
     maxCases: '',
+    timing: null,
     strengths: [],
     others: [],
   };

@@ -21,6 +21,8 @@ export interface ModelDraft {
   order: string;
   /** Maximum number of cases; empty if there is none. */
   maxCases: string;
+  /** Repeated calls of each case; null if the model does not say. */
+  timing: { warmUp: string; repeat: string } | null;
   /** Mixed strengths, as XML; the editor does not show them. */
   strengths: string[];
   /** Kept cases, as XML; the editor does not show them. */

@@ -63,9 +63,19 @@ export function readModel(xml: string): ModelDraft {
     invalidValues: textOf(root, 'invalid_values') === 'combine' ? 'combine' : 'isolate',
     order: textOf(root, 'order_of_combinations'),
     maxCases: textOf(root, 'max_cases'),
+    timing: readTiming(child(root, 'timing')),
     strengths: children(root, 'strength').map(serialized),
     others: children(root, 'case_list').map(serialized),
   };
+}
+
+function readTiming(element: Element | undefined): ModelDraft['timing'] {
+  return element
+    ? {
+        warmUp: element.getAttribute('warm_up') ?? '',
+        repeat: element.getAttribute('repeat') ?? '',
+      }
+    : null;
 }
 
 function serialized(element: Element): string {
@@ -170,6 +180,9 @@ export function writeModel(draft: ModelDraft): string {
     `  <order_of_combinations>${escape(draft.order)}</order_of_combinations>`,
     ...draft.strengths.map((strength) => `  ${strength}`),
     ...(draft.maxCases.trim() ? [`  <max_cases>${escape(draft.maxCases)}</max_cases>`] : []),
+    ...(draft.timing
+      ? [`  <timing${attributes({ warm_up: draft.timing.warmUp, repeat: draft.timing.repeat })}/>`]
+      : []),
     ...draft.others.map((other) => `  ${other}`),
     '</test_model>',
     '',

@@ -1,6 +1,6 @@
 import type { ReactNode } from 'react';
 import type { ResultCase, ResultParameter } from '@/shared/api';
-import { formatTime } from '@/shared/lib/format';
+import { formatTime, plural } from '@/shared/lib/format';
 import { UserText } from '@/shared/ui';
 import { differenceOf } from './difference';
 import classes from './results.module.css';
@@ -47,10 +47,34 @@ export function CaseFacts({ item, parameters, momentLink }: CaseFactsProps) {
           more={trajectory.verdict === 'FAIL' && momentLink?.(item, trajectory)}
         />
       ))}
-      <Fact name="Time in the component (µs)" value={formatTime(item.processingTimeUs)} />
+      {item.repeated && <RepeatedFacts repeated={item.repeated} />}
+      <Fact
+        name={`Time in the component${item.repeated ? ', first call' : ''} (µs)`}
+        value={formatTime(item.processingTimeUs)}
+      />
       <Fact name="Time in virtual hardware (µs)" value={formatTime(item.hardwareUs)} />
       <Fact name="Time in stubs (µs)" value={formatTime(item.stubUs)} />
     </dl>
+  );
+}
+
+/** The median of the repeated calls with its interval, and whether a call differs. */
+function RepeatedFacts({ repeated }: { repeated: NonNullable<ResultCase['repeated']> }) {
+  const { calls, warmUp, medianUs, lowUs, highUs, differs } = repeated;
+  return (
+    <>
+      <Fact
+        name={`Median of ${plural(calls, 'repeated call')} after ${plural(warmUp, 'call')} to warm up (µs)`}
+        value={formatTime(medianUs)}
+      />
+      {lowUs !== undefined && highUs !== undefined && (
+        <Fact
+          name="95 % interval of the median (µs)"
+          value={`${formatTime(lowUs)} to ${formatTime(highUs)}`}
+        />
+      )}
+      {differs && <Fact name="Repeated calls differ" value={differs} />}
+    </>
   );
 }
 

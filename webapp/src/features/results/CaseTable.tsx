@@ -2,7 +2,7 @@ import { Stack, Text } from '@mantine/core';
 import { useEffect, useState } from 'react';
 import type { QueryKey } from '@tanstack/react-query';
 import type { ResultCase } from '@/shared/api';
-import { formatCount, formatTime } from '@/shared/lib/format';
+import { formatCount, formatTime, plural } from '@/shared/lib/format';
 import { VERDICT_LABELS } from '@/shared/lib/verdicts';
 import { ProblemAlert, UserText, useVirtualPages } from '@/shared/ui';
 import type { ColumnGroup } from '@/shared/lib/columns';
@@ -118,7 +118,7 @@ function Space({ height }: { height: number }) {
 }
 
 /** Widths in rem. They are fixed, so that columns do not move while rows are loaded. */
-const WIDTHS = { no: 3.5, verdict: 8.5, message: 14, value: 5, time: 6 } as const;
+const WIDTHS = { no: 3.5, verdict: 8.5, message: 14, value: 5, time: 8.5 } as const;
 /** Maximum width of a column. */
 const MAX_WIDTH = 18;
 
@@ -256,8 +256,26 @@ function CaseRow({ index, item, columns: { groups, outputs, failures }, onCase }
             text={differenceOf(item.expected?.[name], item.actual?.[name]) ?? ''}
           />
         ))}
-      <td>{formatTime(item.processingTimeUs)}</td>
+      <Time item={item} />
     </tr>
+  );
+}
+
+/** The median of the repeated calls with half of its interval, else the time of the call. */
+function Time({ item: { processingTimeUs, repeated } }: { item: ResultCase }) {
+  if (!repeated) return <td>{formatTime(processingTimeUs)}</td>;
+  const { medianUs, lowUs, highUs, calls, differs } = repeated;
+  const interval =
+    lowUs === undefined || highUs === undefined
+      ? ''
+      : `, 95 % interval ${formatTime(lowUs)} to ${formatTime(highUs)}`;
+  const about = `Median of ${plural(calls, 'call')}${interval}; first call ${formatTime(processingTimeUs)}`;
+  return (
+    <td title={differs ? `${about}. Repeated calls differ: ${differs}` : about}>
+      {formatTime(medianUs ?? processingTimeUs)}
+      {lowUs !== undefined && highUs !== undefined && ` ± ${formatTime((highUs - lowUs) / 2)}`}
+      {differs && ' ≠'}
+    </td>
   );
 }
 

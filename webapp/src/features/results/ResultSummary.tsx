@@ -25,7 +25,16 @@ export function ResultSummary({ summary }: { summary: Summary }) {
         <Fact name={`Max (${unit})`} value={formatTime(time?.max)} />
         <Fact name={`Average (${unit})`} value={formatTime(time?.average)} />
         <Fact name={`Std deviation (${unit})`} value={formatTime(time?.standardDeviation)} />
+        {time?.first !== undefined && (
+          <Fact name={`First call (${unit})`} value={formatTime(time.first)} />
+        )}
       </dl>
+      {time?.first !== undefined && (
+        <Text size="sm" c="dimmed">
+          The other times leave out the first call of the process, which also loads and compiles
+          code.
+        </Text>
+      )}
       {summary.unjudged > 0 && (
         <Text size="sm" c="dimmed">
           {plural(summary.unjudged, 'case')} passed without a check: there is no expected value and

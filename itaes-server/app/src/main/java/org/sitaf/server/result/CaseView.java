@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.model.OutputElement;
+import org.sitaf.core.timing.RepeatedCalls;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.NamedValue;
 import org.sitaf.core.verdict.RelationResult;
@@ -24,8 +25,10 @@ public record CaseView(
         List<TrajectoryView> trajectories,
     @Schema(description = "the relations between two runs, in the order of the model")
         List<RelationView> relations,
-    @Schema(description = "time of the component, in microseconds")
+    @Schema(description = "time of the component in the judged call, in microseconds")
         @Nullable Double processingTimeUs,
+    @Schema(description = "the repeated calls; absent if calls are not repeated")
+        @Nullable RepeatedView repeated,
     @Schema(description = "time spent in virtual hardware, in microseconds")
         @Nullable Double hardwareUs,
     @Schema(description = "time spent in stubs, in microseconds") @Nullable Double stubUs,
@@ -41,6 +44,7 @@ public record CaseView(
         result.trajectories().stream().map(TrajectoryView::of).toList(),
         result.relations().stream().map(RelationView::of).toList(),
         time == null ? null : time.total(),
+        result.repeated() == null ? null : RepeatedView.of(result.repeated()),
         time == null ? null : time.hardware(),
         time == null ? null : time.stub(),
         result.message().isEmpty() ? null : result.message());
@@ -78,6 +82,33 @@ public record CaseView(
           result.values(),
           byOutput(result.actual()),
           result.message().isEmpty() ? null : result.message());
+    }
+  }
+
+  /** The repeated calls of a case in the REST interface. */
+  @Schema(name = "RepeatedCalls", description = "times of the component, in microseconds")
+  public record RepeatedView(
+      @Schema(description = "number of calls before the measured ones") int warmUp,
+      @Schema(
+              description =
+                  "number of measured calls; fewer than ordered when half of limits.case_wall_s had"
+                      + " passed")
+          int calls,
+      @Schema(description = "absent without calls") @Nullable Double medianUs,
+      @Schema(description = "lower end of the 95 % interval of the median; absent below 6 calls")
+          @Nullable Double lowUs,
+      @Schema(description = "upper end of the 95 % interval of the median; absent below 6 calls")
+          @Nullable Double highUs,
+      @Schema(description = "how a repeated call differs from the judged one; absent if none does")
+          @Nullable String differs) {
+    static RepeatedView of(RepeatedCalls calls) {
+      return new RepeatedView(
+          calls.warmUp(),
+          calls.calls(),
+          calls.median(),
+          calls.low(),
+          calls.high(),
+          calls.differ() ? calls.differs() : null);
     }
   }
 

@@ -5,8 +5,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
 import org.sitaf.core.document.CsvCells;
 import org.sitaf.core.suite.CaseParameter;
+import org.sitaf.core.timing.RepeatedCalls;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.NamedValue;
 import org.sitaf.core.verdict.TestResult;
@@ -20,7 +22,18 @@ final class ResultCsv {
     List<String> header = new ArrayList<>(List.of("no"));
     result.parameters().stream().map(CaseParameter::name).forEach(header::add);
     header.addAll(
-        List.of("expected", "actual", "verdict", "time_us", "hardware_us", "stub_us", "message"));
+        List.of(
+            "expected",
+            "actual",
+            "verdict",
+            "time_us",
+            "hardware_us",
+            "stub_us",
+            "calls",
+            "median_us",
+            "low_us",
+            "high_us",
+            "message"));
     csv.append(CsvCells.line(header));
     for (CaseResult testCase : result.cases()) {
       List<String> fields = new ArrayList<>(List.of(Integer.toString(testCase.no())));
@@ -32,6 +45,11 @@ final class ResultCsv {
       fields.add(time == null ? "" : number(time.total()));
       fields.add(time == null ? "" : number(time.hardware()));
       fields.add(time == null ? "" : number(time.stub()));
+      RepeatedCalls repeated = testCase.repeated();
+      fields.add(repeated == null ? "" : Integer.toString(repeated.calls()));
+      fields.add(repeated == null ? "" : number(repeated.median()));
+      fields.add(repeated == null ? "" : number(repeated.low()));
+      fields.add(repeated == null ? "" : number(repeated.high()));
       fields.add(testCase.message());
       csv.append(CsvCells.line(fields));
     }
@@ -45,7 +63,7 @@ final class ResultCsv {
         .collect(Collectors.joining("; "));
   }
 
-  private static String number(double microseconds) {
-    return String.format(Locale.ROOT, "%.3f", microseconds);
+  private static String number(@Nullable Double microseconds) {
+    return microseconds == null ? "" : String.format(Locale.ROOT, "%.3f", microseconds);
   }
 }

@@ -12,6 +12,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
+import java.util.OptionalDouble;
 import org.sitaf.core.suite.CaseParameter;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.Provenance;
@@ -57,14 +58,14 @@ record ResultReport(
       String time,
       String message) {
     static Case of(CaseResult result) {
-      CaseResult.ProcessingTime time = result.time();
+      OptionalDouble time = result.micros();
       return new Case(
           result.no(),
           result.verdict(),
           result.values(),
           ResultCsv.values(result.expected()),
           ResultCsv.values(result.actual()),
-          time == null ? "" : number(time.total()),
+          time.isEmpty() ? "" : number(time.getAsDouble()),
           result.message());
     }
   }
@@ -117,6 +118,9 @@ record ResultReport(
       facts.add(new Fact("Max (µs)", number(times.max())));
       facts.add(new Fact("Average (µs)", number(times.average())));
       facts.add(new Fact("Std deviation (µs)", number(times.standardDeviation())));
+      if (times.first() != null) {
+        facts.add(new Fact("First call, not included (µs)", number(times.first())));
+      }
     }
     for (RelationCount relation : RelationCount.of(result.cases())) {
       facts.add(

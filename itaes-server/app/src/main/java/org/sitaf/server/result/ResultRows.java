@@ -5,6 +5,7 @@ import java.time.ZoneOffset;
 import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.core.timing.RepeatedCalls;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.NamedValue;
 import org.sitaf.core.verdict.StubCalls;
@@ -63,7 +64,9 @@ class ResultRows {
           row.setInt(2, outcome.no());
           row.setString(3, outcome.verdict().name());
           row.setObject(
-              4, outcome.time() == null ? null : outcome.time().total(), java.sql.Types.DOUBLE);
+              4,
+              outcome.micros().isEmpty() ? null : outcome.micros().getAsDouble(),
+              java.sql.Types.DOUBLE);
           row.setString(5, toText(outcome));
         });
   }
@@ -166,15 +169,18 @@ class ResultRows {
   }
 
   private static CaseResult shortened(CaseResult outcome) {
-    return new CaseResult(
-        outcome.no(),
-        outcome.verdict(),
-        outcome.values().stream().limit(MAX_TEXT / 10).map(ResultRows::cut).toList(),
-        outcome.expected().stream().limit(MAX_TEXT / 10).map(ResultRows::cut).toList(),
-        outcome.actual().stream().limit(MAX_TEXT / 10).map(ResultRows::cut).toList(),
-        new StubCalls(List.of(), outcome.calls().recorded().size() + outcome.calls().leftOut()),
-        outcome.time(),
-        cut(outcome.message()));
+    CaseResult shortened =
+        new CaseResult(
+            outcome.no(),
+            outcome.verdict(),
+            outcome.values().stream().limit(MAX_TEXT / 10).map(ResultRows::cut).toList(),
+            outcome.expected().stream().limit(MAX_TEXT / 10).map(ResultRows::cut).toList(),
+            outcome.actual().stream().limit(MAX_TEXT / 10).map(ResultRows::cut).toList(),
+            new StubCalls(List.of(), outcome.calls().recorded().size() + outcome.calls().leftOut()),
+            outcome.time(),
+            cut(outcome.message()));
+    RepeatedCalls repeated = outcome.repeated();
+    return repeated == null ? shortened : shortened.with(repeated);
   }
 
   private static NamedValue cut(NamedValue value) {

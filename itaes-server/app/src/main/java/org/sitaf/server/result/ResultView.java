@@ -66,16 +66,28 @@ record ResultView(
 
   @Schema(
       name = "ProcessingTime",
-      description = "of the cases with verdict PASS or FAIL; absent if there are none")
+      description =
+          "of the cases with verdict PASS or FAIL, absent if there are none: the median of a case"
+              + " with repeated calls, else the time of its call")
   record TimesView(
       @Schema(description = "always us (microseconds)") String unit,
       double min,
       double max,
       double average,
-      @Schema(description = "sample standard deviation") double standardDeviation) {
+      @Schema(description = "sample standard deviation") double standardDeviation,
+      @Schema(
+              description =
+                  "time of the first call of a process, which also loads and compiles code and is"
+                      + " left out of the other numbers; absent if nothing is left out")
+          @Nullable Double first) {
     static TimesView of(Summary.Times times) {
       return new TimesView(
-          "us", times.min(), times.max(), times.average(), times.standardDeviation());
+          "us",
+          times.min(),
+          times.max(),
+          times.average(),
+          times.standardDeviation(),
+          times.first());
     }
   }
 

@@ -27,7 +27,9 @@ record StatisticsView(
 
   @Schema(
       name = "TimeStatistics",
-      description = "in microseconds, of the cases with verdict PASS or FAIL")
+      description =
+          "in microseconds, of the cases with verdict PASS or FAIL: the median of repeated calls,"
+              + " else the time of the call, without the first call of a process")
   record Times(
       int count,
       double min,
@@ -72,9 +74,12 @@ record StatisticsView(
     List<CaseResult> timed =
         result.cases().stream()
             .filter(c -> c.verdict() == Verdict.PASS || c.verdict() == Verdict.FAIL)
-            .filter(c -> c.time() != null)
+            .filter(c -> c.micros().isPresent())
             .toList();
     var summary = result.summary().times();
+    if (summary != null && summary.first() != null) {
+      timed = timed.stream().filter(c -> !isLeftOut(c)).toList();
+    }
     if (timed.isEmpty() || summary == null) {
       return null;
     }
@@ -180,7 +185,13 @@ record StatisticsView(
     }
   }
 
+  /** Whether the summary leaves out the only call of the case, the first of its process. */
+  private static boolean isLeftOut(CaseResult testCase) {
+    boolean repeated = testCase.repeated() != null && testCase.repeated().median() != null;
+    return !repeated && testCase.time() != null && testCase.time().cold();
+  }
+
   private static double time(CaseResult testCase) {
-    return Objects.requireNonNull(testCase.time()).total();
+    return testCase.micros().getAsDouble();
   }
 }

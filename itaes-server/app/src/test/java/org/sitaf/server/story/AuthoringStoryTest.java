@@ -294,6 +294,9 @@ class AuthoringStoryTest extends ServerTest {
       assertThat(comparison.get("items"))
           .extracting(i -> i.get("change").asString() + " " + i.get("no").asInt())
           .containsExactly("newlyFailing 9", "fixed 7");
+      assertThat(comparison.get("slower").asInt()).isZero();
+      assertThat(comparison.get("notTimed").asString())
+          .startsWith("Times are not compared, because the results have no repeated calls.");
 
       JsonNode far =
           api.get(result + "/cases?parameter=Distance&value=10.0&size=500").expect(200).json();
