@@ -3,6 +3,7 @@
 import json
 import re
 import shutil
+import xml.etree.ElementTree as ElementTree
 
 import pytest
 
@@ -174,6 +175,23 @@ def test_a_fault_that_only_a_relation_shows(sitaf):
     assert "relation 'the opposite angle has the opposite result': 25 checked, 0 broken" in run.stdout
     assert re.search(r"first run: angle=\S+ gave \S+; second run: angle=\S+ gave ", run.stdout)
     assert "post-condition violated" not in run.stdout
+
+
+def test_repeated_calls_tell_a_slower_component_with_the_same_outputs(sitaf, tmp_path):
+    medians = {}
+    for example in ("median-filter", "median-filter-slower"):
+        result = tmp_path / f"{example}.xml"
+        run = sitaf("run", f"examples/{example}", "--model", "Median", "--result", result, "--table")
+        assert run.returncode == 0, run.stdout + run.stderr
+        assert verdicts(run) == (11, 11)
+        assert "not included: the first call of the process" in run.stdout
+        assert "median of 20 calls after the first and 3 more to warm up" in run.stdout
+        repeated = ElementTree.parse(result).findall(".//repeated_calls")
+        assert [calls.get("calls") for calls in repeated] == ["20"] * 11
+        assert all(float(calls.get("low")) <= float(calls.get("median")) for calls in repeated)
+        medians[example] = [float(calls.get("median")) for calls in repeated]
+    # Case 4 has three readings, which one of them sorts.
+    assert medians["median-filter-slower"][3] > medians["median-filter"][3]
 
 
 def test_a_turn_in_one_direction_only_breaks_a_named_post_condition(sitaf):
