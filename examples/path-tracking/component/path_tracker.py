@@ -25,7 +25,9 @@ class PathTracker:
         x = y = heading = 0.0
         left, right = self._base.left_position(), self._base.right_position()
         while x < LENGTH:
-            self._base.drive(speed, speed * curvature(offset - y, heading, look_ahead(speed)))
+            self._base.drive(
+                speed, speed * curvature(offset - y, heading, look_ahead(speed))
+            )
             self._hardware.sleep(PERIOD_S)
             turned_left = self._base.left_position() - left
             turned_right = self._base.right_position() - right
