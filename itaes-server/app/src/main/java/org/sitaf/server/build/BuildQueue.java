@@ -16,7 +16,7 @@ import org.springframework.stereotype.Repository;
 import org.springframework.transaction.annotation.Propagation;
 import org.springframework.transaction.annotation.Transactional;
 
-/** The queue of builds. It is shard of the database, so that several servers can share it. */
+/** The queue of builds. It is part of the database, so that several servers can share it. */
 @Repository
 public class BuildQueue {
   private static final String READY =

@@ -124,10 +124,7 @@ public class Computations implements SmartLifecycle {
                 : " was cancelled because the server is stopping."));
   }
 
-  /**
-   * ReleaseCompatibility its permit when the work has ended, which may be after the request has
-   * ended.
-   */
+  /** Releases its permit when the work has ended, which may be after the request has ended. */
   private final class Computation<T> extends FutureTask<T> {
     private final ComputationPermits.Permit permit;
 

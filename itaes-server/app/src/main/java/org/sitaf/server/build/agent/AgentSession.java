@@ -116,7 +116,7 @@ final class AgentSession {
     }
   }
 
-  /** ReleaseCompatibility the slot of an attempt whose outcome was delivered. */
+  /** Releases the slot of an attempt whose outcome was delivered. */
   synchronized void delivered(AttemptKey attempt) {
     occupied.remove(attempt.token());
     stopped.remove(attempt.token());

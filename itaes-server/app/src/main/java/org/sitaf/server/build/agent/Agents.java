@@ -24,7 +24,6 @@ import org.sitaf.server.settings.Database;
 import org.sitaf.server.settings.SitafSettings;
 import org.sitaf.server.storage.DiskSpace;
 import org.springframework.stereotype.Component;
-import org.springframework.transaction.event.TransactionalEventListener;
 import org.springframework.transaction.support.TransactionTemplate;
 
 /** The agents: sessions of connected agents, and all agents that ever registered. */
@@ -251,8 +250,8 @@ class Agents {
     }
   }
 
-  @TransactionalEventListener
-  void on(BuildEvent.Stopped stopped) {
+  /** Cancels an attempt that the server ended. */
+  void stopped(BuildEvent.Stopped stopped) {
     session(stopped.agent())
         .ifPresent(
             session -> {
@@ -261,8 +260,8 @@ class Agents {
             });
   }
 
-  @TransactionalEventListener
-  void on(BuildEvent.Delivered delivered) {
+  /** Releases the slot of an attempt whose outcome was delivered. */
+  void delivered(BuildEvent.Delivered delivered) {
     session(delivered.agent()).ifPresent(session -> session.delivered(delivered.attempt()));
   }
 

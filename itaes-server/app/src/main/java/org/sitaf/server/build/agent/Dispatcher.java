@@ -73,8 +73,14 @@ class Dispatcher implements SmartLifecycle {
     }
   }
 
+  /** Releases slots before it dispatches: otherwise a free slot could be noticed by nobody. */
   @TransactionalEventListener
   void on(BuildEvent event) {
+    if (event instanceof BuildEvent.Delivered delivered) {
+      agents.delivered(delivered);
+    } else if (event instanceof BuildEvent.Stopped stopped) {
+      agents.stopped(stopped);
+    }
     wake();
   }
 
