@@ -35,7 +35,8 @@ class StorageConfiguration {
 
   /** Requests that only read succeed although the session's last access time cannot be stored. */
   @Bean(defaultCandidate = false)
-  TransactionOperations springSessionTransactionOperations(PlatformTransactionManager manager) {
+  TransactionOperations springSessionTransactionOperations(
+      PlatformTransactionManager manager, DiskSpace disk) {
     TransactionTemplate transaction = new TransactionTemplate(manager);
     transaction.setPropagationBehavior(TransactionDefinition.PROPAGATION_REQUIRES_NEW);
     return new TransactionOperations() {
@@ -44,7 +45,12 @@ class StorageConfiguration {
         try {
           return transaction.execute(action);
         } catch (RuntimeException e) {
-          if (StorageFailure.of(e).filter(StorageFailure.DISK_FULL::equals).isEmpty()) {
+          // H2 also writes to roll back, and closes the database if it cannot.
+          boolean isExpected =
+              StorageFailure.of(e)
+                  .filter(failure -> failure == StorageFailure.DISK_FULL || !disk.canWrite())
+                  .isPresent();
+          if (!isExpected) {
             throw e;
           }
           log.debug("The session's last access time was not stored: the disk is full", e);
