@@ -78,6 +78,7 @@ final class GuardedDataSource extends DelegatingDataSource implements AutoClosea
   /** Rejects statements that write while the disk is full. */
   private final class ConnectionHandler implements InvocationHandler {
     private final Connection connection;
+    private boolean hasWritten;
 
     ConnectionHandler(Connection connection) {
       this.connection = connection;
@@ -96,12 +97,36 @@ final class GuardedDataSource extends DelegatingDataSource implements AutoClosea
         case "prepareStatement", "prepareCall" -> {
           if (arguments != null && writes(String.valueOf(arguments[0]))) {
             requireSpace();
+            hasWritten = true;
           }
+        }
+        case "commit", "rollback" -> {
+          end(method, arguments);
+          return null;
         }
         default -> {
           // The server only executes prepared statements.
         }
       }
+      return call(method, arguments);
+    }
+
+    /**
+     * Ends a transaction. H2 then also writes earlier changes of others. If that fails, a
+     * transaction that has only read has lost nothing.
+     */
+    private void end(Method method, Object @Nullable [] arguments) throws Throwable {
+      try {
+        var unused = call(method, arguments);
+      } catch (SQLException e) {
+        if (hasWritten || !StorageFailure.isClosedH2(e)) {
+          throw e;
+        }
+      }
+      hasWritten = false;
+    }
+
+    private @Nullable Object call(Method method, Object @Nullable [] arguments) throws Throwable {
       try {
         return method.invoke(connection, arguments);
       } catch (InvocationTargetException e) {
