@@ -55,8 +55,8 @@ def test_a_violated_condition_links_to_its_moment(page, build):
     page.get_by_role("table", name="Cases").get_by_role("button", name="Case 1", exact=True).click()
     page.get_by_role("link", name="Show the violation of never touches").click()
     plot = plot_of(page)
-    told = plot.get_by_text(re.compile("is violated at")).inner_text()
-    at = float(re.search(r"violated at ([0-9.]+) s, margin -1", told)[1])
+    shown = plot.get_by_text(re.compile("is violated at")).inner_text()
+    at = float(re.search(r"violated at ([0-9.]+) s, margin -1", shown)[1])
     assert signals(page) == {"bumped": "1"}
     time = page.get_by_role("slider", name="Time in the plot")
     assert float(time.get_attribute("aria-valuenow")) == pytest.approx(at, abs=1e-5)
