@@ -72,14 +72,7 @@ public record Activity(
   public List<Diagnostic> verify(TestModel model) {
     List<Diagnostic> found = new ArrayList<>(TestCaseGenerator.verifyConditions(model));
     found.addAll(
-        ModelAgainstActivity.verify(
-            model,
-            provided,
-            required,
-            world,
-            outputPorts,
-            profile.component().lifeCycle(),
-            profile.limits()));
+        ModelAgainstActivity.verify(model, provided, required, world, outputPorts, profile));
     return found;
   }
 

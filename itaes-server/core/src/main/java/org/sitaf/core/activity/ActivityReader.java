@@ -79,14 +79,7 @@ final class ActivityReader {
       for (TestModel model : models) {
         diagnostics.addAll(TestCaseGenerator.verifyConditions(model));
         diagnostics.addAll(
-            ModelAgainstActivity.verify(
-                model,
-                provided,
-                required,
-                world,
-                outputPorts,
-                profile.component().lifeCycle(),
-                profile.limits()));
+            ModelAgainstActivity.verify(model, provided, required, world, outputPorts, profile));
       }
     }
     diagnostics.throwIfErrors();

@@ -9,7 +9,6 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.activity.ActivityProfile.LifeCycle;
-import org.sitaf.core.activity.ActivityProfile.Limits;
 import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.Direction;
 import org.sitaf.core.description.InterfaceDescription;
@@ -45,8 +44,7 @@ final class ModelAgainstActivity {
   private final List<InterfaceDescription> required;
   private final @Nullable WorldDescription world;
   private final List<Port.Data> outputPorts;
-  private final Limits limits;
-  private final LifeCycle lifeCycle;
+  private final ActivityProfile profile;
   private final Diagnostics diagnostics = new Diagnostics();
 
   private ModelAgainstActivity(
@@ -54,10 +52,8 @@ final class ModelAgainstActivity {
       List<InterfaceDescription> required,
       @Nullable WorldDescription world,
       List<Port.Data> outputPorts,
-      LifeCycle lifeCycle,
-      Limits limits) {
-    this.limits = limits;
-    this.lifeCycle = lifeCycle;
+      ActivityProfile profile) {
+    this.profile = profile;
     this.model = model;
     this.required = required;
     this.world = world;
@@ -70,10 +66,8 @@ final class ModelAgainstActivity {
       List<InterfaceDescription> required,
       @Nullable WorldDescription world,
       List<Port.Data> outputPorts,
-      LifeCycle lifeCycle,
-      Limits limits) {
-    var verification =
-        new ModelAgainstActivity(model, required, world, outputPorts, lifeCycle, limits);
+      ActivityProfile profile) {
+    var verification = new ModelAgainstActivity(model, required, world, outputPorts, profile);
     verification.timing();
     try {
       Method method = TargetMethod.find(model, provided).method();
@@ -88,7 +82,7 @@ final class ModelAgainstActivity {
 
   private void timing() {
     Timing timing = model.timing();
-    if (timing != null && lifeCycle == LifeCycle.SUITE) {
+    if (timing != null && profile.component().lifeCycle() == LifeCycle.SUITE) {
       error(timing.line(), "timing", ProfileReader.TIMING_NEEDS_CASE);
     }
   }
@@ -209,17 +203,15 @@ final class ModelAgainstActivity {
             "a parameter of the world must be a number, not " + value.value().literal());
         return;
       }
-      if (!(number.get() >= parameter.get().min() && number.get() <= parameter.get().max())) {
+      if (!parameter.get().contains(number.get())) {
         error(
             input.line(),
             where,
             "the value "
                 + value.value().literal()
-                + " is outside the range ["
-                + parameter.get().min()
-                + ", "
-                + parameter.get().max()
-                + "] that "
+                + " is outside the range "
+                + parameter.get().range()
+                + " that "
                 + world.path()
                 + " declares; extend this range or restrict the test_spec");
       }
@@ -303,7 +295,10 @@ final class ModelAgainstActivity {
           "needs a simulation, but activity.yaml has no world");
     } else if (world != null) {
       TrajectoryConditions.compile(
-          model, WorldSignals.of(world), limits.caseSimulation().toNanos() / 1e9, diagnostics);
+          model,
+          WorldSignals.of(world),
+          profile.limits().caseSimulation().toNanos() / 1e9,
+          diagnostics);
     }
   }
 

@@ -37,6 +37,16 @@ public record WorldDescription(
       Objects.requireNonNull(name);
       Objects.requireNonNull(unit);
     }
+
+    /** Whether the world accepts a value. */
+    public boolean contains(double value) {
+      return value >= min && value <= max;
+    }
+
+    /** The declared range for messages. */
+    public String range() {
+      return "[" + min + ", " + max + "]";
+    }
   }
 
   /** A virtual hardware device. */

@@ -60,116 +60,53 @@ public record TestModel(
 
   /** A copy with other input elements. */
   public TestModel withInputs(List<InputElement> replaced) {
-    return new TestModel(
-        name,
-        description,
-        target,
-        definitions,
-        constants,
-        preConditions,
-        replaced,
-        outputs,
-        postConditions,
-        trajectoryConditions,
-        relations,
-        invalidValues,
-        strength,
-        mixedStrengths,
-        keptCases,
-        maxCases,
-        timing,
-        source);
+    return copy(constants, replaced, outputs, relations, timing);
   }
 
   /** A copy with the constants of interfaces. */
   public TestModel withConstants(Map<String, Object> named) {
-    return new TestModel(
-        name,
-        description,
-        target,
-        definitions,
-        named,
-        preConditions,
-        inputs,
-        outputs,
-        postConditions,
-        trajectoryConditions,
-        relations,
-        invalidValues,
-        strength,
-        mixedStrengths,
-        keptCases,
-        maxCases,
-        timing,
-        source);
+    return copy(named, inputs, outputs, relations, timing);
   }
 
   /** A copy with other output elements. */
   public TestModel withOutputs(List<OutputElement> replaced) {
-    return new TestModel(
-        name,
-        description,
-        target,
-        definitions,
-        constants,
-        preConditions,
-        inputs,
-        replaced,
-        postConditions,
-        trajectoryConditions,
-        relations,
-        invalidValues,
-        strength,
-        mixedStrengths,
-        keptCases,
-        maxCases,
-        timing,
-        source);
+    return copy(constants, inputs, replaced, relations, timing);
   }
 
   /** A copy without relations. */
   public TestModel withoutRelations() {
-    return new TestModel(
-        name,
-        description,
-        target,
-        definitions,
-        constants,
-        preConditions,
-        inputs,
-        outputs,
-        postConditions,
-        trajectoryConditions,
-        List.of(),
-        invalidValues,
-        strength,
-        mixedStrengths,
-        keptCases,
-        maxCases,
-        timing,
-        source);
+    return copy(constants, inputs, outputs, List.of(), timing);
   }
 
   /** A copy without repeated calls. */
   public TestModel withoutTiming() {
+    return copy(constants, inputs, outputs, relations, null);
+  }
+
+  private TestModel copy(
+      Map<String, Object> newConstants,
+      List<InputElement> newInputs,
+      List<OutputElement> newOutputs,
+      List<Relation> newRelations,
+      @Nullable Timing newTiming) {
     return new TestModel(
         name,
         description,
         target,
         definitions,
-        constants,
+        newConstants,
         preConditions,
-        inputs,
-        outputs,
+        newInputs,
+        newOutputs,
         postConditions,
         trajectoryConditions,
-        relations,
+        newRelations,
         invalidValues,
         strength,
         mixedStrengths,
         keptCases,
         maxCases,
-        null,
+        newTiming,
         source);
   }
 

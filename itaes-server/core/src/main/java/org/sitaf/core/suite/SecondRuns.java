@@ -182,14 +182,9 @@ public final class SecondRuns {
         value instanceof Value.Whole whole
             ? whole.number().doubleValue()
             : value instanceof Value.Real real ? real.number() : Double.NaN;
-    if (!(number >= parameter.min() && number <= parameter.max())) {
+    if (!parameter.contains(number)) {
       throw new IllegalArgumentException(
-          value.literal()
-              + " is outside the range ["
-              + parameter.min()
-              + ", "
-              + parameter.max()
-              + "] of the world");
+          value.literal() + " is outside the range " + parameter.range() + " of the world");
     }
   }
 

@@ -64,6 +64,11 @@ public record CaseRecord(
     return new CaseRecord(no, Outcome.ERROR, "", List.of(), StubCalls.NONE, null, message);
   }
 
+  /** The outputs as results show them: a single one has no name. */
+  List<NamedValue> outputs() {
+    return actual.size() == 1 ? List.of(new NamedValue("", actual.get(0).literal())) : actual;
+  }
+
   /** A copy without processing times. */
   public CaseRecord withoutTime() {
     return new CaseRecord(no, outcome, thrown, actual, calls, null, null, message);

@@ -68,40 +68,43 @@ public record CaseResult(
 
   /** A copy with the results of trajectory conditions. */
   public CaseResult with(List<TrajectoryResult> results) {
-    return new CaseResult(
-        no, verdict, values, expected, actual, calls, results, relations, time, repeated, message);
+    return copy(verdict, results, relations, repeated, message);
   }
 
   /** A copy with the results of relations. */
   public CaseResult withRelations(List<RelationResult> results) {
-    return new CaseResult(
-        no,
-        verdict,
-        values,
-        expected,
-        actual,
-        calls,
-        trajectories,
-        results,
-        time,
-        repeated,
-        message);
+    return copy(verdict, trajectories, results, repeated, message);
   }
 
   /** A copy with repeated calls. */
   public CaseResult with(RepeatedCalls measured) {
+    return copy(verdict, trajectories, relations, measured, message);
+  }
+
+  /** A copy with another verdict. The reason is added to the message. */
+  public CaseResult withVerdict(Verdict newVerdict, String reason) {
+    String both = message.isEmpty() ? reason : message + "; " + reason;
+    return copy(newVerdict, trajectories, relations, repeated, both);
+  }
+
+  private CaseResult copy(
+      Verdict newVerdict,
+      List<TrajectoryResult> newTrajectories,
+      List<RelationResult> newRelations,
+      @Nullable RepeatedCalls newRepeated,
+      String newMessage) {
     return new CaseResult(
         no,
-        verdict,
+        newVerdict,
         values,
         expected,
         actual,
         calls,
-        trajectories,
-        relations,
+        newTrajectories,
+        newRelations,
         time,
-        measured,
-        message);
+        newRepeated,
+        newMessage);
   }
 
   /**
@@ -113,22 +116,6 @@ public record CaseResult(
       return OptionalDouble.of(repeated.median());
     }
     return time == null ? OptionalDouble.empty() : OptionalDouble.of(time.total());
-  }
-
-  /** A copy with another verdict. The reason is added to the message. */
-  public CaseResult withVerdict(Verdict newVerdict, String reason) {
-    return new CaseResult(
-        no,
-        newVerdict,
-        values,
-        expected,
-        actual,
-        calls,
-        trajectories,
-        relations,
-        time,
-        repeated,
-        message.isEmpty() ? reason : message + "; " + reason);
   }
 
   /**

@@ -146,9 +146,7 @@ final class Expectations {
         verdict,
         testCase.values(),
         expected(testCase),
-        record.actual().size() == 1
-            ? List.of(new NamedValue("", record.actual().get(0).literal()))
-            : record.actual(),
+        record.outputs(),
         record.calls(),
         record.time(),
         message);

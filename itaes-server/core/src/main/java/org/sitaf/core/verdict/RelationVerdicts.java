@@ -196,14 +196,10 @@ final class RelationVerdicts {
     return new RelationResult(name, outcome, second.values(), actual(record), message);
   }
 
-  /** As in the result of a case. */
   private static List<NamedValue> actual(CaseRecord record) {
-    if (record.outcome() == Outcome.THREW) {
-      return List.of(new NamedValue("", Value.ERROR_PREFIX + record.thrown()));
-    }
-    return record.actual().size() == 1
-        ? List.of(new NamedValue("", record.actual().get(0).literal()))
-        : record.actual();
+    return record.outcome() == Outcome.THREW
+        ? List.of(new NamedValue("", Value.ERROR_PREFIX + record.thrown()))
+        : record.outputs();
   }
 
   /** The outputs of a run by name, and its error. */

@@ -32,15 +32,12 @@ final class KeptSignals {
 
   private static final double NANOS_PER_SECOND = 1e9;
 
-  private final SignalLimits limits;
   private final @Nullable Cases recorded;
   private final WorldDescription world;
   private final TrajectoryConditions conditions;
   private final BuildListener listener;
 
-  private int kept;
-  private long bytes;
-  private int omitted;
+  private final KeptFiles kept;
   private int tooMany;
 
   /**
@@ -52,7 +49,7 @@ final class KeptSignals {
       WorldDescription world,
       TrajectoryConditions conditions,
       BuildListener listener) {
-    this.limits = limits;
+    this.kept = new KeptFiles("signals", limits.maxCases(), limits.maxBytes());
     this.recorded = recorded;
     this.world = world;
     this.conditions = conditions;
@@ -70,13 +67,9 @@ final class KeptSignals {
       return;
     }
     SignalExcerpt excerpt = excerpt(only(names, trace), result);
-    if (kept >= limits.maxCases() || bytes + excerpt.bytes() > limits.maxBytes()) {
-      omitted++;
-      return;
+    if (kept.admit(excerpt.bytes())) {
+      listener.signalsKept(result.no(), excerpt);
     }
-    kept++;
-    bytes += excerpt.bytes();
-    listener.signalsKept(result.no(), excerpt);
   }
 
   private boolean selects(CaseResult result) {
@@ -116,14 +109,7 @@ final class KeptSignals {
 
   /** Logs the totals. */
   synchronized void report(OutputSink log) {
-    if (kept > 0 || omitted > 0) {
-      log.remark(
-          "signals: %d cases, %.1f MiB".formatted(kept, bytes / (double) (1 << 20))
-              + (omitted == 0
-                  ? ""
-                  : "; %d more are omitted: a build keeps %d of at most %d MiB"
-                      .formatted(omitted, limits.maxCases(), limits.maxBytes() >> 20)));
-    }
+    kept.totals().ifPresent(log::remark);
     if (tooMany > 0) {
       log.remark(
           "signals: none are kept, because the conditions use %d, and the limit is %d"

@@ -53,9 +53,7 @@ final class Recordings implements AutoCloseable {
   /** Cases whose recording was moved but is not complete yet. */
   private final Set<Integer> incomplete = new HashSet<>();
 
-  private int kept;
-  private long bytes;
-  private int omitted;
+  private final KeptFiles kept;
   private @Nullable IOException problem;
 
   private record Ended(int no, Verdict verdict) {}
@@ -76,6 +74,7 @@ final class Recordings implements AutoCloseable {
     this.from = Map.copyOf(from);
     this.collected = collected;
     this.order = order;
+    this.kept = new KeptFiles("recordings", order.maxRecordings(), order.maxBytes());
     this.listener = listener;
     this.log = log;
     thread.setDaemon(true);
@@ -146,12 +145,9 @@ final class Recordings implements AutoCloseable {
       return true;
     }
     byte[] content = gltf.get();
-    if (kept >= order.maxRecordings() || bytes + content.length > order.maxBytes()) {
-      omitted++;
+    if (!kept.admit(content.length)) {
       return true;
     }
-    kept++;
-    bytes += content.length;
     Files.createDirectories(order.folder());
     Path target = order.folder().resolve(one.no() + ".glb");
     Files.write(target, content);
@@ -216,14 +212,7 @@ final class Recordings implements AutoCloseable {
   }
 
   private void report() {
-    if (kept > 0 || omitted > 0) {
-      log.remark(
-          "recordings: %d cases, %.1f MiB".formatted(kept, bytes / (double) (1 << 20))
-              + (omitted == 0
-                  ? ""
-                  : "; %d more are omitted: a build keeps %d of at most %d MiB"
-                      .formatted(omitted, order.maxRecordings(), order.maxBytes() >> 20)));
-    }
+    kept.totals().ifPresent(log::remark);
     if (problem != null) {
       log.remark("some recordings are lost: " + problem);
     }
