@@ -59,7 +59,7 @@ def test_the_cpp_sensor_has_the_same_verdicts_as_in_java(sitaf, tmp_path):
 def test_the_faulty_cpp_sensor_fails_exactly_the_affected_cases(sitaf):
     run = sitaf("run", "examples/ir-sensor-cpp-faulty")
     assert run.returncode == 1, run.stdout + run.stderr
-    rows = re.findall(r"^ *\d+ +(-?\d+) +(-?\d+) +(-?[\d.]+) .*FAIL", run.stdout, re.MULTILINE)
+    rows = re.findall(r"^ *\d+ +FAIL +(-?\d+) +(-?\d+) +(-?[\d.]+) ", run.stdout, re.MULTILINE)
     assert sorted((int(i), int(n)) for i, n, _ in rows) == [(1, 1), (2, 2), (4, 4), (6, 6), (7, 7)]
 
 

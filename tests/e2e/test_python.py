@@ -6,7 +6,7 @@ import pytest
 
 
 def failed(run):
-    return [int(no) for no in re.findall(r"^ *(\d+) .* FAIL ", run.stdout, re.MULTILINE)]
+    return [int(no) for no in re.findall(r"^ *(\d+) +FAIL ", run.stdout, re.MULTILINE)]
 
 
 @pytest.fixture

@@ -1,7 +1,11 @@
 """`./sitaf run` on this machine."""
 
+import os
 import re
 import shutil
+import signal
+import subprocess
+import time
 import xml.etree.ElementTree as ElementTree
 
 
@@ -42,7 +46,7 @@ def test_the_faulty_sensor_fails_exactly_the_affected_cases(sitaf, tmp_path):
     report = tmp_path / "report.xml"
     run = sitaf("run", "examples/ir-sensor-faulty", "--junit", report)
     assert run.returncode == 1, run.stdout + run.stderr
-    rows = re.findall(r"^ *\d+ +(-?\d+) +(-?\d+) +(-?[\d.]+) .*FAIL", run.stdout, re.MULTILINE)
+    rows = re.findall(r"^ *\d+ +FAIL +(-?\d+) +(-?\d+) +(-?[\d.]+) ", run.stdout, re.MULTILINE)
     # The fault: the last of the sensors in use is never read (see the example's README).
     assert sorted((int(i), int(n)) for i, n, _ in rows) == [(1, 1), (2, 2), (4, 4), (6, 6), (7, 7)]
     assert "GetInfraredData: 55 cases, 50 PASS, 5 FAIL, 0 ERROR, 0 DONT" in run.stdout
@@ -50,6 +54,56 @@ def test_the_faulty_sensor_fails_exactly_the_affected_cases(sitaf, tmp_path):
     assert suite.attrib["tests"] == "55"
     assert suite.attrib["failures"] == "5"
     assert len(suite.findall("testcase/failure")) == 5
+
+
+def test_single_cases_and_those_that_failed_run_again(sitaf, tmp_path):
+    report = tmp_path / "report.xml"
+    example = "examples/ir-sensor-faulty"
+    run = sitaf("run", example, "--case", "13,2-3", "--repeat", "2", "--junit", report)
+    assert run.returncode == 1, run.stdout + run.stderr
+    assert "GetInfraredData: 3 cases, 2 PASS, 1 FAIL" in run.stdout
+    assert "in 2 runs each case had the same verdict" in run.stdout
+    names = [case.attrib["name"] for case in ElementTree.parse(report).iter("testcase")]
+    assert [name.split(":")[0] for name in names] == ["2", "3", "13"]
+
+    result = tmp_path / "result.xml"
+    assert sitaf("run", example, "--model", "GetInfraredData", "--result", result).returncode == 1
+    again = sitaf("run", example, "--failed", result, "--until-failure")
+    assert "run 1" in again.stderr and "run 2" not in again.stderr
+    assert "GetInfraredData: 5 cases, 0 PASS, 5 FAIL" in again.stdout
+    assert "GetInfraredData: 5 cases, 0 PASS, 5 FAIL" in sitaf("run", example, "--failed").stdout
+
+
+def test_a_case_that_does_not_exist_is_reported(sitaf):
+    run = sitaf("run", "examples/ir-sensor", "--model", "GetInfraredData", "--case", "3,56-60")
+    assert run.returncode == 2
+    assert "--case 56-60: error: does not exist; GetInfraredData has 55 cases, numbered 1 to 55" in run.stderr
+
+
+def test_an_interrupted_run_keeps_the_finished_cases(sitaf, activity, tmp_path):
+    source = next(activity.glob("component/**/InfraredSensor.java"))
+    text = source.read_text()
+    body = re.search(r"double GetInfraredData\([^)]*\) \{", text)
+    wait = " if (indexOfSensor == 8) { while (true) Thread.onSpinWait(); }"
+    source.write_text(text[: body.end()] + wait + text[body.end() :])
+    result = tmp_path / "result.xml"
+    process = subprocess.Popen(
+        [sitaf.root / "sitaf", "run", activity, "--model", "GetInfraredData", "--result", result, "--signals", tmp_path],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.DEVNULL,
+        text=True,
+        start_new_session=True,
+    )
+    # The valid cases end at once; the first case with index 8 never does.
+    while not (tmp_path / "25.csv").exists():
+        assert process.poll() is None
+        time.sleep(0.1)
+    os.killpg(process.pid, signal.SIGTERM)
+    out, _ = process.communicate(timeout=60)
+    assert "DONT (not executed)" in out
+    verdicts = [r.attrib["verdict"] for r in ElementTree.parse(result).iter("test_result")]
+    assert len(verdicts) == 55
+    assert verdicts.count("PASS") >= 25 and verdicts[-1] == "DONT"
 
 
 def test_a_compiler_error_is_reported_with_file_and_line(sitaf, activity):

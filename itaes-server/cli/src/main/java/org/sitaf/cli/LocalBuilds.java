@@ -8,6 +8,7 @@ import java.io.PrintStream;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
@@ -30,6 +31,7 @@ import org.sitaf.core.suite.TestSuite;
 import org.sitaf.core.trajectory.Trace;
 import org.sitaf.core.trajectory.TraceCsv;
 import org.sitaf.core.verdict.CaseResult;
+import org.sitaf.core.verdict.TestResult;
 
 /** Runs builds on this machine, with their own simulations; leaves no files. */
 final class LocalBuilds implements AutoCloseable {
@@ -41,6 +43,7 @@ final class LocalBuilds implements AutoCloseable {
   private final OutputFolders folders;
   private final AtomicInteger count = new AtomicInteger();
   private final AtomicReference<@Nullable BuildRun> current = new AtomicReference<>();
+  private @Nullable TestResult finished;
   private final OnExit onExit = new OnExit(this::cancel);
 
   /**
@@ -101,8 +104,18 @@ final class LocalBuilds implements AutoCloseable {
               settings(model),
               new Steps(model.name(), suite.cases().size(), progress, folders.signalsOf(model)));
       current.set(run);
-      return run.run();
+      BuildOutcome outcome = run.run();
+      finished =
+          outcome instanceof BuildOutcome.Cancelled
+              ? run.finished("interrupted").orElse(null)
+              : null;
+      return outcome;
     }
+  }
+
+  /** The finished cases of the last build if it was cancelled while its cases ran. */
+  Optional<TestResult> finishedOfCancelled() {
+    return Optional.ofNullable(finished);
   }
 
   private BuildSettings settings(TestModel model) {
@@ -181,7 +194,7 @@ final class LocalBuilds implements AutoCloseable {
               + switch (stage) {
                 case PREPARING -> ": preparing the simulation";
                 case COMPILING -> ": compiling";
-                case RUNNING -> ": running " + total + " cases";
+                case RUNNING -> ": running " + total + (total == 1 ? " case" : " cases");
               });
     }
 
@@ -192,7 +205,7 @@ final class LocalBuilds implements AutoCloseable {
 
     @Override
     public void caseFinished(CaseResult result) {
-      progress.detail(done.incrementAndGet() + "/" + total);
+      progress.done(done.incrementAndGet(), total);
     }
 
     @Override

@@ -8,19 +8,17 @@ import java.util.stream.Collectors;
 import org.sitaf.core.suite.CaseParameter;
 import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.Coverage;
+import org.sitaf.core.verdict.FailureGroup;
 import org.sitaf.core.verdict.NamedValue;
 import org.sitaf.core.verdict.RelationCount;
 import org.sitaf.core.verdict.Summary;
 import org.sitaf.core.verdict.TestResult;
-import org.sitaf.core.verdict.Verdict;
 
 /**
  * Prints a result like the paper (Fig. 17a): summary, then a row per case with ER (expected), MR
  * (measured) and PF (verdict).
  */
 public final class ResultTable {
-  private static final int MAX_WIDTH = 40;
-
   private ResultTable() {}
 
   /** Prints one row per case, followed by the message of a case that did not pass. */
@@ -46,7 +44,7 @@ public final class ResultTable {
         row.add(RepeatedCallsText.interval(testCase.repeated()));
       }
       row.add(first);
-      rows.add(row.stream().map(ResultTable::cell).toList());
+      rows.add(row.stream().map(CaseTable::cell).toList());
     }
     int columns = header.size();
     int[] widths = new int[columns];
@@ -64,6 +62,39 @@ public final class ResultTable {
       String reason = r == 0 ? "" : cases.get(r - 1).message();
       out.println((line + Printable.lines(reason, "    ")).stripTrailing());
     }
+  }
+
+  /** Prints all cases, verdict first. */
+  static void printAll(TestResult result, PrintWriter out) {
+    CaseTable cases = new CaseTable(result);
+    cases.printConstants(out);
+    cases.print(result.cases(), "", out);
+    out.println();
+  }
+
+  /**
+   * Prints the cases that did not pass, grouped by verdict and message.
+   *
+   * @param maxRows maximum number of rows; 0 prints only the numbers of the cases
+   */
+  static void printFailures(TestResult result, int maxRows, PrintWriter out) {
+    List<FailureGroup> groups = FailureGroup.of(result.cases());
+    if (groups.isEmpty()) {
+      return;
+    }
+    CaseTable cases = new CaseTable(result);
+    if (maxRows > 0) {
+      cases.printConstants(out);
+    }
+    int left = maxRows;
+    for (FailureGroup group : groups) {
+      left -= cases.print(group, left, out);
+    }
+    long failed = groups.stream().mapToLong(g -> g.cases().size()).sum();
+    if (maxRows > 0 && failed > maxRows) {
+      out.println("... and " + (failed - maxRows) + " more that did not pass; --table shows all");
+    }
+    out.println();
   }
 
   /** Prints the summary, and the reasons why a result is suspect. */
@@ -119,22 +150,12 @@ public final class ResultTable {
     out.flush();
   }
 
-  /** The cases that did not pass. */
-  public static List<CaseResult> notPassed(TestResult result) {
-    return result.cases().stream().filter(c -> c.verdict() != Verdict.PASS).toList();
-  }
-
   private static String values(List<NamedValue> values) {
     return values.isEmpty()
         ? "-"
         : values.stream()
             .map(v -> v.output().isEmpty() ? v.literal() : v.output() + "=" + v.literal())
             .collect(Collectors.joining(" "));
-  }
-
-  private static String cell(String text) {
-    String line = Printable.line(text);
-    return line.length() <= MAX_WIDTH ? line : line.substring(0, MAX_WIDTH - 1) + "…";
   }
 
   static String number(double microseconds) {

@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.build.BuildOutcome;
@@ -19,7 +20,7 @@ import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.suite.GeneratedSuite;
-import org.sitaf.core.verdict.CaseResult;
+import org.sitaf.core.suite.TestSuite;
 import org.sitaf.core.verdict.TestResult;
 import org.sitaf.core.verdict.document.JunitXml;
 import org.sitaf.core.verdict.document.TestResultXml;
@@ -61,6 +62,8 @@ final class RunCommand implements Callable<Integer> {
   private @Nullable Path resultFile;
 
   @Mixin private final GenerationArguments generation = new GenerationArguments();
+
+  @Mixin private final CaseOptions cases = new CaseOptions();
 
   @Mixin private final SandboxOption sandbox = new SandboxOption();
 
@@ -111,16 +114,24 @@ final class RunCommand implements Callable<Integer> {
           "--strength, --max-cases and --effort are not available with --server; set"
               + " order_of_combinations and max_cases in the model");
     }
+    if (server != null && cases.areGiven()) {
+      throw new CommandLine.ParameterException(
+          spec.commandLine(),
+          "--case, --failed, --repeat and --until-failure are not available with --server");
+    }
     FileTree files = UserFiles.folder(arguments.folder());
     Activity activity = Activity.read(files);
     Sitaf.print(activity.warnings(), err);
     List<TestResult> results = new ArrayList<>();
-    int exitCode =
-        server == null
-            ? runHere(activity, results, out, err)
-            : runAt(server, files, activity, results, out, err);
-    write(activity, results);
-    return exitCode;
+    // An interrupted run still writes the cases that ended.
+    try (OnExit onExit = new OnExit(() -> {})) {
+      int exitCode =
+          server == null
+              ? runHere(activity, results, out, err)
+              : runAt(server, files, activity, results, out, err);
+      write(activity, results);
+      return exitCode;
+    }
   }
 
   private int runAt(
@@ -154,9 +165,15 @@ final class RunCommand implements Callable<Integer> {
   private int runHere(Activity activity, List<TestResult> results, PrintWriter out, PrintWriter err)
       throws IOException {
     int exitCode = 0;
-    List<TestModel> models = arguments.modelsOf(activity);
-    SuiteCache suites = new SuiteCache(Installation.current().state().resolve("suites"));
-    int withWorld = activity.profile().world() == null ? 0 : models.size();
+    Path state = Installation.current().state();
+    LastResults last = new LastResults(state.resolve("results"));
+    CaseSelection selection = new CaseSelection(cases, last, arguments.folder());
+    List<TestModel> models = selection.models(arguments.modelsOf(activity));
+    SuiteCache suites = new SuiteCache(state.resolve("suites"));
+    int withWorld =
+        activity.profile().world() == null
+            ? 0
+            : (int) Math.min(1_000, (long) models.size() * cases.runs());
     try (LocalBuilds builds =
         new LocalBuilds(
             Installation.current(),
@@ -166,19 +183,33 @@ final class RunCommand implements Callable<Integer> {
             withWorld)) {
       err.println("sandbox: " + builds.sandbox());
       err.flush();
+      RepeatedBuilds repeated = new RepeatedBuilds(builds, cases, err);
       for (TestModel model : models) {
         GeneratedSuite generated = suites.generate(model, generation.options());
         Sitaf.print(generated.notes(), err);
-        BuildOutcome outcome = builds.run(activity, model, generated.suite());
-        if (outcome instanceof BuildOutcome.Completed completed) {
-          completed.warnings().forEach(w -> err.println(Printable.lines(w, "  ")));
+        TestSuite selected = selection.of(model, generated.suite());
+        if (selected.cases().isEmpty() && !generated.suite().cases().isEmpty()) {
+          err.println(model.name() + ": nothing to run, every case passed");
           err.flush();
-          print(completed.result(), out);
-          results.add(completed.result());
-          exitCode = worse(exitCode, exitCode(completed.result()));
-        } else {
-          print(outcome, err);
+          continue;
+        }
+        RepeatedBuilds.Ended ended = repeated.run(activity, model, selected);
+        Optional<TestResult> result = ended.result();
+        if (result.isPresent()) {
+          ended.warnings().forEach(w -> err.println(Printable.lines(w, "  ")));
+          err.flush();
+          print(result.get(), out);
+          RepeatedBuilds.print(ended.runs(), out);
+          results.add(result.get());
+          last.keep(arguments.folder(), model, result.get(), selected == generated.suite());
+          exitCode = worse(exitCode, exitCode(result.get()));
+        }
+        if (!(ended.last() instanceof BuildOutcome.Completed)) {
+          print(ended.last(), err);
           exitCode = worse(exitCode, Sitaf.UNUSABLE);
+        }
+        if (ended.last() instanceof BuildOutcome.Cancelled) {
+          break;
         }
       }
     }
@@ -186,16 +217,10 @@ final class RunCommand implements Callable<Integer> {
   }
 
   private void print(TestResult result, PrintWriter out) {
-    List<CaseResult> shown = table ? result.cases() : ResultTable.notPassed(result);
-    if (!shown.isEmpty()) {
-      ResultTable.printCases(
-          result, table ? shown : shown.subList(0, Math.min(shown.size(), MAX_ROWS)), out);
-      if (!table && shown.size() > MAX_ROWS) {
-        out.println(
-            "... and " + (shown.size() - MAX_ROWS) + " more that did not pass; --table shows all");
-      }
-      out.println();
+    if (table && !result.cases().isEmpty()) {
+      ResultTable.printAll(result, out);
     }
+    ResultTable.printFailures(result, table ? 0 : MAX_ROWS, out);
     ResultTable.printSummary(result, out);
   }
 

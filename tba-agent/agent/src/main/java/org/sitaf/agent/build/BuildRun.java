@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -54,6 +55,8 @@ public final class BuildRun {
   private final BuildListener listener;
   private final Consumer<CaseRecord> records;
   private final Cancellation cancellation = new Cancellation();
+  private final List<CaseResult> finished = Collections.synchronizedList(new ArrayList<>());
+  private volatile @Nullable Function<Execution, TestResult> reporter;
 
   /**
    * Creates a build.
@@ -99,6 +102,23 @@ public final class BuildRun {
   /** Runs all stages and returns the outcome; never throws. */
   public BuildOutcome run() {
     return new BuildThread(cancellation, this::work).run(limit().all());
+  }
+
+  /**
+   * The result of a build that was cancelled while its cases ran: the finished cases; the others
+   * are DONT for the given reason. Empty if no case was started.
+   */
+  public Optional<TestResult> finished(String reason) {
+    Function<Execution, TestResult> known = reporter;
+    return known == null
+        ? Optional.empty()
+        : Optional.of(known.apply(new Execution(copy(finished), reason, List.of())));
+  }
+
+  private static List<CaseResult> copy(List<CaseResult> results) {
+    synchronized (results) {
+      return List.copyOf(results);
+    }
   }
 
   private TimeLimit limit() {
@@ -201,6 +221,8 @@ public final class BuildRun {
               application.activity().required(),
               signals.conditions(),
               relations.runs());
+      reporter =
+          ended -> report(ended, relations.suspicions(), assembler, prepared.bridge(), started);
       Execution execution =
           execute(
               request,
@@ -331,6 +353,7 @@ public final class BuildRun {
   private CaseResult judged(CaseRecord record, Function<CaseRecord, CaseResult> judge) {
     records.accept(record);
     CaseResult result = judge.apply(record);
+    finished.add(result);
     listener.caseFinished(result);
     return result;
   }
