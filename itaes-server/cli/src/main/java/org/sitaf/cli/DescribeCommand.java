@@ -12,6 +12,7 @@ import org.sitaf.cli.describe.InterfaceSources;
 import org.sitaf.core.diagnostic.Diagnostic;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
@@ -33,12 +34,20 @@ final class DescribeCommand implements Callable<Integer> {
       description = "Interface files, folders or zip archives.")
   private List<Path> files = List.of();
 
+  @Option(
+      names = "-I",
+      paramLabel = "FOLDER",
+      description =
+          "Searches included IDL files in this folder; may be repeated. Its files are read only as"
+              + " far as they are included.")
+  private List<Path> includes = List.of();
+
   @Override
   public Integer call() {
     PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
     boolean usable = true;
     List<Diagnostic> diagnostics = new ArrayList<>();
-    for (InterfaceSources.Source source : InterfaceSources.read(files)) {
+    for (InterfaceSources.Source source : InterfaceSources.read(files, includes)) {
       DescriptionText.of(source.result(), source::show)
           .forEach(line -> out.println(Printable.line(line)));
       diagnostics.addAll(source.diagnostics());

@@ -10,6 +10,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
 import org.junit.jupiter.api.Assumptions;
@@ -24,13 +25,14 @@ class DescribeCommandTest {
   private record Run(int exitCode, String out, String err) {}
 
   private static Run describe(Path... files) {
+    return run(Stream.of(files).map(Path::toString).toList());
+  }
+
+  private static Run run(List<String> words) {
     StringWriter out = new StringWriter();
     StringWriter err = new StringWriter();
-    String[] arguments = new String[files.length + 1];
-    arguments[0] = "describe";
-    for (int i = 0; i < files.length; i++) {
-      arguments[i + 1] = files[i].toString();
-    }
+    String[] arguments =
+        Stream.concat(Stream.of("describe"), words.stream()).toArray(String[]::new);
     int exitCode =
         Sitaf.commandLine()
             .setOut(new PrintWriter(out))
@@ -103,6 +105,24 @@ class DescribeCommandTest {
         Files.writeString(folder.resolve("a.idl"), "interface A { void f(in \u001b[31mred x); };");
     Run run = describe(file);
     assertThat(run.out() + run.err()).doesNotContain("\u001b").contains("\\u001b");
+  }
+
+  @Test
+  void searchesIncludedIdlFilesInTheGivenFolders(@TempDir Path folder) throws IOException {
+    Path include = Files.createDirectories(folder.resolve("include/robot"));
+    Files.writeString(include.resolve("types.idl"), "#define REAL double\nstruct P { REAL x; };");
+    Files.writeString(include.resolve("broken.idl"), "struct {");
+    Path file =
+        Files.writeString(
+            Files.createDirectories(folder.resolve("idl")).resolve("a.idl"),
+            "#include <robot/types.idl>\ninterface A { P get(in REAL t); };");
+    assertThat(describe(file).err()).contains("'robot/types.idl' was not found; add its folder");
+    Run found = run(List.of("-I", folder.resolve("include").toString(), file.toString()));
+    assertThat(found.out()).contains("interface A").contains("struct P");
+    assertThat(found.err()).isEmpty();
+    assertThat(found.exitCode()).isZero();
+    assertThat(run(List.of("-I", file.toString(), file.toString())).err())
+        .contains("a.idl: error: is not a folder; -I needs one");
   }
 
   @Test

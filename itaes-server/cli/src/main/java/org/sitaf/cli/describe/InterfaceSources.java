@@ -58,14 +58,15 @@ public final class InterfaceSources {
    * Reads all given paths. Single files are read together, so that one may refer to another; each
    * folder or archive is read separately.
    *
+   * @param includes folders in which included IDL files are searched
    * @throws InvalidInputException if a path cannot be read
    */
-  public static List<Source> read(List<Path> named) {
+  public static List<Source> read(List<Path> named, List<Path> includes) {
     List<Path> single = new ArrayList<>();
     List<Source> sources = new ArrayList<>();
     for (Path path : named) {
       if (Files.isDirectory(path)) {
-        sources.add(folder(path));
+        sources.add(folder(path, includes));
       } else if (path.toString().endsWith(".zip")) {
         sources.add(archive(path));
       } else {
@@ -73,7 +74,7 @@ public final class InterfaceSources {
       }
     }
     if (!single.isEmpty()) {
-      sources.add(files(single));
+      sources.add(files(single, includes));
     }
     return sources;
   }
@@ -95,35 +96,67 @@ public final class InterfaceSources {
     }
   }
 
-  private static Source folder(Path folder) {
+  private static Source folder(Path folder, List<Path> includes) {
     Map<String, byte[]> files = new HashMap<>();
     Map<String, String> shown = new HashMap<>();
+    for (Path path : interfaceFilesBelow(folder)) {
+      String name = folder.relativize(path).toString().replace('\\', '/');
+      files.put(name, content(path));
+      shown.put(name, path.toString());
+    }
+    List<String> asked = List.copyOf(files.keySet());
+    addIncluded(includes, files, shown);
+    String name = String.valueOf(folder.toAbsolutePath().normalize().getFileName());
+    shown.put(name, folder.toString());
+    SourceFiles sources = SourceFiles.of(name, files, asked).including(keys(includes));
+    return new Source(InterfaceFiles.readAll(sources), shown);
+  }
+
+  /** The interface files in a folder and its subfolders, without hidden ones. */
+  private static List<Path> interfaceFilesBelow(Path folder) {
+    List<Path> found = new ArrayList<>();
     try (Stream<Path> all = Files.walk(folder, MAX_FOLDERS)) {
       for (Path path : (Iterable<Path>) all::iterator) {
         String name = folder.relativize(path).toString().replace('\\', '/');
         if (name.startsWith(".") || name.contains("/.") || !isWanted(path)) {
           continue;
         }
-        if (files.size() >= MAX_FILES) {
+        if (found.size() >= MAX_FILES) {
           throw InvalidInputException.of(
               folder.toString(),
               "contains more than " + MAX_FILES + " interface files; name a subfolder");
         }
-        files.put(name, content(path));
-        shown.put(name, path.toString());
+        found.add(path);
       }
     } catch (UncheckedIOException e) {
       throw unreadable(folder, e.getCause());
     } catch (IOException e) {
       throw unreadable(folder, e);
     }
-    String name = String.valueOf(folder.toAbsolutePath().normalize().getFileName());
-    shown.put(name, folder.toString());
-    return new Source(InterfaceFiles.readAll(name, files), shown);
+    return found;
+  }
+
+  private static void addIncluded(
+      List<Path> includes, Map<String, byte[]> files, Map<String, String> shown) {
+    for (Path folder : includes) {
+      if (!Files.isDirectory(folder)) {
+        throw InvalidInputException.of(folder.toString(), "is not a folder; -I needs one");
+      }
+      for (Path path : interfaceFilesBelow(folder)) {
+        if (path.toString().endsWith(".idl") && isSmall(path)) {
+          files.put(key(path), content(path));
+          shown.put(key(path), path.toString());
+        }
+      }
+    }
+  }
+
+  private static List<String> keys(List<Path> folders) {
+    return folders.stream().map(InterfaceSources::key).toList();
   }
 
   /** Files by absolute path, with the files next to them, which they may refer to. */
-  private static Source files(List<Path> named) {
+  private static Source files(List<Path> named, List<Path> includes) {
     Map<String, byte[]> files = new HashMap<>();
     Map<String, String> shown = new HashMap<>();
     List<String> asked = new ArrayList<>();
@@ -142,7 +175,9 @@ public final class InterfaceSources {
         }
       }
     }
-    return new Source(InterfaceFiles.read(SourceFiles.of("", files, asked)), shown);
+    addIncluded(includes, files, shown);
+    SourceFiles sources = SourceFiles.of("", files, asked).including(keys(includes));
+    return new Source(InterfaceFiles.read(sources), shown);
   }
 
   private static List<Path> siblings(Path path) {

@@ -19,6 +19,7 @@ import org.sitaf.core.timing.Timing;
  * @param provided interface files of the component, relative to the activity
  * @param required interface files that the stub implements
  * @param libraries external libraries, relative to the activity
+ * @param idlIncludes folders in which included IDL files are searched, relative to the activity
  * @param harness language of the generated test application
  * @param world the world description; null if the component needs no simulation
  * @param models test models, relative to the activity
@@ -34,6 +35,7 @@ public record ActivityProfile(
     List<String> provided,
     List<String> required,
     List<String> libraries,
+    List<String> idlIncludes,
     Language harness,
     @Nullable String world,
     List<String> models,
@@ -50,6 +52,7 @@ public record ActivityProfile(
     provided = List.copyOf(provided);
     required = List.copyOf(required);
     libraries = List.copyOf(libraries);
+    idlIncludes = List.copyOf(idlIncludes);
     models = List.copyOf(models);
     sanitizers = java.util.Collections.unmodifiableSet(new TreeSet<>(sanitizers));
   }
@@ -64,39 +67,40 @@ public record ActivityProfile(
     if (second == null) {
       throw new IllegalStateException("the activity has no reference");
     }
-    return new ActivityProfile(
-        name,
-        description,
+    return copy(
         second,
         null,
-        provided,
-        required,
-        libraries,
         second.language(),
-        world,
-        models,
-        parallel,
         second.language() == Language.CPP ? sanitizers : Set.of(),
-        null,
-        limits);
+        null);
   }
 
   /** The same profile without repeated calls. */
   public ActivityProfile withoutTiming() {
+    return copy(component, reference, harness, sanitizers, null);
+  }
+
+  private ActivityProfile copy(
+      Component newComponent,
+      @Nullable Component newReference,
+      Language newHarness,
+      Set<Sanitizer> newSanitizers,
+      @Nullable Timing newTiming) {
     return new ActivityProfile(
         name,
         description,
-        component,
-        reference,
+        newComponent,
+        newReference,
         provided,
         required,
         libraries,
-        harness,
+        idlIncludes,
+        newHarness,
         world,
         models,
         parallel,
-        sanitizers,
-        null,
+        newSanitizers,
+        newTiming,
         limits);
   }
 

@@ -61,10 +61,8 @@ final class ActivityReader {
     requireFew("models", profile.models());
     requireFew("provided", profile.provided());
     requireFew("required", profile.required());
-    List<InterfaceDescription> provided =
-        interfaces(profile.provided(), "provided", profile.name());
-    List<InterfaceDescription> required =
-        interfaces(profile.required(), "required", profile.name());
+    List<InterfaceDescription> provided = interfaces(profile.provided(), "provided", profile);
+    List<InterfaceDescription> required = interfaces(profile.required(), "required", profile);
     List<Port.Data> outputPorts =
         OutputPorts.read(files, profile.provided(), profile.component().profile(), diagnostics);
     WorldDescription world = world(profile.world());
@@ -101,7 +99,8 @@ final class ActivityReader {
     }
   }
 
-  private List<InterfaceDescription> interfaces(List<String> paths, String entry, String name) {
+  private List<InterfaceDescription> interfaces(
+      List<String> paths, String entry, ActivityProfile profile) {
     List<String> present = new ArrayList<>();
     for (String path : paths) {
       if (files.contains(path)) {
@@ -111,13 +110,16 @@ final class ActivityReader {
       }
     }
     ImportResult result =
-        InterfaceFiles.read(SourceFiles.of(name, interfaceFiles(files, present), present));
+        InterfaceFiles.read(
+            SourceFiles.of(profile.name(), interfaceFiles(files, present), present)
+                .including(profile.idlIncludes()));
     diagnostics.addAll(result.diagnostics());
     // A component profile distinguishes provided and required interfaces.
     List<InterfaceDescription> interfaces =
         entry.equals("required") && !result.components().isEmpty()
             ? result.required()
             : result.provided();
+    interfaces.forEach(description -> ArraySizes.verify(description, diagnostics));
     Set<String> names = new HashSet<>();
     for (InterfaceDescription description : interfaces) {
       if (!names.add(description.name())) {

@@ -26,6 +26,7 @@ final class ComponentFiles {
       verify(profile.reference(), "reference", files, file, diagnostics);
     }
     profile.libraries().forEach(l -> existing(l, "libraries", files, file, diagnostics));
+    profile.idlIncludes().forEach(f -> folder(f, "idl_includes", files, file, diagnostics));
   }
 
   private static void verify(

@@ -107,6 +107,7 @@ public record OneCase(
         List.of("provided.xml"),
         required.isEmpty() ? List.of() : List.of("required.xml"),
         List.of(),
+        List.of(),
         language,
         null,
         List.of("model.xml"),

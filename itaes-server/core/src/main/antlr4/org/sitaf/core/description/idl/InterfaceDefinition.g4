@@ -86,7 +86,7 @@ other
     ;
 block: '{' (block | ~('{' | '}'))* '}';
 
-annotation: '@' scopedName ('(' (argument (',' argument)*)? ')')?;
+annotation: '@' (scopedName | 'default') ('(' (argument (',' argument)*)? ')')?;
 argument: (name '=')? expression;
 
 scopedName: '::'? name ('::' name)*;
@@ -110,7 +110,6 @@ REAL: ([0-9]+ '.' [0-9]* | '.' [0-9]+) ([eE] [+-]? [0-9]+)? [fFdD]? | [0-9]+ [eE
 CHARACTER: 'L'? '\'' (~['\\\r\n] | '\\' ~[\r\n] [0-7xa-fA-FuU]*) '\'';
 STRING: 'L'? '"' (~["\\\r\n] | '\\' ~[\r\n])* '"';
 
-PREPROCESSOR: '#' (~[\\\r\n] | '\\' '\r'? '\n' | '\\' ~[\r\n])* -> skip;
 BLOCK_COMMENT: '/*' .*? '*/' -> skip;
 LINE_COMMENT: '//' ~[\r\n]* -> skip;
 SPACE: [ \t\r\n\f\u000B\uFEFF]+ -> skip;

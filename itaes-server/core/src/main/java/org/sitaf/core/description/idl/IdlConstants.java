@@ -20,7 +20,6 @@ import org.sitaf.core.description.source.Place;
 
 /** Evaluates integer constants and bounds. */
 final class IdlConstants {
-  private static final int MAX_LENGTH = 1_000_000;
   private static final int MAX_BITS = 128;
   private static final int MAX_CHAIN = 40;
 
@@ -46,18 +45,39 @@ final class IdlConstants {
     return constants.putIfAbsent(qualified, new Constant(scope, expression)) == null;
   }
 
-  /** The length of an array or the bound of a sequence. An invalid length is reported. */
+  /** The length of an array. An invalid length is reported. */
   OptionalInt length(ExpressionContext expression, String scope, Place place) {
+    Optional<BigInteger> value = positive(expression, scope, place);
+    if (value.isPresent() && value.get().bitLength() >= Integer.SIZE) {
+      findings.error(
+          place, "an array has at most " + Integer.MAX_VALUE + " elements, not " + value.get());
+      return OptionalInt.empty();
+    }
+    return value.map(v -> OptionalInt.of(v.intValueExact())).orElse(OptionalInt.empty());
+  }
+
+  /**
+   * The bound of a sequence or a string; 0 for one beyond the length of any sequence or string. An
+   * invalid bound is reported.
+   */
+  int bound(ExpressionContext expression, String scope, Place place) {
+    return positive(expression, scope, place)
+        .filter(value -> value.bitLength() < Integer.SIZE)
+        .map(BigInteger::intValueExact)
+        .orElse(0);
+  }
+
+  private Optional<BigInteger> positive(ExpressionContext expression, String scope, Place place) {
     try {
       BigInteger value = value(expression, scope);
-      if (value.signum() > 0 && value.compareTo(BigInteger.valueOf(MAX_LENGTH)) <= 0) {
-        return OptionalInt.of(value.intValueExact());
+      if (value.signum() > 0) {
+        return Optional.of(value);
       }
-      findings.error(place, "a length or bound must be 1 to " + MAX_LENGTH + ", not " + value);
+      findings.error(place, "a length or bound must be at least 1, not " + value);
     } catch (NoNumberException e) {
       findings.error(place, String.valueOf(e.getMessage()));
     }
-    return OptionalInt.empty();
+    return Optional.empty();
   }
 
   /**

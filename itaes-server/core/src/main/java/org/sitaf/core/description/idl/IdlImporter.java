@@ -13,17 +13,19 @@ import org.sitaf.core.description.idl.InterfaceDefinitionParser.ConstantContext;
 import org.sitaf.core.description.idl.InterfaceDefinitionParser.DefinitionContext;
 import org.sitaf.core.description.idl.InterfaceDefinitionParser.ExportContext;
 import org.sitaf.core.description.idl.InterfaceDefinitionParser.InterfaceDeclarationContext;
-import org.sitaf.core.description.idl.InterfaceDefinitionParser.SpecificationContext;
 import org.sitaf.core.description.idl.InterfaceDefinitionParser.TypeDeclarationContext;
+import org.sitaf.core.description.idl.preprocessor.PreprocessedText;
+import org.sitaf.core.description.idl.preprocessor.Preprocessor;
 import org.sitaf.core.description.source.Findings;
 import org.sitaf.core.description.source.Importer;
 import org.sitaf.core.description.source.Place;
 import org.sitaf.core.description.source.SourceFiles;
+import org.sitaf.core.diagnostic.Diagnostic;
 import org.sitaf.core.diagnostic.Diagnostics;
 
 /**
- * Reads OMG IDL. Preprocessor lines are ignored: included declarations are found in the given
- * files.
+ * Reads OMG IDL. A requested file is read with all that it includes. Declarations of the other
+ * files are known as well, so that a file without its includes can be read.
  */
 public final class IdlImporter implements Importer {
   @Override
@@ -45,6 +47,12 @@ public final class IdlImporter implements Importer {
     private final Map<String, IdlInterfaces.Declared> interfaces = new LinkedHashMap<>();
     private final Set<String> exceptions = new HashSet<>();
 
+    /** Where declarations begin; a file that several files include is declared once. */
+    private final Set<String> declaredAt = new HashSet<>();
+
+    private final Set<String> included = new HashSet<>();
+    private final Set<Diagnostic> reported = new HashSet<>();
+
     Reading(SourceFiles files, Findings findings) {
       this.files = files;
       this.findings = findings;
@@ -57,6 +65,7 @@ public final class IdlImporter implements Importer {
       files.requested().forEach(this::declare);
       files.files().keySet().stream()
           .filter(path -> path.endsWith(".idl") && !files.isRequested(path))
+          .filter(path -> !files.isForInclusion(path))
           .forEach(this::declare);
       IdlInterfaces reader = new IdlInterfaces(scopes, types, exceptions::contains, findings);
       Map<String, Integer> simpleNames = new HashMap<>();
@@ -84,34 +93,59 @@ public final class IdlImporter implements Importer {
     }
 
     private void declare(String path) {
-      Diagnostics problems = new Diagnostics();
-      Optional<SpecificationContext> tree = IdlSyntax.parse(files.text(path), path, problems);
-      if (files.isRequested(path)) {
-        findings.addAll(problems.all());
-      } else {
-        findings.warnUnreadable(problems.all());
+      if (included.contains(path) && !files.isRequested(path)) {
+        return;
       }
-      tree.ifPresent(specification -> declare(specification.definition(), "", path));
+      Diagnostics problems = new Diagnostics();
+      PreprocessedText text = Preprocessor.read(path, new IncludedFiles(), problems);
+      Optional<IdlSyntax.Tree> tree = IdlSyntax.parse(text, problems);
+      List<Diagnostic> fresh = problems.all().stream().filter(reported::add).toList();
+      if (files.isRequested(path)) {
+        findings.addAll(fresh);
+      } else {
+        findings.warnUnreadable(fresh);
+      }
+      tree.ifPresent(parsed -> declare(parsed.specification().definition(), "", parsed));
     }
 
-    private void declare(List<DefinitionContext> definitions, String scope, String path) {
+    private final class IncludedFiles implements Preprocessor.Includes {
+      @Override
+      public Optional<String> find(String from, String name) {
+        return files.resolve(from, name).filter(path -> path.endsWith(".idl"));
+      }
+
+      @Override
+      public String text(String path) {
+        included.add(path);
+        return files.text(path);
+      }
+    }
+
+    private void declare(List<DefinitionContext> definitions, String scope, IdlSyntax.Tree tree) {
       for (DefinitionContext definition : definitions) {
+        String path = tree.file(definition);
         if (definition.module() != null) {
           String name = IdlScopes.text(definition.module().name());
-          declare(definition.module().definition(), IdlScopes.inside(scope, name), path);
-        } else if (definition.interfaceDeclaration() != null) {
-          declare(definition.interfaceDeclaration(), scope, path);
-        } else if (definition.typeDeclaration() != null) {
-          declare(definition.typeDeclaration(), scope, path);
-        } else if (definition.constant() != null) {
-          declare(definition.constant(), scope, path);
-        } else if (definition.exception() != null) {
-          exceptions.add(IdlScopes.inside(scope, IdlScopes.text(definition.exception().name())));
-        } else if (definition.other() != null && files.isRequested(path)) {
-          findings.warning(
-              place(path, definition.other(), definition.other().getStart().getText()),
-              "is not part of an interface, ignored");
+          declare(definition.module().definition(), IdlScopes.inside(scope, name), tree);
+        } else if (declaredAt.add(tree.place(definition))) {
+          declare(definition, scope, path);
         }
+      }
+    }
+
+    private void declare(DefinitionContext definition, String scope, String path) {
+      if (definition.interfaceDeclaration() != null) {
+        declare(definition.interfaceDeclaration(), scope, path);
+      } else if (definition.typeDeclaration() != null) {
+        declare(definition.typeDeclaration(), scope, path);
+      } else if (definition.constant() != null) {
+        declare(definition.constant(), scope, path);
+      } else if (definition.exception() != null) {
+        exceptions.add(IdlScopes.inside(scope, IdlScopes.text(definition.exception().name())));
+      } else if (definition.other() != null && files.isRequested(path)) {
+        findings.warning(
+            place(path, definition.other(), definition.other().getStart().getText()),
+            "is not part of an interface, ignored");
       }
     }
 

@@ -1,14 +1,20 @@
 package org.sitaf.core.description.idl;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import org.antlr.v4.runtime.BaseErrorListener;
 import org.antlr.v4.runtime.CharStreams;
+import org.antlr.v4.runtime.CommonToken;
 import org.antlr.v4.runtime.CommonTokenStream;
+import org.antlr.v4.runtime.Parser;
+import org.antlr.v4.runtime.ParserRuleContext;
 import org.antlr.v4.runtime.RecognitionException;
 import org.antlr.v4.runtime.Recognizer;
 import org.antlr.v4.runtime.Token;
 import org.antlr.v4.runtime.misc.ParseCancellationException;
 import org.sitaf.core.description.idl.InterfaceDefinitionParser.SpecificationContext;
+import org.sitaf.core.description.idl.preprocessor.PreprocessedText;
 import org.sitaf.core.diagnostic.Diagnostics;
 
 /** Parses OMG IDL. */
@@ -27,27 +33,58 @@ final class IdlSyntax {
 
   private IdlSyntax() {}
 
+  /**
+   * A parse tree, whose positions are those of the files that its text came from.
+   *
+   * @param files of the tokens, by index
+   */
+  record Tree(SpecificationContext specification, List<String> files) {
+    Tree {
+      files = List.copyOf(files);
+    }
+
+    /** The file in which a construct begins. */
+    String file(ParserRuleContext context) {
+      return files.get(context.getStart().getTokenIndex());
+    }
+
+    /** Where a construct begins; equal for the same construct of a file that is read twice. */
+    String place(ParserRuleContext context) {
+      Token start = context.getStart();
+      return file(context) + ":" + start.getLine() + ":" + start.getCharPositionInLine();
+    }
+  }
+
   /** Returns the parse tree, or empty after syntax errors, which are added to the diagnostics. */
-  static Optional<SpecificationContext> parse(String text, String file, Diagnostics diagnostics) {
-    var lexer = new InterfaceDefinitionLexer(CharStreams.fromString(text, file));
+  static Optional<Tree> parse(PreprocessedText text, Diagnostics diagnostics) {
+    var lexer = new InterfaceDefinitionLexer(CharStreams.fromString(text.text()));
     lexer.removeErrorListeners();
     var tokens = new CommonTokenStream(lexer);
     tokens.fill();
-    if (!isShallow(tokens, file, diagnostics)) {
+    List<String> files = new ArrayList<>();
+    for (Token token : tokens.getTokens()) {
+      PreprocessedText.Origin origin = text.origin(token.getLine());
+      files.add(origin.file());
+      ((CommonToken) token).setLine(origin.line());
+    }
+    if (!isShallow(tokens, files, diagnostics)) {
       return Optional.empty();
     }
     var parser = new InterfaceDefinitionParser(tokens);
     parser.removeErrorListeners();
-    parser.addErrorListener(new Reporter(file, diagnostics));
+    parser.addErrorListener(new Reporter(files, diagnostics));
     try {
       SpecificationContext tree = parser.specification();
-      return parser.getNumberOfSyntaxErrors() == 0 ? Optional.of(tree) : Optional.empty();
+      return parser.getNumberOfSyntaxErrors() == 0 && !diagnostics.hasErrors()
+          ? Optional.of(new Tree(tree, files))
+          : Optional.empty();
     } catch (ParseCancellationException e) {
       return Optional.empty();
     }
   }
 
-  private static boolean isShallow(CommonTokenStream tokens, String file, Diagnostics diagnostics) {
+  private static boolean isShallow(
+      CommonTokenStream tokens, List<String> files, Diagnostics diagnostics) {
     int depth = 0;
     int angles = 0;
     int scopes = 0;
@@ -78,12 +115,18 @@ final class IdlSyntax {
       }
       if (depth + angles > MAX_DEPTH) {
         diagnostics.error(
-            file, token.getLine(), "", "brackets nest deeper than " + MAX_DEPTH + " levels");
+            files.get(token.getTokenIndex()),
+            token.getLine(),
+            "",
+            "brackets nest deeper than " + MAX_DEPTH + " levels");
         return false;
       }
       if (scopes > MAX_SCOPES) {
         diagnostics.error(
-            file, token.getLine(), "", "a name has more than " + MAX_SCOPES + " scopes");
+            files.get(token.getTokenIndex()),
+            token.getLine(),
+            "",
+            "a name has more than " + MAX_SCOPES + " scopes");
         return false;
       }
     }
@@ -91,12 +134,12 @@ final class IdlSyntax {
   }
 
   private static final class Reporter extends BaseErrorListener {
-    private final String file;
+    private final List<String> files;
     private final Diagnostics diagnostics;
     private int errors;
 
-    Reporter(String file, Diagnostics diagnostics) {
-      this.file = file;
+    Reporter(List<String> files, Diagnostics diagnostics) {
+      this.files = files;
       this.diagnostics = diagnostics;
     }
 
@@ -108,16 +151,18 @@ final class IdlSyntax {
         int column,
         String message,
         RecognitionException cause) {
-      diagnostics.error(file, line, "", "column " + (column + 1) + ": " + shortened(message));
+      Token token = (Token) symbol;
+      String file = files.get(token.getTokenIndex());
+      diagnostics.error(
+          file,
+          token.getLine(),
+          "",
+          "column " + (column + 1) + ": " + IdlSyntaxError.text((Parser) recognizer, token));
       errors++;
       if (errors >= MAX_ERRORS) {
-        diagnostics.error(file, line, "", "too many errors; the rest was not read");
+        diagnostics.error(file, token.getLine(), "", "too many errors; the rest was not read");
         throw new ParseCancellationException();
       }
-    }
-
-    private static String shortened(String message) {
-      return message.length() <= 300 ? message : message.substring(0, 300) + "...";
     }
   }
 }

@@ -114,13 +114,13 @@ final class IdlTypes {
       return spec.sequence().expression() == null
           ? new DataType.Sequence(element)
           : new DataType.Sequence(
-              element, constants.length(spec.sequence().expression(), scope, place).orElse(0));
+              element, constants.bound(spec.sequence().expression(), scope, place));
     }
     if (spec.stringType() != null) {
       int bound =
           spec.stringType().expression() == null
               ? 0
-              : constants.length(spec.stringType().expression(), scope, place).orElse(0);
+              : constants.bound(spec.stringType().expression(), scope, place);
       return new DataType.Scalar(ScalarType.STRING, bound);
     }
     if (spec.scopedName() != null) {

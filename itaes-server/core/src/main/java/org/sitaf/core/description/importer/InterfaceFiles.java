@@ -72,17 +72,21 @@ public final class InterfaceFiles {
    * @param files content by relative path with '/' separators
    */
   public static ImportResult readAll(String name, Map<String, byte[]> files) {
-    List<String> requested =
-        files.keySet().stream().filter(p -> isInterfaceFile(p, files.get(p))).toList();
-    if (requested.isEmpty()) {
+    return readAll(SourceFiles.of(name, files, List.copyOf(files.keySet())));
+  }
+
+  /** Reads all requested files that are interface files. */
+  public static ImportResult readAll(SourceFiles files) {
+    SourceFiles sources = files.requesting(path -> isInterfaceFile(path, files.content(path)));
+    if (sources.requested().isEmpty()) {
       Findings findings = new Findings();
       findings.error(
-          new Place(name, 0, ""),
+          new Place(files.name(), 0, ""),
           "contains no interface file; supported are OPRoS profiles (.xml), .idl, .msg, .srv,"
               + " .action and .proto");
       return findings.result();
     }
-    return read(SourceFiles.of(name, files, requested));
+    return read(sources);
   }
 
   /** XML files are recognized by their root element, since not every XML file is a profile. */

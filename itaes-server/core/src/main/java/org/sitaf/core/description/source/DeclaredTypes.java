@@ -23,7 +23,7 @@ public final class DeclaredTypes {
   public static final int MAX_DEPTH = 64;
 
   /** Maximum number of parts of a type, on all levels together. */
-  public static final int MAX_PARTS = 20_000;
+  public static final int MAX_PARTS = 100_000;
 
   private final Findings findings;
   private final Map<String, Declaration> declarations = new LinkedHashMap<>();

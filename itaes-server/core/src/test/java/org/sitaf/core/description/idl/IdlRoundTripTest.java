@@ -2,11 +2,13 @@ package org.sitaf.core.description.idl;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.UUID;
 import java.util.stream.Collectors;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
@@ -134,7 +136,10 @@ class IdlRoundTripTest {
                 types -> {
                   List<DataType.Member> members = new ArrayList<>();
                   types.forEach(t -> members.add(new DataType.Member("f" + members.size(), t)));
-                  String name = "S" + Integer.toHexString(types.hashCode());
+                  // Equal hash codes of different types would give two structs one name.
+                  UUID digest =
+                      UUID.nameUUIDFromBytes(types.toString().getBytes(StandardCharsets.UTF_8));
+                  String name = "S" + digest.toString().replace('-', '_');
                   return new DataType.Struct("M::" + name, members);
                 });
     Arbitrary<DataType> enumeration =
