@@ -19,7 +19,8 @@ class BuildWithStubs(build_py):
         """Generate into the source tree (ignored by git), where both kinds of installation find them."""
         generate_stubs()
         # Otherwise modules of an earlier version would be installed, too.
-        shutil.rmtree(Path(self.build_lib) / "sitaf_runtime", ignore_errors=True)
+        for package in ("sitaf_runtime", "sitaf_ros"):
+            shutil.rmtree(Path(self.build_lib) / package, ignore_errors=True)
         super().run()
 
 

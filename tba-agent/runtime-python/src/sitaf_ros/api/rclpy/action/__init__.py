@@ -1,0 +1,17 @@
+"""Actions; see https://design.ros2.org/articles/actions.html."""
+
+from .client import ActionClient
+from .graph import get_action_client_names_and_types_by_node as get_action_client_names_and_types_by_node
+from .graph import get_action_names_and_types as get_action_names_and_types
+from .graph import get_action_server_names_and_types_by_node as get_action_server_names_and_types_by_node
+from .server import ActionServer, CancelResponse, GoalResponse
+
+__all__ = [
+    "ActionClient",
+    "ActionServer",
+    "CancelResponse",
+    "GoalResponse",
+    "get_action_client_names_and_types_by_node",
+    "get_action_names_and_types",
+    "get_action_server_names_and_types_by_node",
+]

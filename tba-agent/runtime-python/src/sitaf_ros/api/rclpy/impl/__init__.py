@@ -1,0 +1,1 @@
+"""Parts of rclpy that nodes import by name."""

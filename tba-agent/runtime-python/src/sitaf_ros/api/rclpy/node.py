@@ -1,0 +1,379 @@
+"""Nodes."""
+
+from __future__ import annotations
+
+import weakref
+from typing import Any
+
+from sitaf_ros.current import message, system
+
+from .callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
+from .client import Client
+from .clock import Clock, ROSClock
+from .event_handler import MatchEvents
+from .exceptions import InvalidHandle, NotInitializedException
+from .guard_condition import GuardCondition
+from .logger_service import LoggingService
+from .logging import get_logger
+from .node_graph import NodeGraph
+from .node_parameters import NodeParameters
+from .parameter_service import ParameterService
+from .publisher import Publisher
+from .qos import profile_of, qos_profile_rosout_default, qos_profile_services_default
+from .qos_overriding_options import override
+from .service import Service
+from .subscription import Subscription
+from .timer import Rate, Timer, period_ns
+from .type_support import check_is_valid_msg_type, check_is_valid_srv_type
+from .utilities import apply_ros_arguments, get_default_context
+from .validate_namespace import validate_namespace
+from .validate_node_name import validate_node_name
+
+HIDDEN_NODE_PREFIX = "_"
+
+
+class NodeNameNonExistentError(RuntimeError):
+    pass
+
+
+class Node(NodeGraph, NodeParameters):
+    PARAM_REL_TOL = 1e-6
+    is_lifecycle = False
+
+    def __init__(
+        self,
+        node_name: str,
+        *,
+        context: Any = None,
+        cli_args: list[str] | None = None,
+        namespace: str | None = None,
+        use_global_arguments: bool = True,
+        enable_rosout: bool = True,
+        rosout_qos_profile: Any = qos_profile_rosout_default,
+        start_parameter_services: bool = True,
+        parameter_overrides: Any = None,
+        allow_undeclared_parameters: bool = False,
+        automatically_declare_parameters_from_overrides: bool = False,
+        enable_logger_service: bool = False,
+    ) -> None:
+        self._context = get_default_context() if context is None else context
+        if not self._context.ok():
+            raise NotInitializedException("cannot create node")
+        case = system()
+        if cli_args is not None:
+            apply_ros_arguments(cli_args)
+        validate_node_name(node_name)
+        settings, rules = case.settings, case.remapping
+        only = settings.node_name if not case.node_list else None
+        self._name = only or rules.special("__node", node_name) or rules.special("__name", node_name) or node_name
+        given = rules.special("__ns", node_name) or settings.namespace or namespace or ""
+        self._namespace = given if given.startswith("/") else f"/{given}"
+        validate_namespace(self._namespace)
+        self.entities: list[Any] = []
+        self._publishers: list[Publisher] = []
+        self._rates: list[Rate] = []
+        self._executor: Any = None
+        self._destroyed = False
+        self._default_group = MutuallyExclusiveCallbackGroup()
+        self._own_group = ReentrantCallbackGroup()
+        self._logger = get_logger(self.get_fully_qualified_name().strip("/").replace("/", "."))
+        self._clock = ROSClock()
+        case.node_list.append(self)
+        self._begin_parameters(
+            parameter_overrides or [], allow_undeclared_parameters, automatically_declare_parameters_from_overrides
+        )
+        if start_parameter_services:
+            self._parameter_service = ParameterService(self)
+        if enable_logger_service:
+            self._logger_service = LoggingService(self)
+
+    # Names.
+
+    @property
+    def context(self) -> Any:
+        return self._context
+
+    @property
+    def handle(self) -> Any:
+        if self._destroyed:
+            raise InvalidHandle("cannot use Destroyable because destruction was requested")
+        return self
+
+    def get_name(self) -> str:
+        return self._name
+
+    def get_namespace(self) -> str:
+        return self._namespace
+
+    def get_fully_qualified_name(self) -> str:
+        return f"{self._namespace.rstrip('/')}/{self._name}"
+
+    def get_logger(self) -> Any:
+        return self._logger
+
+    def get_clock(self) -> Clock:
+        return self._clock
+
+    def resolve_topic_name(self, topic: str, *, only_expand: bool = False) -> str:
+        return self._full_name(topic, only_expand)
+
+    def resolve_service_name(self, service: str, *, only_expand: bool = False) -> str:
+        return self._full_name(service, only_expand)
+
+    # Executors.
+
+    @property
+    def executor(self) -> Any:
+        return None if self._executor is None else self._executor()
+
+    @executor.setter
+    def executor(self, new_executor: Any) -> None:
+        current = self.executor
+        if current is new_executor:
+            return
+        if current is not None:
+            current.remove_node(self)
+        self._executor = None
+        if new_executor is not None:
+            self._executor = weakref.ref(new_executor)
+            new_executor.add_node(self)
+
+    def wake(self) -> None:
+        """Let the executor look for work."""
+        executor = self.executor
+        if executor is not None:
+            executor.wake()
+
+    def keep(self, entity: Any) -> None:
+        """Add an entity to what the executor asks for work."""
+        self.entities.append(entity)
+        self.wake()
+
+    def forget(self, entity: Any) -> None:
+        """Remove an entity."""
+        if entity in self.entities:
+            self.entities.remove(entity)
+
+    def forget_publisher(self, publisher: Publisher) -> None:
+        """Remove a publisher."""
+        if publisher in self._publishers:
+            self._publishers.remove(publisher)
+
+    @property
+    def default_callback_group(self) -> CallbackGroup:
+        return self._default_group
+
+    def _group(self, group: CallbackGroup | None) -> CallbackGroup:
+        return self.default_callback_group if group is None else group
+
+    def _of(self, kind: Any) -> Any:
+        return iter([entity for entity in self.entities if isinstance(entity, kind)])
+
+    @property
+    def publishers(self) -> Any:
+        return iter(list(self._publishers))
+
+    @property
+    def subscriptions(self) -> Any:
+        return self._of(Subscription)
+
+    @property
+    def clients(self) -> Any:
+        return self._of(Client)
+
+    @property
+    def services(self) -> Any:
+        return self._of(Service)
+
+    @property
+    def timers(self) -> Any:
+        return self._of(Timer)
+
+    @property
+    def guards(self) -> Any:
+        return self._of(GuardCondition)
+
+    @property
+    def waitables(self) -> Any:
+        return iter(())
+
+    def add_waitable(self, waitable: Any) -> None:
+        """Actions are made of services and topics here, so nothing needs to be added."""
+
+    def remove_waitable(self, waitable: Any) -> None:
+        """See `add_waitable`."""
+
+    # Making and destroying.
+
+    def create_publisher(
+        self,
+        msg_type: Any,
+        topic: str,
+        qos_profile: Any,
+        *,
+        callback_group: CallbackGroup | None = None,
+        event_callbacks: Any = None,
+        qos_overriding_options: Any = None,
+        publisher_class: Any = Publisher,
+    ) -> Any:
+        check_is_valid_msg_type(msg_type)
+        full, profile = self._full_name(topic), profile_of(qos_profile)
+        if qos_overriding_options is not None:
+            profile = override(self, "publisher", full, profile, qos_overriding_options)
+        events = MatchEvents(self, event_callbacks, self._group(callback_group), self._logger, full, False)
+        publisher = publisher_class(self, msg_type, full, profile, events)
+        self._publishers.append(publisher)
+        return publisher
+
+    def create_subscription(
+        self,
+        msg_type: Any,
+        topic: str,
+        callback: Any,
+        qos_profile: Any,
+        *,
+        callback_group: CallbackGroup | None = None,
+        event_callbacks: Any = None,
+        qos_overriding_options: Any = None,
+        raw: bool = False,
+    ) -> Subscription:
+        check_is_valid_msg_type(msg_type)
+        full, profile = self._full_name(topic), profile_of(qos_profile)
+        if qos_overriding_options is not None:
+            profile = override(self, "subscription", full, profile, qos_overriding_options)
+        group = self._group(callback_group)
+        events = MatchEvents(self, event_callbacks, group, self._logger, full, True)
+        subscription = Subscription(self, msg_type, full, callback, group, profile, raw, events)
+        self.keep(subscription)
+        subscription.connect()
+        return subscription
+
+    def create_client(
+        self,
+        srv_type: Any,
+        srv_name: str,
+        *,
+        qos_profile: Any = qos_profile_services_default,
+        callback_group: CallbackGroup | None = None,
+    ) -> Client:
+        check_is_valid_srv_type(srv_type)
+        client = Client(self, srv_type, self._full_name(srv_name), profile_of(qos_profile), self._group(callback_group))
+        self.keep(client)
+        return client
+
+    def create_service(
+        self,
+        srv_type: Any,
+        srv_name: str,
+        callback: Any,
+        *,
+        qos_profile: Any = qos_profile_services_default,
+        callback_group: CallbackGroup | None = None,
+    ) -> Service:
+        check_is_valid_srv_type(srv_type)
+        group = self._group(callback_group)
+        service = Service(self, srv_type, self._full_name(srv_name), callback, group, profile_of(qos_profile))
+        self.keep(service)
+        return service
+
+    def create_own_service(self, srv_type: Any, srv_name: str, callback: Any, qos_profile: Any) -> Service:
+        """Make a service of rclpy itself, which runs whatever the user's groups do."""
+        full = self._full_name(srv_name)
+        service = Service(self, srv_type, full, callback, self._own_group, qos_profile, own=True)
+        self.keep(service)
+        return service
+
+    def create_timer(
+        self,
+        timer_period_sec: float,
+        callback: Any,
+        callback_group: CallbackGroup | None = None,
+        clock: Clock | None = None,
+        autostart: bool = True,
+    ) -> Timer:
+        period = period_ns(timer_period_sec)
+        timer = Timer(self, callback, self._group(callback_group), period, clock or self._clock, autostart)
+        self.keep(timer)
+        return timer
+
+    def create_guard_condition(self, callback: Any, callback_group: CallbackGroup | None = None) -> GuardCondition:
+        guard = GuardCondition(self, callback, self._group(callback_group))
+        self.keep(guard)
+        return guard
+
+    def create_rate(self, frequency: float, clock: Clock | None = None) -> Rate:
+        if frequency <= 0:
+            raise ValueError("frequency must be > 0")
+        rate = Rate(self, int(1_000_000_000 / frequency))
+        self._rates.append(rate)
+        return rate
+
+    def destroy_publisher(self, publisher: Publisher) -> bool:
+        found = publisher in self._publishers
+        publisher.destroy()
+        return found
+
+    def _destroy(self, entity: Any) -> bool:
+        found = entity in self.entities
+        if found:
+            entity.destroy()
+        return found
+
+    def destroy_subscription(self, subscription: Subscription) -> bool:
+        return self._destroy(subscription)
+
+    def destroy_client(self, client: Client) -> bool:
+        return self._destroy(client)
+
+    def destroy_service(self, service: Service) -> bool:
+        return self._destroy(service)
+
+    def destroy_timer(self, timer: Timer) -> bool:
+        return self._destroy(timer)
+
+    def destroy_guard_condition(self, guard: GuardCondition) -> bool:
+        return self._destroy(guard)
+
+    def destroy_rate(self, rate: Rate) -> bool:
+        found = rate in self._rates
+        if found:
+            self._rates.remove(rate)
+            rate.destroy()
+        return found
+
+    def destroy_node(self) -> None:
+        if self._destroyed:
+            return
+        self._destroyed = True
+        for publisher in list(self._publishers):
+            publisher.destroy()
+        for entity in list(self.entities):
+            entity.destroy()
+        executor = self.executor
+        if executor is not None:
+            executor.remove_node(self)
+        if self in system().node_list:
+            system().node_list.remove(self)
+
+    def __enter__(self) -> Node:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.destroy_node()
+
+    def _full_name(self, name: str, only_expand: bool = False) -> str:
+        from .expand_topic_name import expand_topic_name
+        from .validate_topic_name import validate_topic_name
+
+        validate_topic_name(name)
+        if only_expand:
+            return expand_topic_name(name, self._name, self._namespace)
+        return system().remapping.apply(name, self._name, self._namespace)
+
+    def _parameter_event(self, new: list[Any], changed: list[Any], deleted: list[Any]) -> None:
+        event = message("rcl_interfaces/msg/ParameterEvent")(node=self.get_fully_qualified_name())
+        event.stamp = self._clock.now().to_msg()
+        event.new_parameters = [p.to_parameter_msg() for p in new]
+        event.changed_parameters = [p.to_parameter_msg() for p in changed]
+        event.deleted_parameters = [p.to_parameter_msg() for p in deleted]
+        self._parameter_events.publish(event)

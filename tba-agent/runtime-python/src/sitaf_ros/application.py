@@ -1,0 +1,153 @@
+"""A ROS node's sources, loaded once; cases are started in processes that are forked afterwards."""
+
+from __future__ import annotations
+
+import ast
+import importlib
+import os
+import random
+import sys
+import threading
+from collections.abc import Callable, Iterable, Mapping
+from pathlib import Path
+from typing import Any
+
+from sitaf_ros import simulated_time
+from sitaf_ros.current import CURRENT
+from sitaf_ros.definitions import DefinitionError, LayeredTypes, MessageTypes, TypeFolders
+from sitaf_ros.errors import RosLoadError
+from sitaf_ros.message_modules import MessageFinder
+from sitaf_ros.messages import MessageClasses
+from sitaf_ros.settings import RosSettings
+from sitaf_ros.system import RosSystem
+
+API = Path(__file__).parent / "api"
+OWN_DEFINITIONS = Path(__file__).parent / "definitions"
+
+
+class RosApplication:
+    """Sources of a package, its types, and the entry that each case runs."""
+
+    def __init__(
+        self,
+        types: MessageTypes,
+        package: str = "",
+        folders: Iterable[Path] = (),
+        share: Mapping[str, Path] | None = None,
+    ) -> None:
+        self.types = LayeredTypes(TypeFolders([OWN_DEFINITIONS]), types)
+        self.classes = MessageClasses(self.types)
+        self.package = package
+        self.folders = [Path(folder).resolve() for folder in folders]
+        self.share = {name: Path(path) for name, path in (share or {}).items()}
+        if package and self.folders:
+            self.share.setdefault(package, self.folders[0])
+        self._run: Callable[[RosSettings], object] | None = None
+
+    def install(self) -> None:
+        """Make the API packages and message classes importable, and clocks of nodes simulated."""
+        if CURRENT.application is not None and CURRENT.application is not self:
+            raise RuntimeError("another ROS application is loaded in this process")
+        if CURRENT.application is None:
+            CURRENT.application = self
+            for folder in reversed([API, *self.folders]):
+                if str(folder) not in sys.path:
+                    sys.path.insert(0, str(folder))
+            MessageFinder(self.classes).install()
+            simulated_time.install()
+
+    def load(self, entry: str, environment: Mapping[str, str] | None = None, arguments: Iterable[str] = ()) -> None:
+        """Check the sources and import the entry; `arguments` are those of `main`, which may read them when imported.
+
+        The entry is `module:Class`, `module:function`, the name of a class in the package, or a Python file.
+        """
+        from sitaf_ros.source_check import check
+
+        problems = check(self.folders, self.classes.packages)
+        if problems:
+            raise RosLoadError(problems)
+        self.install()
+        os.environ.update(environment or {})
+        sys.argv = [self.package or "node", *arguments]
+        CURRENT.loading_thread = threading.get_ident()
+        try:
+            self._run = self._entry(entry)
+        except RosLoadError:
+            raise
+        except (ImportError, AttributeError, SyntaxError, DefinitionError) as e:
+            raise RosLoadError([f"{entry}: {type(e).__name__}: {e}"]) from e
+        finally:
+            CURRENT.loading_thread = None
+
+    def _entry(self, entry: str) -> Callable[[RosSettings], object]:
+        if entry.endswith(".py"):
+            return self._file(entry)
+        module_name, _, name = entry.rpartition(":")
+        if not module_name and "." in name:
+            module_name, _, name = name.rpartition(".")
+        if not module_name:
+            module_name = self._module_of(name)
+        module = importlib.import_module(module_name)
+        found: Any = module
+        for part in name.split("."):
+            if not hasattr(found, part):
+                raise RosLoadError([f"{entry}: module {module_name} has no `{part}`"])
+            found = getattr(found, part)
+        if isinstance(found, type):
+            return lambda settings: _spin(found)
+        return lambda settings: found()
+
+    def _file(self, entry: str) -> Callable[[RosSettings], object]:
+        candidates = [Path(entry), *(folder / entry for folder in self.folders)]
+        file = next((candidate for candidate in candidates if candidate.is_file()), None)
+        if file is None:
+            raise RosLoadError([f"{entry}: there is no such file in {', '.join(str(f) for f in self.folders)}"])
+        code = compile(file.read_text(encoding="utf-8"), str(file), "exec")
+
+        def run(settings: RosSettings) -> None:
+            module = type(sys)("__main__")
+            module.__file__ = str(file)
+            sys.modules["__main__"] = module
+            sys.path.insert(0, str(file.parent))
+            exec(code, module.__dict__)  # noqa: S102 -- the component under test
+
+        return run
+
+    def _module_of(self, name: str) -> str:
+        found: list[str] = []
+        for folder in self.folders:
+            for file in sorted(folder.rglob("*.py")):
+                tree = ast.parse(file.read_text(encoding="utf-8"))
+                if any(isinstance(node, ast.ClassDef | ast.FunctionDef) and node.name == name for node in tree.body):
+                    parts = [*file.relative_to(folder).with_suffix("").parts]
+                    found.append(".".join(parts[:-1] if parts[-1] == "__init__" else parts))
+        if len(found) != 1:
+            what = f"is in several modules: {', '.join(found)}" if found else "is in no module of the package"
+            raise RosLoadError([f"{name} {what}; write `module:{name}`"])
+        return found[0]
+
+    def start(self, settings: RosSettings) -> RosSystem:
+        """Begin a case in this process; its nodes are made in the first `run_until`."""
+        if self._run is None:
+            raise RuntimeError("call `load` before `start`")
+        run = self._run
+        self.install()
+        system = RosSystem(self, settings)
+        CURRENT.system, CURRENT.threads = system, system.threads
+        os.environ.update(settings.environment)
+        random.seed(settings.seed)
+        if "numpy" in sys.modules:
+            sys.modules["numpy"].random.seed(settings.seed % 2**32)
+        sys.stdin = system.stdin
+        if settings.arguments:
+            sys.argv = [self.package or "node", *settings.arguments]
+        system.begin(lambda: run(settings))
+        return system
+
+
+def _spin(node_class: Any) -> None:
+    """Make a node and spin it to the end of the case."""
+    rclpy: Any = importlib.import_module("rclpy")
+    rclpy.init()
+    node = node_class()
+    rclpy.spin(node)
