@@ -2,6 +2,7 @@ package org.sitaf.agent.build;
 
 import java.nio.file.Path;
 import org.sitaf.core.trajectory.Trace;
+import org.sitaf.core.verdict.CaseRecord;
 import org.sitaf.core.verdict.CaseResult;
 
 /**
@@ -13,6 +14,11 @@ public interface BuildListener {
 
   /** The build's log grew by these bytes of UTF-8. */
   void log(byte[] utf8);
+
+  /** The record of a case, before it has a result. */
+  default void caseRecorded(CaseRecord record) {
+    // Most listeners need the result only.
+  }
 
   /** A case has a result with its final verdict. */
   void caseFinished(CaseResult result);

@@ -293,7 +293,8 @@ public final class BuildRun {
             : execution.resolve("recording"),
         prepared.world(),
         application.timing(),
-        application.activity().profile().limits());
+        application.activity().profile().limits(),
+        settings.variation());
   }
 
   private Execution execute(
@@ -352,6 +353,7 @@ public final class BuildRun {
 
   private CaseResult judged(CaseRecord record, Function<CaseRecord, CaseResult> judge) {
     records.accept(record);
+    listener.caseRecorded(record);
     CaseResult result = judge.apply(record);
     finished.add(result);
     listener.caseFinished(result);

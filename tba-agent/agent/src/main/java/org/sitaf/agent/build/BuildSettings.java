@@ -18,6 +18,7 @@ import org.sitaf.agent.toolchain.Toolchains;
  * @param signals whether all signals of each case are reported to the listener
  * @param kept limits of the signals that are kept for a server; null for none
  * @param atMost limit for the duration of a build, regardless of its own limits
+ * @param variation of its processes; see {@link org.sitaf.agent.toolchain.ProcessPlace}
  */
 public record BuildSettings(
     Simulator simulator,
@@ -28,7 +29,8 @@ public record BuildSettings(
     @Nullable RecordingOrder recordings,
     boolean signals,
     @Nullable SignalLimits kept,
-    Duration atMost) {
+    Duration atMost,
+    int variation) {
   /** Default limit for the duration of a build. */
   public static final Duration DEFAULT_LIMIT = Duration.ofHours(12);
 
@@ -45,30 +47,54 @@ public record BuildSettings(
   /** Without recordings, and with the default limit. */
   public BuildSettings(
       Simulator simulator, Toolchains toolchains, Sandbox sandbox, boolean coverage, String agent) {
-    this(simulator, toolchains, sandbox, coverage, agent, null, false, null, DEFAULT_LIMIT);
+    this(simulator, toolchains, sandbox, coverage, agent, null, false, null, DEFAULT_LIMIT, 0);
   }
 
   /** The same settings with recordings. */
   public BuildSettings recording(RecordingOrder order) {
     return new BuildSettings(
-        simulator, toolchains, sandbox, coverage, agent, order, signals, kept, atMost);
+        simulator, toolchains, sandbox, coverage, agent, order, signals, kept, atMost, variation);
   }
 
   /** The same settings with the signals of each case. */
   public BuildSettings withSignals() {
     return new BuildSettings(
-        simulator, toolchains, sandbox, coverage, agent, recordings, true, kept, atMost);
+        simulator, toolchains, sandbox, coverage, agent, recordings, true, kept, atMost, variation);
   }
 
   /** The same settings with signals that are kept for a server. */
   public BuildSettings keeping(SignalLimits limits) {
     return new BuildSettings(
-        simulator, toolchains, sandbox, coverage, agent, recordings, signals, limits, atMost);
+        simulator,
+        toolchains,
+        sandbox,
+        coverage,
+        agent,
+        recordings,
+        signals,
+        limits,
+        atMost,
+        variation);
   }
 
   /** The same settings with another limit for the duration. */
   public BuildSettings within(Duration limit) {
     return new BuildSettings(
-        simulator, toolchains, sandbox, coverage, agent, recordings, signals, kept, limit);
+        simulator,
+        toolchains,
+        sandbox,
+        coverage,
+        agent,
+        recordings,
+        signals,
+        kept,
+        limit,
+        variation);
+  }
+
+  /** The same settings with another variation of the processes. */
+  public BuildSettings varied(int number) {
+    return new BuildSettings(
+        simulator, toolchains, sandbox, coverage, agent, recordings, signals, kept, atMost, number);
   }
 }

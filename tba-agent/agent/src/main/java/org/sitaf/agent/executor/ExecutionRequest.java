@@ -27,6 +27,7 @@ import org.sitaf.core.timing.Timing;
  * @param recording folder of the recordings of cases; created when needed; null for none
  * @param world null if the activity has none
  * @param timing how often the call of each case is repeated; null for never
+ * @param variation of the processes; see {@link org.sitaf.agent.toolchain.ProcessPlace}
  */
 public record ExecutionRequest(
     CompiledApplication application,
@@ -39,7 +40,8 @@ public record ExecutionRequest(
     @Nullable Path recording,
     @Nullable World world,
     @Nullable Timing timing,
-    Limits limits) {
+    Limits limits,
+    int variation) {
   public ExecutionRequest {
     Objects.requireNonNull(application);
     Objects.requireNonNull(sandbox);
@@ -71,7 +73,8 @@ public record ExecutionRequest(
         recording == null ? null : recordingOfShard(recording, number),
         world,
         timing,
-        limits);
+        limits,
+        variation);
   }
 
   /**
@@ -93,7 +96,8 @@ public record ExecutionRequest(
         null,
         world,
         null,
-        limits);
+        limits,
+        variation);
   }
 
   private static Path written(TestSuite suite, Path folder) throws IOException {

@@ -95,7 +95,7 @@ final class HarnessProcess implements AutoCloseable {
     Path temporary = Files.createDirectories(request.directory().resolve("tmp"));
     Path coverage = application.recordsCoverage() ? request.newCoverageFolder() : null;
     int memoryMiB = request.limits().memoryMiB();
-    ProcessPlace place = new ProcessPlace(temporary, coverage, memoryMiB);
+    ProcessPlace place = new ProcessPlace(temporary, coverage, memoryMiB, request.variation());
     List<String> command = new ArrayList<>(application.command(place));
     SimulatorAddress simulator = endpoint == null ? null : new SimulatorAddress(endpoint.target());
     command.addAll(arguments(request, fromCase, simulator));

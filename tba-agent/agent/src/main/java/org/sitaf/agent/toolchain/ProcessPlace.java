@@ -1,6 +1,7 @@
 package org.sitaf.agent.toolchain;
 
 import java.nio.file.Path;
+import java.util.Map;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
@@ -11,9 +12,24 @@ import org.jspecify.annotations.Nullable;
  * @param coverage absolute, writable folder for the coverage data of this process only; null if
  *     coverage is off
  * @param memoryMiB memory limit of the component
+ * @param variation changes what the results of a correct component do not depend on, as far as the
+ *     language allows it: the order of hashes and the content of allocated memory; 0 for the
+ *     defaults
  */
-public record ProcessPlace(Path temporary, @Nullable Path coverage, int memoryMiB) {
+public record ProcessPlace(Path temporary, @Nullable Path coverage, int memoryMiB, int variation) {
+  private static final int BYTE_VALUES = 255;
+
   public ProcessPlace {
     Objects.requireNonNull(temporary);
+    if (variation < 0) {
+      throw new IllegalArgumentException("variation must be at least 0, not " + variation);
+    }
+  }
+
+  /** Environment variables that let the C library fill memory that it allocates; may be empty. */
+  public Map<String, String> memoryFill() {
+    return variation == 0
+        ? Map.of()
+        : Map.of("MALLOC_PERTURB_", Integer.toString(1 + variation % BYTE_VALUES));
   }
 }

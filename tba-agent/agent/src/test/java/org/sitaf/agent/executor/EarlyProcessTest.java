@@ -98,7 +98,8 @@ class EarlyProcessTest {
         null,
         null,
         null,
-        application.activity().profile().limits());
+        application.activity().profile().limits(),
+        0);
   }
 
   private static List<Path> classesIn(Path folder) throws IOException {

@@ -48,7 +48,7 @@ record CppApplication(
 
   @Override
   public Map<String, String> environment(ProcessPlace place) {
-    Map<String, String> environment = new HashMap<>();
+    Map<String, String> environment = new HashMap<>(place.memoryFill());
     // A library of the component may need another one of its libraries.
     environment.put("LD_LIBRARY_PATH", runtime + ":" + folder.resolve(LIBRARIES));
     Path coverage = place.coverage();

@@ -35,6 +35,12 @@ record JavaApplication(
   /** Memory for metaspace, code, stacks and the garbage collector. */
   private static final int OVERHEAD_MIB = 256;
 
+  /**
+   * How HotSpot computes identity hash codes: per thread (its default), random, ascending, or from
+   * the address.
+   */
+  private static final List<Integer> IDENTITY_HASHES = List.of(5, 0, 3, 1);
+
   JavaApplication {
     classPath = List.copyOf(classPath);
   }
@@ -53,6 +59,11 @@ record JavaApplication(
       // The JVM silently ignores an archive of another Java version.
       command.add("-Xlog:cds=off");
       command.add("-Xlog:cds+dynamic=off");
+    }
+    if (place.variation() > 0) {
+      command.add("-XX:+UnlockExperimentalVMOptions");
+      command.add(
+          "-XX:hashCode=" + IDENTITY_HASHES.get(place.variation() % IDENTITY_HASHES.size()));
     }
     command.add("-XX:-UsePerfData");
     command.add("-XX:-CreateCoredumpOnCrash");

@@ -4,6 +4,7 @@ import java.io.File;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -58,19 +59,22 @@ record PythonApplication(
 
   @Override
   public Map<String, String> environment(ProcessPlace place) {
-    return Map.of(
-        // Not PYTHONPATH: the runtime decides when modules of the component are loaded.
-        "SITAF_PYTHONPATH",
-        path.stream().map(Path::toString).collect(Collectors.joining(File.pathSeparator)),
-        // Unbuffered, so that a component's output is complete when it ends the process.
-        "PYTHONUNBUFFERED",
-        "1",
-        "PYTHONDONTWRITEBYTECODE",
-        "1",
-        "PYTHONHASHSEED",
-        "0",
-        "PYTHONUTF8",
-        "1");
+    Map<String, String> environment = new HashMap<>(place.memoryFill());
+    environment.putAll(
+        Map.of(
+            // Not PYTHONPATH: the runtime decides when modules of the component are loaded.
+            "SITAF_PYTHONPATH",
+            path.stream().map(Path::toString).collect(Collectors.joining(File.pathSeparator)),
+            // Unbuffered, so that a component's output is complete when it ends the process.
+            "PYTHONUNBUFFERED",
+            "1",
+            "PYTHONDONTWRITEBYTECODE",
+            "1",
+            "PYTHONHASHSEED",
+            Integer.toString(place.variation()),
+            "PYTHONUTF8",
+            "1"));
+    return environment;
   }
 
   @Override

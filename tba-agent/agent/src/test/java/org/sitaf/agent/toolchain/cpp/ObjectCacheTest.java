@@ -124,7 +124,7 @@ class ObjectCacheTest {
   }
 
   private static int run(CompiledApplication compiled, Path build) throws Exception {
-    ProcessPlace place = new ProcessPlace(build, null, 128);
+    ProcessPlace place = new ProcessPlace(build, null, 128, 0);
     ProcessBuilder program = new ProcessBuilder(compiled.command(place));
     program.environment().putAll(compiled.environment(place));
     program.directory(build.toFile());
