@@ -8,10 +8,15 @@ import java.util.Objects;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.activity.ActivityProfile.Component;
+import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.InterfaceDescription;
+import org.sitaf.core.description.MemberPath;
+import org.sitaf.core.description.Method;
+import org.sitaf.core.description.Parameter;
 import org.sitaf.core.description.WorldDescription;
 import org.sitaf.core.description.source.ComponentDescription.Port;
 import org.sitaf.core.diagnostic.Diagnostic;
+import org.sitaf.core.model.OutputElement;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.suite.TestCaseGenerator;
 
@@ -117,6 +122,33 @@ public record Activity(
   /** The output data port of an observed output. */
   public Optional<Port.Data> outputPort(String output) {
     return OutputPorts.named(outputPorts, output);
+  }
+
+  /**
+   * The type of an output of a model's target: as the model says, else as the interface declares;
+   * {@link DataType.Unknown} if neither knows the output.
+   */
+  public DataType outputType(TestModel model, String output) {
+    Optional<DataType> inModel =
+        model.output(output).map(OutputElement::type).filter(t -> !(t instanceof DataType.Unknown));
+    if (inModel.isPresent()) {
+      return inModel.get();
+    }
+    DataType unknown = new DataType.Unknown(output);
+    try {
+      Method method = TargetMethod.find(model, provided).method();
+      String root = MemberPath.root(output);
+      Optional<DataType> whole =
+          root.equals(OutputElement.RETURN_NAME)
+              ? Optional.of(method.returnType())
+              : method.parameters().stream()
+                  .filter(p -> p.name().equals(root))
+                  .map(Parameter::type)
+                  .findFirst();
+      return whole.flatMap(type -> MemberPath.resolve(type, output)).orElse(unknown);
+    } catch (IllegalArgumentException e) {
+      return unknown;
+    }
   }
 
   /** Finds a model by name. */

@@ -52,6 +52,12 @@ public record OutputElement(
     this(name, kind, realType, type, description, expected, List.of(), tolerance, line, line);
   }
 
+  /** A copy without an expected value. */
+  public OutputElement withoutExpected() {
+    return new OutputElement(
+        name, kind, realType, type, description, null, List.of(), tolerance, line, expectedLine);
+  }
+
   /** A copy with another resolved type. */
   public OutputElement withType(DataType resolved) {
     return new OutputElement(

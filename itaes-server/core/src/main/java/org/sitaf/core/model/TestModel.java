@@ -78,6 +78,29 @@ public record TestModel(
     return copy(constants, inputs, outputs, List.of(), timing);
   }
 
+  /** A copy that only describes the calls: without definitions, conditions and kept cases. */
+  public TestModel withoutConditions() {
+    return new TestModel(
+        name,
+        description,
+        target,
+        List.of(),
+        constants,
+        List.of(),
+        inputs,
+        outputs,
+        List.of(),
+        List.of(),
+        List.of(),
+        invalidValues,
+        strength,
+        mixedStrengths,
+        List.of(),
+        maxCases,
+        null,
+        source);
+  }
+
   /** A copy without repeated calls. */
   public TestModel withoutTiming() {
     return copy(constants, inputs, outputs, relations, null);

@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.regex.Pattern;
 
 /** Parses literals of values (docs/test-application.md, Values). */
-final class Literals {
+public final class Literals {
   private static final Pattern NUMBER =
       Pattern.compile("[-+]?(?:\\d+\\.?\\d*|\\.\\d+)(?:[eE][-+]?\\d{1,9})?");
 
@@ -22,11 +22,11 @@ final class Literals {
 
   private Literals() {}
 
-  static boolean isSequence(String literal) {
+  public static boolean isSequence(String literal) {
     return isBetween(literal, '[', ']');
   }
 
-  static boolean isStruct(String literal) {
+  public static boolean isStruct(String literal) {
     return isBetween(literal, '{', '}');
   }
 
@@ -55,14 +55,14 @@ final class Literals {
   }
 
   /** A number in decimal, an infinity or NaN. */
-  static boolean isReal(String literal) {
+  public static boolean isReal(String literal) {
     String text = literal.strip();
     return text.length() <= MAX_NUMBER
         && (NUMBER.matcher(text).matches() || !Double.isNaN(special(text)) || isNan(text));
   }
 
   /** The number of a literal for which {@link #isReal} holds. */
-  static double real(String literal) {
+  public static double real(String literal) {
     String text = literal.strip();
     return NUMBER.matcher(text).matches() ? Double.parseDouble(text) : special(text);
   }
@@ -81,7 +81,7 @@ final class Literals {
   }
 
   /** The elements of {@code [a, b]}, strings without their quotes. */
-  static List<String> elements(String literal) {
+  public static List<String> elements(String literal) {
     List<String> elements = new ArrayList<>();
     parts(literal, '[', ']', "a sequence such as [1, 2]")
         .forEach(part -> elements.add(unquoted(part)));
@@ -89,7 +89,7 @@ final class Literals {
   }
 
   /** The members of <code>{x: 1.0, y: 2.0}</code> in their order, strings without their quotes. */
-  static Map<String, String> members(String literal) {
+  public static Map<String, String> members(String literal) {
     Map<String, String> members = new LinkedHashMap<>();
     for (String part : parts(literal, '{', '}', "a struct such as {x: 1.0, y: 2.0}")) {
       int colon = part.indexOf(':');

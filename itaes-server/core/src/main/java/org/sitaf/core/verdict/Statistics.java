@@ -5,7 +5,7 @@ import org.jspecify.annotations.Nullable;
 import org.sitaf.core.model.Value;
 
 /** Computes the summary of a result. */
-final class Statistics {
+public final class Statistics {
   private Statistics() {}
 
   /**
@@ -14,7 +14,7 @@ final class Statistics {
    * @param postConditions whether the model has any; if not, a case without expected values and
    *     relations is counted as unjudged
    */
-  static Summary of(List<CaseResult> cases, boolean postConditions) {
+  public static Summary of(List<CaseResult> cases, boolean postConditions) {
     int pass = count(cases, Verdict.PASS);
     int unjudged =
         postConditions
