@@ -34,7 +34,7 @@ import org.sitaf.core.verdict.CaseResult;
 import org.sitaf.core.verdict.TestResult;
 
 /** Runs builds on this machine, with their own simulations; leaves no files. */
-final class LocalBuilds implements AutoCloseable {
+public final class LocalBuilds implements AutoCloseable {
   /** Limit for recordings, the same as in a test application. */
   private static final long RECORDED_BYTES = 64L << 20;
 
@@ -51,7 +51,7 @@ final class LocalBuilds implements AutoCloseable {
    *
    * @param withWorld number of builds that need a simulation
    */
-  LocalBuilds(
+  public LocalBuilds(
       Installation installation,
       Sandbox sandbox,
       boolean coverage,
@@ -71,7 +71,7 @@ final class LocalBuilds implements AutoCloseable {
   }
 
   /** A description of the sandbox, or the reason why there is none. */
-  String sandbox() {
+  public String sandbox() {
     return settings.sandbox().description();
   }
 
@@ -89,6 +89,21 @@ final class LocalBuilds implements AutoCloseable {
         new PrintStream(OutputStream.nullOutputStream(), false, UTF_8));
   }
 
+  /**
+   * Runs a test application and hands over what is recorded of each case.
+   *
+   * @param variation of its processes; see {@link org.sitaf.agent.toolchain.ProcessPlace}
+   * @param observer receives the records and signals of the cases, in any thread
+   */
+  public BuildOutcome observe(
+      Activity activity, TestModel model, TestSuite suite, int variation, CaseObserver observer) {
+    settings.toolchains().startAhead(activity.profile().harness(), settings.sandbox());
+    return start(
+        InterfaceTestApplicationGenerator.generate(activity, model, suite),
+        settings.withSignals().varied(variation),
+        observer);
+  }
+
   private BuildOutcome run(
       Activity activity, TestModel model, TestSuite suite, PrintStream messages) {
     // Starts a compiler while the simulation starts.
@@ -97,25 +112,33 @@ final class LocalBuilds implements AutoCloseable {
       progress.step(model.name() + ": generating the test application");
       TestApplication application =
           InterfaceTestApplicationGenerator.generate(activity, model, suite);
-      BuildRun run =
-          new BuildRun(
-              application,
-              directory.resolve("build-" + count.incrementAndGet()),
-              settings(model),
-              new Steps(model.name(), suite.cases().size(), progress, folders.signalsOf(model)));
-      current.set(run);
-      BuildOutcome outcome = run.run();
-      finished =
-          outcome instanceof BuildOutcome.Cancelled
-              ? run.finished("interrupted").orElse(null)
-              : null;
-      return outcome;
+      return start(
+          application,
+          settings(model),
+          new Steps(model.name(), suite.cases().size(), progress, folders.signalsOf(model)));
     }
+  }
+
+  private BuildOutcome start(
+      TestApplication application, BuildSettings settings, BuildListener listener) {
+    BuildRun run =
+        new BuildRun(
+            application, directory.resolve("build-" + count.incrementAndGet()), settings, listener);
+    current.set(run);
+    BuildOutcome outcome = run.run();
+    finished =
+        outcome instanceof BuildOutcome.Cancelled ? run.finished("interrupted").orElse(null) : null;
+    return outcome;
   }
 
   /** The finished cases of the last build if it was cancelled while its cases ran. */
   Optional<TestResult> finishedOfCancelled() {
     return Optional.ofNullable(finished);
+  }
+
+  /** A folder for files that are deleted with the builds. */
+  public Path folder(String name) throws IOException {
+    return Files.createDirectories(directory.resolve(name));
   }
 
   private BuildSettings settings(TestModel model) {
@@ -162,9 +185,28 @@ final class LocalBuilds implements AutoCloseable {
    * @param signals folder of signals; null for none
    * @param severalModels whether each model has its own folder of signals
    */
-  record OutputFolders(@Nullable Path recordings, @Nullable Path signals, boolean severalModels) {
+  public record OutputFolders(
+      @Nullable Path recordings, @Nullable Path signals, boolean severalModels) {
     @Nullable Path signalsOf(TestModel model) {
       return signals == null || !severalModels ? signals : signals.resolve(model.name());
+    }
+  }
+
+  /** Receives what is recorded of each case. */
+  public interface CaseObserver extends BuildListener {
+    @Override
+    default void stage(BuildStage stage) {
+      // The command shows its own progress.
+    }
+
+    @Override
+    default void log(byte[] utf8) {
+      // The output of a component is not printed.
+    }
+
+    @Override
+    default void recorded(int no, Path recording) {
+      // Nothing is recorded.
     }
   }
 

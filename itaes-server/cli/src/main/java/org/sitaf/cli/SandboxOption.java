@@ -6,7 +6,7 @@ import org.sitaf.agent.sandbox.SandboxMode;
 import picocli.CommandLine.Option;
 
 /** The sandbox of commands that execute a component. */
-final class SandboxOption {
+public final class SandboxOption {
   @Option(
       names = "--sandbox",
       paramLabel = "MODE",
@@ -16,7 +16,8 @@ final class SandboxOption {
               + " off; default: ${DEFAULT-VALUE}.")
   private SandboxMode mode = SandboxMode.AUTO;
 
-  Sandbox open() throws IOException {
+  /** Opens the sandbox. */
+  public Sandbox open() throws IOException {
     return mode.open();
   }
 }

@@ -3,7 +3,7 @@ package org.sitaf.cli;
 import picocli.CommandLine.Option;
 
 /** The seed of commands that generate test cases. */
-final class SeedOption {
+public final class SeedOption {
   @Option(
       names = "--seed",
       paramLabel = "S",
@@ -11,7 +11,8 @@ final class SeedOption {
       description = "Seed of all random numbers (default: ${DEFAULT-VALUE}).")
   private long seed = 1;
 
-  long value() {
+  /** The seed. */
+  public long value() {
     return seed;
   }
 }

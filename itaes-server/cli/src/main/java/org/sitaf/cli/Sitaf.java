@@ -2,6 +2,7 @@ package org.sitaf.cli;
 
 import java.io.PrintWriter;
 import java.io.UncheckedIOException;
+import org.sitaf.cli.compare.CompareCommand;
 import org.sitaf.cli.system.DemoCommand;
 import org.sitaf.cli.system.UpCommand;
 import org.sitaf.core.diagnostic.Diagnostic;
@@ -22,6 +23,7 @@ import picocli.CommandLine.ExitCode;
       HarnessCommand.class,
       RunCommand.class,
       FalsifyCommand.class,
+      CompareCommand.class,
       DemoCommand.class,
       UpCommand.class
     })
@@ -30,7 +32,7 @@ public final class Sitaf {
   private static final int STOPPED = 130;
 
   /** The input is invalid, or nothing ran. */
-  static final int UNUSABLE = 2;
+  public static final int UNUSABLE = 2;
 
   private Sitaf() {}
 
@@ -71,7 +73,8 @@ public final class Sitaf {
     }
   }
 
-  static void print(Iterable<Diagnostic> diagnostics, PrintWriter err) {
+  /** Prints problems of the user's files, one line each. */
+  public static void print(Iterable<Diagnostic> diagnostics, PrintWriter err) {
     diagnostics.forEach(d -> err.println(Printable.lines(d.toString(), "  ")));
     err.flush();
   }

@@ -34,7 +34,7 @@ import org.sitaf.core.suite.document.TestSuiteXml;
  * the model with its resolved types, the options, and the files of the generator. Files are added
  * and removed by renaming, so processes share the folder without locks.
  */
-final class SuiteCache {
+public final class SuiteCache {
   private static final int MAX_CASES = 20_000;
   private static final LeastRecentlyUsed BOUNDS = new LeastRecentlyUsed(256L << 20, 200);
   private static final int MAX_BYTES = 64 << 20;
@@ -42,7 +42,8 @@ final class SuiteCache {
 
   private final Path folder;
 
-  SuiteCache(Path folder) {
+  /** Uses a folder, which is created if missing. */
+  public SuiteCache(Path folder) {
     this.folder = folder;
   }
 
@@ -51,7 +52,7 @@ final class SuiteCache {
    *
    * @throws org.sitaf.core.diagnostic.InvalidInputException as the generator
    */
-  GeneratedSuite generate(TestModel model, GenerationOptions options) {
+  public GeneratedSuite generate(TestModel model, GenerationOptions options) {
     Path file = folder.resolve(key(model, options) + SUFFIX);
     Optional<GeneratedSuite> known = read(file);
     if (known.isPresent()) {

@@ -72,7 +72,7 @@ public final class UserFiles {
    * @param option the option that names it
    * @throws InvalidInputException when it is a folder, or its folder cannot be written to
    */
-  static void requireWritableFile(String option, Path file) {
+  public static void requireWritableFile(String option, Path file) {
     if (Files.isDirectory(file)) {
       throw InvalidInputException.of(option + " " + file, "is a folder; name a file");
     }

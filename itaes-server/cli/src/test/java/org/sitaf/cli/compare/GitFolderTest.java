@@ -1,0 +1,134 @@
+package org.sitaf.cli.compare;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import org.eclipse.jgit.dircache.DirCache;
+import org.eclipse.jgit.dircache.DirCacheEntry;
+import org.eclipse.jgit.internal.storage.file.FileRepository;
+import org.eclipse.jgit.lib.CommitBuilder;
+import org.eclipse.jgit.lib.FileMode;
+import org.eclipse.jgit.lib.ObjectId;
+import org.eclipse.jgit.lib.ObjectInserter;
+import org.eclipse.jgit.lib.PersonIdent;
+import org.eclipse.jgit.lib.RefUpdate;
+import org.eclipse.jgit.lib.Repository;
+import org.eclipse.jgit.storage.file.FileRepositoryBuilder;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.sitaf.core.activity.FileTree;
+import org.sitaf.core.diagnostic.InvalidInputException;
+
+class GitFolderTest {
+  @TempDir private Path directory;
+
+  private Repository repository;
+
+  @BeforeEach
+  void createRepository() throws IOException {
+    repository = new FileRepositoryBuilder().setWorkTree(directory.toFile()).build();
+    assertThat(repository).isInstanceOf(FileRepository.class);
+    repository.create();
+  }
+
+  @AfterEach
+  void closeRepository() {
+    repository.close();
+  }
+
+  private void commit(Object... pathModeContent) throws IOException {
+    try (ObjectInserter inserter = repository.newObjectInserter()) {
+      DirCache index = DirCache.newInCore();
+      var builder = index.builder();
+      for (int i = 0; i < pathModeContent.length; i += 3) {
+        DirCacheEntry entry = new DirCacheEntry((String) pathModeContent[i]);
+        entry.setFileMode((FileMode) pathModeContent[i + 1]);
+        entry.setObjectId(
+            FileMode.GITLINK.equals(entry.getRawMode())
+                ? ObjectId.fromString("1234567890123456789012345678901234567890")
+                : inserter.insert(3, ((String) pathModeContent[i + 2]).getBytes(UTF_8)));
+        builder.add(entry);
+      }
+      builder.finish();
+      CommitBuilder commit = new CommitBuilder();
+      commit.setTreeId(index.writeTree(inserter));
+      PersonIdent person = new PersonIdent("t", "t@example.org", 0, 0);
+      commit.setAuthor(person);
+      commit.setCommitter(person);
+      ObjectId id = inserter.insert(commit);
+      inserter.flush();
+      RefUpdate update = repository.updateRef("HEAD");
+      update.setNewObjectId(id);
+      update.forceUpdate();
+    }
+  }
+
+  private String problem(String folder, String revision) {
+    try {
+      GitFolder.read(directory.resolve(folder), revision);
+      throw new AssertionError("was read");
+    } catch (InvalidInputException e) {
+      return String.valueOf(e.getMessage());
+    }
+  }
+
+  @Test
+  void readsTheFilesOfAFolderThatIsNotCheckedOut() throws IOException {
+    commit(
+        "a/arm/activity.yaml",
+        FileMode.REGULAR_FILE,
+        "name: arm",
+        "a/arm/component/.cache",
+        FileMode.REGULAR_FILE,
+        "",
+        "a/arm/component/arm.py",
+        FileMode.EXECUTABLE_FILE,
+        "pass",
+        "b/other",
+        FileMode.REGULAR_FILE,
+        "");
+    FileTree files = GitFolder.read(directory.resolve("a/arm"), "HEAD");
+    assertThat(files.paths()).containsExactly("activity.yaml", "component/arm.py");
+    assertThat(files.text("activity.yaml")).contains("name: arm");
+    assertThat(GitFolder.read(directory, "HEAD").paths()).contains("b/other");
+  }
+
+  @Test
+  void refusesWhatTheRepositoryDoesNotHold() throws IOException {
+    commit(
+        "link/file",
+        FileMode.SYMLINK,
+        "/etc/passwd",
+        "module/part",
+        FileMode.GITLINK,
+        "",
+        "lfs/mesh.stl",
+        FileMode.REGULAR_FILE,
+        "version https://git-lfs.github.com/spec/v1\noid x");
+    assertThat(problem("link", "HEAD")).contains("file is a link");
+    assertThat(problem("module", "HEAD")).contains("part is a submodule");
+    assertThat(problem("lfs", "HEAD")).contains("mesh.stl is kept in Git LFS");
+    assertThat(problem("missing", "HEAD")).contains("missing does not exist at this revision");
+    assertThat(problem("lfs/mesh.stl", "HEAD")).contains("does not exist at this revision");
+  }
+
+  @Test
+  void refusesRevisionsThatDoNotExist() throws IOException {
+    commit("a/file", FileMode.REGULAR_FILE, "");
+    for (String revision : new String[] {"nowhere", "HEAD~1", "-x", "--upload-pack=x", "^^^{"}) {
+      assertThat(problem("a", revision)).contains("is no revision of the repository");
+    }
+  }
+
+  @Test
+  void refusesAFolderOutsideOfARepository(@TempDir Path other) {
+    assertThatThrownBy(() -> GitFolder.read(other, "HEAD"))
+        .isInstanceOf(InvalidInputException.class)
+        .hasMessageContaining("is not in a Git repository");
+  }
+}
