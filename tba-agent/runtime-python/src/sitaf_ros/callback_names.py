@@ -11,4 +11,6 @@ def callback_name(callback: Any) -> str:
     while isinstance(callback, functools.partial):
         callback = callback.func
     name = getattr(callback, "__qualname__", None) or type(callback).__qualname__
-    return name.replace("<locals>.", "")
+    code = getattr(callback, "__code__", None)
+    line = f" (line {code.co_firstlineno})" if "<lambda>" in name and code is not None else ""
+    return name.replace("<locals>.", "") + line
