@@ -69,6 +69,6 @@ class AuthoringController {
               content =
                   @Content(mediaType = ZIP, schema = @Schema(type = "string", format = "binary"))))
   CheckView check(@Parameter(hidden = true) HttpServletRequest request) throws IOException {
-    return uploads.unpack(request, CheckView::of);
+    return uploads.unpack(request, files -> CheckView.of(files, activities));
   }
 }

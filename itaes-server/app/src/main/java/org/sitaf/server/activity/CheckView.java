@@ -14,9 +14,9 @@ record CheckView(
     @Schema(description = "errors and warnings") List<DiagnosticView> diagnostics,
     @Schema(description = "absent if there are errors") @Nullable DescriptionView description) {
 
-  static CheckView of(FileTree files) {
+  static CheckView of(FileTree files, StoredActivities activities) {
     try {
-      Activity activity = Activity.read(files);
+      Activity activity = activities.read(files);
       return new CheckView(
           activity.warnings().stream().map(DiagnosticView::of).toList(),
           DescriptionView.of(activity));

@@ -33,6 +33,7 @@ public class StoredActivities {
 
   private final StoredActivityRepository activities;
   private final StoredFiles contents;
+  private final RosPackages packages;
   private final Quotas quotas;
   private final TransactionTemplate transaction;
   private final ApplicationEventPublisher events;
@@ -41,12 +42,14 @@ public class StoredActivities {
   StoredActivities(
       StoredActivityRepository activities,
       StoredFiles contents,
+      RosPackages packages,
       Quotas quotas,
       TransactionTemplate transaction,
       ApplicationEventPublisher events,
       Clock clock) {
     this.activities = activities;
     this.contents = contents;
+    this.packages = packages;
     this.quotas = quotas;
     this.transaction = transaction;
     this.events = events;
@@ -59,7 +62,12 @@ public class StoredActivities {
    * @throws RequestException if there is no activity with this id
    */
   public Activity activity(String id) {
-    return Activity.read(contents.load(files(id)));
+    return packages.read(contents.load(files(id)));
+  }
+
+  /** Reads an activity that is not stored. */
+  Activity read(FileTree files) {
+    return packages.read(files);
   }
 
   /**
@@ -101,7 +109,7 @@ public class StoredActivities {
    * @throws org.sitaf.core.diagnostic.InvalidInputException if it has errors
    */
   String create(FileTree tree) {
-    Activity activity = Activity.read(tree);
+    Activity activity = packages.read(tree);
     String id = UUID.randomUUID().toString();
     return quotas.storing(
         tree,
@@ -207,7 +215,7 @@ public class StoredActivities {
 
   /** Replaces the files of an activity. */
   void replace(String id, FileTree tree, Requests.Expected expected) {
-    Activity activity = Activity.read(tree);
+    Activity activity = packages.read(tree);
     quotas.storing(
         tree,
         id,

@@ -67,6 +67,7 @@ record HarnessFile(
         activity.outputPorts(),
         activity.world(),
         activity.models(),
+        activity.ros(),
         activity.warnings());
   }
 

@@ -9,6 +9,7 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.activity.ActivityProfile.Component;
 import org.sitaf.core.description.DataType;
+import org.sitaf.core.activity.ros.RosInterfaces;
 import org.sitaf.core.description.InterfaceDescription;
 import org.sitaf.core.description.MemberPath;
 import org.sitaf.core.description.Method;
@@ -26,6 +27,7 @@ import org.sitaf.core.suite.TestCaseGenerator;
  * @param files all files, including {@code activity.yaml}
  * @param outputPorts output data ports declared in the component's profile
  * @param world null if the component needs no simulation
+ * @param ros topics of a ROS 2 node; null for any other component
  * @param warnings problems that do not prevent the use of the activity
  */
 public record Activity(
@@ -36,7 +38,10 @@ public record Activity(
     List<Port.Data> outputPorts,
     @Nullable WorldDescription world,
     List<TestModel> models,
+    @Nullable RosInterfaces ros,
     List<Diagnostic> warnings) {
+  private static final FileTree NO_PACKAGES = FileTree.of(Map.of());
+
   public Activity {
     Objects.requireNonNull(profile);
     Objects.requireNonNull(files);
@@ -53,7 +58,18 @@ public record Activity(
    * @throws org.sitaf.core.diagnostic.InvalidInputException with all problems of all documents
    */
   public static Activity read(FileTree files) {
-    return new ActivityReader(files).read();
+    return read(files, NO_PACKAGES);
+  }
+
+  /**
+   * Reads and verifies an activity.
+   *
+   * @param packages interface files of a ROS 2 release by {@code PACKAGE/msg/NAME.msg}, which the
+   *     activity can use without containing them
+   * @throws org.sitaf.core.diagnostic.InvalidInputException with all problems of all documents
+   */
+  public static Activity read(FileTree files, FileTree packages) {
+    return new ActivityReader(files, packages).read();
   }
 
   /**
@@ -62,7 +78,7 @@ public record Activity(
    * @throws org.sitaf.core.diagnostic.InvalidInputException with all problems of all documents
    */
   public static Activity readWithoutComponent(FileTree files) {
-    return new ActivityReader(files).readWithoutComponent();
+    return new ActivityReader(files, NO_PACKAGES).readWithoutComponent();
   }
 
   /**
@@ -98,7 +114,15 @@ public record Activity(
   /** The same activity without repeated calls, unless a model orders them. */
   public Activity withoutTiming() {
     return new Activity(
-        profile.withoutTiming(), files, provided, required, outputPorts, world, models, warnings);
+        profile.withoutTiming(),
+        files,
+        provided,
+        required,
+        outputPorts,
+        world,
+        models,
+        ros,
+        warnings);
   }
 
   private Activity with(ActivityProfile other, List<String> hidden) {
@@ -110,13 +134,23 @@ public record Activity(
       }
     }
     return new Activity(
-        other, FileTree.of(visible), provided, required, outputPorts, world, models, warnings);
+        other, FileTree.of(visible), provided, required, outputPorts, world, models, ros, warnings);
   }
 
   private static boolean isBelow(String path, List<String> folders) {
     return folders.stream()
         .map(folder -> folder.endsWith("/") ? folder : folder + "/")
         .anyMatch(path::startsWith);
+  }
+
+  /** The interfaces whose calls a test application records: the required ones, and the topics. */
+  public List<InterfaceDescription> recorded() {
+    if (ros == null) {
+      return required;
+    }
+    List<InterfaceDescription> recorded = new ArrayList<>(required);
+    recorded.add(ros.messages());
+    return recorded;
   }
 
   /** The output data port of an observed output. */

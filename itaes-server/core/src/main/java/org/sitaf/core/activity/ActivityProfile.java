@@ -9,6 +9,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.core.activity.ros.RosNode;
 import org.sitaf.core.timing.Timing;
 
 /**
@@ -26,6 +27,7 @@ import org.sitaf.core.timing.Timing;
  * @param parallel whether cases may run in several simulations at once
  * @param timing how often the call of each case is repeated, unless the model says; null for never
  * @param sanitizers with which a C++ component and its test application are compiled
+ * @param ros what only ROS 2 nodes have; null for any other component
  */
 public record ActivityProfile(
     String name,
@@ -42,6 +44,7 @@ public record ActivityProfile(
     boolean parallel,
     Set<Sanitizer> sanitizers,
     @Nullable Timing timing,
+    @Nullable RosNode ros,
     Limits limits) {
   public ActivityProfile {
     Objects.requireNonNull(name);
@@ -101,6 +104,7 @@ public record ActivityProfile(
         parallel,
         newSanitizers,
         newTiming,
+        ros,
         limits);
   }
 

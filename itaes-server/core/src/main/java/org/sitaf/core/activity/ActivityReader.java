@@ -9,6 +9,8 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.core.activity.ros.RosInterfaces;
+import org.sitaf.core.activity.ros.RosNode;
 import org.sitaf.core.description.InterfaceDescription;
 import org.sitaf.core.description.WorldDescription;
 import org.sitaf.core.description.WorldReader;
@@ -35,10 +37,15 @@ final class ActivityReader {
   private static final int MAX_DOCUMENTS = 500;
 
   private final FileTree files;
+
+  /** Interface files of a ROS 2 release. */
+  private final FileTree packages;
+
   private final Diagnostics diagnostics = new Diagnostics();
 
-  ActivityReader(FileTree files) {
+  ActivityReader(FileTree files, FileTree packages) {
     this.files = files;
+    this.packages = packages;
   }
 
   Activity read() {
@@ -61,11 +68,13 @@ final class ActivityReader {
     requireFew("models", profile.models());
     requireFew("provided", profile.provided());
     requireFew("required", profile.required());
-    List<InterfaceDescription> provided = interfaces(profile.provided(), "provided", profile);
+    WorldDescription world = world(profile.world());
+    List<InterfaceDescription> services = interfaces(profile.provided(), "provided", profile);
+    RosInterfaces ros = profile.ros() == null ? null : ros(profile, profile.ros(), world);
+    List<InterfaceDescription> provided = ros == null ? services : ros.provided(services);
     List<InterfaceDescription> required = interfaces(profile.required(), "required", profile);
     List<Port.Data> outputPorts =
         OutputPorts.read(files, profile.provided(), profile.component().profile(), diagnostics);
-    WorldDescription world = world(profile.world());
     List<TestModel> models =
         models(profile.models()).stream()
             .map(m -> InterfaceTypes.resolve(m, provided, required, outputPorts))
@@ -82,7 +91,31 @@ final class ActivityReader {
     }
     diagnostics.throwIfErrors();
     return new Activity(
-        profile, files, provided, required, outputPorts, world, models, diagnostics.all());
+        profile, files, provided, required, outputPorts, world, models, ros, diagnostics.all());
+  }
+
+  private RosInterfaces ros(
+      ActivityProfile profile, RosNode node, @Nullable WorldDescription world) {
+    String sources = profile.component().sources();
+    FileTree component = files.below(sources == null ? "" : sources);
+    List<String> texts =
+        component.paths().stream()
+            .filter(path -> path.endsWith(".py"))
+            .map(path -> component.text(path).orElseThrow())
+            .toList();
+    Set<String> used = new HashSet<>();
+    for (List<String> paths : List.of(profile.provided(), profile.required())) {
+      paths.stream()
+          .filter(path -> path.indexOf('/') > 0)
+          .forEach(path -> used.add(path.substring(0, path.indexOf('/'))));
+    }
+    Map<String, byte[]> installed = new HashMap<>();
+    packages.paths().forEach(path -> installed.put(path, packages.content(path).orElseThrow()));
+    Map<String, byte[]> own = interfaceFiles(files, List.of());
+    files.paths().stream()
+        .filter(path -> path.equals("package.xml") || path.endsWith("/package.xml"))
+        .forEach(path -> own.put(path, files.content(path).orElseThrow()));
+    return RosInterfaces.resolve(node, texts, used, own, installed, world, PROFILE, diagnostics);
   }
 
   /** Limits the time that a server spends on one activity. */
@@ -103,16 +136,23 @@ final class ActivityReader {
       List<String> paths, String entry, ActivityProfile profile) {
     List<String> present = new ArrayList<>();
     for (String path : paths) {
-      if (files.contains(path)) {
+      if (files.contains(path) || packages.contains(path)) {
         present.add(path);
       } else {
         missing(path, entry);
       }
     }
+    List<String> installed = present.stream().filter(path -> !files.contains(path)).toList();
+    List<String> own = present.stream().filter(files::contains).toList();
+    Map<String, byte[]> sources = interfaceFiles(files, own);
+    if (!installed.isEmpty()) {
+      packages
+          .paths()
+          .forEach(path -> sources.putIfAbsent(path, packages.content(path).orElseThrow()));
+    }
     ImportResult result =
         InterfaceFiles.read(
-            SourceFiles.of(profile.name(), interfaceFiles(files, present), present)
-                .including(profile.idlIncludes()));
+            SourceFiles.of(profile.name(), sources, present).including(profile.idlIncludes()));
     diagnostics.addAll(result.diagnostics());
     // A component profile distinguishes provided and required interfaces.
     List<InterfaceDescription> interfaces =

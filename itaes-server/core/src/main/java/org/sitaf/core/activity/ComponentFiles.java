@@ -6,6 +6,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.sitaf.core.activity.ActivityProfile.Component;
 import org.sitaf.core.activity.ActivityProfile.Language;
+import org.sitaf.core.activity.ros.RosNode;
 import org.sitaf.core.diagnostic.Diagnostics;
 
 /** Checks before a build that the files in a profile and the component's class exist. */
@@ -22,6 +23,9 @@ final class ComponentFiles {
   static void verify(
       ActivityProfile profile, FileTree files, String file, Diagnostics diagnostics) {
     verify(profile.component(), "component", files, file, diagnostics);
+    if (profile.ros() != null) {
+      rosNode(profile.component(), profile.ros(), files, file, diagnostics);
+    }
     if (profile.reference() != null) {
       verify(profile.reference(), "reference", files, file, diagnostics);
     }
@@ -40,6 +44,48 @@ final class ComponentFiles {
         && component.sources() != null
         && !component.className().isEmpty()) {
       javaClass(component, entry, files, file, diagnostics);
+    }
+  }
+
+  private static void rosNode(
+      Component component, RosNode node, FileTree files, String file, Diagnostics diagnostics) {
+    String folder = Objects.requireNonNullElse(component.sources(), "");
+    FileTree sources = files.below(folder);
+    if (sources.paths().isEmpty()) {
+      return;
+    }
+    if (!sources.contains("package.xml")) {
+      diagnostics.error(
+          file,
+          0,
+          "component.sources",
+          "'" + folder + "' holds no package.xml; name the folder of a ROS 2 package");
+    }
+    String entry = node.entry();
+    boolean isFile = node.isMain() && entry.endsWith(".py");
+    String module = entry.substring(0, Math.max(0, entry.indexOf(':')));
+    if (module.isEmpty()) {
+      module = entry.contains(".") ? entry.substring(0, entry.lastIndexOf('.')) : "";
+    }
+    String path = module.replace('.', '/');
+    boolean there =
+        isFile
+            ? sources.contains(entry)
+            : module.isEmpty()
+                || sources.contains(path + ".py")
+                || sources.contains(path + "/__init__.py");
+    if (!there) {
+      diagnostics.error(
+          file,
+          0,
+          node.isMain() ? "component.main" : "component.class",
+          (isFile ? "'" + entry + "'" : "the module " + module + " (" + path + ".py)")
+              + " does not exist below '"
+              + folder
+              + "'");
+    }
+    if (node.parameterFile() != null) {
+      existing(node.parameterFile(), "component.parameters", files, file, diagnostics);
     }
   }
 

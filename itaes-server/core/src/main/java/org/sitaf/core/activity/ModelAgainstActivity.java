@@ -9,6 +9,8 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.activity.ActivityProfile.LifeCycle;
+import org.sitaf.core.activity.ros.RosElements;
+import org.sitaf.core.activity.ros.RosNode;
 import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.Direction;
 import org.sitaf.core.description.InterfaceDescription;
@@ -45,6 +47,7 @@ final class ModelAgainstActivity {
   private final @Nullable WorldDescription world;
   private final List<Port.Data> outputPorts;
   private final ActivityProfile profile;
+  private final @Nullable RosNode ros;
   private final Diagnostics diagnostics = new Diagnostics();
 
   private ModelAgainstActivity(
@@ -54,6 +57,7 @@ final class ModelAgainstActivity {
       List<Port.Data> outputPorts,
       ActivityProfile profile) {
     this.profile = profile;
+    this.ros = profile.ros();
     this.model = model;
     this.required = required;
     this.world = world;
@@ -91,6 +95,11 @@ final class ModelAgainstActivity {
     Set<String> given = new HashSet<>();
     for (InputElement input : model.inputs()) {
       wholeValues(input);
+      if (ros != null && RosElements.isOne(input)) {
+        RosElements.problem(input, method, ros)
+            .ifPresent(p -> error(input.line(), "test_element " + input.name(), p));
+        continue;
+      }
       switch (input.kind()) {
         case TDI -> {
           given.add(MemberPath.root(input.name()));
@@ -100,7 +109,8 @@ final class ModelAgainstActivity {
         case TDTS -> stubValue(input);
       }
     }
-    for (Parameter parameter : method.parameters()) {
+    for (Parameter parameter : ros == null ? method.parameters() : List.<Parameter>of()) {
+      // What is not named in a message has the default of its type.
       if (parameter.direction() == Direction.IN && !given.contains(parameter.name())) {
         error(
             0,
@@ -279,7 +289,22 @@ final class ModelAgainstActivity {
         case OUT -> {
           Optional<Parameter> parameter = parameter(method, MemberPath.root(output.name()));
           if (parameter.isEmpty() || parameter.get().direction() == Direction.IN) {
-            error(output.line(), where, method.name() + " has no out-parameter of this name");
+            error(
+                output.line(),
+                where,
+                ros == null
+                    ? method.name() + " has no out-parameter of this name"
+                    : "is no output; write output." + output.name() + " at a topic");
+          } else if (ros != null && !RosElements.isCount(output.name())) {
+            Optional<DataType> part = MemberPath.resolve(parameter.get().type(), output.name());
+            if (part.isEmpty()) {
+              error(
+                  output.line(),
+                  where,
+                  parameter.get().type().typeName() + " has no such member or element");
+            } else {
+              sameType(output.line(), output.name(), output.realType(), part.get());
+            }
           }
         }
         case OBSERVED -> observed(output, where);

@@ -16,6 +16,8 @@ import org.sitaf.core.activity.ActivityProfile.Language;
 import org.sitaf.core.activity.ActivityProfile.LifeCycle;
 import org.sitaf.core.activity.ActivityProfile.Limits;
 import org.sitaf.core.activity.ActivityProfile.Sanitizer;
+import org.sitaf.core.activity.ros.RosNode;
+import org.sitaf.core.activity.ros.RosNodeReader;
 import org.sitaf.core.diagnostic.Diagnostics;
 import org.sitaf.core.document.YamlDocument;
 import org.sitaf.core.document.YamlMapping;
@@ -40,7 +42,8 @@ final class ProfileReader {
           "parallel",
           "sanitize",
           "timing",
-          "limits");
+          "limits",
+          "topics");
   private static final Set<String> COMPONENT_ENTRIES =
       Set.of(
           "language",
@@ -82,12 +85,41 @@ final class ProfileReader {
     }
     Component component = component(root, COMPONENT);
     Component reference = root.has(REFERENCE) ? component(root, REFERENCE) : null;
+    RosNode node = node(root);
+    if (node == null && root.has("topics")) {
+      root.problem("topics", "is only allowed with component.language: ros2-python; remove it");
+    }
+    if (node != null && reference != null) {
+      root.problem(REFERENCE, "is not yet available for ROS 2 nodes; remove it");
+    }
+    if (node != null && root.has("harness")) {
+      root.problem("harness", "has no effect for a ROS 2 node; remove it");
+    }
+    Map<String, String> services = new HashMap<>();
+    List<String> provided = interfaces(root, "provided", node != null, services);
+    if (node != null) {
+      provided.stream()
+          .filter(path -> !services.containsKey(path))
+          .forEach(
+              path ->
+                  root.problem(
+                      "provided",
+                      "the service or action needs a name; write {type: "
+                          + path
+                          + ", name: /NAME}"));
+      if (root.has("required")) {
+        root.problem(
+            "required",
+            "is not yet available for ROS 2 nodes; remove it, and test what needs none");
+      }
+    }
+    List<String> required = interfaces(root, "required", node != null, services);
     Language harness =
         root.text("harness")
             .flatMap(value -> language(root, "harness", value))
             .orElse(component.language());
     // Models are optional: a new activity has only a component and its interfaces.
-    if (root.texts("provided").isEmpty()) {
+    if (provided.isEmpty() && node == null) {
       root.problem("provided", "must list at least one file");
     }
     return new ActivityProfile(
@@ -95,8 +127,8 @@ final class ProfileReader {
         root.text("description").orElse(""),
         component,
         reference,
-        root.texts("provided"),
-        root.texts("required"),
+        provided,
+        required,
         root.texts("libraries"),
         root.texts("idl_includes"),
         harness,
@@ -105,7 +137,72 @@ final class ProfileReader {
         root.booleanValue("parallel").orElse(false),
         sanitizers(root, component, harness),
         timing(root, component),
+        node == null ? null : node.withServices(services),
         root.mapping("limits").map(ProfileReader::limits).orElse(Limits.DEFAULT));
+  }
+
+  /** The ROS 2 node of the component; null for any other component. */
+  private static @Nullable RosNode node(YamlMapping root) {
+    Optional<YamlMapping> component = root.mapping(COMPONENT).filter(ProfileReader::isRosNode);
+    return component.isEmpty() ? null : RosNodeReader.read(root, component.get());
+  }
+
+  private static boolean isRosNode(YamlMapping component) {
+    return component.text("language").orElse("").toLowerCase(Locale.ROOT).startsWith("ros2");
+  }
+
+  /**
+   * The interface files of an entry.
+   *
+   * @param named whether an item can be a mapping of type and name
+   * @param names receives the names of services and actions by interface file
+   */
+  private static List<String> interfaces(
+      YamlMapping root, String entry, boolean named, Map<String, String> names) {
+    if (!named) {
+      return root.texts(entry);
+    }
+    List<String> files = new java.util.ArrayList<>();
+    for (YamlMapping.Item item : root.items(entry)) {
+      YamlMapping table = item.mapping();
+      if (item.text() != null) {
+        files.add(item.text());
+      } else if (table != null) {
+        table.allowOnly(Set.of("type", "name"));
+        String type = table.requiredText("type");
+        files.add(type);
+        table.text("name").ifPresent(name -> names.put(type, name));
+      }
+    }
+    if (Set.copyOf(files).size() < files.size()) {
+      root.problem(
+          entry, "lists an interface file twice; test each of these services in its own activity");
+    }
+    return files;
+  }
+
+  /** The component of a ROS 2 node. */
+  private static Component rosNode(YamlMapping entry) {
+    String language = entry.text("language").orElse("").toLowerCase(Locale.ROOT);
+    if (language.equals("ros2-cpp")) {
+      entry.problem("language", "ros2-cpp is not yet available; ROS 2 nodes can be ros2-python");
+    } else if (!language.equals("ros2-python")) {
+      entry.problem("language", "must be java, cpp, python or ros2-python, not '" + language + "'");
+    }
+    return new Component(
+        Language.PYTHON,
+        entry.requiredText("sources"),
+        null,
+        null,
+        null,
+        null,
+        entry.text("class").or(() -> entry.text("main")).orElse(""),
+        null,
+        null,
+        Map.of(),
+        lifeCycle(entry),
+        null,
+        List.of());
   }
 
   private static Component component(YamlMapping root, String name) {
@@ -132,6 +229,9 @@ final class ProfileReader {
           List.of());
     }
     YamlMapping entry = found.get();
+    if (isRosNode(entry)) {
+      return rosNode(entry);
+    }
     entry.allowOnly(COMPONENT_ENTRIES);
     long origins = List.of("sources", "library", "package").stream().filter(entry::has).count();
     if (origins != 1) {
@@ -165,7 +265,7 @@ final class ProfileReader {
       }
     }
     if (entry.has(name)) {
-      entry.problem(name, "must be java, cpp or python, not '" + text + "'");
+      entry.problem(name, "must be java, cpp, python or ros2-python, not '" + text + "'");
     }
     return Optional.empty();
   }

@@ -49,8 +49,20 @@ public record WorldDescription(
     }
   }
 
-  /** A virtual hardware device. */
-  public record Device(String name, String kind) {
+  /**
+   * A virtual hardware device.
+   *
+   * @param rateHz how often it sends messages to a ROS 2 node, greater than 0
+   */
+  public record Device(String name, String kind, double rateHz) {
+    /** The rate of a device that names none. */
+    public static final double DEFAULT_RATE_HZ = 10;
+
+    /** A device with the default rate. */
+    public Device(String name, String kind) {
+      this(name, kind, DEFAULT_RATE_HZ);
+    }
+
     public Device {
       Objects.requireNonNull(name);
       Objects.requireNonNull(kind);

@@ -14,6 +14,8 @@ import org.sitaf.core.document.YamlMapping;
  * the simulator, since only the simulator can compile them.
  */
 public final class WorldReader {
+  private static final double MAX_RATE_HZ = 100_000;
+
   private WorldReader() {}
 
   /**
@@ -41,14 +43,20 @@ public final class WorldReader {
             all ->
                 all.names()
                     .forEach(
-                        name ->
-                            all.mapping(name)
-                                .ifPresent(
-                                    d -> devices.add(new Device(name, d.requiredText("kind"))))));
+                        name -> all.mapping(name).ifPresent(d -> devices.add(device(name, d)))));
     List<String> observations =
         root.mapping("observations").map(YamlMapping::names).orElse(List.of());
     diagnostics.throwIfErrors();
     return new WorldDescription(path, parameters, devices, observations);
+  }
+
+  private static Device device(String name, YamlMapping entry) {
+    double rate = entry.number("rate_hz").orElse(Device.DEFAULT_RATE_HZ);
+    if (rate <= 0 || rate > MAX_RATE_HZ) {
+      entry.problem("rate_hz", "must be greater than 0 and at most " + (int) MAX_RATE_HZ);
+      rate = Device.DEFAULT_RATE_HZ;
+    }
+    return new Device(name, entry.requiredText("kind"), rate);
   }
 
   private static WorldParameter parameter(String name, YamlMapping entry) {

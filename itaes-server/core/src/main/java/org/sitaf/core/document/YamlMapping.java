@@ -3,6 +3,7 @@ package org.sitaf.core.document;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -136,6 +137,84 @@ public final class YamlMapping {
               }
             });
     return List.copyOf(texts);
+  }
+
+  /**
+   * An item of a list.
+   *
+   * @param text null if the item is a mapping
+   * @param mapping null if the item is plain text
+   * @param line from 1
+   */
+  public record Item(@Nullable String text, @Nullable YamlMapping mapping, int line) {}
+
+  /** The texts and mappings of a list; an entry that is no list is its only item. */
+  public List<Item> items(String name) {
+    List<Item> items = new ArrayList<>();
+    find(name)
+        .ifPresent(
+            node -> {
+              List<Node> nodes =
+                  node instanceof SequenceNode sequence ? sequence.getValue() : List.of(node);
+              for (Node item : nodes) {
+                int at = item.getStartMark().getLine() + 1;
+                if (item instanceof MappingNode nested) {
+                  var mapping = new YamlMapping(nested, file, pathOf(name), diagnostics);
+                  items.add(new Item(null, mapping, at));
+                } else {
+                  textOf(item, pathOf(name)).ifPresent(text -> items.add(new Item(text, null, at)));
+                }
+              }
+            });
+    return List.copyOf(items);
+  }
+
+  /**
+   * The entry as data: a Boolean, Long, Double or String by the rules of YAML, a List, or a Map
+   * with texts as keys.
+   */
+  public Optional<Object> data(String name) {
+    return find(name).map(YamlMapping::data);
+  }
+
+  private static Object data(Node node) {
+    if (node instanceof SequenceNode sequence) {
+      return sequence.getValue().stream().map(YamlMapping::data).toList();
+    }
+    if (node instanceof MappingNode mapping) {
+      Map<String, Object> members = new LinkedHashMap<>();
+      for (NodeTuple tuple : mapping.getValue()) {
+        if (tuple.getKeyNode() instanceof ScalarNode key) {
+          members.put(key.getValue(), data(tuple.getValueNode()));
+        }
+      }
+      return members;
+    }
+    String text = ((ScalarNode) node).getValue();
+    Tag tag = node.getTag();
+    if (tag.equals(Tag.BOOL)) {
+      return Set.of("true", "yes", "on").contains(text.toLowerCase(Locale.ROOT));
+    }
+    try {
+      if (tag.equals(Tag.INT)) {
+        return Long.decode(text.replace("_", ""));
+      }
+      if (tag.equals(Tag.FLOAT)) {
+        return real(text.replace("_", "").toLowerCase(Locale.ROOT));
+      }
+    } catch (NumberFormatException e) {
+      // Such as 1:30, which YAML 1.1 counts in sixties; ROS reads it as text.
+    }
+    return text;
+  }
+
+  private static double real(String text) {
+    return switch (text) {
+      case ".inf", "+.inf" -> Double.POSITIVE_INFINITY;
+      case "-.inf" -> Double.NEGATIVE_INFINITY;
+      case ".nan" -> Double.NaN;
+      default -> Double.parseDouble(text);
+    };
   }
 
   /** The entry as a nested mapping. */

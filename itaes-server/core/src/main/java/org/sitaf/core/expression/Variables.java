@@ -31,6 +31,9 @@ public final class Variables {
   /** The calls of required interfaces: a map of {@code Interface.Method} to a list. */
   public static final String CALLS = "calls";
 
+  /** The messages of a ROS 2 node: a map of the output to a list. */
+  public static final String MESSAGES = "messages";
+
   private static final Pattern STEP =
       Pattern.compile("([A-Za-z_]\\w*)|\\.([A-Za-z_]\\w*)|\\[(\\d{1,6})]");
   private static final BigInteger LONG_MIN = BigInteger.valueOf(Long.MIN_VALUE);

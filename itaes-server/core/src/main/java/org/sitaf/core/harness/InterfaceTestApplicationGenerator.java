@@ -13,6 +13,7 @@ import org.sitaf.core.harness.plan.HarnessPlan;
 import org.sitaf.core.harness.plan.HarnessPlanner;
 import org.sitaf.core.harness.plan.HarnessWriter;
 import org.sitaf.core.harness.python.PythonHarness;
+import org.sitaf.core.harness.ros.RosHarness;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.suite.TestSuite;
 
@@ -67,6 +68,9 @@ public final class InterfaceTestApplicationGenerator {
    * @throws InvalidInputException as {@link #generate}
    */
   public static FileTree sources(Activity activity, TestModel model, TestSuite suite) {
+    if (activity.ros() != null) {
+      return RosHarness.write(activity, model, suite);
+    }
     Diagnostics diagnostics = new Diagnostics();
     HarnessPlan plan = HarnessPlanner.plan(activity, model, suite, diagnostics);
     FileTree sources = writer(activity).write(plan, diagnostics);

@@ -7,6 +7,7 @@ import java.util.Map;
 import org.sitaf.core.activity.Activity;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.diagnostic.InvalidInputException;
+import org.sitaf.core.harness.ros.RosHarness;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.model.document.TestModelXml;
 import org.sitaf.core.suite.TestSuite;
@@ -40,7 +41,8 @@ final class TestApplicationFiles {
   }
 
   static TestApplication read(FileTree files) {
-    Activity activity = Activity.read(files.below(ACTIVITY));
+    Activity activity =
+        Activity.read(files.below(ACTIVITY), files.below(HARNESS).below(RosHarness.INTERFACES));
     TestModel model = TestModelXml.read(open(files, MODEL), MODEL);
     TestSuite suite = TestSuiteXml.read(open(files, SUITE), SUITE);
     String entryPoint =

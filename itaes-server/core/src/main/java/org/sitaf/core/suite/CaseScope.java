@@ -37,7 +37,8 @@ public final class CaseScope {
     variables.put("actual", Type.ANY);
     variables.putAll(outputs.map());
     variables.put(Variables.ERROR, Type.TEXT);
-    // An input named error hides the error.
+    variables.put(Variables.MESSAGES, new Type.Mapping(new Type.Sequence(Type.ANY)));
+    // An input named error or messages hides them.
     variables.putAll(inputs(model));
     variables.put(Variables.CALLS, new Type.Mapping(new Type.Sequence(Type.ANY)));
     return scope(model, variables);

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.sitaf.core.activity.ros.RosNode;
 import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.InterfaceDescription;
 import org.sitaf.core.description.Method;
@@ -17,6 +18,8 @@ import org.sitaf.core.expression.Variables;
 final class CallRecord {
   /** Key of the list of the names of all called methods, in the order of the calls. */
   private static final String IN_ORDER = "";
+
+  private static final String MESSAGES = RosNode.INTERFACE + ".";
 
   private final Map<String, List<Method>> methods = new LinkedHashMap<>();
 
@@ -42,6 +45,21 @@ final class CallRecord {
     Map<String, Object> record = new LinkedHashMap<>(byMethod);
     record.put(IN_ORDER, order);
     return record;
+  }
+
+  /**
+   * The calls of the interface {@code topics}, which are the messages of a ROS 2 node by output.
+   */
+  Map<String, Object> messages(StubCalls calls) {
+    Map<String, Object> messages = new LinkedHashMap<>();
+    of(calls)
+        .forEach(
+            (method, made) -> {
+              if (method.startsWith(MESSAGES)) {
+                messages.put(method.substring(MESSAGES.length()), made);
+              }
+            });
+    return messages;
   }
 
   private Map<String, Object> arguments(StubCalls.Call call) {

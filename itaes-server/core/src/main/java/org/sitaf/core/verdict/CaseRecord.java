@@ -16,6 +16,7 @@ import org.sitaf.core.timing.RepeatedCalls;
  * @param calls of required interfaces
  * @param time of the call; null if the call did not end
  * @param repeated the repeated calls; null if there are none
+ * @param notes what the component did that the test does not look at
  * @param message describes the exception or the reason; empty if the call returned
  */
 public record CaseRecord(
@@ -26,13 +27,28 @@ public record CaseRecord(
     StubCalls calls,
     CaseResult.@Nullable ProcessingTime time,
     @Nullable RepeatedCalls repeated,
-    String message) {
+    String message,
+    List<String> notes) {
   public CaseRecord {
     Objects.requireNonNull(outcome);
     Objects.requireNonNull(thrown);
     actual = List.copyOf(actual);
     Objects.requireNonNull(calls);
     Objects.requireNonNull(message);
+    notes = List.copyOf(notes);
+  }
+
+  /** A record without notes. */
+  public CaseRecord(
+      int no,
+      Outcome outcome,
+      String thrown,
+      List<NamedValue> actual,
+      StubCalls calls,
+      CaseResult.@Nullable ProcessingTime time,
+      @Nullable RepeatedCalls repeated,
+      String message) {
+    this(no, outcome, thrown, actual, calls, time, repeated, message, List.of());
   }
 
   /** A record without repeated calls. */
@@ -71,7 +87,7 @@ public record CaseRecord(
 
   /** A copy without processing times. */
   public CaseRecord withoutTime() {
-    return new CaseRecord(no, outcome, thrown, actual, calls, null, null, message);
+    return new CaseRecord(no, outcome, thrown, actual, calls, null, null, message, notes);
   }
 
   /** A copy that says that its call was the first of its process. */
@@ -86,6 +102,7 @@ public record CaseRecord(
             calls,
             new CaseResult.ProcessingTime(time.total(), time.hardware(), time.stub(), true),
             repeated,
-            message);
+            message,
+            notes);
   }
 }

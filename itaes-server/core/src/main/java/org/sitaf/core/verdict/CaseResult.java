@@ -16,6 +16,7 @@ import org.sitaf.core.timing.RepeatedCalls;
  * @param time of the judged call; null if it did not end
  * @param repeated the repeated calls; null if there are none
  * @param message why the verdict is not PASS; empty otherwise
+ * @param notes what the component did that the test does not look at
  */
 public record CaseResult(
     int no,
@@ -28,7 +29,8 @@ public record CaseResult(
     List<RelationResult> relations,
     @Nullable ProcessingTime time,
     @Nullable RepeatedCalls repeated,
-    String message) {
+    String message,
+    List<String> notes) {
   public CaseResult {
     Objects.requireNonNull(verdict);
     Objects.requireNonNull(message);
@@ -39,6 +41,35 @@ public record CaseResult(
     // Stored results of earlier versions have none.
     trajectories = trajectories == null ? List.of() : List.copyOf(trajectories);
     relations = relations == null ? List.of() : List.copyOf(relations);
+    notes = notes == null ? List.of() : List.copyOf(notes);
+  }
+
+  /** A result without notes. */
+  public CaseResult(
+      int no,
+      Verdict verdict,
+      List<String> values,
+      List<NamedValue> expected,
+      List<NamedValue> actual,
+      StubCalls calls,
+      List<TrajectoryResult> trajectories,
+      List<RelationResult> relations,
+      @Nullable ProcessingTime time,
+      @Nullable RepeatedCalls repeated,
+      String message) {
+    this(
+        no,
+        verdict,
+        values,
+        expected,
+        actual,
+        calls,
+        trajectories,
+        relations,
+        time,
+        repeated,
+        message,
+        List.of());
   }
 
   /** A result of a case in which the component called no required interface. */
@@ -69,6 +100,23 @@ public record CaseResult(
   /** A copy with the results of trajectory conditions. */
   public CaseResult with(List<TrajectoryResult> results) {
     return copy(verdict, results, relations, repeated, message);
+  }
+
+  /** A copy with what the component did that the test does not look at. */
+  public CaseResult withNotes(List<String> found) {
+    return new CaseResult(
+        no,
+        verdict,
+        values,
+        expected,
+        actual,
+        calls,
+        trajectories,
+        relations,
+        time,
+        repeated,
+        message,
+        found);
   }
 
   /** A copy with the results of relations. */
@@ -104,7 +152,8 @@ public record CaseResult(
         newRelations,
         time,
         newRepeated,
-        newMessage);
+        newMessage,
+        notes);
   }
 
   /**

@@ -116,6 +116,7 @@ public final class ResultAssembler {
   public CaseResult judge(CaseRecord record, TraceSource signals) {
     CaseResult result = judgeFirst(record, signals);
     RepeatedCalls repeated = record.repeated();
+    result = record.notes().isEmpty() ? result : result.withNotes(record.notes());
     return repeated == null ? result : result.with(repeated);
   }
 
@@ -294,6 +295,9 @@ public final class ResultAssembler {
       }
     }
     variables.put(Variables.CALLS, (Object) calls.of(result.calls()));
+    if (model.inputs().stream().noneMatch(i -> i.name().equals(Variables.MESSAGES))) {
+      variables.put(Variables.MESSAGES, (Object) calls.messages(result.calls()));
+    }
     return variables.map();
   }
 }

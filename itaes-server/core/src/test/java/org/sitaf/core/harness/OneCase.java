@@ -55,7 +55,7 @@ public record OneCase(
             List.of(new TestCase(1, true, values, List.of())));
     Activity activity =
         new Activity(
-            profile(), files, provided, required, List.of(), null, List.of(model), List.of());
+            profile(), files, provided, required, List.of(), null, List.of(model), null, List.of());
     return InterfaceTestApplicationGenerator.generate(activity, model, suite);
   }
 
@@ -113,6 +113,7 @@ public record OneCase(
         List.of("model.xml"),
         false,
         Set.of(),
+        null,
         null,
         Limits.DEFAULT);
   }

@@ -218,7 +218,7 @@ public final class BuildRun {
           new ResultAssembler(
               application.model(),
               suite,
-              application.activity().required(),
+              application.activity().recorded(),
               signals.conditions(),
               relations.runs());
       reporter =

@@ -76,12 +76,16 @@ public final class CaseRecordLine {
     ProcessingTime time = time();
     RepeatedCalls repeated = repeated();
     String message = skip("<message>") ? text("</message>") : "";
+    List<String> notes = new ArrayList<>();
+    while (skip("<note>")) {
+      notes.add(text("</note>"));
+    }
     expect("</case_record>");
     if (at != line.length()) {
       throw invalid("nothing");
     }
     return new CaseRecord(
-        no, outcome, thrown, actual, new StubCalls(calls, leftOut), time, repeated, message);
+        no, outcome, thrown, actual, new StubCalls(calls, leftOut), time, repeated, message, notes);
   }
 
   private Outcome outcome() {

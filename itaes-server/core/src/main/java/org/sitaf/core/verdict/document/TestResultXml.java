@@ -108,31 +108,33 @@ public final class TestResultXml {
           "verdict must be PASS, FAIL, ERROR or DONT, not '" + given.getVerdict() + "'", e);
     }
     CaseTimeType time = given.getProcessingTime();
-    return new CaseResult(
-        given.getNo(),
-        verdict,
-        given.getValues(),
-        read(given.getExpected()),
-        read(given.getActual()),
-        new StubCalls(
-            given.getCall().stream()
-                .map(
-                    c ->
-                        new StubCalls.Call(
-                            c.getMethod() == null ? "" : c.getMethod(), read(c.getArgument())))
-                .toList(),
-            given.getCallsLeftOut() == null ? 0 : given.getCallsLeftOut()),
-        given.getTrajectory().stream().map(TestResultXml::read).toList(),
-        given.getRelation().stream().map(TestResultXml::read).toList(),
-        time == null
-            ? null
-            : new CaseResult.ProcessingTime(
-                time.getValue(),
-                orZero(time.getHardware()),
-                orZero(time.getStub()),
-                Boolean.TRUE.equals(time.isCold())),
-        RepeatedCallsXml.read(given.getRepeatedCalls()),
-        given.getMessage() == null ? "" : given.getMessage());
+    CaseResult read =
+        new CaseResult(
+            given.getNo(),
+            verdict,
+            given.getValues(),
+            read(given.getExpected()),
+            read(given.getActual()),
+            new StubCalls(
+                given.getCall().stream()
+                    .map(
+                        c ->
+                            new StubCalls.Call(
+                                c.getMethod() == null ? "" : c.getMethod(), read(c.getArgument())))
+                    .toList(),
+                given.getCallsLeftOut() == null ? 0 : given.getCallsLeftOut()),
+            given.getTrajectory().stream().map(TestResultXml::read).toList(),
+            given.getRelation().stream().map(TestResultXml::read).toList(),
+            time == null
+                ? null
+                : new CaseResult.ProcessingTime(
+                    time.getValue(),
+                    orZero(time.getHardware()),
+                    orZero(time.getStub()),
+                    Boolean.TRUE.equals(time.isCold())),
+            RepeatedCallsXml.read(given.getRepeatedCalls()),
+            given.getMessage() == null ? "" : given.getMessage());
+    return given.getNote().isEmpty() ? read : read.withNotes(given.getNote());
   }
 
   private static TrajectoryResult read(TrajectoryType given) {
@@ -246,6 +248,7 @@ public final class TestResultXml {
     }
     written.setRepeatedCalls(RepeatedCallsXml.write(result.repeated()));
     written.setMessage(result.message().isEmpty() ? null : result.message());
+    written.getNote().addAll(result.notes());
     return written;
   }
 

@@ -104,7 +104,9 @@ public final class PythonToolchain implements Toolchain {
       copy(activity.below(root.getKey()), compilation.output().resolve(root.getValue()));
     }
     copy(compilation.application().harness(), compilation.output().resolve(HARNESS));
-    requireModule(compilation, profile.component(), roots);
+    if (profile.ros() == null) {
+      requireModule(compilation, profile.component(), roots);
+    }
 
     // Without the component's packages, whose code would run at the start of the interpreter.
     Path temporary = Files.createTempDirectory(compilation.scratch(), "compile-");

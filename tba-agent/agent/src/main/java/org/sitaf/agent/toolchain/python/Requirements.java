@@ -41,6 +41,11 @@ record Requirements(List<String> lines, String file, List<Path> wheels) {
   private static final Pattern ARCHIVE =
       Pattern.compile("(?i).*\\.(whl|zip|tar|tgz|gz|bz2|tbz|xz|txz|tlz|lz|lzma)");
 
+  /** ROS messages hold arrays of numbers as arrays of this package. */
+  private static final String NUMPY = "numpy==2.4.6";
+
+  private static final Pattern NUMPY_LINE = Pattern.compile("(?i)numpy(?![A-Za-z0-9._-])");
+
   private static final Pattern COMMENT = Pattern.compile("(^|[ \\t])#.*");
 
   Requirements {
@@ -100,6 +105,10 @@ record Requirements(List<String> lines, String file, List<Path> wheels) {
         file = "activity/" + activity.normalize().relativize(list);
         lines.addAll(read(list, file));
       }
+    }
+    if (profile.ros() != null
+        && lines.stream().noneMatch(line -> NUMPY_LINE.matcher(line).lookingAt())) {
+      lines.add(NUMPY);
     }
     List<Path> wheels =
         Stream.concat(Stream.ofNullable(component.library()), profile.libraries().stream())
