@@ -127,7 +127,34 @@ set_up_bridge() {
 install_bridge() {
   set -e
   [ -x "$state/venv/bin/python" ] || python3 -m venv "$state/venv"
-  "$state/venv/bin/python" -m pip install "$home/sim-bridge[dev]"
+  "$state/venv/bin/python" -m pip install "$home/sim-bridge[dev,ros]"
+}
+
+# Exports the interface files of ROS 2, which activities use without containing them.
+set_up_ros() {
+  set_up_bridge
+  local runtime=$home/tba-agent/runtime-python/src
+  [ -d "$runtime/sitaf_ros" ] || return 0
+  newer_than "$state/ros2.stamp" "$runtime/sitaf_ros" "$state/bridge.stamp" || return 0
+  locked
+  if newer_than "$state/ros2.stamp" "$runtime/sitaf_ros" "$state/bridge.stamp"; then
+    touch "$state/ros2.begun"
+    stage "Setting up the interfaces of ROS 2" ros2 install_ros_interfaces "$runtime"
+    mv "$state/ros2.begun" "$state/ros2.stamp"
+  fi
+  unlocked
+}
+
+install_ros_interfaces() {
+  set -e
+  local new=$state/ros2.new
+  rm -rf "$new"
+  mkdir -p "$new"
+  PYTHONPATH=$1 PYTHONDONTWRITEBYTECODE=1 "$state/venv/bin/python" -m sitaf_ros.export "$new/jazzy"
+  # Services, actions and default values that the store of rosbags lacks.
+  cp -r "$1/sitaf_ros/definitions/." "$new/jazzy"
+  rm -rf "$state/ros2"
+  mv "$new" "$state/ros2"
 }
 
 java_flags() {
@@ -141,7 +168,8 @@ run_cli() {
 
 run_server() {
   mapfile -t flags < <(java_flags server)
-  exec java "${flags[@]}" -jar "$state/dist/server/sitaf-server.jar" --sitaf.data-directory="$state/data" "$@"
+  exec java "${flags[@]}" -jar "$state/dist/server/sitaf-server.jar" --sitaf.data-directory="$state/data" \
+    --sitaf.ros-interfaces="$state/ros2/jazzy" "$@"
 }
 
 run_agent() {

@@ -11,6 +11,7 @@ from sitaf_bridge.world.devices import KINDS, DeviceDeclaration
 
 # Limits the memory for past readings of a device.
 MAX_DELAY_S = 10.0
+MAX_RATE_HZ = 100_000.0
 
 
 @dataclass(frozen=True)
@@ -135,8 +136,13 @@ def _device(name: str, block: Block) -> DeviceDeclaration | None:
         noise = delay = 0.0
     else:
         noise, delay = block.optional_number("noise", 0.0), block.optional_number("delay", 0.0)
+    # How often it sends messages to a ROS 2 node; the test application reads it.
+    rate = block.optional_number("rate_hz", 10.0)
+    if rate is not None and not 0 < rate <= MAX_RATE_HZ:
+        block.problem(f"{block.path}.rate_hz must be greater than 0 and at most {MAX_RATE_HZ:g}", "rate_hz")
+        return None
     block.finish()
-    if declaration is None or noise is None or delay is None:
+    if declaration is None or noise is None or delay is None or rate is None:
         return None
     if noise < 0 or not 0 <= delay <= MAX_DELAY_S:
         block.problem(f"{block.path}: noise must not be negative, and delay must be 0 to {MAX_DELAY_S:g} s")

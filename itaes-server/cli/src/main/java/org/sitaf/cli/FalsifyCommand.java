@@ -78,7 +78,7 @@ final class FalsifyCommand implements Callable<Integer> {
     if (json != null) {
       UserFiles.requireWritableFile("--json", json);
     }
-    Activity activity = Activity.read(UserFiles.folder(arguments.folder()));
+    Activity activity = Installation.read(UserFiles.folder(arguments.folder()));
     Sitaf.print(activity.warnings(), err);
     TestModel model = model(activity);
     SearchSpace space = SearchSpace.of(model, seed.value());

@@ -60,7 +60,7 @@ final class HarnessCommand implements Callable<Integer> {
       adapter(out);
       return 0;
     }
-    Activity activity = Activity.read(UserFiles.folder(arguments.folder()));
+    Activity activity = Installation.read(UserFiles.folder(arguments.folder()));
     Map<String, byte[]> files = new HashMap<>();
     for (TestModel model : arguments.modelsOf(activity)) {
       FileTree harness =

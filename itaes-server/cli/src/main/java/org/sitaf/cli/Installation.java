@@ -4,6 +4,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.regex.Pattern;
+import org.sitaf.core.activity.Activity;
+import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.diagnostic.InvalidInputException;
 
 /**
@@ -13,6 +16,7 @@ import org.sitaf.core.diagnostic.InvalidInputException;
  */
 public record Installation(Path home) {
   private static final String HOME = "sitaf.home";
+  private static final Pattern ROS_FILE = Pattern.compile("\\w/(?:srv|action)/\\w");
 
   /**
    * The installation of this command.
@@ -45,7 +49,9 @@ public record Installation(Path home) {
 
   /** The command that starts a server; its arguments are appended. */
   public List<String> serverCommand() {
-    return java("server", "sitaf-server.jar");
+    List<String> command = new ArrayList<>(java("server", "sitaf-server.jar"));
+    command.add("--sitaf.ros-interfaces=" + rosInterfaces());
+    return command;
   }
 
   /** The command that starts an agent; its arguments are appended. */
@@ -54,6 +60,25 @@ public record Installation(Path home) {
     command.add("--bridge-command");
     command.add(String.join(" ", bridgeCommand().stream().map(word -> "'" + word + "'").toList()));
     return command;
+  }
+
+  /** The interface files of ROS 2, by package. */
+  private Path rosInterfaces() {
+    return state().resolve("ros2").resolve("jazzy");
+  }
+
+  /** Reads an activity, which may use the interface files of ROS 2. */
+  public static Activity read(FileTree files) {
+    String home = System.getProperty(HOME);
+    String profile = files.text("activity.yaml").orElse("");
+    boolean mayUse = profile.contains("ros2-") || ROS_FILE.matcher(profile).find();
+    if (home == null || !mayUse) {
+      return Activity.read(files);
+    }
+    Path folder = new Installation(Path.of(home).toAbsolutePath()).rosInterfaces();
+    return Files.isDirectory(folder)
+        ? Activity.read(files, UserFiles.folder(folder))
+        : Activity.read(files);
   }
 
   /** An example activity of the project. */

@@ -19,6 +19,8 @@ import org.sitaf.core.verdict.TestResult;
  * (measured) and PF (verdict).
  */
 public final class ResultTable {
+  private static final int MAX_NOTES = 20;
+
   private ResultTable() {}
 
   /** Prints one row per case, followed by the message of a case that did not pass. */
@@ -137,6 +139,7 @@ public final class ResultTable {
           number(summary.times().standardDeviation()));
     }
     RepeatedCallsText.print(result, out);
+    printNotes(result, out);
     Coverage coverage = result.coverage();
     if (coverage != null && coverage.statement().isPresent()) {
       out.printf(
@@ -160,5 +163,15 @@ public final class ResultTable {
 
   static String number(double microseconds) {
     return String.format(Locale.ROOT, "%.3f", microseconds);
+  }
+
+  /** Prints what the component did in any case that no case looks at. */
+  private static void printNotes(TestResult result, PrintWriter out) {
+    List<String> notes =
+        result.cases().stream().flatMap(c -> c.notes().stream()).distinct().sorted().toList();
+    notes.stream().limit(MAX_NOTES).forEach(note -> out.println("note: " + note));
+    if (notes.size() > MAX_NOTES) {
+      out.println("note: " + (notes.size() - MAX_NOTES) + " more in the result file");
+    }
   }
 }

@@ -120,7 +120,7 @@ final class RunCommand implements Callable<Integer> {
           "--case, --failed, --repeat and --until-failure are not available with --server");
     }
     FileTree files = UserFiles.folder(arguments.folder());
-    Activity activity = Activity.read(files);
+    Activity activity = Installation.read(files);
     Sitaf.print(activity.warnings(), err);
     List<TestResult> results = new ArrayList<>();
     // An interrupted run still writes the cases that ended.

@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import org.sitaf.cli.Installation;
 import org.sitaf.cli.UserFiles;
 import org.sitaf.core.activity.Activity;
 import org.sitaf.core.activity.ActivityArchive;
@@ -29,7 +30,7 @@ record Version(String label, Activity activity) {
   static Version read(String label, String argument) throws IOException {
     FileTree files = files(argument);
     try {
-      return new Version(label, Activity.read(files));
+      return new Version(label, Installation.read(files));
     } catch (InvalidInputException e) {
       throw new InvalidInputException(
           e.diagnostics().stream()
