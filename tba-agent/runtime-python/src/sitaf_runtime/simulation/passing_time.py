@@ -31,6 +31,15 @@ class PassingTime:
         self._count = 1
         self._ticking = False
 
+    @property
+    def timestep_ns(self) -> int:
+        """The length of a step."""
+        return self._timestep_ns
+
+    def pass_steps(self, steps: int) -> None:
+        """Advance time by whole steps, in the driver's thread."""
+        self._move(steps)
+
     def steps_in(self, time_ns: int) -> int:
         """Number of steps in a time, rounded up."""
         return max(0, -(-time_ns // self._timestep_ns))

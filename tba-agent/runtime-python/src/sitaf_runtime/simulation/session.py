@@ -111,6 +111,16 @@ class Simulation:
         return self._hardware
 
     @property
+    def device_kinds(self) -> Mapping[str, str]:
+        """The kind of each device by name."""
+        return self._layout.kinds
+
+    def numbers(self, device: str) -> list[float]:
+        """The numbers of a device's reading at the current step, in the order of its fields."""
+        start, end = self._layout.places[device]
+        return list(self._hardware.world.numbers[start:end])
+
+    @property
     def took_too_long(self) -> str | None:
         """The message when the case exceeded its limit of simulation time; otherwise None."""
         if self._limit_ns is None or self._passed_ns <= self._limit_ns:

@@ -14,6 +14,7 @@ from sitaf_runtime.suite.test_case import TestCase
 
 # In characters; messages of a component's exceptions may have any length.
 _MAX_MESSAGE_LENGTH = 8000
+_MOST_NOTES = 100
 # In characters, of a value in the text about a difference.
 _MAX_DIFFERENCE = 200
 
@@ -47,6 +48,7 @@ class CaseResult:
         "_case",
         "_differs",
         "_message",
+        "_notes",
         "_outcome",
         "_repeated_ns",
         "_thrown",
@@ -62,6 +64,7 @@ class CaseResult:
         self._outcome = Outcome.RETURNED
         self._thrown = ""
         self._message = ""
+        self._notes: list[str] = []
         self._repeated_ns: list[int] | None = None
         self._differs = ""
 
@@ -77,6 +80,14 @@ class CaseResult:
     def record(self, output: str, value: Any, kind: Kind[Any]) -> None:
         """Record the value of an output."""
         self._actual[output] = literals.write(kind.shaped(value))
+
+    def record_literal(self, output: str, literal: str) -> None:
+        """Record the literal of an output."""
+        self._actual[output] = literal
+
+    def note(self, text: str) -> None:
+        """Note something that the component did and the test does not look at."""
+        self._notes.append(text)
 
     def record_return(self, output: str) -> None:
         """Record that a method without a return value returned."""
@@ -151,6 +162,7 @@ class CaseResult:
                 parts.append(f"<differs>{_escaped(self._differs)}</differs>")
         if self._message:
             parts.append(f"<message>{_escaped(_shortened(self._message))}</message>")
+        parts += [f"<note>{_escaped(_shortened(note))}</note>" for note in self._notes[:_MOST_NOTES]]
         parts.append("</case_record>\n")
         return "".join(parts).encode()
 

@@ -1,0 +1,152 @@
+"""The test driver of ROS 2 nodes."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, ClassVar, NoReturn
+
+from sitaf_runtime.driver import SuiteDriver
+from sitaf_runtime.errors import CannotRunError
+from sitaf_runtime.ros.node_process import NodeProcess
+from sitaf_runtime.ros.plan import Plan
+from sitaf_runtime.suite.calls import StubCall
+from sitaf_runtime.suite.kinds import FLOAT64
+from sitaf_runtime.suite.result import CaseResult, Outcome
+from sitaf_runtime.suite.test_case import TestCase
+
+if TYPE_CHECKING:
+    from sitaf_runtime.run import TestRun
+    from sitaf_runtime.simulation.session import Simulation
+
+_INTERFACE = "topics"
+
+
+class RosTestDriver(SuiteDriver[object]):
+    """Runs each case in the process of the node, and lets simulation time pass for it."""
+
+    PLAN: ClassVar[Path]
+    _loaded: ClassVar[tuple[Plan, NodeProcess] | None] = None
+
+    @classmethod
+    def load(cls) -> None:
+        """Load the node in a process of its own, before this process opens files. Raises CannotRunError."""
+        plan = Plan.read(cls.PLAN)
+        # sitaf_harness/MODEL/plan.json
+        cls._loaded = (plan, NodeProcess(plan, cls.PLAN.parents[2]))
+
+    def __init__(self, run: TestRun) -> None:
+        super().__init__(run)
+        if self._loaded is None:
+            raise CannotRunError("load() was not called before the run")
+        self._plan, self._node = self._loaded
+
+    def create_component(self) -> NoReturn:
+        """The node's own process creates it."""
+        raise CannotRunError("a ROS 2 node is not created in the process of the test driver")
+
+    def run_case(self, test_case: TestCase, result: CaseResult) -> None:
+        """Run one case and save its result."""
+        simulation = self._run.simulation if self._plan.world else None
+        world = None
+        if simulation is not None:
+            simulation.prepare({name: test_case.read(name, FLOAT64) for name in self._plan.settings})
+            world = {"timestep_ns": simulation.time.timestep_ns, "readings": self._begin_readings(simulation)}
+        self._node.begin({"values": dict(test_case.values), "world": world})
+        record: dict[str, Any] | None = None
+        try:
+            while True:
+                message = self._node.next()
+                if "ended" in message:
+                    break
+                if "record" in message:
+                    record = message["record"]
+                else:
+                    self._node.answer(self._answer(message, simulation))
+        finally:
+            self._node.abandon()
+            if self.stopwatch.is_running:
+                self.stopwatch.stop()
+        self._complete(result, record, message["ended"], simulation)
+        self.save(result)
+
+    def _answer(self, message: dict[str, Any], simulation: Simulation | None) -> dict[str, Any]:
+        if "called" in message:
+            self.stopwatch.start()
+        elif "returned" in message:
+            self.stopwatch.stop()
+        elif simulation is not None and "step" in message:
+            with self.stopwatch.in_hardware():
+                for device, (linear, angular) in message["commands"].items():
+                    simulation.hardware.differential_drive(device).drive(linear, angular)
+                simulation.time.pass_steps(message["step"])
+                return {"readings": {device: self._numbers(simulation, device) for device in self._devices()}}
+        elif simulation is not None and "look" in message:
+            with self.stopwatch.in_hardware():
+                image = simulation.hardware.camera(message["look"]).image()
+            size = {"width": image.width, "height": image.height, "encoding": image.encoding}
+            return {"image": {**size, "data": image.data.hex()}}
+        return {}
+
+    def _devices(self) -> list[str]:
+        """The devices whose numbers the node's process needs."""
+        own = {topic.device: topic.kind for topic in self._plan.topics if topic.device and topic.kind != "camera"}
+        if any(topic.world for topic in self._plan.topics):
+            kinds = self._run.simulation.device_kinds
+            own.update({name: kind for name, kind in kinds.items() if kind == "pose"})
+        return sorted(own)
+
+    def _begin_readings(self, simulation: Simulation) -> dict[str, dict[str, Any]]:
+        readings: dict[str, dict[str, Any]] = {
+            topic.device: {"kind": topic.kind, "numbers": []} for topic in self._plan.topics if topic.device
+        }
+        for device in self._devices():
+            kind = simulation.device_kinds[device]
+            readings[device] = {
+                "kind": kind,
+                "numbers": self._numbers(simulation, device),
+                "setting": _setting(simulation, device, kind),
+            }
+        return readings
+
+    @staticmethod
+    def _numbers(simulation: Simulation, device: str) -> list[float]:
+        return simulation.numbers(device)
+
+    def _complete(
+        self, result: CaseResult, record: dict[str, Any] | None, ended: str, simulation: Simulation | None
+    ) -> None:
+        for note in (record or {}).get("notes", []):
+            result.note(note)
+        if record is None or "error" in record or ended:
+            reason = (record or {}).get("error") or ended or "the process of the node ended before the case"
+            result.end_with(Outcome.ERROR, reason)
+            return
+        for name, literal in record["actual"].items():
+            result.record_literal(name, literal)
+        for output in self._plan.outputs:
+            if output["source"] == "observed" and simulation is not None:
+                result.record(output["name"], simulation.observation(output["name"]), FLOAT64)
+        for output, members in record["messages"]:
+            self._run.stubbing.calls.append(StubCall(f"{_INTERFACE}.{output}", members))
+        if record["thrown"]:
+            result.threw(type(record["thrown"], (Exception,), {})(), record["message"])
+
+    def close(self) -> None:
+        """Nothing to close: the node ends with its case."""
+
+
+def _setting(simulation: Simulation, device: str, kind: str) -> dict[str, float]:
+    """The constants of a device."""
+    if kind == "laser_scan":
+        scanner = simulation.hardware.laser_scanner(device)
+        return {
+            "angle_min": scanner.angle_min(),
+            "angle_max": scanner.angle_max(),
+            "angle_increment": scanner.angle_increment(),
+            "range_min": scanner.min_range(),
+            "range_max": scanner.max_range(),
+        }
+    if kind == "range":
+        sensor = simulation.hardware.range_sensor(device)
+        return {"min_range": sensor.min_range(), "max_range": sensor.max_range()}
+    return {}

@@ -1,0 +1,208 @@
+"""The process that loads the node and is forked for each case, so that module globals are fresh.
+
+It is forked before the test driver opens files or connections, and the driver's process never loads code of the node.
+"""
+
+from __future__ import annotations
+
+import os
+import signal
+import socket
+import sys
+import traceback
+from collections.abc import Callable
+from contextlib import suppress
+from pathlib import Path
+from typing import Any
+
+from sitaf_runtime.errors import CannotRunError
+from sitaf_runtime.ros.case_run import CallFailedError, CaseRun
+from sitaf_runtime.ros.lines import Lines
+from sitaf_runtime.ros.plan import Plan
+from sitaf_runtime.thrown import describe
+
+_INTERFACES = "sitaf_ros_interfaces"
+
+
+class NodeProcess:
+    """The driver's end of the process; raises CannotRunError when the node cannot be loaded."""
+
+    def __init__(self, plan: Plan, folder: Path) -> None:
+        ours, theirs = socket.socketpair()
+        self._pid = os.fork()
+        if self._pid == 0:
+            ours.close()
+            _end_with(lambda: _serve(plan, folder, Lines(theirs)))
+        theirs.close()
+        self._lines = Lines(ours)
+        self._in_case = False
+        loaded = self._receive_or_end()
+        if "problem" in loaded:
+            raise CannotRunError(loaded["problem"])
+
+    def begin(self, case: dict[str, Any]) -> None:
+        """Begin a case."""
+        self._in_case = True
+        self._lines.send({"case": case})
+
+    def answer(self, message: dict[str, Any]) -> None:
+        """Answer what the case asked."""
+        with suppress(OSError):  # its end is reported by `next`
+            self._lines.send(message)
+
+    def next(self) -> dict[str, Any]:
+        """What the case asks for or has found; `ended` with the reason when its process has ended."""
+        message = self._receive_or_end()
+        if "ended" in message:
+            self._in_case = False
+        return message
+
+    def abandon(self) -> None:
+        """End a case that is still running."""
+        if self._in_case:
+            with suppress(OSError):
+                self._lines.send({"abandon": True})
+            while self._in_case:
+                self.next()
+
+    def close(self) -> None:
+        """End the process."""
+        with suppress(OSError):
+            os.kill(self._pid, signal.SIGKILL)
+        with suppress(OSError):
+            os.waitpid(self._pid, 0)
+
+    def _receive_or_end(self) -> dict[str, Any]:
+        try:
+            return self._lines.receive()
+        except (EOFError, OSError):
+            self._in_case = False
+            raise CannotRunError("the process that holds the node has ended") from None
+
+
+class _AbandonedError(BaseException):
+    """The test driver has ended the case; no error of the node."""
+
+
+class _CaseLines(Lines):
+    def receive(self) -> dict[str, Any]:
+        message = super().receive()
+        if "abandon" in message:
+            raise _AbandonedError
+        return message
+
+
+def _serve(plan: Plan, folder: Path, lines: Lines) -> None:
+    """Load the node, then run cases until the driver's process ends."""
+    try:
+        application = _load(plan, folder)
+    except CannotRunError as e:
+        lines.send({"problem": str(e)})
+        return
+    lines.send({"loaded": True})
+    while True:
+        try:
+            case = lines.receive()
+        except EOFError:
+            return
+        if "case" not in case:
+            continue  # an order to end a case that has just ended
+        if plan.suite_life:
+            _run(plan, application, lines, case["case"])
+            lines.send({"ended": ""})
+            continue
+        child = os.fork()
+        if child == 0:
+            _end_with(lambda case=case: _run(plan, application, lines, case["case"]))
+        _, status = os.waitpid(child, 0)
+        lines.send({"ended": _reason(status)})
+
+
+def _end_with(action: Callable[[], None]) -> None:
+    """Do something, then end this process without what the parent's modules do at exit."""
+    code = 0
+    try:
+        action()
+    except BaseException:
+        traceback.print_exc()
+        code = 1
+    finally:
+        _save_coverage()
+        for stream in (sys.stdout, sys.stderr):
+            with suppress(OSError, ValueError, AttributeError):
+                stream.flush()
+        os._exit(code)
+
+
+def _save_coverage() -> None:
+    coverage = sys.modules.get("coverage")
+    current = None if coverage is None else coverage.Coverage.current()
+    if current is not None:
+        with suppress(Exception):  # what a killed process would lose, too
+            current.save()
+
+
+def _reason(status: int) -> str:
+    if os.WIFSIGNALED(status):
+        return f"the process of the node was ended by the signal {signal.Signals(os.WTERMSIG(status)).name}"
+    code = os.waitstatus_to_exitcode(status)
+    return f"the process of the node ended with exit code {code}" if code else ""
+
+
+def _load(plan: Plan, folder: Path) -> Any:
+    try:
+        from sitaf_ros import RosApplication, RosLoadError, TypeFolders
+    except ImportError as e:
+        raise CannotRunError(f"the runtime of ROS 2 nodes is incomplete: {e}") from e
+    package = plan.node["package"]
+    sources = _sources(package)
+    # Only what the node itself sees; the runtime's own modules keep their places.
+    application = RosApplication(
+        TypeFolders([folder / _INTERFACES]), package=package, folders=[sources], share={package: sources}
+    )
+    try:
+        application.load(plan.node["entry"])
+    except RosLoadError as e:
+        raise CannotRunError(f"the node cannot be loaded: {e}") from e
+    except BaseException as e:
+        raise CannotRunError(f"the node cannot be loaded: {describe(e)}") from e
+    return application
+
+
+def _sources(package: str) -> Path:
+    """The folder of package.xml on the module path."""
+    for entry in sys.path:
+        if entry and (Path(entry) / "package.xml").is_file():
+            return Path(entry)
+    raise CannotRunError(f"the sources of the package {package} are not on the module path")
+
+
+def _run(plan: Plan, application: Any, lines: Lines, case: dict[str, Any]) -> None:
+    """Run a case and send its record."""
+    own = _CaseLines.__new__(_CaseLines)
+    own.__dict__.update(lines.__dict__)
+    run = CaseRun(plan, application, own, case)
+    try:
+        try:
+            record = run.run()
+        except _AbandonedError:
+            run.close()
+            return
+        except CallFailedError as e:
+            record = {"error": str(e)}
+        except Exception as e:
+            record = {"error": _described(e)}
+        run.close()
+        record["notes"] = run.report()
+    except Exception as e:
+        record = {"error": _described(e)}
+    lines.send({"record": record})
+
+
+def _described(raised: Exception) -> str:
+    """The text of an error of the node with the place in its sources."""
+    cause = getattr(raised, "cause", None)
+    if cause is None:
+        return describe(raised) if not isinstance(raised, ValueError) else str(raised)
+    place = describe(cause).partition(" at ")[2]
+    return str(raised) + (f" at {place}" if place else "")

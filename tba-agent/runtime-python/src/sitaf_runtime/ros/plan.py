@@ -1,0 +1,73 @@
+"""The plan of a test application, which SITAF generates as `plan.json`."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+_NANOS = 1_000_000_000
+_TAKEN = ("geometry_msgs/msg/Twist", "geometry_msgs/msg/TwistStamped")
+
+
+@dataclass(frozen=True, slots=True)
+class Topic:
+    """A topic and what it is connected to; names are empty where there is nothing."""
+
+    name: str
+    type: str
+    input: str = ""
+    output: str = ""
+    world: bool = False
+    device: str = ""
+    kind: str = ""
+    rate_hz: float = 10.0
+    frame: str = ""
+
+    @property
+    def commands(self) -> bool:
+        """Whether its device takes the messages of the node."""
+        return bool(self.device) and self.type in _TAKEN
+
+    @property
+    def senses(self) -> bool:
+        """Whether its device, or the world, sends messages to the node."""
+        return self.world or (bool(self.device) and not self.commands)
+
+
+@dataclass(frozen=True, slots=True)
+class Plan:
+    """What the cases of a suite do; times are in nanoseconds."""
+
+    node: dict[str, Any]
+    suite_life: bool
+    topics: tuple[Topic, ...]
+    target: dict[str, Any]
+    settle_ns: int
+    run_for_ns: int
+    case_sim_ns: int
+    world: bool
+    settings: tuple[str, ...]
+    inputs: tuple[dict[str, Any], ...]
+    parameters: tuple[dict[str, str], ...]
+    outputs: tuple[dict[str, Any], ...] = field(default=())
+
+    @classmethod
+    def read(cls, file: Path) -> Plan:
+        """Read a plan."""
+        given = json.loads(file.read_text(encoding="utf-8"))
+        return cls(
+            given["node"],
+            given["life_cycle"] == "SUITE",
+            tuple(Topic(**topic) for topic in given["topics"]),
+            given["target"],
+            round(given["settle"] * _NANOS),
+            round(given["run_for"] * _NANOS),
+            round(given["case_sim_s"] * _NANOS),
+            given["world"],
+            tuple(given["settings"]),
+            tuple(given["inputs"]),
+            tuple(given["parameters"]),
+            tuple(given["outputs"]),
+        )
