@@ -1,0 +1,1 @@
+"""Chooses between velocity commands."""

@@ -1,0 +1,1 @@
+"""Stops a base before a wall."""
