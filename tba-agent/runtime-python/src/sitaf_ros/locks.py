@@ -48,7 +48,7 @@ class SimulatedLock:
         me = threads.current()
         while self._held:
             self._waiting.append(me)
-            woken = threads.wait(deadline)
+            woken = threads.wait_for_others(deadline)
             if me in self._waiting:
                 self._waiting.remove(me)
             if not woken and self._held:
@@ -220,13 +220,18 @@ def simulated_select(read: Any, write: Any, error: Any, timeout: float | None = 
         return real_select(read, write, error, timeout)
     stdin: Any = None if CURRENT.system is None else CURRENT.system.stdin
 
+    def ready() -> Any:
+        found = real_select(read, write, error, 0)
+        buffered = stdin is not None and stdin in read and stdin.has_text and stdin not in found[0]
+        return ([*found[0], stdin], found[1], found[2]) if buffered else found
+
     def look() -> bool:
         if stdin is not None and stdin in read:
             stdin.feed()
-        return any(real_select(read, write, error, 0))
+        return any(ready())
 
     if look() or timeout == 0:
         threads.poll()
     else:
         threads.wait(seconds_from_now(threads, timeout), poll=look)
-    return real_select(read, write, error, 0)
+    return ready()

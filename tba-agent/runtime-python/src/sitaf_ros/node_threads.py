@@ -159,8 +159,17 @@ class NodeThreads:
         """Wait until a thread has ended."""
         while not thread.finished:
             thread.joining.append(self.current())
-            if not self.wait(deadline_ns):
+            if not self.wait_for_others(deadline_ns):
                 return
+
+    def wait_for_others(self, deadline_ns: int | None) -> bool:
+        """Wait for what another thread does; at the end of the case, only as long as another one can run."""
+        if self.ending:
+            if not self._ready and deadline_ns is None:
+                raise CaseEnded
+            self._wait_at_end(deadline_ns, returns_at_end=True)
+            return deadline_ns is None
+        return self.wait(deadline_ns, returns_at_end=True) or self.ending
 
     def run_ready(self, patience_s: float = -1) -> bool:
         """Called by the driver: run threads until all wait; return False if one did not within `patience_s`."""

@@ -42,8 +42,16 @@ class NodeInput(io.TextIOBase):
         """Tell that it can be read."""
         return True
 
+    @property
+    def has_text(self) -> bool:
+        """Tell whether characters were taken from the terminal and not yet read."""
+        return bool(self._text)
+
     def feed(self) -> bool:
         """Put the next line into the terminal if it is empty; return whether something can be read."""
+        return self.has_text or self._fed()
+
+    def _fed(self) -> bool:
         master, slave = self._open()
         if _real_select([slave], [], [], 0)[0]:
             return True
@@ -55,8 +63,8 @@ class NodeInput(io.TextIOBase):
     def _more(self) -> None:
         threads = node_threads()
         if threads is not None:
-            while not self.feed():
-                threads.wait(None, poll=self.feed)
+            while not self._fed():
+                threads.wait(None, poll=self._fed)
         data = os.read(self.fileno(), 4096)
         if not data:
             raise EOFError("the input has ended")

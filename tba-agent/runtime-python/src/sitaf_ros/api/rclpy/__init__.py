@@ -24,6 +24,7 @@ from . import (
 from .context import Context
 from .executors import Executor, SingleThreadedExecutor
 from .node import Node
+from .parameter import Parameter
 from .signals import SignalHandlerOptions
 from .task import Future, Task
 from .utilities import get_rmw_implementation_identifier, ok, shutdown, try_shutdown
@@ -33,6 +34,7 @@ __all__ = [
     "Executor",
     "Future",
     "Node",
+    "Parameter",
     "SignalHandlerOptions",
     "Task",
     "callback_groups",
