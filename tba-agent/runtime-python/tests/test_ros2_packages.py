@@ -338,8 +338,7 @@ NODES = {
 def test_a_public_node_runs_unchanged(name):
     folder, _, module = name.partition(":")
     package = module.partition(".")[0]
-    share = {package: PACKAGES / folder / package / "parameters"} if module.endswith("async_param_client") else None
-    run_case(PACKAGES / folder, f"{module}:main", NODES[name], package=package, share=share)
+    run_case(PACKAGES / folder, f"{module}:main", NODES[name], package=package)
 
 
 def test_the_table_has_every_node():

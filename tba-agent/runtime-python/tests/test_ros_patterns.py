@@ -217,3 +217,42 @@ def test_system_exit_in_a_callback_ends_main_as_in_ros(tmp_path):
         return case.texts, case.system.ended
 
     assert node(tmp_path, SWALLOWS, script, entry="followed:main") == (["quitting"], True)
+
+
+OWN_NAMES = """
+import rclpy
+from rclpy.lifecycle import LifecycleNode, TransitionCallbackReturn
+from std_msgs.msg import String
+
+class Probe(LifecycleNode):
+    def __init__(self):
+        super().__init__('probe')
+        self._publishers, self._timers, self._clients, self._subscriptions = {}, {}, {}, {}
+        self._state, self._name, self._executor, self._store, self._group = 'idle', 'x', None, {}, None
+        self.entities, self._rates, self._destroyed, self._trigger = [], [], True, None
+        self._publishers['out'] = self.create_publisher(String, 'out', 10)
+        self._timers['tick'] = self.create_timer(0.5, self.wake)
+
+    def wake(self):
+        self._publishers['out'].publish(String(data=f'{self._state} {self.get_name()}'))
+
+    def keep(self):
+        return 1
+
+    def on_configure(self, state):
+        self._state = 'ready'
+        return TransitionCallbackReturn.SUCCESS
+"""
+
+
+def test_a_node_may_use_names_that_rclpy_leaves_to_it(tmp_path):
+    def script(case):
+        got = case.heard("/out", "std_msgs/msg/String")
+        case.run(0.6)
+        call = case.system.call_service(
+            "/probe/change_state", "lifecycle_msgs/srv/ChangeState", {"transition": {"id": 1}}
+        )
+        case.run(1)
+        return got, call.response.success
+
+    assert node(tmp_path, OWN_NAMES, script) == ([(0.5, "idle probe"), (1.0, "ready probe")], True)

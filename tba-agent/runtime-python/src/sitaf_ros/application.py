@@ -19,6 +19,7 @@ from sitaf_ros.errors import RosLoadError
 from sitaf_ros.message_modules import MessageFinder
 from sitaf_ros.messages import MessageClasses
 from sitaf_ros.settings import RosSettings
+from sitaf_ros.share_folders import share_folder
 from sitaf_ros.system import RosSystem
 
 API = Path(__file__).parent / "api"
@@ -40,8 +41,8 @@ class RosApplication:
         self.package = package
         self.folders = [Path(folder).resolve() for folder in folders]
         self.share = {name: Path(path) for name, path in (share or {}).items()}
-        if package and self.folders:
-            self.share.setdefault(package, self.folders[0])
+        if package and self.folders and package not in self.share:
+            self.share[package] = share_folder(package, self.folders[0])
         self._run: Callable[[RosSettings], object] | None = None
 
     def install(self) -> None:

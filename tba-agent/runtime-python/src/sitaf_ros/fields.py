@@ -99,6 +99,8 @@ def _single(name: str, kind: FieldType, message_class: Callable[[str], Any]) -> 
         low, high = INTEGERS[base]
 
         def integer(value: Any) -> Any:
+            if isinstance(value, numpy.integer):
+                value = int(value)  # as Jazzy's conversion to C does
             _require(isinstance(value, int), name, "int", value)
             if not low <= value <= high:
                 unsigned = "an unsigned integer" if low == 0 else "an integer"

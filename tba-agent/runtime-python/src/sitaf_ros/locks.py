@@ -107,7 +107,7 @@ class SimpleQueue:
 class Thread(RealThread):
     """A thread that runs over simulated time when a node starts it."""
 
-    _node_thread: NodeThread | None = None
+    _sitaf_thread: NodeThread | None = None
 
     def start(self) -> None:
         """Start the thread."""
@@ -117,7 +117,7 @@ class Thread(RealThread):
                 raise RuntimeError("a module of a ROS node starts a thread while it is imported; start it in a node")
             super().start()
             return
-        if self._node_thread is not None:
+        if self._sitaf_thread is not None:
             raise RuntimeError("threads can only be started once")
 
         def run() -> None:
@@ -129,9 +129,9 @@ class Thread(RealThread):
                 if CURRENT.system is not None:
                     CURRENT.system.failed(f"thread {self.name}", e)
 
-        self.begin_as_main(threads, run)
+        self._sitaf_begin(threads, run)
 
-    def begin_as_main(self, threads: NodeThreads, main: Any) -> None:
+    def _sitaf_begin(self, threads: NodeThreads, main: Any) -> None:
         """Start the thread with another function than `run`."""
         active: dict[int, Any] = getattr(threading, "_active")  # noqa: B009
 
@@ -146,22 +146,22 @@ class Thread(RealThread):
             finally:
                 active.pop(threading.get_ident(), None)
 
-        self._node_thread = threads.start(self.name, run, begin)
+        self._sitaf_thread = threads.start(self.name, run, begin)
 
     def join(self, timeout: float | None = None) -> None:
         """Wait until the thread has ended."""
-        if self._node_thread is None:
+        if self._sitaf_thread is None:
             if not self._started.is_set():  # type: ignore[attr-defined]
                 raise RuntimeError("cannot join thread before it is started")
             super().join(timeout)
             return
         threads = node_threads()
         if threads is not None:
-            threads.join(self._node_thread, seconds_from_now(threads, timeout))
+            threads.join(self._sitaf_thread, seconds_from_now(threads, timeout))
 
     def is_alive(self) -> bool:
         """Tell whether the thread runs."""
-        return super().is_alive() if self._node_thread is None else not self._node_thread.finished
+        return super().is_alive() if self._sitaf_thread is None else not self._sitaf_thread.finished
 
     def __repr__(self) -> str:
         return f"<{type(self).__name__}({self.name})>"

@@ -316,7 +316,7 @@ class RosSystem:
     def nodes(self) -> list[NodeView]:
         """Return the nodes that exist, in the order of creation."""
         return [
-            NodeView(n.get_name(), n.get_namespace(), n.get_fully_qualified_name(), n.is_lifecycle)
+            NodeView(n.get_name(), n.get_namespace(), n.get_fully_qualified_name(), n._ros_is_lifecycle)
             for n in self.node_list
         ]
 
@@ -348,7 +348,7 @@ class RosSystem:
         from sitaf_ros.locks import Thread
 
         self.main_thread = Thread(name="MainThread")
-        self.main_thread.begin_as_main(self.threads, main)
+        self.main_thread._sitaf_begin(self.threads, main)
 
     @property
     def ended(self) -> bool:

@@ -50,7 +50,7 @@ class Entity:
     def destroy(self) -> None:
         """Take it out of its node."""
         self.destroyed = True
-        self._node.forget(self)
+        self._node._ros_forget(self)
 
     def __enter__(self) -> Any:
         return self
@@ -69,7 +69,7 @@ class QueueEntity(Entity):
     def put(self, number: int, work: Work) -> None:
         """Add work and wake the executor."""
         self.queue.append((number, work))
-        self._node.wake()
+        self._node._ros_wake()
 
     def order(self) -> Order | None:
         return (MESSAGES, self.queue[0][0]) if self.queue and not self.destroyed else None

@@ -121,7 +121,7 @@ class EventHandler(QueueEntity):
     def __init__(self, node: Any, callback: Any, callback_group: Any, info: Any) -> None:
         super().__init__(node, callback, callback_group)
         self.callback, self.info = callback, info
-        node.keep(self)
+        node._ros_keep(self)
 
     def happened(self, **values: Any) -> None:
         """Take the new state."""

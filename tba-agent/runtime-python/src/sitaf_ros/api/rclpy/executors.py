@@ -174,7 +174,8 @@ class Executor:
             timed_out = not woken and end is not None and threads.now_ns >= end and not self._has_ready(nodes)
 
     def _entities(self, nodes: list[Any] | None) -> list[tuple[Any, Any]]:
-        return [(entity, node) for node in (self._nodes if nodes is None else nodes) for entity in node.entities]
+        chosen = self._nodes if nodes is None else nodes
+        return [(entity, node) for node in chosen for entity in node._ros_entities]
 
     def _next_due(self, nodes: list[Any] | None) -> int | None:
         now = _threads().now_ns

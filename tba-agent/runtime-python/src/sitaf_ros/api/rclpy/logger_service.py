@@ -15,7 +15,7 @@ class LoggingService:
         for kind in ("get_logger_levels", "set_logger_levels"):
             name = "".join(part.capitalize() for part in kind.split("_"))
             service = message(f"rcl_interfaces/srv/{name}")
-            node.create_own_service(service, f"~/{kind}", getattr(self, f"_{kind}"), qos_profile_services_default)
+            node._ros_create_own_service(service, f"~/{kind}", getattr(self, f"_{kind}"), qos_profile_services_default)
 
     def _get_logger_levels(self, request: Any, response: Any) -> Any:
         level = message("rcl_interfaces/msg/LoggerLevel")

@@ -38,7 +38,7 @@ class NodeNameNonExistentError(RuntimeError):
 
 class Node(NodeGraph, NodeParameters):
     PARAM_REL_TOL = 1e-6
-    is_lifecycle = False
+    _ros_is_lifecycle = False
 
     def __init__(
         self,
@@ -65,27 +65,27 @@ class Node(NodeGraph, NodeParameters):
         validate_node_name(node_name)
         settings, rules = case.settings, case.remapping
         only = settings.node_name if not case.node_list else None
-        self._name = only or rules.special("__node", node_name) or rules.special("__name", node_name) or node_name
+        self._ros_name = only or rules.special("__node", node_name) or rules.special("__name", node_name) or node_name
         given = rules.special("__ns", node_name) or settings.namespace or namespace or ""
-        self._namespace = given if given.startswith("/") else f"/{given}"
-        validate_namespace(self._namespace)
-        self.entities: list[Any] = []
-        self._publishers: list[Publisher] = []
-        self._rates: list[Rate] = []
-        self._executor: Any = None
-        self._destroyed = False
-        self._default_group = MutuallyExclusiveCallbackGroup()
-        self._own_group = ReentrantCallbackGroup()
+        self._ros_namespace = given if given.startswith("/") else f"/{given}"
+        validate_namespace(self._ros_namespace)
+        self._ros_entities: list[Any] = []
+        self._ros_publishers: list[Publisher] = []
+        self._ros_rates: list[Rate] = []
+        self._ros_executor: Any = None
+        self._ros_destroyed = False
+        self._ros_default_group = MutuallyExclusiveCallbackGroup()
+        self._ros_own_group = ReentrantCallbackGroup()
         self._logger = get_logger(self.get_fully_qualified_name().strip("/").replace("/", "."))
         self._clock = ROSClock()
         case.node_list.append(self)
-        self._begin_parameters(
+        self._ros_begin_parameters(
             parameter_overrides or [], allow_undeclared_parameters, automatically_declare_parameters_from_overrides
         )
         if start_parameter_services:
-            self._parameter_service = ParameterService(self)
+            self._ros_parameter_service = ParameterService(self)
         if enable_logger_service:
-            self._logger_service = LoggingService(self)
+            self._ros_logger_service = LoggingService(self)
 
     # Names.
 
@@ -95,18 +95,18 @@ class Node(NodeGraph, NodeParameters):
 
     @property
     def handle(self) -> Any:
-        if self._destroyed:
+        if self._ros_destroyed:
             raise InvalidHandle("cannot use Destroyable because destruction was requested")
         return self
 
     def get_name(self) -> str:
-        return self._name
+        return self._ros_name
 
     def get_namespace(self) -> str:
-        return self._namespace
+        return self._ros_namespace
 
     def get_fully_qualified_name(self) -> str:
-        return f"{self._namespace.rstrip('/')}/{self._name}"
+        return f"{self._ros_namespace.rstrip('/')}/{self._ros_name}"
 
     def get_logger(self) -> Any:
         return self._logger
@@ -115,16 +115,16 @@ class Node(NodeGraph, NodeParameters):
         return self._clock
 
     def resolve_topic_name(self, topic: str, *, only_expand: bool = False) -> str:
-        return self._full_name(topic, only_expand)
+        return self._ros_full_name(topic, only_expand)
 
     def resolve_service_name(self, service: str, *, only_expand: bool = False) -> str:
-        return self._full_name(service, only_expand)
+        return self._ros_full_name(service, only_expand)
 
     # Executors.
 
     @property
     def executor(self) -> Any:
-        return None if self._executor is None else self._executor()
+        return None if self._ros_executor is None else self._ros_executor()
 
     @executor.setter
     def executor(self, new_executor: Any) -> None:
@@ -133,65 +133,65 @@ class Node(NodeGraph, NodeParameters):
             return
         if current is not None:
             current.remove_node(self)
-        self._executor = None
+        self._ros_executor = None
         if new_executor is not None:
-            self._executor = weakref.ref(new_executor)
+            self._ros_executor = weakref.ref(new_executor)
             new_executor.add_node(self)
 
-    def wake(self) -> None:
+    def _ros_wake(self) -> None:
         """Let the executor look for work."""
         executor = self.executor
         if executor is not None:
             executor.wake()
 
-    def keep(self, entity: Any) -> None:
+    def _ros_keep(self, entity: Any) -> None:
         """Add an entity to what the executor asks for work."""
-        self.entities.append(entity)
-        self.wake()
+        self._ros_entities.append(entity)
+        self._ros_wake()
 
-    def forget(self, entity: Any) -> None:
+    def _ros_forget(self, entity: Any) -> None:
         """Remove an entity."""
-        if entity in self.entities:
-            self.entities.remove(entity)
+        if entity in self._ros_entities:
+            self._ros_entities.remove(entity)
 
-    def forget_publisher(self, publisher: Publisher) -> None:
+    def _ros_forget_publisher(self, publisher: Publisher) -> None:
         """Remove a publisher."""
-        if publisher in self._publishers:
-            self._publishers.remove(publisher)
+        if publisher in self._ros_publishers:
+            self._ros_publishers.remove(publisher)
 
     @property
     def default_callback_group(self) -> CallbackGroup:
-        return self._default_group
+        return self._ros_default_group
 
-    def _group(self, group: CallbackGroup | None) -> CallbackGroup:
+    def _ros_group(self, group: CallbackGroup | None) -> CallbackGroup:
         return self.default_callback_group if group is None else group
 
-    def _of(self, kind: Any) -> Any:
-        return iter([entity for entity in self.entities if isinstance(entity, kind)])
+    def _ros_of(self, kind: Any) -> Any:
+        return iter([entity for entity in self._ros_entities if isinstance(entity, kind)])
 
     @property
     def publishers(self) -> Any:
-        return iter(list(self._publishers))
+        return iter(list(self._ros_publishers))
 
     @property
     def subscriptions(self) -> Any:
-        return self._of(Subscription)
+        return self._ros_of(Subscription)
 
     @property
     def clients(self) -> Any:
-        return self._of(Client)
+        return self._ros_of(Client)
 
     @property
     def services(self) -> Any:
-        return self._of(Service)
+        return self._ros_of(Service)
 
     @property
     def timers(self) -> Any:
-        return self._of(Timer)
+        return self._ros_of(Timer)
 
     @property
     def guards(self) -> Any:
-        return self._of(GuardCondition)
+        return self._ros_of(GuardCondition)
 
     @property
     def waitables(self) -> Any:
@@ -217,12 +217,12 @@ class Node(NodeGraph, NodeParameters):
         publisher_class: Any = Publisher,
     ) -> Any:
         check_is_valid_msg_type(msg_type)
-        full, profile = self._full_name(topic), profile_of(qos_profile)
+        full, profile = self._ros_full_name(topic), profile_of(qos_profile)
         if qos_overriding_options is not None:
             profile = override(self, "publisher", full, profile, qos_overriding_options)
-        events = MatchEvents(self, event_callbacks, self._group(callback_group), self._logger, full, False)
+        events = MatchEvents(self, event_callbacks, self._ros_group(callback_group), self._logger, full, False)
         publisher = publisher_class(self, msg_type, full, profile, events)
-        self._publishers.append(publisher)
+        self._ros_publishers.append(publisher)
         return publisher
 
     def create_subscription(
@@ -238,13 +238,13 @@ class Node(NodeGraph, NodeParameters):
         raw: bool = False,
     ) -> Subscription:
         check_is_valid_msg_type(msg_type)
-        full, profile = self._full_name(topic), profile_of(qos_profile)
+        full, profile = self._ros_full_name(topic), profile_of(qos_profile)
         if qos_overriding_options is not None:
             profile = override(self, "subscription", full, profile, qos_overriding_options)
-        group = self._group(callback_group)
+        group = self._ros_group(callback_group)
         events = MatchEvents(self, event_callbacks, group, self._logger, full, True)
         subscription = Subscription(self, msg_type, full, callback, group, profile, raw, events)
-        self.keep(subscription)
+        self._ros_keep(subscription)
         subscription.connect()
         return subscription
 
@@ -257,8 +257,10 @@ class Node(NodeGraph, NodeParameters):
         callback_group: CallbackGroup | None = None,
     ) -> Client:
         check_is_valid_srv_type(srv_type)
-        client = Client(self, srv_type, self._full_name(srv_name), profile_of(qos_profile), self._group(callback_group))
-        self.keep(client)
+        client = Client(
+            self, srv_type, self._ros_full_name(srv_name), profile_of(qos_profile), self._ros_group(callback_group)
+        )
+        self._ros_keep(client)
         return client
 
     def create_service(
@@ -271,16 +273,16 @@ class Node(NodeGraph, NodeParameters):
         callback_group: CallbackGroup | None = None,
     ) -> Service:
         check_is_valid_srv_type(srv_type)
-        group = self._group(callback_group)
-        service = Service(self, srv_type, self._full_name(srv_name), callback, group, profile_of(qos_profile))
-        self.keep(service)
+        group = self._ros_group(callback_group)
+        service = Service(self, srv_type, self._ros_full_name(srv_name), callback, group, profile_of(qos_profile))
+        self._ros_keep(service)
         return service
 
-    def create_own_service(self, srv_type: Any, srv_name: str, callback: Any, qos_profile: Any) -> Service:
+    def _ros_create_own_service(self, srv_type: Any, srv_name: str, callback: Any, qos_profile: Any) -> Service:
         """Make a service of rclpy itself, which runs whatever the user's groups do."""
-        full = self._full_name(srv_name)
-        service = Service(self, srv_type, full, callback, self._own_group, qos_profile, own=True)
-        self.keep(service)
+        full = self._ros_full_name(srv_name)
+        service = Service(self, srv_type, full, callback, self._ros_own_group, qos_profile, own=True)
+        self._ros_keep(service)
         return service
 
     def create_timer(
@@ -292,62 +294,62 @@ class Node(NodeGraph, NodeParameters):
         autostart: bool = True,
     ) -> Timer:
         period = period_ns(timer_period_sec)
-        timer = Timer(self, callback, self._group(callback_group), period, clock or self._clock, autostart)
-        self.keep(timer)
+        timer = Timer(self, callback, self._ros_group(callback_group), period, clock or self._clock, autostart)
+        self._ros_keep(timer)
         return timer
 
     def create_guard_condition(self, callback: Any, callback_group: CallbackGroup | None = None) -> GuardCondition:
-        guard = GuardCondition(self, callback, self._group(callback_group))
-        self.keep(guard)
+        guard = GuardCondition(self, callback, self._ros_group(callback_group))
+        self._ros_keep(guard)
         return guard
 
     def create_rate(self, frequency: float, clock: Clock | None = None) -> Rate:
         if frequency <= 0:
             raise ValueError("frequency must be > 0")
         rate = Rate(self, int(1_000_000_000 / frequency))
-        self._rates.append(rate)
+        self._ros_rates.append(rate)
         return rate
 
     def destroy_publisher(self, publisher: Publisher) -> bool:
-        found = publisher in self._publishers
+        found = publisher in self._ros_publishers
         publisher.destroy()
         return found
 
-    def _destroy(self, entity: Any) -> bool:
-        found = entity in self.entities
+    def _ros_destroy(self, entity: Any) -> bool:
+        found = entity in self._ros_entities
         if found:
             entity.destroy()
         return found
 
     def destroy_subscription(self, subscription: Subscription) -> bool:
-        return self._destroy(subscription)
+        return self._ros_destroy(subscription)
 
     def destroy_client(self, client: Client) -> bool:
-        return self._destroy(client)
+        return self._ros_destroy(client)
 
     def destroy_service(self, service: Service) -> bool:
-        return self._destroy(service)
+        return self._ros_destroy(service)
 
     def destroy_timer(self, timer: Timer) -> bool:
-        return self._destroy(timer)
+        return self._ros_destroy(timer)
 
     def destroy_guard_condition(self, guard: GuardCondition) -> bool:
-        return self._destroy(guard)
+        return self._ros_destroy(guard)
 
     def destroy_rate(self, rate: Rate) -> bool:
-        found = rate in self._rates
+        found = rate in self._ros_rates
         if found:
-            self._rates.remove(rate)
+            self._ros_rates.remove(rate)
             rate.destroy()
         return found
 
     def destroy_node(self) -> None:
-        if self._destroyed:
+        if self._ros_destroyed:
             return
-        self._destroyed = True
-        for publisher in list(self._publishers):
+        self._ros_destroyed = True
+        for publisher in list(self._ros_publishers):
             publisher.destroy()
-        for entity in list(self.entities):
+        for entity in list(self._ros_entities):
             entity.destroy()
         executor = self.executor
         if executor is not None:
@@ -361,19 +363,19 @@ class Node(NodeGraph, NodeParameters):
     def __exit__(self, *_: object) -> None:
         self.destroy_node()
 
-    def _full_name(self, name: str, only_expand: bool = False) -> str:
+    def _ros_full_name(self, name: str, only_expand: bool = False) -> str:
         from .expand_topic_name import expand_topic_name
         from .validate_topic_name import validate_topic_name
 
         validate_topic_name(name)
         if only_expand:
-            return expand_topic_name(name, self._name, self._namespace)
-        return system().remapping.apply(name, self._name, self._namespace)
+            return expand_topic_name(name, self._ros_name, self._ros_namespace)
+        return system().remapping.apply(name, self._ros_name, self._ros_namespace)
 
-    def _parameter_event(self, new: list[Any], changed: list[Any], deleted: list[Any]) -> None:
+    def _ros_parameter_event(self, new: list[Any], changed: list[Any], deleted: list[Any]) -> None:
         event = message("rcl_interfaces/msg/ParameterEvent")(node=self.get_fully_qualified_name())
         event.stamp = self._clock.now().to_msg()
         event.new_parameters = [p.to_parameter_msg() for p in new]
         event.changed_parameters = [p.to_parameter_msg() for p in changed]
         event.deleted_parameters = [p.to_parameter_msg() for p in deleted]
-        self._parameter_events.publish(event)
+        self._ros_parameter_events.publish(event)

@@ -25,6 +25,9 @@ class NodeGraph:
     def get_node_names_and_namespaces(self) -> list[tuple[str, str]]:
         return [(node.get_name(), node.get_namespace()) for node in system().node_list]
 
+    def get_node_names_and_namespaces_with_enclaves(self) -> list[tuple[str, str, str]]:
+        return [(name, namespace, "/") for name, namespace in self.get_node_names_and_namespaces()]
+
     def get_topic_names_and_types(self, no_demangle: bool = False) -> list[tuple[str, list[str]]]:
         graph = system().graph
         return _types([p for entries in (graph.publications, graph.subscriptions) for p in _all(entries)], "topic")

@@ -28,43 +28,55 @@ class NodeParameters:
 
     create_publisher: Any
 
-    def _parameter_event(self, new: list[Any], changed: list[Any], deleted: list[Any]) -> None:
+    def _ros_parameter_event(self, new: list[Any], changed: list[Any], deleted: list[Any]) -> None:
         raise NotImplementedError
 
-    def _begin_parameters(self, overrides: list[Parameter], undeclared: bool, automatically: bool) -> None:
+    def _ros_begin_parameters(self, overrides: list[Parameter], undeclared: bool, automatically: bool) -> None:
         event_type = message("rcl_interfaces/msg/ParameterEvent")
-        self._parameter_events = self.create_publisher(event_type, "/parameter_events", qos_profile_parameter_events)
-        self._store = ParameterStore(self, undeclared, self._parameter_event)
-        self._store.overrides = {parameter.name: parameter for parameter in overrides}
+        self._ros_parameter_events = self.create_publisher(
+            event_type, "/parameter_events", qos_profile_parameter_events
+        )
+        self._ros_store = ParameterStore(self, undeclared, self._ros_parameter_event)
+        self._ros_store.overrides = {parameter.name: parameter for parameter in overrides}
         case = system().overrides.of(self.get_name(), self.get_namespace())
         for name, value in case.items():
-            self._store.overrides[name] = Parameter(name, value=value)
+            self._ros_store.overrides[name] = Parameter(name, value=value)
         system().unobserved.overridden(set(case) - {USE_SIM_TIME})
-        simulated = self._store.declare(USE_SIM_TIME, system().settings.use_sim_time, None, ignore_override=False).value
+        simulated = self._ros_store.declare(
+            USE_SIM_TIME, system().settings.use_sim_time, None, ignore_override=False
+        ).value
         self._clock._set_ros_time_is_active(bool(simulated))
-        self._store.callbacks["post"].append(self._follow_sim_time)
+        self._ros_store.callbacks["post"].append(self._ros_follow_sim_time)
         if automatically:
-            for name, parameter in self._store.overrides.items():
+            for name, parameter in self._ros_store.overrides.items():
                 if name != USE_SIM_TIME:
-                    self._store.declare(name, parameter.value, None, ignore_override=True)
+                    self._ros_store.declare(name, parameter.value, None, ignore_override=True)
 
-    def _follow_sim_time(self, parameters: list[Parameter]) -> None:
+    def _ros_follow_sim_time(self, parameters: list[Parameter]) -> None:
         for parameter in parameters:
             if parameter.name == USE_SIM_TIME:
                 self._clock._set_ros_time_is_active(bool(parameter.value))
 
-    def parameter_result(self, successful: bool, reason: str = "") -> Any:
+    def _ros_parameter_result(self, successful: bool, reason: str = "") -> Any:
         """Return a SetParametersResult."""
-        return self._store.result(successful, reason)
+        return self._ros_store.result(successful, reason)
 
     @property
     def _parameters(self) -> dict[str, Parameter]:
-        return self._store.values
+        return self._ros_store.values
+
+    @property
+    def _parameter_overrides(self) -> dict[str, Parameter]:
+        return self._ros_store.overrides
+
+    @property
+    def _descriptors(self) -> dict[str, Any]:
+        return self._ros_store.descriptors
 
     def declare_parameter(
         self, name: str, value: Any = None, descriptor: Any = None, ignore_override: bool = False
     ) -> Parameter:
-        return self._store.declare(name, value, descriptor, ignore_override)
+        return self._ros_store.declare(name, value, descriptor, ignore_override)
 
     def declare_parameters(self, namespace: str, parameters: Any, ignore_override: bool = False) -> list[Parameter]:
         prefix = f"{namespace}." if namespace else ""
@@ -75,34 +87,34 @@ class NodeParameters:
             name, value, descriptor = [*entry, None, None][:3]
             if value is not None and not isinstance(value, Parameter.Type) and hasattr(value, "floating_point_range"):
                 value, descriptor = None, value
-            declared.append(self._store.declare(prefix + name, value, descriptor, ignore_override))
+            declared.append(self._ros_store.declare(prefix + name, value, descriptor, ignore_override))
         return declared
 
     def undeclare_parameter(self, name: str) -> None:
-        self._store.undeclare(name)
+        self._ros_store.undeclare(name)
 
     def has_parameter(self, name: str) -> bool:
-        return name in self._store.values
+        return name in self._ros_store.values
 
     def get_parameter(self, name: str) -> Parameter:
-        return self._store.get(name)
+        return self._ros_store.get(name)
 
     def get_parameters(self, names: list[str]) -> list[Parameter]:
         if not all(isinstance(name, str) for name in names):
             raise TypeError("All names must be instances of type str")
-        return [self._store.get(name) for name in names]
+        return [self._ros_store.get(name) for name in names]
 
     def get_parameter_types(self, names: list[str]) -> list[Any]:
         return [self.get_parameter_type(name) for name in names]
 
     def get_parameter_type(self, name: str) -> Any:
-        if name in self._store.values:
-            return self._store.values[name].type_
-        return self._store.get(name).type_
+        if name in self._ros_store.values:
+            return self._ros_store.values[name].type_
+        return self._ros_store.get(name).type_
 
     def get_parameter_or(self, name: str, alternative_value: Parameter | None = None) -> Parameter:
         try:
-            found = self._store.get(name)
+            found = self._ros_store.get(name)
         except (ParameterNotDeclaredException, ParameterUninitializedException):
             return Parameter(name) if alternative_value is None else alternative_value
         unset = found.type_ is Parameter.Type.NOT_SET and alternative_value is not None
@@ -110,26 +122,26 @@ class NodeParameters:
 
     def get_parameters_by_prefix(self, prefix: str) -> dict[str, Parameter]:
         start = f"{prefix}." if prefix else ""
-        return {name[len(start) :]: p for name, p in self._store.values.items() if name.startswith(start)}
+        return {name[len(start) :]: p for name, p in self._ros_store.values.items() if name.startswith(start)}
 
     def list_parameters(self, prefixes: list[str], depth: int) -> Any:
-        names, above = listed(sorted(self._store.values), prefixes, depth)
+        names, above = listed(sorted(self._ros_store.values), prefixes, depth)
         return message("rcl_interfaces/msg/ListParametersResult")(names=names, prefixes=above)
 
     def set_parameters(self, parameter_list: list[Parameter]) -> list[Any]:
         _check(parameter_list)
-        return self._store.set(parameter_list, atomically=False)
+        return self._ros_store.set(parameter_list, atomically=False)
 
     def set_parameters_atomically(self, parameter_list: list[Parameter]) -> Any:
         _check(parameter_list)
-        return self._store.set(parameter_list, atomically=True)[0]
+        return self._ros_store.set(parameter_list, atomically=True)[0]
 
     def describe_parameter(self, name: str) -> Any:
-        if name in self._store.descriptors:
-            descriptor = self._store.descriptors[name].copy_message()
-            descriptor.type = self._store.values[name].type_.value
+        if name in self._ros_store.descriptors:
+            descriptor = self._ros_store.descriptors[name].copy_message()
+            descriptor.type = self._ros_store.values[name].type_.value
             return descriptor
-        if self._store.undeclared:
+        if self._ros_store.undeclared:
             return message("rcl_interfaces/msg/ParameterDescriptor")(name=name)
         raise ParameterNotDeclaredException(name)
 
@@ -137,32 +149,32 @@ class NodeParameters:
         return [self.describe_parameter(name) for name in names]
 
     def set_descriptor(self, name: str, descriptor: Any, alternative_value: Any = None) -> Any:
-        if name not in self._store.descriptors:
+        if name not in self._ros_store.descriptors:
             raise ParameterNotDeclaredException(name)
         new = descriptor.copy_message()
-        new.name, new.type = name, self._store.descriptors[name].type
-        self._store.descriptors[name] = new
+        new.name, new.type = name, self._ros_store.descriptors[name].type
+        self._ros_store.descriptors[name] = new
         if alternative_value is not None:
             self.set_parameters([Parameter.from_parameter_msg(_named(name, alternative_value))])
         return self.get_parameter(name).get_parameter_value()
 
     def add_pre_set_parameters_callback(self, callback: Any) -> None:
-        self._store.add_callback("pre", callback, first=True)
+        self._ros_store.add_callback("pre", callback, first=True)
 
     def add_on_set_parameters_callback(self, callback: Any) -> None:
-        self._store.add_callback("on", callback, first=True)
+        self._ros_store.add_callback("on", callback, first=True)
 
     def add_post_set_parameters_callback(self, callback: Any) -> None:
-        self._store.add_callback("post", callback, first=True)
+        self._ros_store.add_callback("post", callback, first=True)
 
     def remove_pre_set_parameters_callback(self, callback: Any) -> None:
-        self._store.callbacks["pre"].remove(callback)
+        self._ros_store.callbacks["pre"].remove(callback)
 
     def remove_on_set_parameters_callback(self, callback: Any) -> None:
-        self._store.callbacks["on"].remove(callback)
+        self._ros_store.callbacks["on"].remove(callback)
 
     def remove_post_set_parameters_callback(self, callback: Any) -> None:
-        self._store.callbacks["post"].remove(callback)
+        self._ros_store.callbacks["post"].remove(callback)
 
 
 def _named(name: str, value: Any) -> Any:

@@ -24,7 +24,7 @@ class ParameterService:
     def __init__(self, node: Any) -> None:
         self._node = node
         for name, kind in _SERVICES.items():
-            node.create_own_service(
+            node._ros_create_own_service(
                 message(f"rcl_interfaces/srv/{kind}"), f"~/{name}", getattr(self, f"_{name}"), qos_profile_parameters
             )
 
@@ -66,7 +66,7 @@ class ParameterService:
             try:
                 result = self._node.set_parameters_atomically([Parameter.from_parameter_msg(one)])
             except ParameterNotDeclaredException as e:
-                result = self._node.parameter_result(False, str(e))
+                result = self._node._ros_parameter_result(False, str(e))
             response.results.append(result)
         return response
 
@@ -75,7 +75,7 @@ class ParameterService:
             wanted = [Parameter.from_parameter_msg(one) for one in request.parameters]
             response.result = self._node.set_parameters_atomically(wanted)
         except ParameterNotDeclaredException as e:
-            response.result = self._node.parameter_result(False, str(e))
+            response.result = self._node._ros_parameter_result(False, str(e))
         return response
 
 

@@ -63,7 +63,7 @@ class Publisher:
         if not self.destroyed:
             self.destroyed = True
             system().graph.remove_publication(self._publication)
-            self._node.forget_publisher(self)
+            self._node._ros_forget_publisher(self)
 
     def __enter__(self) -> Publisher:
         return self

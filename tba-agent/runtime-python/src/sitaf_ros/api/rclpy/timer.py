@@ -86,7 +86,7 @@ class Timer(Entity):
             raise InvalidHandle("cannot use Destroyable because destruction was requested")
         self._canceled = False
         self._next = system().now_ns + self._step()
-        self._node.wake()
+        self._node._ros_wake()
 
     @property
     def timer_period_ns(self) -> int:

@@ -182,7 +182,7 @@ class ActionServer:
     def _service(self, kind: Any, name: str, callback: Any, qos: Any) -> Service:
         full = self._node.resolve_service_name(name)
         service = _ActionService(self._node, kind, full, callback, self._group, qos, own=True)
-        self._node.keep(service)
+        self._node._ros_keep(service)
         return service
 
     async def _on_goal(self, request: Any, respond: Any) -> None:

@@ -30,18 +30,20 @@ ON_ERROR_SUCCESS = 60
 class LifecycleNodeMixin(ManagedEntity):
     """What makes a node a lifecycle node."""
 
-    is_lifecycle = True
+    _ros_is_lifecycle = True
     create_publisher: Any
-    create_own_service: Any
+    _ros_create_own_service: Any
     get_logger: Any
     get_clock: Any
 
-    def begin_lifecycle(self, communicates: bool = True) -> None:
+    def _ros_begin_lifecycle(self, communicates: bool = True) -> None:
         """Make services and the topic of transitions."""
-        self._managed_entities: list[ManagedEntity] = []
-        self._state = UNCONFIGURED
-        self._event_type = message("lifecycle_msgs/msg/TransitionEvent")
-        self._transition_event = self.create_publisher(self._event_type, "~/transition_event", QoSProfile(depth=10))
+        self._ros_managed_entities: list[ManagedEntity] = []
+        self._ros_state = UNCONFIGURED
+        self._ros_event_type = message("lifecycle_msgs/msg/TransitionEvent")
+        self._ros_transition_event = self.create_publisher(
+            self._ros_event_type, "~/transition_event", QoSProfile(depth=10)
+        )
         if communicates:
             for name, kind in (
                 ("change_state", "ChangeState"),
@@ -51,37 +53,39 @@ class LifecycleNodeMixin(ManagedEntity):
                 ("get_transition_graph", "GetAvailableTransitions"),
             ):
                 service = message(f"lifecycle_msgs/srv/{kind}")
-                self.create_own_service(service, f"~/{name}", getattr(self, f"_{name}"), qos_profile_services_default)
+                self._ros_create_own_service(
+                    service, f"~/{name}", getattr(self, f"_ros_{name}"), qos_profile_services_default
+                )
 
     # The user's part.
 
     def add_managed_entity(self, entity: ManagedEntity) -> None:
-        self._managed_entities.append(entity)
+        self._ros_managed_entities.append(entity)
 
-    def _all(self, callback: str, state: LifecycleState) -> TransitionCallbackReturn:
-        for entity in self._managed_entities:
+    def _ros_all(self, callback: str, state: LifecycleState) -> TransitionCallbackReturn:
+        for entity in self._ros_managed_entities:
             result = getattr(entity, callback)(state)
             if result is not SUCCESS:
                 return result
         return SUCCESS
 
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
-        return self._all("on_configure", state)
+        return self._ros_all("on_configure", state)
 
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
-        return self._all("on_cleanup", state)
+        return self._ros_all("on_cleanup", state)
 
     def on_shutdown(self, state: LifecycleState) -> TransitionCallbackReturn:
-        return self._all("on_shutdown", state)
+        return self._ros_all("on_shutdown", state)
 
     def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        return self._all("on_activate", state)
+        return self._ros_all("on_activate", state)
 
     def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        return self._all("on_deactivate", state)
+        return self._ros_all("on_deactivate", state)
 
     def on_error(self, state: LifecycleState) -> TransitionCallbackReturn:
-        return self._all("on_error", state)
+        return self._ros_all("on_error", state)
 
     def create_lifecycle_publisher(self, *args: Any, **kwargs: Any) -> LifecyclePublisher:
         publisher = self.create_publisher(*args, publisher_class=LifecyclePublisher, **kwargs)
@@ -89,58 +93,60 @@ class LifecycleNodeMixin(ManagedEntity):
         return publisher
 
     def destroy_lifecycle_publisher(self, publisher: LifecyclePublisher) -> bool:
-        if publisher in self._managed_entities:
-            self._managed_entities.remove(publisher)
+        if publisher in self._ros_managed_entities:
+            self._ros_managed_entities.remove(publisher)
         publisher.destroy()
         return True
 
     def trigger_configure(self) -> TransitionCallbackReturn:
-        return self._trigger_label("configure")
+        return self._ros_trigger_label("configure")
 
     def trigger_cleanup(self) -> TransitionCallbackReturn:
-        return self._trigger_label("cleanup")
+        return self._ros_trigger_label("cleanup")
 
     def trigger_activate(self) -> TransitionCallbackReturn:
-        return self._trigger_label("activate")
+        return self._ros_trigger_label("activate")
 
     def trigger_deactivate(self) -> TransitionCallbackReturn:
-        return self._trigger_label("deactivate")
+        return self._ros_trigger_label("deactivate")
 
     def trigger_shutdown(self) -> TransitionCallbackReturn:
-        return self._trigger_label("shutdown")
+        return self._ros_trigger_label("shutdown")
 
-    def _trigger_label(self, label: str) -> TransitionCallbackReturn:
-        transition = next((t for t in available(self._state) if t.label == label), None)
+    def _ros_trigger_label(self, label: str) -> TransitionCallbackReturn:
+        transition = next((t for t in available(self._ros_state) if t.label == label), None)
         if transition is None:
-            raise RuntimeError(f"Transition is not registered: '{label}' from the state '{self._state.label}'")
-        return self._trigger(transition)
+            raise RuntimeError(f"Transition is not registered: '{label}' from the state '{self._ros_state.label}'")
+        return self._ros_trigger(transition)
 
     # The state machine.
 
-    def _trigger(self, transition: Transition) -> TransitionCallbackReturn:
-        start = self._state
-        self._go(transition.number, transition.label, transition.during)
-        result = self._call(transition.callback, start)
+    def _ros_trigger(self, transition: Transition) -> TransitionCallbackReturn:
+        start = self._ros_state
+        self._ros_go(transition.number, transition.label, transition.during)
+        result = self._ros_call(transition.callback, start)
         if result is ERROR:
-            self._go(transition.first_result + 2, "transition_error", ERROR_PROCESSING)
-            handled = self._call("on_error", start)
+            self._ros_go(transition.first_result + 2, "transition_error", ERROR_PROCESSING)
+            handled = self._ros_call("on_error", start)
             number = ON_ERROR_SUCCESS + (SUCCESS, FAILURE, ERROR).index(handled)
-            self._go(number, f"transition_{handled.name.lower()}", UNCONFIGURED if handled is SUCCESS else FINALIZED)
+            self._ros_go(
+                number, f"transition_{handled.name.lower()}", UNCONFIGURED if handled is SUCCESS else FINALIZED
+            )
             return ERROR
         target = transition.success if result is SUCCESS else transition.failure
         number = transition.first_result + (SUCCESS, FAILURE).index(result)
-        self._go(number, f"transition_{result.name.lower()}", target)
+        self._ros_go(number, f"transition_{result.name.lower()}", target)
         return result
 
-    def _go(self, number: int, label: str, target: LifecycleState) -> None:
-        start, self._state = self._state, target
-        event = self._event_type(timestamp=self.get_clock().now().nanoseconds)
+    def _ros_go(self, number: int, label: str, target: LifecycleState) -> None:
+        start, self._ros_state = self._ros_state, target
+        event = self._ros_event_type(timestamp=self.get_clock().now().nanoseconds)
         event.transition.id, event.transition.label = number, label
         event.start_state.id, event.start_state.label = start.state_id, start.label
         event.goal_state.id, event.goal_state.label = target.state_id, target.label
-        self._transition_event.publish(event)
+        self._ros_transition_event.publish(event)
 
-    def _call(self, name: str, state: LifecycleState) -> TransitionCallbackReturn:
+    def _ros_call(self, name: str, state: LifecycleState) -> TransitionCallbackReturn:
         callback = getattr(self, name)
         try:
             result = callback(state)
@@ -157,32 +163,32 @@ class LifecycleNodeMixin(ManagedEntity):
 
     # Services.
 
-    def _change_state(self, request: Any, response: Any) -> Any:
+    def _ros_change_state(self, request: Any, response: Any) -> Any:
         wanted = request.transition
-        found = [t for t in available(self._state) if t.label == wanted.label or t.number == wanted.id]
+        found = [t for t in available(self._ros_state) if t.label == wanted.label or t.number == wanted.id]
         if wanted.label:
             found = [t for t in found if t.label == wanted.label]
         if not found:
             self.get_logger().warn(
-                f"No transition matching {wanted.label or wanted.id} found for current state {self._state.label}"
+                f"No transition matching {wanted.label or wanted.id} found for current state {self._ros_state.label}"
             )
             return response
-        response.success = self._trigger(found[0]) is SUCCESS
+        response.success = self._ros_trigger(found[0]) is SUCCESS
         return response
 
-    def _get_state(self, request: Any, response: Any) -> Any:
-        response.current_state.id, response.current_state.label = self._state.state_id, self._state.label
+    def _ros_get_state(self, request: Any, response: Any) -> Any:
+        response.current_state.id, response.current_state.label = self._ros_state.state_id, self._ros_state.label
         return response
 
-    def _get_available_states(self, request: Any, response: Any) -> Any:
+    def _ros_get_available_states(self, request: Any, response: Any) -> Any:
         response.available_states = [_state(state) for state in ALL]
         return response
 
-    def _get_available_transitions(self, request: Any, response: Any) -> Any:
-        response.available_transitions = [_description(t) for t in available(self._state)]
+    def _ros_get_available_transitions(self, request: Any, response: Any) -> Any:
+        response.available_transitions = [_description(t) for t in available(self._ros_state)]
         return response
 
-    def _get_transition_graph(self, request: Any, response: Any) -> Any:
+    def _ros_get_transition_graph(self, request: Any, response: Any) -> Any:
         response.available_transitions = [_description(t) for t in TRANSITIONS]
         return response
 
@@ -201,4 +207,4 @@ def _description(transition: Transition) -> Any:
 class LifecycleNode(LifecycleNodeMixin, Node):
     def __init__(self, node_name: str, *, enable_communication_interface: bool = True, **kwargs: Any) -> None:
         Node.__init__(self, node_name, **kwargs)
-        self.begin_lifecycle(enable_communication_interface)
+        self._ros_begin_lifecycle(enable_communication_interface)
