@@ -24,6 +24,7 @@ def requires(*packages):
 
 cpp = requires("grpc++", "protobuf", "expat")
 kdl = requires("grpc++", "protobuf", "expat", "orocos-kdl")
+fmt = requires("grpc++", "protobuf", "expat", "eigen3", "fmt")
 
 
 @pytest.fixture
@@ -167,3 +168,20 @@ def test_caches_do_not_change_the_result_of_edits(sitaf):
     ran = sitaf("bench", "cache", "--edits", "40")
     assert ran.returncode == 0, ran.stdout + ran.stderr
     assert ran.stdout.splitlines()[-1] == "cache: held"
+
+
+@fmt
+def test_a_component_in_cpp20_with_packages(sitaf, tmp_path):
+    run = sitaf("run", "examples/covariance-ellipse")
+    assert run.returncode == 0, run.stdout + run.stderr
+    assert "Axes: 45 cases, 45 PASS" in run.stdout
+    faulty = sitaf("run", "examples/covariance-ellipse-faulty")
+    assert faulty.returncode == 1, faulty.stdout + faulty.stderr
+    assert "45 cases, 30 PASS, 15 FAIL, 0 ERROR" in faulty.stdout
+    activity = shutil.copytree(sitaf.root / "examples" / "covariance-ellipse", tmp_path / "activity")
+    replace(activity / "activity.yaml", "packages: [eigen3, fmt]", "packages: [eigen3]")
+    run = sitaf("run", activity)
+    assert run.returncode == 2
+    assert "the test application cannot be linked" in run.stderr
+    assert "undefined reference to `fmt::" in run.stderr
+    assert "linked with eigen3" in run.stderr

@@ -155,6 +155,7 @@ public record ActivityProfile(
    * @param properties property values by name, set before the first call
    * @param period null for a passive component
    * @param before calls before the call under test, as written
+   * @param cpp how a C++ component is compiled
    */
   public record Component(
       Language language,
@@ -169,13 +170,47 @@ public record ActivityProfile(
       Map<String, String> properties,
       LifeCycle lifeCycle,
       @Nullable Duration period,
-      List<String> before) {
+      List<String> before,
+      CppBuild cpp) {
     public Component {
       Objects.requireNonNull(language);
       Objects.requireNonNull(className);
       Objects.requireNonNull(lifeCycle);
       properties = java.util.Collections.unmodifiableMap(new TreeMap<>(properties));
       before = List.copyOf(before);
+      Objects.requireNonNull(cpp);
+    }
+
+    /** A component that says nothing about how C++ is compiled. */
+    public Component(
+        Language language,
+        @Nullable String sources,
+        @Nullable String library,
+        @Nullable String headers,
+        @Nullable String header,
+        @Nullable String packageName,
+        String className,
+        @Nullable String adapter,
+        @Nullable String profile,
+        Map<String, String> properties,
+        LifeCycle lifeCycle,
+        @Nullable Duration period,
+        List<String> before) {
+      this(
+          language,
+          sources,
+          library,
+          headers,
+          header,
+          packageName,
+          className,
+          adapter,
+          profile,
+          properties,
+          lifeCycle,
+          period,
+          before,
+          CppBuild.DEFAULT);
     }
 
     /** The folders of its sources and of its adapter in the activity. */

@@ -38,6 +38,10 @@ final class ComponentFiles {
     folder(component.sources(), entry + ".sources", files, file, diagnostics);
     adapter(component, entry, files, file, diagnostics);
     folder(component.headers(), entry + ".headers", files, file, diagnostics);
+    component
+        .cpp()
+        .includes()
+        .forEach(include -> folder(include, entry + ".includes", files, file, diagnostics));
     existing(component.library(), entry + ".library", files, file, diagnostics);
     existing(component.profile(), entry + ".profile", files, file, diagnostics);
     if (component.language() == Language.JAVA

@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -232,7 +233,9 @@ final class ProfileReader {
     if (isRosNode(entry)) {
       return rosNode(entry);
     }
-    entry.allowOnly(COMPONENT_ENTRIES);
+    Set<String> known = new HashSet<>(COMPONENT_ENTRIES);
+    known.addAll(CppBuildReader.ENTRIES);
+    entry.allowOnly(known);
     long origins = List.of("sources", "library", "package").stream().filter(entry::has).count();
     if (origins != 1) {
       entry.problem("sources", "the component needs exactly one of sources, library and package");
@@ -242,8 +245,10 @@ final class ProfileReader {
         .mapping("properties")
         .ifPresent(
             all -> all.names().forEach(n -> all.text(n).ifPresent(v -> properties.put(n, v))));
+    Language language =
+        language(entry, "language", entry.requiredText("language")).orElse(Language.JAVA);
     return new Component(
-        language(entry, "language", entry.requiredText("language")).orElse(Language.JAVA),
+        language,
         entry.text("sources").orElse(null),
         entry.text("library").orElse(null),
         entry.text("headers").orElse(null),
@@ -255,7 +260,8 @@ final class ProfileReader {
         properties,
         lifeCycle(entry),
         period(entry),
-        entry.texts("before"));
+        entry.texts("before"),
+        CppBuildReader.read(entry, language));
   }
 
   private static Optional<Language> language(YamlMapping entry, String name, String text) {

@@ -24,6 +24,13 @@ record Compiler(Path program, String version) {
   /** Options of all compilations: line numbers for stack traces of crashes. */
   static final List<String> OPTIONS = List.of("-std=c++17", "-O1", "-g1", "-fPIC", "-pthread");
 
+  /** The options for sources of another C++ standard. */
+  static List<String> options(int standard) {
+    List<String> options = new ArrayList<>(OPTIONS);
+    options.set(0, "-std=c++" + standard);
+    return options;
+  }
+
   /** For generated sources and the runtime, whose warnings nobody can act on. */
   static final String WITHOUT_WARNINGS = "-w";
 

@@ -6,11 +6,13 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.agent.sandbox.ToolResult;
 import org.sitaf.agent.toolchain.Compilation;
@@ -18,6 +20,7 @@ import org.sitaf.agent.toolchain.CompilationException;
 import org.sitaf.agent.toolchain.SourceDiagnostic;
 import org.sitaf.agent.toolchain.cpp.inputs.InputCheck;
 import org.sitaf.agent.toolchain.cpp.inputs.Inputs;
+import org.sitaf.core.activity.ActivityProfile;
 
 /** Compiles the translation units of a test application in parallel and links the program. */
 final class CppCompilation {
@@ -106,7 +109,7 @@ final class CppCompilation {
     thread.setDaemon(true);
     thread.start();
     try {
-      requireSuccess("the sources do not compile", MISFIT, ends);
+      requireSuccess("the sources do not compile", MISFIT, "", ends);
       writeWarnings(all);
       link(all, cacheTask);
     } finally {
@@ -191,11 +194,25 @@ final class CppCompilation {
     ToolResult end = linking.link(linked, coverageEnabled());
     collectErrors(end);
     // An undefined reference is the component's, whichever object it is in.
-    requireSuccess(NOT_LINKED, NOT_LINKED, List.of(end));
+    requireSuccess(NOT_LINKED, NOT_LINKED, "; linked " + libraries(), List.of(end));
     await(cacheTask);
     if (inputs.size() == units.size()) {
       linking.note(inputs);
     }
+  }
+
+  /** What the program is linked with, to find the library that a missing symbol belongs to. */
+  private String libraries() {
+    ActivityProfile profile = compilation.application().activity().profile();
+    List<String> given = new ArrayList<>(profile.component().cpp().packages());
+    Stream.of(profile.component().packageName(), profile.component().library())
+        .filter(Objects::nonNull)
+        .forEach(given::add);
+    given.addAll(profile.libraries());
+    return given.isEmpty()
+        ? "without any package or library; packages: [NAME] in component: links one that"
+            + " pkg-config knows"
+        : "with " + String.join(", ", given);
   }
 
   private static void await(FutureTask<Void> cacheTask) throws IOException, InterruptedException {
@@ -219,8 +236,9 @@ final class CppCompilation {
 
   /**
    * @param inGenerated what to report instead when all errors are in generated sources
+   * @param hint follows the first error
    */
-  private void requireSuccess(String what, String inGenerated, List<ToolResult> ends)
+  private void requireSuccess(String what, String inGenerated, String hint, List<ToolResult> ends)
       throws CompilationException {
     if (ends.stream().allMatch(end -> end.code() == 0)) {
       return;
@@ -239,6 +257,6 @@ final class CppCompilation {
     boolean allGenerated = errors.stream().allMatch(SourceDiagnostic::generated);
     String number = errors.size() == 1 ? "1 error" : errors.size() + " errors";
     throw new CompilationException(
-        (allGenerated ? inGenerated : what) + ": " + number + "; " + errors.get(0), errors);
+        (allGenerated ? inGenerated : what) + ": " + number + "; " + errors.get(0) + hint, errors);
   }
 }

@@ -59,37 +59,51 @@ record CppLibraries(List<String> compileFlags, List<String> linkFlags) {
         link.add(copyToOutput(compilation, path).toString());
       }
     }
-    addPackage(profile, compile, link, problems);
+    addPackages(profile, compile, link, problems);
     if (!problems.isEmpty()) {
       throw new CompilationException("the component's libraries cannot be used", problems);
     }
     return new CppLibraries(compile, link);
   }
 
-  /** The current flags of the component's package; empty if it has none. */
+  /** The current flags of the component's packages; empty if it has none. */
   static String packageFlags(ActivityProfile profile) {
     List<String> compile = new ArrayList<>();
     List<String> link = new ArrayList<>();
     List<SourceDiagnostic> problems = new ArrayList<>();
-    addPackage(profile, compile, link, problems);
+    addPackages(profile, compile, link, problems);
     return compile.isEmpty() && link.isEmpty() && problems.isEmpty()
         ? ""
         : compile + "\n" + link + "\n" + problems;
   }
 
-  private static void addPackage(
+  private static void addPackages(
       ActivityProfile profile,
       List<String> compile,
       List<String> link,
       List<SourceDiagnostic> problems) {
-    String wanted = profile.component().packageName();
-    if (wanted == null) {
-      return;
+    ActivityProfile.Component component = profile.component();
+    if (component.packageName() != null) {
+      addPackage("package: ", component.packageName(), compile, link, problems);
     }
+    for (String wanted : component.cpp().packages()) {
+      addPackage("packages: ", wanted, compile, link, problems);
+    }
+  }
+
+  /**
+   * @param entry of the activity, with a colon
+   */
+  private static void addPackage(
+      String entry,
+      String wanted,
+      List<String> compile,
+      List<String> link,
+      List<SourceDiagnostic> problems) {
     Matcher parts = PACKAGE.matcher(wanted);
     if (!parts.matches()) {
       problems.add(
-          inProfile("package: '" + wanted + "' is not a name such as orocos-kdl or eigen3==3.4.0"));
+          inProfile(entry + "'" + wanted + "' is not a name such as orocos-kdl or eigen3==3.4.0"));
       return;
     }
     Optional<String> known =
@@ -100,7 +114,8 @@ record CppLibraries(List<String> compileFlags, List<String> linkFlags) {
     if (known.isEmpty()) {
       problems.add(
           inProfile(
-              "package: pkg-config on this machine does not know "
+              entry
+                  + "pkg-config on this machine does not know "
                   + parts.group(1)
                   + "; install the Debian package that holds "
                   + parts.group(1)
@@ -113,12 +128,7 @@ record CppLibraries(List<String> compileFlags, List<String> linkFlags) {
     if (parts.group(2) != null && !parts.group(2).equals(version)) {
       problems.add(
           inProfile(
-              "package: "
-                  + known.get()
-                  + " is here in version "
-                  + version
-                  + ", not "
-                  + parts.group(2)));
+              entry + known.get() + " is here in version " + version + ", not " + parts.group(2)));
       return;
     }
     compile.addAll(flags(known.get(), "--cflags"));

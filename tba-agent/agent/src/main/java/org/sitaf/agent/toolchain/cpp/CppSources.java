@@ -82,6 +82,9 @@ final class CppSources {
     if (headers != null) {
       folders.add(root.resolve("activity").resolve(headers));
     }
+    for (String include : application.activity().profile().component().cpp().includes()) {
+      folders.add(root.resolve("activity").resolve(include));
+    }
     return folders;
   }
 

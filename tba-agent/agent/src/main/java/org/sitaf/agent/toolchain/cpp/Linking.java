@@ -24,6 +24,9 @@ final class Linking {
 
   private static final String OPENED = "linked.d";
 
+  /** An option of the compiler that also adds a library. */
+  private static final String OPENMP = "-fopenmp";
+
   private final Compilation compilation;
   private final Compiler compiler;
   private final CppRuntime.Built runtime;
@@ -56,6 +59,9 @@ final class Linking {
     objects.forEach(object -> command.add(object.toString()));
     command.addAll(List.of("-L" + runtime.library(), "-lsitaf_runtime"));
     command.addAll(libraries.linkFlags());
+    if (compilation.application().activity().profile().component().cpp().flags().contains(OPENMP)) {
+      command.add(OPENMP);
+    }
     // The component's libraries are next to the program, wherever it is moved.
     Path ownLibraries = compilation.output().resolve(CppApplication.LIBRARIES);
     command.addAll(

@@ -15,7 +15,9 @@ import org.sitaf.agent.toolchain.Compilation;
 import org.sitaf.agent.toolchain.cpp.inputs.DependencyFile;
 import org.sitaf.agent.toolchain.cpp.inputs.InputCheck;
 import org.sitaf.agent.toolchain.cpp.inputs.Inputs;
+import org.sitaf.core.activity.ActivityProfile;
 import org.sitaf.core.activity.ActivityProfile.Sanitizer;
+import org.sitaf.core.activity.CppBuild;
 import org.sitaf.core.harness.TestApplication;
 
 /**
@@ -64,9 +66,12 @@ record TranslationUnit(
       boolean measured)
       throws IOException {
     List<String> command = new ArrayList<>(List.of(compiler.program().toString()));
-    command.addAll(Compiler.OPTIONS);
+    ActivityProfile profile = compilation.application().activity().profile();
+    CppBuild build = profile.component().cpp();
+    command.addAll(
+        Compiler.options(source.ofHarness() ? build.standardOfHarness() : build.standard()));
     command.add(source.ofHarness() ? Compiler.WITHOUT_WARNINGS : Compiler.WITH_WARNINGS);
-    Set<Sanitizer> sanitizers = compilation.application().activity().profile().sanitizers();
+    Set<Sanitizer> sanitizers = profile.sanitizers();
     command.addAll(Compiler.sanitizing(sanitizers));
     command.addAll(compiler.plainDiagnostics());
     command.add("-ffile-prefix-map=" + compilation.sources() + "/=");
@@ -74,12 +79,16 @@ record TranslationUnit(
       command.add("--coverage");
     }
     if (source.ofHarness()) {
-      if (sanitizers.isEmpty()) {
-        // It is compiled without sanitizers, and used only if it is included first.
+      if (sanitizers.isEmpty() && build.standardOfHarness() == CppBuild.DEFAULT_STANDARD) {
+        // It is compiled with the default options, and used only if it is included first.
         command.addAll(List.of("-I", runtime.precompiled().toString()));
       }
       command.addAll(List.of("-include", CppRuntime.PRECOMPILED));
     }
+    if (!source.ofHarness()) {
+      command.addAll(build.flags());
+    }
+    build.defines().forEach(define -> command.add("-D" + define));
     for (Path folder : folders) {
       command.addAll(List.of("-I", folder.toString()));
     }
