@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from sitaf_runtime.ros.device_messages import Odometry, command_of, fields_of, transforms_of
 from sitaf_runtime.ros.fields import Fields
 from sitaf_runtime.ros.schedule import Publishing, Schedule
+from sitaf_runtime.ros.stub import Stub, free, results_of
 from sitaf_runtime.suite.kinds import INT64
 
 if TYPE_CHECKING:
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
 MOST_MESSAGES = 1_000
 _NANOS = 1_000_000_000
 _EPOCH_NS = 1_700_000_000 * _NANOS
+_INTERFACE = "topics"
 _ROS_PARAMETERS = "ros__parameters"
 
 
@@ -65,7 +67,9 @@ class CaseRun:
         self._call_ns = 0
         self._last: dict[str, Any] = {}
         self._count: dict[str, int] = {topic.output: 0 for topic in plan.topics if topic.output}
-        self._messages: list[tuple[str, dict[str, str]]] = []
+        self._messages = 0
+        # Messages and calls of required services in their order.
+        self._calls: list[tuple[str, dict[str, str]]] = []
         self._system: Any = None
 
     def run(self) -> dict[str, Any]:
@@ -134,6 +138,9 @@ class CaseRun:
                 system.subscribe(topic.name, topic.type, lambda m, t, topic=topic: self._receive(topic, m, t))
             if topic.commands:
                 system.subscribe(topic.name, topic.type, lambda m, t, topic=topic: self._command(topic, m))
+        for entry in self._plan.required:
+            given = [answer for answer in self._plan.answers if answer["method"] == entry["method"]]
+            Stub(entry, given, self._values, self._fields, self._calls).serve(system)
 
     def _command(self, topic: Topic, message: Any) -> None:
         if self._world is not None:
@@ -145,11 +152,12 @@ class CaseRun:
         self._count[topic.output] += 1
         fields = self._system.fields(message)
         self._last[topic.output] = fields
-        if len(self._messages) < MOST_MESSAGES:
+        if self._messages < MOST_MESSAGES:
+            self._messages += 1
             types = self._fields.members(topic.type)
             literals = {name: self._fields.literal(types[name], value) for name, value in fields.items()}
             literals["t"] = self._fields.literal("double", (time_ns - self._call_ns) / _NANOS)
-            self._messages.append((topic.output, literals))
+            self._calls.append((f"{_INTERFACE}.{topic.output}", literals))
 
     # Time.
 
@@ -175,14 +183,14 @@ class CaseRun:
         step_ns = world.timestep_ns
         coming = [end_ns, self._schedule.next_ns(), self._system.next_event_ns()]
         steps = [-(-time // step_ns) for time in coming if time is not None]
-        steps += [self._step_of(topic, self._sent.get(topic.name, 0) + 1) for topic in self._sensing()]
+        steps += [self._step_of(world, topic, self._sent.get(topic.name, 0) + 1) for topic in self._sensing()]
         to = max(self._step + 1, min(steps))
         world.step(to - self._step)
         self._step = to
         now_ns = to * step_ns
         self._system.run_before(now_ns)
         for topic in self._sensing():
-            if self._step_of(topic, self._sent.get(topic.name, 0) + 1) <= to:
+            if self._step_of(world, topic, self._sent.get(topic.name, 0) + 1) <= to:
                 self._sent[topic.name] = self._sent.get(topic.name, 0) + 1
                 self._sense(world, topic, now_ns)
         self._publish_due(now_ns)
@@ -191,10 +199,9 @@ class CaseRun:
     def _sensing(self) -> list[Topic]:
         return [topic for topic in self._plan.topics if topic.senses]
 
-    def _step_of(self, topic: Topic, number: int) -> int:
+    def _step_of(self, world: World, topic: Topic, number: int) -> int:
         """The step of a message: ceil(number / (rate * timestep)), with a margin for rounding."""
-        assert self._world is not None
-        exact = number * _NANOS / (topic.rate_hz * self._world.timestep_ns)
+        exact = number * _NANOS / (topic.rate_hz * world.timestep_ns)
         return max(1, -int(-(exact - 1e-9) // 1))
 
     def _sense(self, world: World, topic: Topic, now_ns: int) -> None:
@@ -270,15 +277,9 @@ class CaseRun:
         values = self._system.fields(result)
         types = dict(answered.get_fields_and_field_types())
         taken = set(asked.get_fields_and_field_types())
-        if len(types) == 1:
-            only = next(iter(types))
-            answers = {"return": (types[only], values[only])}
-        else:
-            answers = {}
-            for field, field_type in types.items():
-                answers[_free(field, "result_", taken)] = (field_type, values[field])
+        answers = {name or "return": (types[field], values[field]) for name, field in results_of(types, taken).items()}
         if is_action:
-            answers[_free("feedback", "action_", taken)] = ("", feedback)
+            answers[free("feedback", "action_", taken)] = ("", feedback)
         return {"answers": answers}
 
     def _given_field(self, field: str, type_: str) -> Any:
@@ -326,7 +327,7 @@ class CaseRun:
                 actual[name] = self._part(type_, value, path)
         return {
             "actual": actual,
-            "messages": self._messages,
+            "calls": self._calls,
             "thrown": outcome.get("thrown", ""),
             "message": outcome.get("message", ""),
         }
@@ -360,11 +361,3 @@ def _overriding(content: dict[str, Any], given: dict[str, Any]) -> dict[str, Any
 
 def _flag(value: Any) -> bool:
     return value is True or value in ("true", "True")
-
-
-def _free(name: str, prefix: str, taken: set[str]) -> str:
-    """A name that no parameter has yet, by the rule of the interface's description."""
-    while name in taken:
-        name = prefix + name
-    taken.add(name)
-    return name

@@ -18,8 +18,6 @@ if TYPE_CHECKING:
     from sitaf_runtime.run import TestRun
     from sitaf_runtime.simulation.session import Simulation
 
-_INTERFACE = "topics"
-
 
 class RosTestDriver(SuiteDriver[object]):
     """Runs each case in the process of the node, and lets simulation time pass for it."""
@@ -126,8 +124,8 @@ class RosTestDriver(SuiteDriver[object]):
         for output in self._plan.outputs:
             if output["source"] == "observed" and simulation is not None:
                 result.record(output["name"], simulation.observation(output["name"]), FLOAT64)
-        for output, members in record["messages"]:
-            self._run.stubbing.calls.append(StubCall(f"{_INTERFACE}.{output}", members))
+        for method, arguments in record["calls"]:
+            self._run.stubbing.calls.append(StubCall(method, arguments))
         if record["thrown"]:
             result.threw(type(record["thrown"], (Exception,), {})(), record["message"])
 

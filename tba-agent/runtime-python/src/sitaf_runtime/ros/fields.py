@@ -1,4 +1,7 @@
-"""Literals of messages, by the field types that message classes declare (`double`, `sequence<string<5>, 3>`, `pkg/Name`)."""
+"""Literals of messages, by the field types that message classes declare.
+
+Such as `double`, `sequence<string<5>, 3>`, `float[36]` and `package/Name`.
+"""
 
 from __future__ import annotations
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -51,7 +51,9 @@ class Plan:
     settings: tuple[str, ...]
     inputs: tuple[dict[str, Any], ...]
     parameters: tuple[dict[str, str], ...]
-    outputs: tuple[dict[str, Any], ...] = field(default=())
+    required: tuple[dict[str, Any], ...]
+    answers: tuple[dict[str, Any], ...]
+    outputs: tuple[dict[str, Any], ...]
 
     @classmethod
     def read(cls, file: Path) -> Plan:
@@ -69,5 +71,7 @@ class Plan:
             tuple(given["settings"]),
             tuple(given["inputs"]),
             tuple(given["parameters"]),
+            tuple(given["required"]),
+            tuple(given["answers"]),
             tuple(given["outputs"]),
         )

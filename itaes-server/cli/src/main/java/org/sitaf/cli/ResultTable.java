@@ -165,10 +165,17 @@ public final class ResultTable {
     return String.format(Locale.ROOT, "%.3f", microseconds);
   }
 
-  /** Prints what the component did in any case that no case looks at. */
+  /** Prints what the component did that no case looks at. */
   private static void printNotes(TestResult result, PrintWriter out) {
+    List<CaseResult> executed =
+        result.cases().stream().filter(c -> c.verdict() != Verdict.DONT).toList();
     List<String> notes =
-        result.cases().stream().flatMap(c -> c.notes().stream()).distinct().sorted().toList();
+        executed.stream()
+            .flatMap(c -> c.notes().stream())
+            .distinct()
+            .filter(note -> executed.stream().allMatch(c -> c.notes().contains(note)))
+            .sorted()
+            .toList();
     notes.stream().limit(MAX_NOTES).forEach(note -> out.println("note: " + note));
     if (notes.size() > MAX_NOTES) {
       out.println("note: " + (notes.size() - MAX_NOTES) + " more in the result file");

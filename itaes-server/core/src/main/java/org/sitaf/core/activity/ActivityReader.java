@@ -115,7 +115,8 @@ final class ActivityReader {
     files.paths().stream()
         .filter(path -> path.equals("package.xml") || path.endsWith("/package.xml"))
         .forEach(path -> own.put(path, files.content(path).orElseThrow()));
-    return RosInterfaces.resolve(node, texts, used, own, installed, world, PROFILE, diagnostics);
+    return RosInterfaces.resolve(
+        node, texts, profile.required(), used, own, installed, world, PROFILE, diagnostics);
   }
 
   /** Limits the time that a server spends on one activity. */

@@ -108,11 +108,6 @@ final class ProfileReader {
                       "the service or action needs a name; write {type: "
                           + path
                           + ", name: /NAME}"));
-      if (root.has("required")) {
-        root.problem(
-            "required",
-            "is not yet available for ROS 2 nodes; remove it, and test what needs none");
-      }
     }
     List<String> required = interfaces(root, "required", node != null, services);
     Language harness =

@@ -23,14 +23,19 @@ final class NodeSources {
       Pattern.compile(
           "\\bSubscriber\\(\\s{0,100}\\w{1,100},\\s{0,100}([\\w.]{1,200})\\s{0,100},\\s{0,100}"
               + "(?:'([^'\\n]{1,200})'|\"([^\"\\n]{1,200})\")");
+  private static final Pattern CLIENT =
+      Pattern.compile(
+          "\\b(?:create_client\\(|ActionClient\\(\\s{0,100}\\w{1,100},)\\s{0,100}([\\w.]{1,200})"
+              + "\\s{0,100},\\s{0,100}(?:'([^'\\n]{1,200})'|\"([^\"\\n]{1,200})\")");
   private static final Pattern IMPORT =
       Pattern.compile(
-          "^[ \\t]*from[ \\t]+(\\w{1,200})\\.msg(?:\\.\\w{1,200})?[ \\t]+import[ \\t]*"
+          "^[ \\t]*from[ \\t]+(\\w{1,200})\\.(?:msg|srv|action)(?:\\.\\w{1,200})?[ \\t]+import[ \\t]*"
               + "(\\([^)]{1,5000}\\)|[^\\n#]{1,5000})",
           Pattern.MULTILINE);
   private static final Pattern NAMED =
       Pattern.compile("([A-Z]\\w{0,200})(?:\\s{1,20}as\\s{1,20}(\\w{1,200}))?");
-  private static final Pattern QUALIFIED = Pattern.compile("(\\w+)\\.msg\\.([A-Z]\\w*)");
+  private static final Pattern QUALIFIED =
+      Pattern.compile("(\\w+)\\.(?:msg|srv|action)\\.([A-Z]\\w*)");
   private static final Pattern PACKAGE =
       Pattern.compile(
           "^[ \\t]*(?:from|import)[ \\t]+([a-z][a-z0-9_]{0,100})\\.(?:msg|srv|action)\\b",
@@ -47,6 +52,7 @@ final class NodeSources {
           "/parameter_events", "rcl_interfaces/ParameterEvent");
 
   private final Map<String, SortedSet<String>> types = new HashMap<>();
+  private final Map<String, SortedSet<String>> clients = new HashMap<>();
   private final SortedSet<String> packages = new TreeSet<>();
 
   /**
@@ -75,7 +81,7 @@ final class NodeSources {
     while (used.find()) {
       packages.add(used.group(1));
     }
-    for (Pattern pattern : List.of(CREATED, FILTERED)) {
+    for (Pattern pattern : List.of(CREATED, FILTERED, CLIENT)) {
       Matcher created = pattern.matcher(text);
       while (created.find()) {
         String written = created.group(1);
@@ -86,7 +92,11 @@ final class NodeSources {
                 : imported.get(written);
         if (type != null) {
           String topic = created.group(2) == null ? created.group(3) : created.group(2);
-          types.computeIfAbsent(full(topic, remap), t -> new TreeSet<>()).add(type);
+          if (pattern == CLIENT) {
+            clients.computeIfAbsent(type, t -> new TreeSet<>()).add(full(topic, remap));
+          } else {
+            types.computeIfAbsent(full(topic, remap), t -> new TreeSet<>()).add(type);
+          }
         }
       }
     }
@@ -107,6 +117,11 @@ final class NodeSources {
     return fixed != null
         ? List.of(fixed)
         : new ArrayList<>(types.getOrDefault(topic, new TreeSet<>()));
+  }
+
+  /** The names of the services and actions of a type {@code package/Name} that the node calls. */
+  List<String> clientsOf(String type) {
+    return List.copyOf(clients.getOrDefault(type, new TreeSet<>()));
   }
 
   /** The interface packages that the sources import. */

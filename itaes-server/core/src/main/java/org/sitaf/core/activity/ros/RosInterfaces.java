@@ -10,6 +10,8 @@ import java.util.NavigableMap;
 import java.util.Objects;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.activity.ros.RosNode.EndKind;
 import org.sitaf.core.activity.ros.RosNode.Topic;
@@ -41,6 +43,9 @@ public record RosInterfaces(
     List<Parameter> outputs,
     List<Parameter> lines,
     NavigableMap<String, byte[]> files) {
+  private static final Pattern SERVICE_FILE =
+      Pattern.compile("(?:.*/)?(\\w+)/(?:srv|action)/(\\w+)\\.(?:srv|action)");
+
   public RosInterfaces {
     Objects.requireNonNull(node);
     Objects.requireNonNull(topics);
@@ -54,6 +59,7 @@ public record RosInterfaces(
    *
    * @param node as read
    * @param texts sources of the node
+   * @param required files of the services and actions that the node calls
    * @param used interface packages that the activity names elsewhere
    * @param activity interface files of the activity by path
    * @param installed interface files of a ROS 2 release by {@code PACKAGE/msg/NAME.msg}
@@ -63,6 +69,7 @@ public record RosInterfaces(
   public static RosInterfaces resolve(
       RosNode node,
       List<String> texts,
+      List<String> required,
       Set<String> used,
       Map<String, byte[]> activity,
       Map<String, byte[]> installed,
@@ -91,11 +98,45 @@ public record RosInterfaces(
     methods.add(method(RosNode.PUBLISH, inputs));
     inputs.forEach(input -> methods.add(method(input.name(), List.of(input))));
     return new RosInterfaces(
-        node.withTopics(topics),
+        node.withTopics(topics)
+            .withServices(services(node, required, sources, profile, diagnostics)),
         new InterfaceDescription(RosNode.INTERFACE, methods, profile),
         outputs,
         lines,
         files);
+  }
+
+  /** The names of services and actions by file, also of those that only the sources name. */
+  private static Map<String, String> services(
+      RosNode node,
+      List<String> required,
+      NodeSources sources,
+      String profile,
+      Diagnostics diagnostics) {
+    Map<String, String> services = new HashMap<>(node.services());
+    for (String file : required) {
+      if (services.containsKey(file)) {
+        continue;
+      }
+      Matcher parts = SERVICE_FILE.matcher(file);
+      List<String> names =
+          parts.matches() ? sources.clientsOf(parts.group(1) + "/" + parts.group(2)) : List.of();
+      if (names.size() == 1) {
+        services.put(file, names.get(0));
+      } else {
+        diagnostics.error(
+            profile,
+            0,
+            "required",
+            file
+                + ": the node's sources "
+                + (names.isEmpty() ? "do not name this service" : "call several services: " + names)
+                + "; write {type: "
+                + file
+                + ", name: /NAME}");
+      }
+    }
+    return services;
   }
 
   private static Method method(String name, List<Parameter> inputs) {

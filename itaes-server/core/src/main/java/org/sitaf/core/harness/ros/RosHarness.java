@@ -19,6 +19,7 @@ import org.sitaf.core.activity.ros.RosInterfaces;
 import org.sitaf.core.activity.ros.RosNode;
 import org.sitaf.core.activity.ros.RosNode.EndKind;
 import org.sitaf.core.activity.ros.RosNode.Topic;
+import org.sitaf.core.description.InterfaceDescription;
 import org.sitaf.core.description.MemberPath;
 import org.sitaf.core.description.MemberPath.Step;
 import org.sitaf.core.description.Parameter;
@@ -45,6 +46,12 @@ public final class RosHarness {
   public static final String INTERFACES = "sitaf_ros_interfaces";
 
   private static final Pattern PACKAGE_NAME = Pattern.compile("<name>\\s*([\\w-]+)\\s*</name>");
+  private static final Pattern SERVICE_FILE = Pattern.compile("(?:.*/)?(srv|action)/(\\w+)\\.\\1");
+
+  /** {@code Interface.Method} or {@code Interface.Method.part}, with the first call as #N. */
+  private static final Pattern ANSWER =
+      Pattern.compile("([^.#]+\\.[^.#]+)(?:\\.([^.#]+))?(?:#([1-9][0-9]{0,3}))?");
+
   private static final double NANOS = 1e9;
 
   private static final String DRIVER =
@@ -116,6 +123,8 @@ public final class RosHarness {
     plan.put("world", activity.world() != null);
     plan.put("settings", settings(suite));
     plan.put("inputs", inputs(suite));
+    plan.put("required", required(activity));
+    plan.put("answers", answers(suite));
     plan.put("parameters", parameters(suite));
     plan.put("outputs", model.outputs().stream().map(RosHarness::output).toList());
     return plan;
@@ -239,6 +248,43 @@ public final class RosHarness {
       }
     }
     return inputs;
+  }
+
+  /** The services and actions that the test answers. */
+  private static List<Object> required(Activity activity) {
+    RosNode node = Objects.requireNonNull(activity.ros()).node();
+    List<Object> required = new ArrayList<>();
+    for (String path : activity.profile().required()) {
+      Matcher file = SERVICE_FILE.matcher(path);
+      for (InterfaceDescription description : activity.required()) {
+        if (file.matches() && !description.methodsNamed(file.group(2)).isEmpty()) {
+          Map<String, Object> entry = new LinkedHashMap<>();
+          entry.put("kind", file.group(1));
+          entry.put("type", description.name() + "/" + file.group(1) + "/" + file.group(2));
+          entry.put("name", node.services().get(path));
+          entry.put("method", description.name() + "." + file.group(2));
+          required.add(entry);
+        }
+      }
+    }
+    return required;
+  }
+
+  /** The answers of required services and actions (TDTS). */
+  private static List<Object> answers(TestSuite suite) {
+    List<Object> answers = new ArrayList<>();
+    for (CaseParameter parameter : suite.parameters()) {
+      Matcher name = ANSWER.matcher(parameter.name());
+      if (parameter.kind() == InputKind.TDTS && name.matches()) {
+        Map<String, Object> entry = new LinkedHashMap<>();
+        entry.put("column", parameter.name());
+        entry.put("method", name.group(1));
+        entry.put("part", name.group(2));
+        entry.put("from_call", name.group(3) == null ? 1L : Long.parseLong(name.group(3)));
+        answers.add(entry);
+      }
+    }
+    return answers;
   }
 
   /** Values of parameters of the node, with their types as message fields have them. */

@@ -1,0 +1,167 @@
+"""ROS 2 nodes: the examples, their faulty twins, and nodes of public packages, unchanged."""
+
+import os
+import shutil
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+PACKAGES = ROOT.parent / "shared" / "ros2-packages"
+
+needs_packages = pytest.mark.skipif(
+    not PACKAGES.is_dir() and not os.environ.get("CI"), reason="../shared/ros2-packages is missing"
+)
+
+
+def results(sitaf, activity, folder):
+    """Run an activity; the exit code, and each model's result without what differs between runs."""
+    run = sitaf("run", activity, "--result", folder, "--no-coverage")
+    found = {}
+    for file in sorted(Path(folder).glob("*.xml")):
+        result = ElementTree.parse(file).getroot()
+        for case in result.iter("test_result"):
+            for time in case.findall("processing_time"):
+                case.remove(time)
+        found[file.stem] = ElementTree.tostring(result.find("test_result_list"))
+    return run, found
+
+
+def element(name, kind, real_type, values=(), expected=None):
+    abstract = {"string": "STRING", "boolean": "BOOLEAN"}.get(real_type, "NUMERIC")
+    listed = "".join(f"<value>{value}</value>" for value in values)
+    user = f"<user_value_list>{listed}</user_value_list>" if values else ""
+    judged = f"<expected>{expected}</expected>" if expected is not None else ""
+    return (
+        f'<test_element abstract_type="{abstract}" real_type="{real_type}"><name>{name}</name><type>{kind}</type>'
+        f"{user}{judged}</test_element>"
+    )
+
+
+def model(target, inputs=(), outputs=(), conditions=()):
+    posts = "".join(f"<post_condition>{condition}</post_condition>" for condition in conditions)
+    return (
+        f"<test_model><name>Model</name><target {target}/><input_spec_list>{''.join(inputs)}</input_spec_list>"
+        f"<output_spec_list>{''.join(outputs)}</output_spec_list>"
+        f"<post_condition_spec_list>{posts}</post_condition_spec_list>"
+        "<order_of_combinations>1</order_of_combinations></test_model>"
+    )
+
+
+def activity(folder, package, component, topics="{}", further="", text=""):
+    """An activity with an unchanged package."""
+    shutil.copytree(PACKAGES / package, folder / "src")
+    (folder / "activity.yaml").write_text(
+        f"name: public\ncomponent:\n  language: ros2-python\n  sources: src\n  {component}\n"
+        f"topics: {topics}\n{further}models: [Model.xml]\n"
+    )
+    (folder / "Model.xml").write_text(text)
+    return folder
+
+
+@pytest.mark.parametrize("example", ["velocity-mux-ros", "wall-stop-ros"])
+def test_an_example_passes_with_the_same_result_each_time(sitaf, tmp_path, example):
+    first, once = results(sitaf, f"examples/{example}", tmp_path / "once")
+    again, twice = results(sitaf, f"examples/{example}", tmp_path / "twice")
+    assert first.returncode == again.returncode == 0, first.stdout + first.stderr
+    assert once == twice
+    assert once
+
+
+@pytest.mark.parametrize(
+    ("example", "message"),
+    [
+        ("velocity-mux-ros-faulty", "a command that is too old is not passed on"),
+        ("wall-stop-ros-faulty", "keeps its distance: broken at"),
+    ],
+)
+def test_a_faulty_node_fails(sitaf, example, message):
+    run = sitaf("run", f"examples/{example}")
+    assert run.returncode == 1, run.stdout + run.stderr
+    assert message in run.stdout
+    assert " 0 ERROR" in run.stdout
+
+
+def test_an_exception_in_a_callback_is_an_error(sitaf, tmp_path):
+    copy = shutil.copytree(ROOT / "examples" / "velocity-mux-ros", tmp_path / "copy")
+    node = copy / "src" / "velocity_mux" / "velocity_mux" / "mux.py"
+    node.write_text(node.read_text().replace("now = self.get_clock().now()", "now = self.no_clock()"))
+    run = sitaf("run", copy, "--model", "Mux")
+    assert run.returncode == 1, run.stdout + run.stderr
+    assert "on_timer" in run.stdout
+    assert "no_clock" in run.stdout
+    assert " 14 ERROR" in run.stdout
+
+
+@needs_packages
+def test_a_public_talker_publishes_each_second(sitaf, tmp_path):
+    folder = activity(
+        tmp_path / "talker",
+        "demos/demo_nodes_py",
+        "class: demo_nodes_py.topics.talker:Talker",
+        "{/chatter: output.chatter}",
+        text=model(
+            'interface="topics" method="publish" run_for="3.5"',
+            outputs=[
+                element("chatter.data", "OUT", "string", expected='"Hello World: 2"'),
+                element("chatter.count", "OUT", "int", expected="3"),
+            ],
+            conditions=['messages["chatter"][1].t == 2.0'],
+        ),
+    )
+    run = sitaf("run", folder)
+    assert run.returncode == 0, run.stdout + run.stderr
+
+
+@needs_packages
+def test_a_public_service_runs_from_its_main_function(sitaf, tmp_path):
+    folder = activity(
+        tmp_path / "service",
+        "demos/demo_nodes_py",
+        "main: demo_nodes_py.services.add_two_ints_server:main",
+        further="provided: [{type: example_interfaces/srv/AddTwoInts.srv, name: /add_two_ints}]\n",
+        text=model(
+            'interface="example_interfaces" method="AddTwoInts"',
+            inputs=[element("a", "TDI", "int64", [2, -3]), element("b", "TDI", "int64", [5])],
+            outputs=[element("return", "RETURN", "int64", expected="a + b")],
+        ),
+    )
+    run = sitaf("run", folder)
+    assert run.returncode == 0, run.stdout + run.stderr
+
+
+@needs_packages
+def test_a_public_action_server(sitaf, tmp_path):
+    folder = activity(
+        tmp_path / "action",
+        "examples/rclpy/actions/minimal_action_server",
+        "class: examples_rclpy_minimal_action_server.server:MinimalActionServer",
+        further="provided: [{type: example_interfaces/action/Fibonacci.action, name: /fibonacci}]\n",
+        text=model(
+            'interface="example_interfaces" method="Fibonacci"',
+            inputs=[element("order", "TDI", "int", [4])],
+            outputs=[element("return[4]", "RETURN", "int", expected="3")],
+        ),
+    )
+    run = sitaf("run", folder)
+    assert run.returncode == 0, run.stdout + run.stderr
+
+
+@needs_packages
+def test_a_public_client_gets_the_answers_of_the_case(sitaf, tmp_path):
+    folder = activity(
+        tmp_path / "client",
+        "examples/rclpy/services/minimal_client",
+        "main: examples_rclpy_minimal_client.client_async_member_function:main",
+        further="required: [example_interfaces/srv/AddTwoInts.srv]\n",
+        text=model(
+            'interface="topics" method="publish" settle="0.1" run_for="1"',
+            inputs=[element("example_interfaces.AddTwoInts", "TDTS", "int64", [42])],
+            conditions=[
+                'calls["example_interfaces.AddTwoInts"].size() == 1 &amp;&amp; calls["example_interfaces.AddTwoInts"][0].a == 41'
+            ],
+        ),
+    )
+    run = sitaf("run", folder)
+    assert run.returncode == 0, run.stdout + run.stderr
