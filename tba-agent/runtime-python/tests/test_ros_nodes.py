@@ -254,8 +254,10 @@ def test_input_comes_line_by_line_and_then_waits_for_the_end(tmp_path):
 
 
 def test_what_is_not_available_is_refused_by_name_before_anything_runs(tmp_path):
+    (tmp_path / "helper.py").write_text("import rclpy.something\n", encoding="utf-8")
+    (tmp_path / "other.py").write_text("import rclpy.not_imported\n", encoding="utf-8")
     text = "import rclpy\nimport cv_bridge\nfrom rclpy.qos import QoSProfile, Foo\nimport rclpy.nothing\n"
-    text += "from std_msgs.msg import Strin\n\n\ndef main():\n    rclpy.spin_for_ever(None)\n"
+    text += "from std_msgs.msg import Strin; import helper\n\n\ndef main():\n    rclpy.spin_for_ever(None)\n"
     with pytest.raises(AssertionError) as e:
         node(tmp_path, text, lambda case: None, entry="followed:main")
     assert RosLoadError.__name__ in str(e.value)
@@ -265,8 +267,10 @@ def test_what_is_not_available_is_refused_by_name_before_anything_runs(tmp_path)
         "followed.py:4: rclpy.nothing is not available",
         "followed.py:5: std_msgs/msg/Strin: no such type",
         "followed.py:9: rclpy.spin_for_ever is not available",
+        "helper.py:1: rclpy.something is not available",
     ):
         assert line in str(e.value)
+    assert "not_imported" not in str(e.value)
 
 
 THREADS = (
@@ -402,3 +406,45 @@ def test_a_loop_that_only_looks_at_the_clock_takes_simulated_time(tmp_path):
     texts, warnings = node(tmp_path, BUSY, script, entry="followed:main")
     assert texts == ["passed"]
     assert len(warnings) == 1
+
+
+ASYNC = (
+    HEAD
+    + """
+import asyncio, signal
+def main():
+    async def work():
+        rclpy.init()
+        node = rclpy.create_node('probe')
+        asyncio.get_running_loop().add_signal_handler(signal.SIGTERM, lambda: None)
+        out = node.create_publisher(String, 'out', 10)
+        heard = asyncio.Event()
+        node.create_subscription(String, 'in', lambda m: heard.set(), 10)
+
+        async def spin():
+            while rclpy.ok():
+                rclpy.spin_once(node, timeout_sec=0)
+                await asyncio.sleep(0.01)
+
+        task = asyncio.create_task(spin())
+        try:
+            await asyncio.wait_for(heard.wait(), 0.5)
+        except TimeoutError:
+            out.publish(String(data='timeout'))
+        await heard.wait()
+        out.publish(String(data='heard'))
+        task.cancel()
+    asyncio.run(work())
+"""
+)
+
+
+def test_asyncio_runs_over_simulated_time(tmp_path):
+    def script(case):
+        got = case.heard("/out", "std_msgs/msg/String")
+        case.run(1.005)
+        case.system.publish("/in", "std_msgs/msg/String", {})
+        case.run(2)
+        return [(round(t, 2), text) for t, text in got]
+
+    assert node(tmp_path, ASYNC, script, entry="followed:main") == [(0.5, "timeout"), (1.01, "heard")]

@@ -20,6 +20,7 @@ from sitaf_ros.message_modules import MessageFinder
 from sitaf_ros.messages import MessageClasses
 from sitaf_ros.settings import RosSettings
 from sitaf_ros.share_folders import share_folder
+from sitaf_ros.source_check import check, module_file
 from sitaf_ros.system import RosSystem
 
 API = Path(__file__).parent / "api"
@@ -62,11 +63,6 @@ class RosApplication:
 
         The entry is `module:Class`, `module:function`, the name of a class in the package, or a Python file.
         """
-        from sitaf_ros.source_check import check
-
-        problems = check(self.folders, self.classes.packages)
-        if problems:
-            raise RosLoadError(problems)
         self.install()
         os.environ.update(environment or {})
         sys.argv = [self.package or "node", *arguments]
@@ -80,6 +76,11 @@ class RosApplication:
         finally:
             CURRENT.loading_thread = None
 
+    def _check(self, file: Path | None) -> None:
+        problems = [] if file is None else check(self.folders, file, self.classes.packages)
+        if problems:
+            raise RosLoadError(problems)
+
     def _entry(self, entry: str) -> Callable[[RosSettings], object]:
         if entry.endswith(".py"):
             return self._file(entry)
@@ -88,6 +89,7 @@ class RosApplication:
             module_name, _, name = name.rpartition(".")
         if not module_name:
             module_name = self._module_of(name)
+        self._check(module_file(module_name, self.folders))
         module = importlib.import_module(module_name)
         found: Any = module
         for part in name.split("."):
@@ -103,6 +105,8 @@ class RosApplication:
         file = next((candidate for candidate in candidates if candidate.is_file()), None)
         if file is None:
             raise RosLoadError([f"{entry}: there is no such file in {', '.join(str(f) for f in self.folders)}"])
+        file = file.resolve()
+        self._check(file)
         code = compile(file.read_text(encoding="utf-8"), str(file), "exec")
 
         def run(settings: RosSettings) -> None:

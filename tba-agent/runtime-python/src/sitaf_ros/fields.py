@@ -145,7 +145,6 @@ def _require(holds: bool, name: str, wanted: str, value: Any) -> None:
 def _many(name: str, kind: FieldType, single: Callable[[Any], Any]) -> Callable[[Any], Any]:
     code = TYPE_CODES.get(kind.base)
     number = dtype(kind.base) if kind.is_number else None
-    floating = kind.base in FLOATS
     fixed = kind.array == "fixed"
 
     def length(value: Any) -> None:
@@ -162,22 +161,21 @@ def _many(name: str, kind: FieldType, single: Callable[[Any], Any]) -> Callable[
         if isinstance(value, numpy.ndarray):
             if value.ndim != 1 and fixed:
                 raise AssertionError(f"The '{name}' numpy.ndarray() must have one dimension, not {value.ndim}")
-            if fixed and number is not None and value.dtype == number:
-                length(value)
-                return value
+            if number is not None and value.dtype == number:
+                length(value if fixed else value.reshape(-1))
+                return value if fixed else array.array(code or "", value.tobytes())
             value = value.reshape(-1).tolist()
         if not isinstance(value, Sequence | Set | UserList) or isinstance(value, str | UserString):
             raise AssertionError(f"The '{name}' field must be a set or sequence, not '{type(value).__name__}'")
         length(value)
-        if code is None or number is None:
+        if code is None:
             return [single(item) for item in value]
-        if floating:
-            wrong = next((item for item in value if not isinstance(item, float | int)), None)
-            _require(wrong is None, name, "float", wrong)
-        elif not isinstance(value, bytes | bytearray):
-            for item in value:
-                single(item)
-        return numpy.array(list(value), dtype=number) if fixed else array.array(code, value)
+        try:
+            packed = array.array(code, value)
+        except (TypeError, OverflowError) as e:
+            wanted = f"an integer in {list(INTEGERS[kind.base])}" if kind.base in INTEGERS else "'float'"
+            raise AssertionError(f"The '{name}' field must be a set or sequence and each value {wanted}: {e}") from e
+        return numpy.array(packed, dtype=number) if fixed else packed
 
     return many
 

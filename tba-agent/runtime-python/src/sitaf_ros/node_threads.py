@@ -42,7 +42,7 @@ class NodeThread:
 
 
 class NodeThreads:
-    """All threads of a case, and its time."""
+    """The threads of a case that have not ended, and its time."""
 
     def __init__(self) -> None:
         self.now_ns = 0
@@ -55,6 +55,7 @@ class NodeThreads:
         self._polls = 0
         self._polled_at = 0
         self._late_waits = 0
+        self._started = 0
         self.slowest_polls = 0
 
     def is_node_thread(self) -> bool:
@@ -67,7 +68,8 @@ class NodeThreads:
 
     def start(self, name: str, run: Callable[[], object], begin: Callable[[int], object] | None = None) -> NodeThread:
         """Start a thread; it runs when those before it wait. `begin` gets its identifier before it runs."""
-        thread = NodeThread(len(self.all), name)
+        self._started += 1
+        thread = NodeThread(self._started, name)
         self.all.append(thread)
         registered = _allocate_lock()
         registered.acquire()
@@ -95,6 +97,7 @@ class NodeThreads:
     def _finish(self, thread: NodeThread) -> None:
         thread.finished = True
         del self._by_ident[thread.ident]
+        self.all.remove(thread)
         for other in thread.joining:
             self.wake(other)
         self._pass_on()
@@ -180,7 +183,7 @@ class NodeThreads:
         return True
 
     def _wake_polled(self) -> bool:
-        for thread in self.all:
+        for thread in list(self.all):
             if thread.waiting and thread.poll is not None and thread.poll():
                 self.wake(thread)
         return bool(self._ready)
@@ -200,7 +203,7 @@ class NodeThreads:
     def end(self, patience_s: float) -> bool:
         """End all waits and run what the nodes do then; return False if a thread did not stop in time."""
         self.ending = True
-        for thread in self.all:
+        for thread in list(self.all):
             if thread.waiting:
                 thread.timed_out = True
                 self.wake(thread)
@@ -208,4 +211,4 @@ class NodeThreads:
 
     def live(self) -> list[Any]:
         """Return the threads that have not ended."""
-        return [thread for thread in self.all if not thread.finished]
+        return list(self.all)

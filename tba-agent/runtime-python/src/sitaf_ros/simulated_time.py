@@ -33,6 +33,9 @@ _REAL = {
         "monotonic_ns",
         "perf_counter",
         "perf_counter_ns",
+        "process_time",
+        "process_time_ns",
+        "thread_time",
         "localtime",
         "gmtime",
         "ctime",
@@ -44,6 +47,7 @@ _real_datetime = datetime.datetime
 _real_date = datetime.date
 _real_main_thread = threading.main_thread
 _real_signal = signal.signal
+_real_set_wakeup_fd = signal.set_wakeup_fd
 _real_uuid4 = uuid.uuid4
 _real_uuid1 = uuid.uuid1
 
@@ -143,6 +147,10 @@ def _signal(number: Any, handler: Any) -> Any:
     return signal.SIG_DFL if is_simulated() else _real_signal(number, handler)
 
 
+def _set_wakeup_fd(fd: int, **kwargs: Any) -> int:
+    return -1 if is_simulated() else _real_set_wakeup_fd(fd, **kwargs)
+
+
 def _uuid4() -> Any:
     if not is_simulated():
         return _real_uuid4()
@@ -178,6 +186,9 @@ def _replacements() -> list[tuple[Any, str, Any]]:
         (time, "monotonic_ns", _read("monotonic_ns", int)),
         (time, "perf_counter", _read("perf_counter", lambda ns: ns / 1e9)),
         (time, "perf_counter_ns", _read("perf_counter_ns", int)),
+        (time, "process_time", _read("process_time", lambda ns: ns / 1e9)),
+        (time, "process_time_ns", _read("process_time_ns", int)),
+        (time, "thread_time", _read("thread_time", lambda ns: ns / 1e9)),
         (time, "localtime", _with_default_time("localtime")),
         (time, "gmtime", _with_default_time("gmtime")),
         (time, "ctime", _with_default_time("ctime")),
@@ -197,6 +208,7 @@ def _replacements() -> list[tuple[Any, str, Any]]:
         (selectors, "DefaultSelector", locks.Selector),
         (select, "select", locks.simulated_select),
         (signal, "signal", _signal),
+        (signal, "set_wakeup_fd", _set_wakeup_fd),
         (uuid, "uuid4", _uuid4),
         (uuid, "uuid1", _uuid1),
     ]

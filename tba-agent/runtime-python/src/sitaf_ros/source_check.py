@@ -1,4 +1,4 @@
-"""Finds in a package's sources, before they run, what of ROS's API is not available."""
+"""Finds in the sources of a node, before they run, what of ROS's API is not available."""
 
 from __future__ import annotations
 
@@ -9,7 +9,6 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 API = Path(__file__).parent / "api"
-PASSED_OVER = ("test", "tests", "launch", "build", "install", "log", ".git", "__pycache__", "venv", ".venv")
 # Packages of ROS without a Python package on PyPI of the same name and meaning.
 NOT_AVAILABLE = (
     "cv_bridge",
@@ -35,21 +34,63 @@ NOT_AVAILABLE = (
 )
 
 
-def check(folders: Iterable[Path], types: Mapping[str, Mapping[str, list[str]]]) -> list[str]:
-    """Return one line for each problem; `types` are the names of types by package and kind."""
+def check(folders: list[Path], entry: Path, types: Mapping[str, Mapping[str, list[str]]]) -> list[str]:
+    """Return one line for each problem of a file and of what it imports from the folders.
+
+    `types` are the names of types by package and kind.
+    """
     problems: list[str] = []
-    for folder in folders:
-        for file in sorted(folder.rglob("*.py")):
-            inside = file.relative_to(folder)
-            if inside.name == "setup.py" or any(part in PASSED_OVER for part in inside.parts[:-1]):
-                continue
-            try:
-                tree = ast.parse(file.read_text(encoding="utf-8"), str(file))
-            except SyntaxError as e:
-                problems.append(f"{inside}:{e.lineno}: {e.msg}")
-                continue
-            problems += [f"{inside}:{line}: {text}" for line, text in _Uses(types).of(tree)]
+    seen: dict[Path, None] = {entry: None}
+    waiting = [entry]
+    while waiting:
+        file = waiting.pop(0)
+        shown = next((file.relative_to(folder) for folder in folders if file.is_relative_to(folder)), file)
+        try:
+            tree = ast.parse(file.read_text(encoding="utf-8"), str(file))
+        except SyntaxError as e:
+            problems.append(f"{shown}:{e.lineno}: {e.msg}")
+            continue
+        problems += [f"{shown}:{line}: {text}" for line, text in _Uses(types).of(tree)]
+        for found in _imported(tree, file, folders):
+            if found not in seen:
+                seen[found] = None
+                waiting.append(found)
     return problems
+
+
+def module_file(module: str, folders: Iterable[Path]) -> Path | None:
+    """Return the file of a module in the folders."""
+    for folder in folders:
+        path = folder.joinpath(*module.split("."))
+        for file in (path / "__init__.py", path.with_suffix(".py")):
+            if file.is_file():
+                return file
+    return None
+
+
+def _imported(tree: ast.Module, file: Path, folders: list[Path]) -> list[Path]:
+    """Return the files of the folders that a module imports, packages before what is in them."""
+    names: list[str] = []
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            names += [alias.name for alias in node.names]
+        elif isinstance(node, ast.ImportFrom):
+            base = node.module or ""
+            if node.level:
+                parent = file.parent
+                for _ in range(node.level - 1):
+                    parent = parent.parent
+                folder = next((f for f in folders if parent.is_relative_to(f)), None)
+                if folder is None:
+                    continue
+                base = ".".join([*parent.relative_to(folder).parts, *base.split(".")]).strip(".")
+            names += [base, *(f"{base}.{alias.name}" for alias in node.names)]
+    found: list[Path] = []
+    for name in names:
+        parts = name.split(".")
+        files = [module_file(".".join(parts[: i + 1]), [*folders, file.parent]) for i in range(len(parts))]
+        found += [f for f in files if f is not None]
+    return found
 
 
 class _Uses(ast.NodeVisitor):

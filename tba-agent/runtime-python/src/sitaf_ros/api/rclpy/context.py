@@ -8,6 +8,8 @@ from typing import Any
 
 from sitaf_ros.current import CURRENT
 
+from ._rclpy_pybind11 import RCLError
+
 
 class Context:
     def __init__(self) -> None:
@@ -44,6 +46,8 @@ class Context:
         if not self._initialized or self._shut_down:
             if ending:
                 return
+            if self._shut_down:
+                raise RCLError("failed to shutdown: rcl_shutdown already called on the given context")
             raise RuntimeError("Context must be initialized before it can be shutdown")
         self._shut_down = True
         self._call_back()
