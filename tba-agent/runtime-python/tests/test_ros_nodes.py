@@ -448,3 +448,60 @@ def test_asyncio_runs_over_simulated_time(tmp_path):
         return [(round(t, 2), text) for t, text in got]
 
     assert node(tmp_path, ASYNC, script, entry="followed:main") == [(0.5, "timeout"), (1.01, "heard")]
+
+
+EVENTS = (
+    HEAD
+    + """
+from rclpy.duration import Duration
+from rclpy.event_handler import PublisherEventCallbacks, SubscriptionEventCallbacks
+from rclpy.qos import DurabilityPolicy, LivelinessPolicy, QoSProfile
+class Probe(Node):
+    def __init__(self):
+        super().__init__('probe')
+        say = self.get_logger().info
+        self.missed = QoSProfile(depth=1, deadline=Duration(seconds=0.3))
+        self.create_subscription(String, 'in', lambda m: None, self.missed, event_callbacks=SubscriptionEventCallbacks(
+            deadline=lambda e: say(f'requested deadline {e.total_count}')))
+        alive = QoSProfile(depth=1, liveliness=LivelinessPolicy.MANUAL_BY_TOPIC,
+                           liveliness_lease_duration=Duration(seconds=0.5))
+        self.out = self.create_publisher(String, 'alive', alive, event_callbacks=PublisherEventCallbacks(
+            liveliness=lambda e: say(f'lost {e.total_count}')))
+        self.create_subscription(String, 'alive', lambda m: None, alive, event_callbacks=SubscriptionEventCallbacks(
+            liveliness=lambda e: say(f'alive {e.alive_count} not alive {e.not_alive_count}')))
+        self.out.publish(String())
+        short = QoSProfile(depth=5, durability=DurabilityPolicy.TRANSIENT_LOCAL, lifespan=Duration(seconds=1))
+        self.short = self.create_publisher(String, 'short', short)
+        self.short.publish(String(data='old'))
+        self.create_timer(0.8, self.late)
+
+    def late(self):
+        latched = QoSProfile(depth=5, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+        self.late_sub = self.create_subscription(
+            String, 'short', lambda m: self.get_logger().info('late ' + m.data), latched)
+        self.out.publish(String())
+"""
+)
+
+
+def test_deadlines_liveliness_and_lifespan(tmp_path):
+    def script(case):
+        from sitaf_ros.graph import Quality
+
+        case.system.advertise("/in", "std_msgs/msg/String", Quality(deadline_ns=300_000_000))
+        case.run(0.1)
+        case.system.publish("/in", "std_msgs/msg/String", {})
+        case.run(0.75)
+        first = list(case.texts)
+        case.run(1.7)
+        return first, [text for text in case.texts[len(first) :] if "deadline" not in text]
+
+    first, later = node(tmp_path, EVENTS, script)
+    assert first == [
+        "alive 1 not alive 0",
+        "requested deadline 1",
+        "alive 0 not alive 1",
+        "lost 1",
+        "requested deadline 2",
+    ]
+    assert later == ["late old", "alive 1 not alive 0", "alive 0 not alive 1", "lost 2", "alive 1 not alive 0"]

@@ -71,6 +71,8 @@ class RosApplication:
             self._run = self._entry(entry)
         except RosLoadError:
             raise
+        except ModuleNotFoundError as e:
+            raise RosLoadError([f"{entry}: the Python module {e.name} is not available"]) from e
         except (ImportError, AttributeError, SyntaxError, DefinitionError) as e:
             raise RosLoadError([f"{entry}: {type(e).__name__}: {e}"]) from e
         finally:

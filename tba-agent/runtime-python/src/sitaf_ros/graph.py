@@ -23,6 +23,7 @@ class Quality:
     deadline_ns: int = INFINITE_NS
     manual_liveliness: bool = False
     lease_ns: int = INFINITE_NS
+    lifespan_ns: int = INFINITE_NS
 
 
 def incompatible(offered: Quality, requested: Quality) -> str | None:
@@ -57,6 +58,10 @@ class Receiver(Endpoint, Protocol):
 
     def receive(self, delivery: Delivery) -> None:
         """Take a message."""
+        ...
+
+    def alive(self, change: int) -> None:
+        """A publisher lost (-1) or regained (+1) its liveliness."""
         ...
 
 
@@ -167,7 +172,8 @@ class Graph:
         for publication in list(self.publications.get(subscribed.topic, ())):
             if self._match(publication, subscribed) and subscribed.quality.transient_local:
                 for delivery in publication.kept:
-                    self._deliver(delivery, subscribed)
+                    if self._now_ns() - delivery.time_ns <= publication.quality.lifespan_ns:
+                        self._deliver(delivery, subscribed)
         self.changed()
 
     def _match(self, publication: Publication, subscribed: Subscribed) -> bool:
@@ -193,6 +199,12 @@ class Graph:
         """Tell whether messages go from one to the other."""
         same = publication.type_name == subscribed.type_name
         return same and incompatible(publication.quality, subscribed.quality) is None
+
+    def alive(self, publication: Publication, is_alive: bool) -> None:
+        """Tell matching subscriptions that a publisher lost or regained its liveliness."""
+        for subscribed in list(self.subscriptions.get(publication.topic, ())):
+            if self.matches(publication, subscribed):
+                subscribed.owner.alive(1 if is_alive else -1)
 
     def remove_publication(self, publication: Publication) -> None:
         """Take a publisher away."""

@@ -82,6 +82,9 @@ class _TestEndpoint:
     def incompatible_with(self, policy: str) -> None:
         """The graph's report names it."""
 
+    def alive(self, change: int) -> None:
+        """The test does not look at liveliness."""
+
     def receive(self, delivery: Delivery) -> None:
         """Keep a message for the driver."""
         if self._receive is not None:

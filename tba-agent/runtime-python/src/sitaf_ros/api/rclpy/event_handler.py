@@ -7,8 +7,9 @@ from enum import IntEnum
 from typing import Any
 
 from sitaf_ros.current import system
+from sitaf_ros.graph import INFINITE_NS, Quality
 
-from .entity import QueueEntity
+from .entity import TIMERS, Entity, Order, QueueEntity, Work
 from .qos import QoSPolicyKind
 
 
@@ -142,27 +143,109 @@ class EventHandler(QueueEntity):
 QoSEventHandler = EventHandler
 
 
-class MatchEvents:
+class Overdue(Entity):
+    """Runs something when nothing has happened for a time; it begins when `restart` is first called."""
+
+    def __init__(self, node: Any, callback: Any, callback_group: Any, period_ns: int, repeats: bool) -> None:
+        super().__init__(node, callback, callback_group)
+        self._callback, self._period, self._repeats = callback, period_ns, repeats
+        self._number = system().graph.next_number()
+        self._next: int | None = None
+        node._ros_keep(self)
+
+    def restart(self) -> None:
+        """Begin again."""
+        self._next = system().now_ns + self._period
+        self._node._ros_wake()
+
+    def order(self) -> Order | None:
+        ready = self._next is not None and self._next <= system().now_ns and not self.destroyed
+        return (TIMERS, self._number) if ready else None
+
+    def due_ns(self) -> int | None:
+        return None if self.destroyed else self._next
+
+    def take(self) -> Work | None:
+        self._next = system().now_ns + self._period if self._repeats else None
+        return self._callback
+
+
+class EndpointEvents:
     """The events of one publisher or subscription."""
 
-    def __init__(self, node: Any, callbacks: Any, group: Any, logger: Any, topic: str, subscribes: bool) -> None:
-        self._log, self._topic, self._subscribes = logger, topic, subscribes
-        self._matched = self._handler(node, callbacks, "matched", group, QoSMatchedInfo())
-        self._incompatible = self._handler(
-            node, callbacks, "incompatible_qos", group, QoSRequestedIncompatibleQoSInfo()
-        )
-        self.current, self._total, self._wrong = 0, 0, 0
-        self.handlers = [h for h in (self._matched, self._incompatible) if h is not None]
+    def __init__(self, node: Any, callbacks: Any, group: Any, topic: str, subscribes: bool, quality: Quality) -> None:
+        self._node, self._group, self._log = node, group, node.get_logger()
+        self._topic, self._subscribes = topic, subscribes
+        self.handlers: list[Any] = []
+        self._matched = self._handler(callbacks, "matched", QoSMatchedInfo())
+        self._incompatible = self._handler(callbacks, "incompatible_qos", QoSRequestedIncompatibleQoSInfo())
+        missed = QoSRequestedDeadlineMissedInfo() if subscribes else QoSOfferedDeadlineMissedInfo()
+        self._deadline = self._handler(callbacks, "deadline", missed)
+        liveliness = QoSLivelinessChangedInfo() if subscribes else QoSLivelinessLostInfo()
+        self._liveliness = self._handler(callbacks, "liveliness", liveliness)
+        self.current, self._total, self._wrong, self._missed, self._lost = 0, 0, 0, 0, 0
+        self._alive, self._dead = 0, 0
+        self._deadline_timer: Overdue | None = None
+        if self._deadline is not None and quality.deadline_ns < INFINITE_NS:
+            self._deadline_timer = Overdue(node, self._miss, group, quality.deadline_ns, repeats=True)
+        self._lease: Overdue | None = None
+        if not subscribes and quality.manual_liveliness and quality.lease_ns < INFINITE_NS:
+            self._lease = Overdue(node, self._lose, group, quality.lease_ns, repeats=False)
+        self.is_alive = True
+        self.publication: Any = None
 
-    @staticmethod
-    def _handler(node: Any, callbacks: Any, name: str, group: Any, info: Any) -> EventHandler | None:
+    def _handler(self, callbacks: Any, name: str, info: Any) -> EventHandler | None:
         callback = getattr(callbacks, name, None)
-        return None if callback is None else EventHandler(node, callback, group, info)
+        if callback is None:
+            return None
+        self.handlers.append(EventHandler(self._node, callback, self._group, info))
+        return self.handlers[-1]
+
+    def message(self) -> None:
+        """A message was published or received."""
+        if self._deadline_timer is not None:
+            self._deadline_timer.restart()
+        self.assert_liveliness()
+
+    def assert_liveliness(self) -> None:
+        """The publisher says that it is alive."""
+        if self._lease is not None:
+            self._lease.restart()
+            if not self.is_alive:
+                self.is_alive = True
+                system().graph.alive(self.publication, is_alive=True)
+
+    def _miss(self) -> None:
+        self._missed += 1
+        if self._deadline is not None:
+            self._deadline.happened(total_count=self._missed, total_count_change=1)
+
+    def _lose(self) -> None:
+        self.is_alive = False
+        self._lost += 1
+        system().graph.alive(self.publication, is_alive=False)
+        if self._liveliness is not None:
+            self._liveliness.happened(total_count=self._lost, total_count_change=1)
+
+    def alive(self, change: int, dead: int | None = None) -> None:
+        """A publisher became alive or not, seen from a subscription."""
+        dead = -change if dead is None else dead
+        self._alive += change
+        self._dead += dead
+        if self._liveliness is not None and self._subscribes:
+            self._liveliness.happened(
+                alive_count=self._alive,
+                not_alive_count=self._dead,
+                alive_count_change=change,
+                not_alive_count_change=dead,
+            )
 
     def matched(self, change: int) -> None:
         """A counterpart appeared or left."""
         self.current += change
         self._total += max(0, change)
+        if self._subscribes:
+            self.alive(change, dead=0)
         if self._matched is not None:
             self._matched.happened(
                 total_count=self._total,

@@ -10,7 +10,7 @@ from sitaf_ros.current import message, system
 from .callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
 from .client import Client
 from .clock import Clock, ROSClock
-from .event_handler import MatchEvents
+from .event_handler import EndpointEvents
 from .exceptions import InvalidHandle, NotInitializedException
 from .guard_condition import GuardCondition
 from .logger_service import LoggingService
@@ -19,7 +19,7 @@ from .node_graph import NodeGraph
 from .node_parameters import NodeParameters
 from .parameter_service import ParameterService
 from .publisher import Publisher
-from .qos import profile_of, qos_profile_rosout_default, qos_profile_services_default
+from .qos import profile_of, qos_profile_rosout_default, qos_profile_services_default, quality_of
 from .qos_overriding_options import override
 from .service import Service
 from .subscription import Subscription
@@ -220,7 +220,8 @@ class Node(NodeGraph, NodeParameters):
         full, profile = self._ros_full_name(topic), profile_of(qos_profile)
         if qos_overriding_options is not None:
             profile = override(self, "publisher", full, profile, qos_overriding_options)
-        events = MatchEvents(self, event_callbacks, self._ros_group(callback_group), self._logger, full, False)
+        group = self._ros_group(callback_group)
+        events = EndpointEvents(self, event_callbacks, group, full, False, quality_of(profile))
         publisher = publisher_class(self, msg_type, full, profile, events)
         self._ros_publishers.append(publisher)
         return publisher
@@ -242,7 +243,9 @@ class Node(NodeGraph, NodeParameters):
         if qos_overriding_options is not None:
             profile = override(self, "subscription", full, profile, qos_overriding_options)
         group = self._ros_group(callback_group)
-        events = MatchEvents(self, event_callbacks, group, self._logger, full, True)
+        events = EndpointEvents(
+            self, event_callbacks, group, self._logger, full, True, quality_of(profile, subscribes=True)
+        )
         subscription = Subscription(self, msg_type, full, callback, group, profile, raw, events)
         self._ros_keep(subscription)
         subscription.connect()

@@ -21,6 +21,7 @@ class Publisher:
         self._publication = graph.Publication(
             topic, name, quality_of(qos_profile), events, node.get_fully_qualified_name()
         )
+        events.publication = self._publication
         system().graph.add_publication(self._publication)
 
     @property
@@ -48,6 +49,7 @@ class Publisher:
         elif not isinstance(msg, self.msg_type):
             raise TypeError(f"Expected {self.msg_type}, got {type(msg)}")
         system().graph.publish(self._publication, msg)
+        self._events.message()
 
     def get_subscription_count(self) -> int:
         current = system().graph
@@ -57,7 +59,7 @@ class Publisher:
         return True
 
     def assert_liveliness(self) -> None:
-        """Publishers of a test case are always alive."""
+        self._events.assert_liveliness()
 
     def destroy(self) -> None:
         if not self.destroyed:

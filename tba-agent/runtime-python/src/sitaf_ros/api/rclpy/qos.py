@@ -186,6 +186,7 @@ def quality_of(profile: QoSProfile, subscribes: bool = False) -> graph.Quality:
         deadline_ns=profile.deadline.nanoseconds or graph.INFINITE_NS,
         manual_liveliness=profile.liveliness == LivelinessPolicy.MANUAL_BY_TOPIC,
         lease_ns=profile.liveliness_lease_duration.nanoseconds or graph.INFINITE_NS,
+        lifespan_ns=profile.lifespan.nanoseconds or graph.INFINITE_NS,
     )
 
 

@@ -87,10 +87,14 @@ class Subscription(QueueEntity):
     def incompatible_with(self, policy: str) -> None:
         self._events.incompatible_with(policy)
 
+    def alive(self, change: int) -> None:
+        self._events.alive(change)
+
     def receive(self, delivery: Delivery) -> None:
         """Queue a message; the oldest goes when more than `depth` wait."""
         while self._depth is not None and len(self.queue) >= self._depth:
             self.queue.popleft()
+        self._events.message()
         self.put(delivery.number, lambda: self._call(delivery))
 
     def _call(self, delivery: Delivery) -> Any:
