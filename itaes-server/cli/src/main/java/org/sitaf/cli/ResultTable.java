@@ -13,6 +13,7 @@ import org.sitaf.core.verdict.NamedValue;
 import org.sitaf.core.verdict.RelationCount;
 import org.sitaf.core.verdict.Summary;
 import org.sitaf.core.verdict.TestResult;
+import org.sitaf.core.verdict.Verdict;
 
 /**
  * Prints a result like the paper (Fig. 17a): summary, then a row per case with ER (expected), MR
