@@ -243,9 +243,8 @@ class Node(NodeGraph, NodeParameters):
         if qos_overriding_options is not None:
             profile = override(self, "subscription", full, profile, qos_overriding_options)
         group = self._ros_group(callback_group)
-        events = EndpointEvents(
-            self, event_callbacks, group, self._logger, full, True, quality_of(profile, subscribes=True)
-        )
+        quality = quality_of(profile, subscribes=True)
+        events = EndpointEvents(self, event_callbacks, group, full, True, quality)
         subscription = Subscription(self, msg_type, full, callback, group, profile, raw, events)
         self._ros_keep(subscription)
         subscription.connect()
