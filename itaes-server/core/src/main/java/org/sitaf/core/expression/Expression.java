@@ -30,6 +30,7 @@ public final class Expression {
   private final Type type;
   private final TypeCheck check;
   private final CelRuntime.Program program;
+  private final @Nullable DirectProgram direct;
   private final NodeRoles roles;
   private final Set<String> variables;
 
@@ -66,6 +67,7 @@ public final class Expression {
     Linker linker = new Linker(source.scope());
     CelExpr linked = linker.link(source.withDefinitions(parsed));
     this.program = Language.program(linked);
+    this.direct = DirectProgram.compile(linked).orElse(null);
     this.roles = new NodeRoles(linked);
     this.variables = Set.copyOf(linker.variables());
   }
@@ -208,18 +210,34 @@ public final class Expression {
    * @throws CancellationException if the thread is interrupted
    */
   public Object evaluate(Map<String, Object> values) throws EvaluationException {
-    return evaluate((StepMeter meter) -> program.trace(values, meter));
+    return evaluate(values::get, meter -> program.trace(values, meter));
   }
 
   Object evaluate(CelVariableResolver values) throws EvaluationException {
-    return evaluate((StepMeter meter) -> program.trace(values, meter));
+    return evaluate(name -> values.find(name).orElse(null), meter -> program.trace(values, meter));
+  }
+
+  /** Evaluates with CEL alone. */
+  Object evaluateByCel(Map<String, Object> values) throws EvaluationException {
+    return traced(meter -> program.trace(values, meter));
   }
 
   private interface Evaluation {
     @Nullable Object run(StepMeter meter) throws CelEvaluationException;
   }
 
-  private Object evaluate(Evaluation evaluation) throws EvaluationException {
+  private Object evaluate(DirectProgram.Values values, Evaluation otherwise)
+      throws EvaluationException {
+    if (direct != null) {
+      Optional<Object> value = direct.evaluate(values);
+      if (value.isPresent() && !Thread.currentThread().isInterrupted()) {
+        return value.get();
+      }
+    }
+    return traced(otherwise);
+  }
+
+  private Object traced(Evaluation evaluation) throws EvaluationException {
     if (Thread.currentThread().isInterrupted()) {
       throw new CancellationException("the evaluation was interrupted");
     }

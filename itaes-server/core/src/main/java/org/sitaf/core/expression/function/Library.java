@@ -14,10 +14,12 @@ import static org.sitaf.core.expression.function.Signature.Result.REAL;
 import static org.sitaf.core.expression.function.Signature.Result.SAME;
 
 import dev.cel.runtime.CelFunctionBinding;
+import dev.cel.runtime.CelFunctionOverload;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.DoubleBinaryOperator;
 import java.util.function.DoubleUnaryOperator;
@@ -71,6 +73,32 @@ public final class Library {
     INSTANCE.bindings.forEach(
         (name, overloads) -> all.addAll(CelFunctionBinding.fromOverloads(name, overloads)));
     return all;
+  }
+
+  /**
+   * The implementation of an operator or function over numbers, which takes constant time; empty if
+   * there is no such function.
+   */
+  public static Optional<CelFunctionOverload> ofScalars(String name, int arguments) {
+    boolean constant =
+        OPERATORS.containsValue(name)
+            || signatures(name).stream()
+                .anyMatch(
+                    signature ->
+                        signature.cost() == Cost.CONSTANT
+                            && signature.parameters().size() == arguments);
+    if (!constant) {
+      return Optional.empty();
+    }
+    return INSTANCE.bindings.getOrDefault(name, List.of()).stream()
+        .filter(binding -> binding.getArgTypes().size() == arguments)
+        .map(CelFunctionBinding::getDefinition)
+        .findFirst();
+  }
+
+  /** The implementation of {@code min} or {@code max}, whose argument is a list. */
+  public static CelFunctionOverload ofNumbers(String name) {
+    return INSTANCE.bindings.getOrDefault(name, List.of()).get(0).getDefinition();
   }
 
   private void operators() {
