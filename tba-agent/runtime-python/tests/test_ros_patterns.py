@@ -256,3 +256,40 @@ def test_a_node_may_use_names_that_rclpy_leaves_to_it(tmp_path):
         return got, call.response.success
 
     assert node(tmp_path, OWN_NAMES, script) == ([(0.5, "idle probe"), (1.0, "ready probe")], True)
+
+
+RANDOM = """
+import random, uuid
+import numpy
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+
+class Probe(Node):
+    made = 0
+
+    def __init__(self):
+        super().__init__('probe')
+        Probe.made += 1
+        out = self.create_publisher(String, 'out', 10)
+        draws = random.random(), numpy.random.default_rng().random(), uuid.uuid4().hex, Probe.made
+        self.create_timer(0.1, lambda: out.publish(String(data=repr(draws))))
+"""
+
+
+def test_several_cases_in_one_process_and_seeds(tmp_path):
+    def script(case):
+        from sitaf_ros import RosSettings
+
+        application, seen = case.system.application, []
+        for seed in (1, 1, 2):
+            system = application.start(RosSettings(seed=seed))
+            system.subscribe("/out", "std_msgs/msg/String", lambda m, t: seen.append(eval(m.data)))
+            system.run_until(150_000_000)
+            system.end()
+        return seen
+
+    first, second, third = node(tmp_path, RANDOM, script)
+    assert first[:3] == second[:3]
+    assert first[:2] != third[:2]
+    assert (first[3], second[3], third[3]) == (1, 2, 3)

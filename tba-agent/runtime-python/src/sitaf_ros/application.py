@@ -139,12 +139,12 @@ class RosApplication:
             raise RuntimeError("call `load` before `start`")
         run = self._run
         self.install()
+        _forget_earlier_cases()
         system = RosSystem(self, settings)
         CURRENT.system, CURRENT.threads = system, system.threads
         os.environ.update(settings.environment)
         random.seed(settings.seed)
-        if "numpy" in sys.modules:
-            sys.modules["numpy"].random.seed(settings.seed % 2**32)
+        simulated_time.seed_numpy(settings.seed)
         sys.stdin = system.stdin
         if settings.arguments:
             sys.argv = [self.package or "node", *settings.arguments]
@@ -158,3 +158,16 @@ def _spin(node_class: Any) -> None:
     rclpy.init()
     node = node_class()
     rclpy.spin(node)
+
+
+def _forget_earlier_cases() -> None:
+    """Take back what an earlier case in this process left in rclpy."""
+    utilities: Any = sys.modules.get("rclpy.utilities")
+    rclpy: Any = sys.modules.get("rclpy")
+    logging: Any = sys.modules.get("rclpy.logging")
+    if utilities is not None:
+        utilities._Default.context = None
+    if rclpy is not None and hasattr(rclpy, "_Global"):
+        rclpy._Global.executor = None
+    if logging is not None:
+        logging.clear_config()

@@ -26,8 +26,9 @@ class MessageFinder:
         if kinds is None:
             return None
         if not rest:
-            if PathFinder.find_spec(package) is not None:
-                return None
+            python = PathFinder.find_spec(package)
+            if python is not None and python.origin is not None:
+                return None  # a package with Python sources; a folder without them is none
             return importlib.util.spec_from_loader(fullname, _Loader({}), is_package=True)
         if rest[0] not in kinds:
             return None

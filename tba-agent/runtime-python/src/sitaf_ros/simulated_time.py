@@ -19,6 +19,9 @@ import time
 import uuid
 from typing import Any
 
+import numpy
+import numpy.random
+
 from sitaf_ros import locks
 from sitaf_ros.current import CURRENT, is_simulated, node_threads
 
@@ -159,6 +162,20 @@ def _uuid4() -> Any:
 
 def _uuid1(node: Any = None, clock_seq: Any = None) -> Any:
     return _uuid4() if is_simulated() else _real_uuid1(node, clock_seq)
+
+
+def seed_numpy(seed: int) -> None:
+    """Make generators of numpy that nodes do not seed themselves repeatable."""
+    numpy_random: Any = numpy.random
+    numpy_random.seed(seed % 2**32)
+    real = getattr(numpy_random.default_rng, "real", numpy_random.default_rng)
+    made = iter(range(seed % 2**32, 2**62))
+
+    def default_rng(given: Any = None) -> Any:
+        return real(next(made) if given is None and is_simulated() else given)
+
+    default_rng.real = real  # type: ignore[attr-defined]
+    numpy_random.default_rng = default_rng
 
 
 _installed = False
