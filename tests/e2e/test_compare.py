@@ -174,6 +174,25 @@ def test_what_only_one_version_has_is_not_comparable(compare, tmp_path):
     assert "counter.py" in found["not_comparable"][0]["reason"]
 
 
+def test_lines_that_are_no_longer_executed(compare, tmp_path):
+    base = write(tmp_path / "base", "if gain > 1:\n    gain = gain + 0\n    gain = gain * 1\nreturn gain")
+    new = write(tmp_path / "new", "# Never.\nif gain > 9:\n    gain = gain + 0\n    gain = gain * 1\nreturn gain")
+    code, found, output = compare(base, new)
+    assert code == 1, output
+    (lost,) = found["differences"]
+    assert (lost["class"], lost["output"], lost["no"]) == ("coverage_lost", "component/counter.py", 0)
+    assert lost["base"] == "executes lines 8-9"
+    assert "lines of component/counter.py are no longer executed" in output
+
+
+def test_a_component_that_cannot_be_created_is_not_comparable(compare, tmp_path):
+    folder = write(tmp_path / "broken", STABLE, "import no_such_module")
+    code, found, output = compare(folder, folder)
+    assert code == 2, output
+    assert found["cases"] == 0
+    assert "no_such_module" in found["not_comparable"][0]["reason"]
+
+
 def test_a_motion_diverges_at_its_first_step(compare):
     code, found, output = compare("examples/wall-approach", "examples/wall-approach-faulty")
     assert code == 1, output

@@ -93,14 +93,20 @@ public final class LocalBuilds implements AutoCloseable {
    * Runs a test application and hands over what is recorded of each case.
    *
    * @param variation of its processes; see {@link org.sitaf.agent.toolchain.ProcessPlace}
+   * @param coverage whether the coverage of the component is measured
    * @param observer receives the records and signals of the cases, in any thread
    */
   public BuildOutcome observe(
-      Activity activity, TestModel model, TestSuite suite, int variation, CaseObserver observer) {
+      Activity activity,
+      TestModel model,
+      TestSuite suite,
+      int variation,
+      boolean coverage,
+      CaseObserver observer) {
     settings.toolchains().startAhead(activity.profile().harness(), settings.sandbox());
     return start(
         InterfaceTestApplicationGenerator.generate(activity, model, suite),
-        settings.withSignals().varied(variation),
+        settings.withSignals().withCoverage(coverage).varied(variation),
         observer);
   }
 

@@ -1,7 +1,10 @@
 package org.sitaf.cli.compare;
 
 import java.util.List;
+import java.util.Map;
+import java.util.Set;
 import java.util.stream.Collectors;
+import org.sitaf.core.compare.ComparedCase;
 import org.sitaf.core.compare.Comparison;
 import org.sitaf.core.compare.Difference;
 import org.sitaf.core.verdict.CaseResult;
@@ -20,8 +23,25 @@ final class ComparisonJunit {
    * @param result of the new version
    */
   static TestResult of(TestResult result, Comparison comparison) {
+    String model = result.name();
+    Map<Integer, List<Difference>> differences =
+        comparison.differences().stream()
+            .filter(d -> d.model().equals(model))
+            .collect(Collectors.groupingBy(Difference::no));
+    Set<Integer> compared =
+        comparison.cases().stream()
+            .filter(c -> c.model().equals(model))
+            .map(ComparedCase::no)
+            .collect(Collectors.toSet());
     List<CaseResult> cases =
-        result.cases().stream().map(judged -> judged(judged, result.name(), comparison)).toList();
+        result.cases().stream()
+            .map(
+                judged ->
+                    judged(
+                        judged,
+                        differences.getOrDefault(judged.no(), List.of()),
+                        compared.contains(judged.no())))
+            .toList();
     return new TestResult(
         result.name(),
         result.provenance(),
@@ -32,13 +52,8 @@ final class ComparisonJunit {
         result.suspicions());
   }
 
-  private static CaseResult judged(CaseResult result, String model, Comparison comparison) {
-    List<Difference> differences =
-        comparison.differences().stream()
-            .filter(d -> d.model().equals(model) && d.no() == result.no())
-            .toList();
-    boolean isCompared =
-        comparison.cases().stream().anyMatch(c -> c.model().equals(model) && c.no() == result.no());
+  private static CaseResult judged(
+      CaseResult result, List<Difference> differences, boolean isCompared) {
     Verdict verdict =
         !isCompared ? Verdict.DONT : differences.isEmpty() ? Verdict.PASS : Verdict.FAIL;
     return new CaseResult(

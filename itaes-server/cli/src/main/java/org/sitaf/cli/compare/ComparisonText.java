@@ -37,7 +37,11 @@ final class ComparisonText {
       group(group);
     }
     long cases =
-        comparison.differences().stream().map(d -> d.model() + " " + d.no()).distinct().count();
+        comparison.differences().stream()
+            .filter(d -> d.no() > 0)
+            .map(d -> d.model() + " " + d.no())
+            .distinct()
+            .count();
     out.println(
         comparison.differences().isEmpty()
             ? "%d cases compared, no differences".formatted(comparison.cases().size())
@@ -104,12 +108,14 @@ final class ComparisonText {
   private void group(DifferenceGroup group) {
     Difference first = group.differences().get(0);
     out.println(Printable.line(group.text()));
-    out.println(
-        "  "
-            + first.model()
-            + ", "
-            + numbers(group.differences().stream().map(Difference::no).distinct().toList()));
-    if (first.no() > 0) {
+    if (first.no() == 0) {
+      out.println("  " + first.model());
+    } else {
+      out.println(
+          "  "
+              + first.model()
+              + ", "
+              + numbers(group.differences().stream().map(Difference::no).distinct().toList()));
       String inputs =
           first.inputs().entrySet().stream()
               .map(i -> i.getKey() + " = " + shortened(i.getValue()))

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
@@ -16,10 +17,12 @@ import org.sitaf.core.compare.Comparison;
 import org.sitaf.core.compare.Confirmation;
 import org.sitaf.core.compare.Confirmation.Decision;
 import org.sitaf.core.compare.Difference;
+import org.sitaf.core.compare.LostCoverage;
 import org.sitaf.core.compare.NotComparable;
 import org.sitaf.core.compare.SlowerCases;
 import org.sitaf.core.suite.TestCase;
 import org.sitaf.core.suite.TestSuite;
+import org.sitaf.core.verdict.CaseRecord;
 import org.sitaf.core.verdict.TestResult;
 
 /** Compares both versions in the cases of one model. */
@@ -87,8 +90,15 @@ final class ModelComparison {
       lastBits.addAll(inCase.lastBits());
       notComparable.addAll(inCase.notComparable());
     }
+    Optional<String> failure = commonFailure(firstBase, firstNow);
+    if (failure.isPresent()) {
+      compared.clear();
+      add("no case begins with either version: " + failure.get());
+      return outcome(firstNow.result());
+    }
     confirm(found, firstBase, firstNow);
     confirmSlower(firstBase, firstNow);
+    coverage();
     return outcome(firstNow.result());
   }
 
@@ -115,6 +125,54 @@ final class ModelComparison {
   private Outcome outcome(@Nullable TestResult result) {
     return new Outcome(
         new Comparison(compared, differences, lastBits, unstable, slower, notComparable), result);
+  }
+
+  /** The error outside of the call under test that ends every case with both versions. */
+  private static Optional<String> commonFailure(Run firstBase, Run firstNow) {
+    Set<String> messages = new HashSet<>();
+    for (Run run : List.of(firstBase, firstNow)) {
+      for (CaseRecord record : run.records().values()) {
+        if (record.outcome() != CaseRecord.Outcome.ERROR) {
+          return Optional.empty();
+        }
+        messages.add(record.message());
+      }
+    }
+    return messages.stream().findFirst();
+  }
+
+  /** Finds unchanged lines of the component's sources that are no longer executed. */
+  private void coverage() throws IOException, InterruptedException {
+    if (compared.isEmpty() || !base.hasSources() || !now.hasSources()) {
+      return;
+    }
+    step("measuring the coverage");
+    LostCoverage lost = new LostCoverage(suite.modelName());
+    UnchangedLines lines = new UnchangedLines(base.files(), now.files());
+    for (int i = 0; i <= Confirmation.RUNS; i++) {
+      Run ofBase = base.covered(suite, ++variation);
+      Run ofNow = now.covered(suite, ++variation);
+      TestResult before = ofBase.result();
+      TestResult after = ofNow.result();
+      VersionRuns.delete(ofBase);
+      VersionRuns.delete(ofNow);
+      if (before == null
+          || after == null
+          || before.coverage() == null
+          || after.coverage() == null) {
+        return;
+      }
+      lost.add(before.coverage(), after.coverage(), lines::inNew);
+      if (lost.isEmpty()) {
+        return;
+      }
+      if (i < Confirmation.RUNS) {
+        step(
+            "lines are no longer executed; run %d of %d to confirm it"
+                .formatted(i + 1, Confirmation.RUNS));
+      }
+    }
+    differences.addAll(lost.differences());
   }
 
   /**

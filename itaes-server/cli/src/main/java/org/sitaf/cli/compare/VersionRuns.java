@@ -9,6 +9,7 @@ import org.sitaf.agent.build.BuildOutcome;
 import org.sitaf.agent.spool.Folders;
 import org.sitaf.cli.LocalBuilds;
 import org.sitaf.core.activity.Activity;
+import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.suite.TestSuite;
@@ -31,12 +32,27 @@ final class VersionRuns {
 
   /** Runs cases, with repeated calls if the activity or the model orders them. */
   Run timed(TestSuite suite, int variation) throws IOException, InterruptedException {
-    return run(version.activity(), model, suite, variation);
+    return run(version.activity(), model, suite, variation, false);
   }
 
   /** Runs cases without repeated calls. */
   Run once(TestSuite suite, int variation) throws IOException, InterruptedException {
-    return run(version.activity().withoutTiming(), model.withoutTiming(), suite, variation);
+    return run(version.activity().withoutTiming(), model.withoutTiming(), suite, variation, false);
+  }
+
+  /** Runs cases without repeated calls and measures the coverage of the component. */
+  Run covered(TestSuite suite, int variation) throws IOException, InterruptedException {
+    return run(version.activity().withoutTiming(), model.withoutTiming(), suite, variation, true);
+  }
+
+  /** The files of the version. */
+  FileTree files() {
+    return version.activity().files();
+  }
+
+  /** Whether the sources of the component are part of the activity. */
+  boolean hasSources() {
+    return version.activity().profile().component().sources() != null;
   }
 
   /** Deletes the signals of a run. */
@@ -44,7 +60,8 @@ final class VersionRuns {
     Folders.delete(run.signals().folder());
   }
 
-  private Run run(Activity activity, TestModel tested, TestSuite suite, int variation)
+  private Run run(
+      Activity activity, TestModel tested, TestSuite suite, int variation, boolean coverage)
       throws IOException, InterruptedException {
     SignalFiles signals =
         new SignalFiles(
@@ -58,6 +75,7 @@ final class VersionRuns {
               tested,
               suite,
               variation,
+              coverage,
               new LocalBuilds.CaseObserver() {
                 @Override
                 public void signals(int no, Trace trace) {

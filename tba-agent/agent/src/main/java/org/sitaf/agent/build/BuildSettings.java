@@ -92,6 +92,21 @@ public record BuildSettings(
         variation);
   }
 
+  /** The same settings with or without coverage. */
+  public BuildSettings withCoverage(boolean measured) {
+    return new BuildSettings(
+        simulator,
+        toolchains,
+        sandbox,
+        measured,
+        agent,
+        recordings,
+        signals,
+        kept,
+        atMost,
+        variation);
+  }
+
   /** The same settings with another variation of the processes. */
   public BuildSettings varied(int number) {
     return new BuildSettings(
