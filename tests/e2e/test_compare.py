@@ -185,6 +185,14 @@ def test_lines_that_are_no_longer_executed(compare, tmp_path):
     assert "lines of component/counter.py are no longer executed" in output
 
 
+def test_another_release_of_a_package(compare):
+    code, found, output = compare("examples/simple-pid", "examples/simple-pid", "--new-package", "simple-pid==0.1.0")
+    assert code == 1, output
+    assert found["cases"] == 54
+    assert {(d["class"], d["output"]) for d in found["differences"]} == {("value", "return")}
+    assert found["groups"][-1]["text"].endswith("where kd = 0.5 and dt = 0.25 and automatic = true")
+
+
 def test_a_component_that_cannot_be_created_is_not_comparable(compare, tmp_path):
     folder = write(tmp_path / "broken", STABLE, "import no_such_module")
     code, found, output = compare(folder, folder)

@@ -6,9 +6,12 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.activity.Activity;
 import org.sitaf.core.compare.NotComparable;
+import org.sitaf.core.description.DataType;
+import org.sitaf.core.description.MemberPath;
 import org.sitaf.core.diagnostic.Diagnostic;
 import org.sitaf.core.diagnostic.Severity;
 import org.sitaf.core.model.OutputElement;
+import org.sitaf.core.model.OutputKind;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.model.document.TestModelXml;
 
@@ -30,7 +33,7 @@ record BaseModel(@Nullable TestModel model, boolean judged, List<NotComparable> 
     TestModel read =
         TestModelXml.read(now.files().open(model.source()).orElseThrow(), model.source());
     TestModel whole = base.resolve(read);
-    List<NotComparable> lacking = onlyInBase(base, model);
+    List<NotComparable> lacking = onlyInBase(base, now, model);
     if (problem(base, whole).isEmpty()) {
       return new BaseModel(whole, true, lacking);
     }
@@ -53,11 +56,19 @@ record BaseModel(@Nullable TestModel model, boolean judged, List<NotComparable> 
     return new BaseModel(base.resolve(bare.withOutputs(known)), false, lacking);
   }
 
-  /** The outputs of the model with the same name in the base version that are missing now. */
-  private static List<NotComparable> onlyInBase(Activity base, TestModel model) {
+  /**
+   * The outputs of the model with the same name in the base version that are not recorded now:
+   * return values and out-parameters are recorded, whether a model names them or not.
+   */
+  private static List<NotComparable> onlyInBase(Activity base, Activity now, TestModel model) {
     List<NotComparable> missing = new ArrayList<>();
     base.model(model.name()).stream()
         .flatMap(old -> old.outputs().stream())
+        .filter(
+            old ->
+                old.kind() == OutputKind.OBSERVED
+                    || now.outputType(model, MemberPath.root(old.name()))
+                        instanceof DataType.Unknown)
         .map(OutputElement::name)
         .filter(name -> model.outputs().stream().noneMatch(o -> o.name().equals(name)))
         .forEach(

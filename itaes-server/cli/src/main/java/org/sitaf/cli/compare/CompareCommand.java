@@ -85,6 +85,14 @@ public final class CompareCommand implements Callable<Integer> {
               + " output do not count (default: ${DEFAULT-VALUE}).")
   private int ulp = 4;
 
+  @Option(
+      names = "--new-package",
+      paramLabel = "NAME==VERSION",
+      description =
+          "NEW uses this release of a package: of the component itself, or for a Python component of"
+              + " a package that it uses. BASE and NEW may be the same activity.")
+  private @Nullable String newPackage;
+
   @Mixin private final SeedOption seed = new SeedOption();
 
   @Mixin private final SandboxOption sandbox = new SandboxOption();
@@ -97,6 +105,9 @@ public final class CompareCommand implements Callable<Integer> {
     requireUsableOptions();
     Version before = Version.read("BASE", base);
     Version after = Version.read("NEW", now);
+    if (newPackage != null) {
+      after = after.with(NewPackage.parse(newPackage));
+    }
     Sitaf.print(after.activity().warnings(), err);
     List<TestModel> models = models(after);
     Merged merged = new Merged();

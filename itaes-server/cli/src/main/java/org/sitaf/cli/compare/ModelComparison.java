@@ -3,7 +3,9 @@ package org.sitaf.cli.compare;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
@@ -79,6 +81,7 @@ final class ModelComparison {
       return outcome(null);
     }
     List<Difference> found = new ArrayList<>();
+    List<NotComparable> lacking = new ArrayList<>();
     for (TestCase testCase : suite.cases()) {
       CaseDifferences inCase =
           comparison.compare(testCase, firstBase.of(testCase.no()), firstNow.of(testCase.no()));
@@ -88,8 +91,9 @@ final class ModelComparison {
       }
       found.addAll(inCase.differences());
       lastBits.addAll(inCase.lastBits());
-      notComparable.addAll(inCase.notComparable());
+      lacking.addAll(inCase.notComparable());
     }
+    addOncePerOutput(lacking);
     Optional<String> failure = commonFailure(firstBase, firstNow);
     if (failure.isPresent()) {
       compared.clear();
@@ -125,6 +129,29 @@ final class ModelComparison {
   private Outcome outcome(@Nullable TestResult result) {
     return new Outcome(
         new Comparison(compared, differences, lastBits, unstable, slower, notComparable), result);
+  }
+
+  /** An output that is not comparable for the same reason in several cases is listed once. */
+  private void addOncePerOutput(List<NotComparable> lacking) {
+    Map<List<String>, List<NotComparable>> same =
+        lacking.stream()
+            .collect(
+                Collectors.groupingBy(
+                    n ->
+                        n.output().isEmpty()
+                            ? List.of(Integer.toString(n.no()))
+                            : List.of(n.output(), n.reason()),
+                    LinkedHashMap::new,
+                    Collectors.toList()));
+    same.values()
+        .forEach(
+            entries -> {
+              NotComparable first = entries.get(0);
+              notComparable.add(
+                  entries.size() == 1
+                      ? first
+                      : new NotComparable(first.model(), 0, first.output(), first.reason()));
+            });
   }
 
   /** The error outside of the call under test that ends every case with both versions. */

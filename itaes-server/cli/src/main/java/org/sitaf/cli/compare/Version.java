@@ -28,7 +28,15 @@ record Version(String label, Activity activity) {
    * @throws InvalidInputException with all problems, which name the version
    */
   static Version read(String label, String argument) throws IOException {
-    FileTree files = files(argument);
+    return of(label, files(argument));
+  }
+
+  /** The same version with another release of a package. */
+  Version with(NewPackage changed) {
+    return of(label, changed.in(activity));
+  }
+
+  private static Version of(String label, FileTree files) {
     try {
       return new Version(label, Installation.read(files));
     } catch (InvalidInputException e) {
