@@ -189,8 +189,9 @@ def test_another_release_of_a_package(compare):
     code, found, output = compare("examples/simple-pid", "examples/simple-pid", "--new-package", "simple-pid==0.1.0")
     assert code == 1, output
     assert found["cases"] == 54
-    assert {(d["class"], d["output"]) for d in found["differences"]} == {("value", "return")}
-    assert found["groups"][-1]["text"].endswith("where kd = 0.5 and dt = 0.25 and automatic = true")
+    # The adapter does not fit the interface of this early release.
+    assert {d["class"] for d in found["differences"]} == {"error"}
+    assert len(found["differences"]) == 54
 
 
 def test_a_component_that_cannot_be_created_is_not_comparable(compare, tmp_path):
