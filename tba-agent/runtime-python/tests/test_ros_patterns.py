@@ -293,3 +293,36 @@ def test_several_cases_in_one_process_and_seeds(tmp_path):
     assert first[:3] == second[:3]
     assert first[:2] != third[:2]
     assert (first[3], second[3], third[3]) == (1, 2, 3)
+
+
+TYPED = """
+from rclpy.client import Client
+from rclpy.node import Node
+from rclpy.publisher import Publisher
+from rclpy.task import Future
+from std_msgs.msg import String
+from turtlesim.srv import Spawn
+
+class Probe(Node):
+    def __init__(self) -> None:
+        super().__init__('probe')
+        self.client: Client[Spawn.Request, Spawn.Response] = self.create_client(Spawn, 'spawn')
+        self.create_timer(0.1, lambda: self.ask(self.create_publisher(String, 'out', 1)))
+
+    def ask(self, out: Publisher[String]) -> None:
+        future = self.client.call_async(Spawn.Request(name='turtle2'))
+        future.add_done_callback(lambda f: self.done(f, out))
+
+    def done(self, future: Future[Spawn.Response], out: Publisher[String]) -> None:
+        out.publish(String(data=future.result().name))
+"""
+
+
+def test_annotations_may_name_the_types_of_entities(tmp_path):
+    def script(case):
+        got = case.heard("/out", "std_msgs/msg/String")
+        case.system.serve_service("/spawn", "turtlesim/srv/Spawn", lambda request: {"name": request.name})
+        case.run(0.15)
+        return got
+
+    assert node(tmp_path, TYPED, script) == [(0.1, "turtle2")]

@@ -19,6 +19,10 @@ class Entity:
 
     callback_group: Any
 
+    def __class_getitem__(cls, item: Any) -> Any:
+        """Annotations may name a type: `Subscription[String]`."""
+        return cls
+
     def __init__(self, node: Any, callback: Any, callback_group: Any, prefix: str = "") -> None:
         self._node = node
         self.callback_group = callback_group

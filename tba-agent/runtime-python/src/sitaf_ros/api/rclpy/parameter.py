@@ -25,6 +25,9 @@ _FIELDS = {
 
 
 class Parameter:
+    def __class_getitem__(cls, item: Any) -> Any:
+        return cls
+
     class Type(Enum):
         NOT_SET = 0
         BOOL = 1

@@ -13,6 +13,9 @@ from .qos import quality_of
 
 
 class Publisher:
+    def __class_getitem__(cls, item: Any) -> Any:
+        return cls
+
     def __init__(self, node: Any, msg_type: Any, topic: str, qos_profile: Any, events: Any) -> None:
         self._node, self.msg_type, self.topic, self.qos_profile = node, msg_type, topic, qos_profile
         self._events = events

@@ -18,6 +18,9 @@ class _Awaited:
 
 
 class Future:
+    def __class_getitem__(cls, item: Any) -> Any:
+        return cls
+
     def __init__(self, *, executor: Any = None) -> None:
         self._done = False
         self._cancelled = False

@@ -21,6 +21,9 @@ UNKNOWN = 0
 
 
 class ClientGoalHandle:
+    def __class_getitem__(cls, item: Any) -> Any:
+        return cls
+
     def __init__(self, action_client: ActionClient, goal_id: Any, goal_response: Any) -> None:
         self._action_client, self._goal_id, self._goal_response = action_client, goal_id, goal_response
         self._status = UNKNOWN
@@ -63,6 +66,9 @@ class ClientGoalHandle:
 
 
 class ActionClient:
+    def __class_getitem__(cls, item: Any) -> Any:
+        return cls
+
     def __init__(
         self,
         node: Any,

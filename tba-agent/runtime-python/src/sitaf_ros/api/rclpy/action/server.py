@@ -49,6 +49,9 @@ class GoalEvent(Enum):
 
 
 class ServerGoalHandle:
+    def __class_getitem__(cls, item: Any) -> Any:
+        return cls
+
     def __init__(self, action_server: ActionServer, goal_info: Any, goal_request: Any) -> None:
         self._action_server, self._goal_info, self._goal_request = action_server, goal_info, goal_request
         self._status = ACCEPTED
@@ -138,6 +141,9 @@ class _ActionService(Service):
 
 
 class ActionServer:
+    def __class_getitem__(cls, item: Any) -> Any:
+        return cls
+
     def __init__(
         self,
         node: Any,
