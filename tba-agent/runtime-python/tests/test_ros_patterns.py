@@ -326,3 +326,37 @@ def test_annotations_may_name_the_types_of_entities(tmp_path):
         return got
 
     assert node(tmp_path, TYPED, script) == [(0.1, "turtle2")]
+
+
+QOS_OVERRIDES = """
+import diagnostic_msgs
+from rclpy.node import Node
+from rclpy.qos import QoSPolicyKind
+from rclpy.qos_overriding_options import QosCallbackResult, QoSOverridingOptions
+from std_msgs.msg import String
+
+class Probe(Node):
+    def __init__(self):
+        super().__init__('probe')
+        kinds = (QoSPolicyKind.DEPTH, QoSPolicyKind.RELIABILITY, QoSPolicyKind.DEADLINE)
+        self.sub = self.create_subscription(
+            String, 'in', lambda m: None, 10, qos_overriding_options=QoSOverridingOptions(kinds, callback=self.check))
+        profile = self.sub.qos_profile
+        self.get_logger().info(f'{profile.depth} {profile.reliability.name} {profile.deadline.nanoseconds}')
+        self.get_logger().info(str(diagnostic_msgs.msg.DiagnosticStatus.WARN))
+
+    def check(self, profile):
+        result = QosCallbackResult()
+        result.successful, result.reason = profile.depth <= 10, 'too deep'
+        return result
+"""
+
+
+def test_parameters_override_the_quality_of_service(tmp_path):
+    def script(case):
+        case.run(0)
+        return case.texts
+
+    start = "qos_overrides./in.subscription."
+    given = {f"{start}depth": 3, f"{start}reliability": "best_effort", f"{start}deadline": 500_000_000}
+    assert node(tmp_path, QOS_OVERRIDES, script, parameters=given) == ["3 BEST_EFFORT 500000000", "b'\\x01'"]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import importlib.util
 import sys
 from collections.abc import Sequence
@@ -29,7 +30,7 @@ class MessageFinder:
             python = PathFinder.find_spec(package)
             if python is not None and python.origin is not None:
                 return None  # a package with Python sources; a folder without them is none
-            return importlib.util.spec_from_loader(fullname, _Loader({}), is_package=True)
+            return importlib.util.spec_from_loader(fullname, _PackageLoader(kinds), is_package=True)
         if rest[0] not in kinds:
             return None
         if len(rest) == 1:
@@ -45,8 +46,26 @@ class MessageFinder:
         sys.meta_path.insert(0, self)  # type: ignore[arg-type]
 
 
+class _PackageLoader(Loader):
+    """Makes a package whose msg, srv and action need not be imported by name: rclpy imports many of them in ROS."""
+
+    def __init__(self, kinds: dict[str, list[str]]) -> None:
+        self._kinds = kinds
+
+    def create_module(self, spec: ModuleSpec) -> None:
+        return None
+
+    def exec_module(self, module: ModuleType) -> None:
+        def find(name: str) -> Any:
+            if name not in self._kinds:
+                raise AttributeError(f"module {module.__name__!r} has no attribute {name!r}")
+            return importlib.import_module(f"{module.__name__}.{name}")
+
+        module.__dict__["__getattr__"] = find
+
+
 class _Loader(Loader):
-    def __init__(self, names: dict[str, str], classes: MessageClasses | None = None) -> None:
+    def __init__(self, names: dict[str, str], classes: MessageClasses) -> None:
         self._names, self._classes = names, classes
 
     def create_module(self, spec: ModuleSpec) -> None:
@@ -54,8 +73,6 @@ class _Loader(Loader):
 
     def exec_module(self, module: ModuleType) -> None:
         classes, names = self._classes, self._names
-        if classes is None:
-            return
         module.__dict__["__all__"] = sorted(names)
 
         def find(name: str) -> Any:

@@ -9,8 +9,11 @@ from typing import Any
 from sitaf_ros.current import system
 from sitaf_ros.graph import INFINITE_NS, Quality
 
+from . import exceptions
 from .entity import TIMERS, Entity, Order, QueueEntity, Work
 from .qos import QoSPolicyKind
+
+UnsupportedEventTypeError = exceptions.UnsupportedEventTypeError
 
 
 class QoSPublisherEventType(IntEnum):

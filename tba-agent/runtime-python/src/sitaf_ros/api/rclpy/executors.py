@@ -70,7 +70,7 @@ class Executor:
             deadline = None if timeout_sec is None else threads.now_ns + round(timeout_sec * 1e9)
             while self._running:
                 self._waiting.append(threads.current())
-                if not threads.wait(deadline):
+                if not threads.wait_for_others(deadline):
                     return False
         return True
 

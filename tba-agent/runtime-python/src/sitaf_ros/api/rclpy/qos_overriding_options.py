@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from .duration import Duration
 from .qos import QoSPolicyKind, QoSProfile
 
 _DEFAULT = (QoSPolicyKind.HISTORY, QoSPolicyKind.DEPTH, QoSPolicyKind.RELIABILITY)
@@ -55,6 +56,8 @@ def override(node: Any, kind: str, topic: str, qos: QoSProfile, options: QoSOver
 
 
 def _policy(current: Any, value: Any) -> Any:
+    if isinstance(current, Duration):
+        return Duration(nanoseconds=value)
     kind: Any = type(current)
     return kind[value.upper()] if hasattr(current, "short_key") else value
 
