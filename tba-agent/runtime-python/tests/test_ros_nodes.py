@@ -486,9 +486,6 @@ class Probe(Node):
 
 def test_deadlines_liveliness_and_lifespan(tmp_path):
     def script(case):
-        from sitaf_ros.graph import Quality
-
-        case.system.advertise("/in", "std_msgs/msg/String", Quality(deadline_ns=300_000_000))
         case.run(0.1)
         case.system.publish("/in", "std_msgs/msg/String", {})
         case.run(0.75)

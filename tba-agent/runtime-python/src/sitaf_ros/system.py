@@ -25,6 +25,8 @@ if TYPE_CHECKING:
 
 CALLBACKS_AT_ONE_INSTANT = 20_000
 PATIENCE_AT_THE_END_S = 5.0
+# What every subscription accepts.
+OFFERED = Quality(depth=1, transient_local=True, deadline_ns=0, manual_liveliness=True, lease_ns=0)
 
 
 @dataclass(frozen=True)
@@ -214,13 +216,12 @@ class RosSystem:
     # Topics.
 
     def advertise(self, topic: str, type_name: str, quality: Quality | None = None) -> Publication:
-        """Make the test application a publisher; by default reliable and transient local, which fits everyone."""
+        """Make the test application a publisher; by default one that fits every subscription."""
         topic = _full(topic)
         publication = self._advertised.get(topic)
         if publication is None:
             self.application.classes.message(type_name)
-            offered = quality or Quality(depth=1, transient_local=True)
-            publication = Publication(topic, type_name, offered, _TestEndpoint(), None)
+            publication = Publication(topic, type_name, quality or OFFERED, _TestEndpoint(), None)
             self._advertised[topic] = publication
             self.graph.add_publication(publication)
         return publication
