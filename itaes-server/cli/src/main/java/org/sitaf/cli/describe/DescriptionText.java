@@ -38,7 +38,7 @@ public final class DescriptionText {
   }
 
   /**
-   * The lines of a description: components, interfaces, types.
+   * The lines of a description: components, interfaces, types, constants.
    *
    * @param shownFile maps a file to the name that the user knows
    */
@@ -55,6 +55,7 @@ public final class DescriptionText {
     result.required().forEach(i -> all.put(i, null));
     all.keySet().forEach(this::write);
     writeTypes();
+    writeConstants();
   }
 
   private void write(ComponentDescription component) {
@@ -204,6 +205,25 @@ public final class DescriptionText {
               + literals.stream().limit(MAX_LITERALS).collect(Collectors.joining(", "))
               + (more > 0 ? " and " + more + " more" : ""));
     }
+    lines.add("");
+  }
+
+  /** Under the names that expressions use. */
+  private void writeConstants() {
+    if (result.constants().isEmpty()) {
+      return;
+    }
+    lines.add("constants");
+    List<String[]> rows = new ArrayList<>();
+    result
+        .constants()
+        .forEach(
+            (name, value) ->
+                rows.add(
+                    new String[] {
+                      name, value instanceof String text ? "= \"" + text + "\"" : "= " + value
+                    }));
+    table(rows);
     lines.add("");
   }
 

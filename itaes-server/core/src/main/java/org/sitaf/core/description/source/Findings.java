@@ -141,6 +141,7 @@ public final class Findings {
         provided.stream().map(i -> i.withConstants(constants)).toList(),
         required.stream().map(i -> i.withConstants(constants)).toList(),
         types,
+        constants,
         diagnostics.all());
   }
 }

@@ -1,6 +1,9 @@
 package org.sitaf.core.description.source;
 
+import java.util.Collections;
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
 import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.InterfaceDescription;
 import org.sitaf.core.diagnostic.Diagnostic;
@@ -14,6 +17,7 @@ import org.sitaf.core.diagnostic.Severity;
  * @param provided interfaces that a component provides, or that no component references
  * @param required interfaces that a component requires
  * @param types declared structs and enumerations
+ * @param constants values of the declared constants by their name with dots
  * @param diagnostics errors and warnings; parts with errors may be missing from the other lists
  */
 public record ImportResult(
@@ -21,12 +25,14 @@ public record ImportResult(
     List<InterfaceDescription> provided,
     List<InterfaceDescription> required,
     List<DataType> types,
+    Map<String, Object> constants,
     List<Diagnostic> diagnostics) {
   public ImportResult {
     components = List.copyOf(components);
     provided = List.copyOf(provided);
     required = List.copyOf(required);
     types = List.copyOf(types);
+    constants = Collections.unmodifiableMap(new TreeMap<>(constants));
     diagnostics = List.copyOf(diagnostics);
   }
 
