@@ -360,3 +360,35 @@ def test_parameters_override_the_quality_of_service(tmp_path):
     start = "qos_overrides./in.subscription."
     given = {f"{start}depth": 3, f"{start}reliability": "best_effort", f"{start}deadline": 500_000_000}
     assert node(tmp_path, QOS_OVERRIDES, script, parameters=given) == ["3 BEST_EFFORT 500000000", "b'\\x01'"]
+
+
+IN_THE_TEST = """
+import threading
+from rclpy.node import Node
+
+class Worker(threading.Thread):
+    pass
+
+class Probe(Node):
+    def __init__(self):
+        super().__init__('probe')
+        plain, own = threading.Thread(target=print), Worker()
+        self.get_logger().info(repr([isinstance(plain, Worker), isinstance(own, threading.Thread),
+                                     isinstance(threading.main_thread(), threading.Thread)]))
+"""
+
+
+def test_threads_locks_and_clocks_of_the_test_itself_stay_real(tmp_path):
+    def script(case):
+        import threading
+        import time
+
+        case.run(0)
+        begin, lock, done = time.monotonic(), threading.Lock(), []
+        thread = threading.Thread(target=lambda: done.append(lock.acquire(timeout=1)))
+        thread.start()
+        thread.join()
+        assert isinstance(threading.main_thread(), threading.Thread)
+        return case.texts, done, time.monotonic() - begin < 1_000_000, abs(time.time() - 1_700_000_000) > 1000
+
+    assert node(tmp_path, IN_THE_TEST, script) == (["[False, True, True]"], [True], True, True)

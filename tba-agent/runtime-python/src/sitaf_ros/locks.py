@@ -104,7 +104,12 @@ class SimpleQueue:
     __class_getitem__ = classmethod(lambda cls, item: cls)
 
 
-class Thread(RealThread):
+class _ThreadMeta(type):
+    def __instancecheck__(cls, instance: object) -> bool:
+        return isinstance(instance, RealThread) if cls.__name__ == "Thread" else super().__instancecheck__(instance)
+
+
+class Thread(RealThread, metaclass=_ThreadMeta):
     """A thread that runs over simulated time when a node starts it."""
 
     _sitaf_thread: NodeThread | None = None
