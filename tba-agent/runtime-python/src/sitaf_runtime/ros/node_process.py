@@ -182,6 +182,7 @@ def _run(plan: Plan, application: Any, lines: Lines, case: dict[str, Any]) -> No
     own = _CaseLines.__new__(_CaseLines)
     own.__dict__.update(lines.__dict__)
     run = CaseRun(plan, application, own, case)
+    record: dict[str, Any]
     try:
         try:
             record = run.run()
@@ -204,5 +205,6 @@ def _described(raised: Exception) -> str:
     cause = getattr(raised, "cause", None)
     if cause is None:
         return describe(raised) if not isinstance(raised, ValueError) else str(raised)
-    place = describe(cause).partition(" at ")[2]
+    # The innermost frame; the others are those of the library.
+    place = describe(cause).partition(" at ")[2].partition(", ")[0]
     return str(raised) + (f" at {place}" if place else "")
