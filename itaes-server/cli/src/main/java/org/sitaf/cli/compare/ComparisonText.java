@@ -42,12 +42,26 @@ final class ComparisonText {
             .map(d -> d.model() + " " + d.no())
             .distinct()
             .count();
-    out.println(
-        comparison.differences().isEmpty()
-            ? "%d cases compared, no differences".formatted(comparison.cases().size())
-            : "%d cases compared, %d differences in %d cases"
-                .formatted(comparison.cases().size(), comparison.differences().size(), cases));
+    out.println(summary(comparison, cases));
     out.flush();
+  }
+
+  private static String summary(Comparison comparison, long differing) {
+    int compared = comparison.cases().size();
+    int differences = comparison.differences().size();
+    if (compared == 0) {
+      return "no case could be compared";
+    }
+    return "%s compared, %s"
+        .formatted(
+            count(compared, "case"),
+            differences == 0
+                ? "no differences"
+                : count(differences, "difference") + " in " + count(differing, "case"));
+  }
+
+  private static String count(long number, String noun) {
+    return number + " " + noun + (number == 1 ? "" : "s");
   }
 
   private void notComparable(List<NotComparable> entries) {
