@@ -79,7 +79,7 @@ def test_times_of_publication(values, times):
 
 
 def test_a_wrong_time_is_refused():
-    with pytest.raises(ValueError, match="publish[.]a"):
+    with pytest.raises(ValueError, match=r"publish[.]a"):
         Publishing.of({"publish.a.at": "-1"}, "a")
 
 
