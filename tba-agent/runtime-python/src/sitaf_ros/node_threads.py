@@ -6,6 +6,8 @@ Each is a thread of the operating system that runs only while it has the baton. 
 from __future__ import annotations
 
 import _thread
+import sys
+import threading
 from collections import deque
 from collections.abc import Callable
 from typing import Any
@@ -79,6 +81,9 @@ class NodeThreads:
             self._by_ident[thread.ident] = thread
             registered.release()
             thread.baton.acquire()
+            trace = threading.gettrace()
+            if trace is not None:
+                sys.settrace(trace)  # coverage.py measures threads by it
             try:
                 if not self.ending:
                     run()

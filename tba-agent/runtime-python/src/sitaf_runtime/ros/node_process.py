@@ -135,11 +135,22 @@ def _end_with(action: Callable[[], None]) -> None:
 
 
 def _save_coverage() -> None:
+    """Add what this process has recorded to the file that all processes of the node share."""
     coverage = sys.modules.get("coverage")
-    current = None if coverage is None else coverage.Coverage.current()
-    if current is not None:
-        with suppress(Exception):  # what a killed process would lose, too
-            current.save()
+    current: Any = None if coverage is None else coverage.Coverage.current()
+    if current is None:
+        return
+    with suppress(Exception):  # what a killed process would lose, too
+        data = current._data
+        folder, name = os.path.split(data.base_filename())
+        own = os.path.join(folder, "node")
+        os.makedirs(own, exist_ok=True)
+        data._basename = os.path.join(own, name)
+        data._reset()
+        data._choose_filename()
+        # Otherwise a forked process erases the file before it writes.
+        data._pid, data._have_used = os.getpid(), True
+        current.save()
 
 
 def _reason(status: int) -> str:
