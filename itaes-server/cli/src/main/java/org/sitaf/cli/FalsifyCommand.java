@@ -156,7 +156,7 @@ final class FalsifyCommand implements Callable<Integer> {
 
   private static List<Value> values(TestModel model, TestCase testCase) {
     return java.util.stream.IntStream.range(0, model.inputs().size())
-        .mapToObj(i -> MarginRuns.value(model.inputs().get(i), testCase.values().get(i)))
+        .mapToObj(i -> model.inputs().get(i).value(testCase.values().get(i)))
         .toList();
   }
 

@@ -8,6 +8,7 @@ import java.io.PrintStream;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
@@ -24,6 +25,8 @@ import org.sitaf.agent.spool.Folders;
 import org.sitaf.agent.toolchain.ToolchainPlaces;
 import org.sitaf.agent.toolchain.Toolchains;
 import org.sitaf.core.activity.Activity;
+import org.sitaf.core.diagnostic.Diagnostic;
+import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.harness.InterfaceTestApplicationGenerator;
 import org.sitaf.core.harness.TestApplication;
 import org.sitaf.core.model.TestModel;
@@ -108,6 +111,33 @@ public final class LocalBuilds implements AutoCloseable {
         InterfaceTestApplicationGenerator.generate(activity, model, suite),
         settings.withSignals().withCoverage(coverage).varied(variation),
         observer);
+  }
+
+  /**
+   * The result of a build.
+   *
+   * @throws InvalidInputException if the build failed; contains the reason
+   * @throws InterruptedException if it was cancelled
+   */
+  public TestResult completed(Activity activity, BuildOutcome outcome) throws InterruptedException {
+    if (outcome instanceof BuildOutcome.Cancelled cancelled) {
+      throw new InterruptedException(cancelled.reason());
+    }
+    if (outcome instanceof BuildOutcome.CompilationFailed failed) {
+      throw new InvalidInputException(
+          List.of(
+              Diagnostic.error(
+                  failed.diagnostics().isEmpty() ? "" : failed.diagnostics().get(0).file(),
+                  failed.diagnostics().isEmpty() ? 0 : failed.diagnostics().get(0).line(),
+                  "",
+                  failed.diagnostics().isEmpty()
+                      ? failed.message()
+                      : failed.message() + ": " + failed.diagnostics().get(0).message())));
+    }
+    if (outcome instanceof BuildOutcome.InfrastructureFailed failed) {
+      throw InvalidInputException.of(activity.profile().name(), failed.message());
+    }
+    return ((BuildOutcome.Completed) outcome).result();
   }
 
   private BuildOutcome run(

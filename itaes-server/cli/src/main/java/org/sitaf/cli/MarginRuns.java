@@ -7,20 +7,16 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
-import org.sitaf.agent.build.BuildOutcome;
 import org.sitaf.core.activity.Activity;
-import org.sitaf.core.diagnostic.Diagnostic;
-import org.sitaf.core.diagnostic.InvalidInputException;
 import org.sitaf.core.falsify.Falsification;
 import org.sitaf.core.falsify.Falsification.Outcome;
-import org.sitaf.core.model.InputElement;
-import org.sitaf.core.model.InputKind;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.model.Value;
 import org.sitaf.core.suite.GivenCases;
 import org.sitaf.core.suite.TestCase;
 import org.sitaf.core.suite.TestSuite;
 import org.sitaf.core.verdict.CaseResult;
+import org.sitaf.core.verdict.TestResult;
 import org.sitaf.core.verdict.TrajectoryResult;
 import org.sitaf.core.verdict.Verdict;
 
@@ -33,7 +29,7 @@ final class MarginRuns implements Falsification.Executor {
   private final @Nullable String condition;
   private final PrintWriter progress;
   private final GivenCases cases;
-  private int executed;
+  private int count;
   private double smallest = Double.POSITIVE_INFINITY;
 
   /**
@@ -58,13 +54,6 @@ final class MarginRuns implements Falsification.Executor {
     this.cases = new GivenCases(model);
   }
 
-  /** A value of a suite. */
-  static Value value(InputElement input, String literal) {
-    return input.kind() == InputKind.TDTS
-        ? Value.parseAnswer(literal, input.type())
-        : Value.parse(literal, input.type());
-  }
-
   @Override
   public List<Outcome> execute(List<List<Value>> rows) throws InterruptedException {
     List<TestCase> batch = new ArrayList<>();
@@ -81,29 +70,15 @@ final class MarginRuns implements Falsification.Executor {
   }
 
   private Map<Integer, Outcome> run(List<TestCase> batch) throws InterruptedException {
-    BuildOutcome outcome = builds.runQuietly(activity, model, suite.withCases(batch));
-    if (outcome instanceof BuildOutcome.Cancelled) {
-      throw new InterruptedException("the search was cancelled");
-    }
-    if (outcome instanceof BuildOutcome.CompilationFailed failed) {
-      throw new InvalidInputException(
-          List.of(
-              Diagnostic.error(
-                  failed.diagnostics().isEmpty() ? "" : failed.diagnostics().get(0).file(),
-                  failed.diagnostics().isEmpty() ? 0 : failed.diagnostics().get(0).line(),
-                  "",
-                  failed.message())));
-    }
-    if (outcome instanceof BuildOutcome.InfrastructureFailed failed) {
-      throw InvalidInputException.of(activity.profile().name(), failed.message());
-    }
+    TestResult executed =
+        builds.completed(activity, builds.runQuietly(activity, model, suite.withCases(batch)));
     Map<Integer, Outcome> outcomes = new HashMap<>();
-    for (CaseResult result : ((BuildOutcome.Completed) outcome).result().cases()) {
+    for (CaseResult result : executed.cases()) {
       outcomes.put(result.no(), outcome(result));
       smallest = Math.min(smallest, outcomes.get(result.no()).margin());
     }
-    executed += batch.size();
-    progress.printf("%s: %d cases, smallest margin %s%n", model.name(), executed, smallest);
+    count += batch.size();
+    progress.printf("%s: %d cases, smallest margin %s%n", model.name(), count, smallest);
     progress.flush();
     return outcomes;
   }

@@ -24,6 +24,8 @@ import picocli.CommandLine.ExitCode;
       RunCommand.class,
       FalsifyCommand.class,
       CompareCommand.class,
+      ExplainCommand.class,
+      ReplayCommand.class,
       DemoCommand.class,
       UpCommand.class
     })

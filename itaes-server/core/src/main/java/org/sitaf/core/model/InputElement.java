@@ -32,6 +32,15 @@ public record InputElement(
     userValues = List.copyOf(userValues);
   }
 
+  /**
+   * Parses a value of a case; an answer of a stub may also be an error or a delay.
+   *
+   * @throws IllegalArgumentException if it is not a value of the type
+   */
+  public Value value(String literal) {
+    return kind == InputKind.TDTS ? Value.parseAnswer(literal, type) : Value.parse(literal, type);
+  }
+
   /** A copy with another resolved type. */
   public InputElement withType(DataType resolved) {
     return new InputElement(name, kind, realType, resolved, description, specs, userValues, line);

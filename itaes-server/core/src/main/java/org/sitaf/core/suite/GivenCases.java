@@ -11,7 +11,7 @@ import org.sitaf.core.model.TestModel;
 import org.sitaf.core.model.Value;
 import org.sitaf.core.value.TestValue;
 
-/** Test cases with given, valid values instead of combined ones. */
+/** Test cases with given values instead of combined ones. */
 public final class GivenCases {
   private final TestModel model;
   private final Conditions conditions;
@@ -31,25 +31,45 @@ public final class GivenCases {
   }
 
   /**
-   * A case with its expected values; empty if a pre-condition excludes it or cannot be evaluated
-   * for it.
+   * A case of valid values with its expected values; empty if a pre-condition excludes it or cannot
+   * be evaluated for it.
    *
    * @param values one for each input of the model
    */
   public Optional<TestCase> of(int no, List<Value> values) {
-    List<TestValue> row = values.stream().map(value -> new TestValue(value, true)).toList();
+    return ofRow(no, values.stream().map(value -> new TestValue(value, true)).toList());
+  }
+
+  /**
+   * A case with its expected values; empty if a pre-condition excludes it or cannot be evaluated
+   * for it.
+   *
+   * @param row one value for each input of the model
+   */
+  public Optional<TestCase> ofRow(int no, List<TestValue> row) {
+    return allows(row) ? Optional.of(unchecked(no, row)) : Optional.empty();
+  }
+
+  /** Whether the pre-conditions allow a case. */
+  public boolean allows(List<TestValue> row) {
     Variables variables = CaseVariables.of(model, row);
     for (Expression condition : conditions.pre()) {
       try {
         if (!condition.isTrue(variables.map())) {
-          return Optional.empty();
+          return false;
         }
       } catch (EvaluationException e) {
-        return Optional.empty();
+        return false;
       }
     }
-    return Optional.of(
-        new TestCase(
-            no, true, values.stream().map(Value::literal).toList(), oracle.expect(no, row)));
+    return true;
+  }
+
+  private TestCase unchecked(int no, List<TestValue> row) {
+    return new TestCase(
+        no,
+        row.stream().allMatch(TestValue::valid),
+        row.stream().map(v -> v.value().literal()).toList(),
+        oracle.expect(no, row));
   }
 }

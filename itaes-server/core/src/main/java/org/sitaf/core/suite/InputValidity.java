@@ -36,9 +36,7 @@ public final class InputValidity {
     variables.put(Variables.VALID, testCase.valid());
     for (int i = 0; i < model.inputs().size(); i++) {
       InputElement input = model.inputs().get(i);
-      variables.putValidity(
-          input.name(),
-          testCase.valid() || isRelated(input) || isValid(i, testCase.values().get(i)));
+      variables.putValidity(input.name(), testCase.valid() || isValid(i, testCase.values().get(i)));
     }
   }
 
@@ -47,8 +45,11 @@ public final class InputValidity {
     return input.specs().stream().anyMatch(TestSpec.Related.class::isInstance);
   }
 
-  /** As when cases are combined. */
-  private synchronized boolean isValid(int input, String literal) {
+  /** Whether a value of an input is valid, as when cases are combined. */
+  public synchronized boolean isValid(int input, String literal) {
+    if (isRelated(model.inputs().get(input))) {
+      return true;
+    }
     if (validLiterals == null) {
       List<Set<String>> all = new ArrayList<>();
       for (InputElement each : model.inputs()) {

@@ -29,24 +29,25 @@ public record FailureGroup(Verdict verdict, String message, List<CaseResult> cas
 
   /** The groups of the cases that did not pass; the group of the first such case is first. */
   public static List<FailureGroup> of(List<CaseResult> results) {
-    Map<List<Object>, List<CaseResult>> groups = new LinkedHashMap<>();
+    Map<String, List<CaseResult>> groups = new LinkedHashMap<>();
     for (CaseResult result : results) {
       if (result.verdict() != Verdict.PASS) {
-        String message = result.message().strip();
-        int end = endOfFirstLine(message);
-        groups
-            .computeIfAbsent(
-                List.of(
-                    result.verdict(),
-                    parts(message.substring(0, end)).get(0),
-                    message.substring(end)),
-                key -> new ArrayList<>())
-            .add(result);
+        groups.computeIfAbsent(kind(result), key -> new ArrayList<>()).add(result);
       }
     }
     return groups.values().stream()
         .map(cases -> new FailureGroup(cases.get(0).verdict(), common(cases), cases))
         .toList();
+  }
+
+  /** The verdict and the message without the numbers of its first line: equal within a group. */
+  public static String kind(CaseResult result) {
+    String message = result.message().strip();
+    int end = endOfFirstLine(message);
+    return result.verdict()
+        + ": "
+        + String.join(ANY_NUMBER, parts(message.substring(0, end)).get(0))
+        + message.substring(end);
   }
 
   private static int endOfFirstLine(String message) {

@@ -1,0 +1,320 @@
+package org.sitaf.core.explain;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.function.Predicate;
+import java.util.stream.IntStream;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.description.WorldDescription;
+import org.sitaf.core.explain.Explanation.Boundary;
+import org.sitaf.core.explain.Explanation.Cause;
+import org.sitaf.core.model.InputElement;
+import org.sitaf.core.model.TestModel;
+import org.sitaf.core.model.Value;
+import org.sitaf.core.suite.TestCase;
+import org.sitaf.core.suite.TestSuite;
+import org.sitaf.core.verdict.CaseResult;
+import org.sitaf.core.verdict.Verdict;
+
+/** Explains the failures of a suite: relations first, then the smallest tuples of values. */
+public final class Explainer {
+  private static final int MAX_RELATIONS = 4;
+
+  /** How often a cause is searched again that its simplest case refutes. */
+  private static final int MAX_REFUTATIONS = 5;
+
+  private static final long SEED = 1;
+
+  private final TestModel model;
+  private final SuiteValues values;
+  private final FurtherCases further;
+  private final History history;
+  private final List<TestCase> executed = new ArrayList<>();
+  private final Map<Integer, CaseResult> results = new HashMap<>();
+  private final @Nullable Set<Integer> targets;
+
+  /**
+   * An explainer.
+   *
+   * @param results of the cases of the suite; cases that were not executed are ignored
+   * @param world of the activity; null if it has none
+   * @param cases numbers of the failed cases to explain; null for all
+   * @param budget maximum number of further executions
+   */
+  public Explainer(
+      TestModel model,
+      TestSuite suite,
+      List<CaseResult> results,
+      @Nullable WorldDescription world,
+      @Nullable Set<Integer> cases,
+      CaseExecution execution,
+      int budget) {
+    this.model = model;
+    this.values = new SuiteValues(model, suite, world);
+    this.further = new FurtherCases(values, execution, budget);
+    results.forEach(r -> this.results.put(r.no(), r));
+    List<Combinations.Row> rows = new ArrayList<>();
+    Set<Integer> chosen = new HashSet<>();
+    for (TestCase testCase : suite.cases()) {
+      CaseResult result = this.results.get(testCase.no());
+      if (result == null || result.verdict() == Verdict.DONT) {
+        continue;
+      }
+      if (cases != null && cases.contains(testCase.no())) {
+        chosen.add(rows.size());
+      }
+      rows.add(new Combinations.Row(values.levels(testCase), FurtherCases.outcome(result)));
+      executed.add(testCase);
+      further.remember(result);
+    }
+    this.targets = cases == null ? null : chosen;
+    int strength = suite.generation().strength().isAll() ? 3 : suite.generation().strength().t();
+    this.history =
+        new History(
+            new Combinations(values.counts(), rows, values::isAllowed, strength),
+            row ->
+                FurtherCases.outcome(
+                    further
+                        .execute(values.values(row))
+                        .orElseThrow(() -> new IllegalStateException("a case is not allowed"))),
+            budget);
+  }
+
+  /**
+   * Searches the causes.
+   *
+   * @throws InterruptedException if the search is cancelled
+   * @throws IllegalStateException if a further case could not be executed
+   */
+  public Explanation explain() throws InterruptedException {
+    if (failed().isEmpty()) {
+      return new Explanation(List.of(), 0, List.of());
+    }
+    Map<RelationSearch.Relation, Integer> relations = relations();
+    TupleSearch search = new TupleSearch(history, targets, SEED);
+    search.search();
+    Map<Tuple, List<Value>> simplest = simplest(search);
+    BoundarySearch boundaries = new BoundarySearch(values, history, further);
+
+    List<Cause> causes = new ArrayList<>();
+    for (Map.Entry<RelationSearch.Relation, Integer> relation : relations.entrySet()) {
+      int before = further.executions();
+      Predicate<int[]> holds = relation.getKey().holds();
+      List<Value> row = simplestOf(holds, 0, null);
+      int needed = relation.getValue() + further.executions() - before;
+      causes.add(cause(Map.of(), relation.getKey().text(), holds, row, null, needed));
+    }
+    for (Tuple tuple : search.causes()) {
+      int before = further.executions();
+      List<Value> row = simplest.getOrDefault(tuple, List.of());
+      @Nullable Boundary boundary = boundaries.of(tuple, row).orElse(null);
+      int needed = search.executionsOf(tuple) + further.executions() - before;
+      Map<String, String> parameters = new LinkedHashMap<>();
+      int[] levels = tuple.values();
+      for (int i = 0; i < levels.length; i++) {
+        if (levels[i] != Tuple.ANY) {
+          parameters.put(model.inputs().get(i).name(), values.levelsOf(i).get(levels[i]).literal());
+        }
+      }
+      causes.add(cause(parameters, null, tuple::isIn, row, boundary, needed));
+    }
+    TreeSet<Integer> unexplained = new TreeSet<>();
+    for (int i : failed()) {
+      if (!search.isExplained(history.combinations().executed().get(i).values())) {
+        unexplained.add(executed.get(i).no());
+      }
+    }
+    List<Cause> found = causes.stream().filter(c -> targets == null || explainsTarget(c)).toList();
+    return new Explanation(found, further.executions(), List.copyOf(unexplained));
+  }
+
+  private boolean explainsTarget(Cause cause) {
+    return failed().stream().anyMatch(i -> cause.cases().contains(executed.get(i).no()));
+  }
+
+  /** The indices of the failed cases to explain. */
+  private List<Integer> failed() {
+    List<Combinations.Row> rows = history.combinations().executed();
+    return IntStream.range(0, rows.size())
+        .filter(i -> rows.get(i).outcome().failed() && (targets == null || targets.contains(i)))
+        .boxed()
+        .toList();
+  }
+
+  private Map<RelationSearch.Relation, Integer> relations() throws InterruptedException {
+    List<List<Double>> numbers = new ArrayList<>();
+    List<List<String>> literals = new ArrayList<>();
+    for (int i = 0; i < model.inputs().size(); i++) {
+      numbers.add(values.levelsOf(i).stream().map(SuiteValues::number).toList());
+      literals.add(values.levelsOf(i).stream().map(Value::literal).toList());
+    }
+    RelationSearch search =
+        new RelationSearch(
+            history,
+            model.inputs().stream().map(InputElement::name).toList(),
+            numbers,
+            literals,
+            SEED);
+    Map<RelationSearch.Relation, Integer> found = new LinkedHashMap<>();
+    while (found.size() < MAX_RELATIONS) {
+      Optional<RelationSearch.Confirmed> relation = search.search();
+      if (relation.isEmpty()) {
+        break;
+      }
+      found.put(relation.get().relation(), relation.get().executions());
+      history.explain(relation.get().relation().holds());
+    }
+    return found;
+  }
+
+  /**
+   * The simplest case of each cause. A cause whose simplest case passes is no cause; it is searched
+   * again.
+   */
+  private Map<Tuple, List<Value>> simplest(TupleSearch search) throws InterruptedException {
+    Map<Tuple, List<Value>> simplest = new HashMap<>();
+    for (int refuted = 0; refuted <= MAX_REFUTATIONS; refuted++) {
+      for (Tuple tuple : search.causes()) {
+        if (!simplest.containsKey(tuple)) {
+          int before = further.executions();
+          List<Value> row = simplestOf(tuple::isIn, tuple.mask(), tuple);
+          search.needed(tuple, further.executions() - before);
+          if (!history.isRefuted(tuple)) {
+            simplest.put(tuple, row);
+          }
+        }
+      }
+      if (search.causes().stream().noneMatch(history::isRefuted)) {
+        break;
+      }
+      search.search();
+    }
+    return simplest;
+  }
+
+  /**
+   * The simplest failing case that fulfils a condition.
+   *
+   * @param kept the parameters that keep their values
+   * @param tuple the cause; null for a relation
+   */
+  private List<Value> simplestOf(Predicate<int[]> condition, long kept, @Nullable Tuple tuple)
+      throws InterruptedException {
+    List<int[]> rows =
+        history.failing().stream()
+            .map(Combinations.Row::values)
+            .filter(condition)
+            .sorted(java.util.Comparator.comparingDouble(this::complexity))
+            .toList();
+    int[] start = rows.get(0);
+    long fixed = tuple == null ? fixedOf(start, condition) : kept;
+    for (boolean ofSuite : new boolean[] {false, true}) {
+      List<Value> row = simplified(values.values(start), fixed, ofSuite);
+      if (further.failed(row).isPresent()) {
+        return row;
+      }
+      int[] levels = values.levelsOf(row);
+      if (further.isExhausted()) {
+        break;
+      }
+      boolean fails =
+          levels == null
+              ? further.execute(row).map(r -> FurtherCases.outcome(r).failed()).orElse(false)
+              : history.execute(levels).failed();
+      if (fails) {
+        return row;
+      }
+    }
+    return values.values(start);
+  }
+
+  /** The parameters of a relation: those whose change can break it. */
+  private long fixedOf(int[] row, Predicate<int[]> holds) {
+    long fixed = 0;
+    for (int i = 0; i < row.length; i++) {
+      for (int level = 0; level < values.levelsOf(i).size(); level++) {
+        int[] changed = row.clone();
+        changed[i] = level;
+        if (!holds.test(changed)) {
+          fixed |= 1L << i;
+        }
+      }
+    }
+    return fixed;
+  }
+
+  private double complexity(int[] row) {
+    double sum = 0;
+    for (int i = 0; i < row.length; i++) {
+      Value value = values.levelsOf(i).get(row[i]);
+      double number = SuiteValues.number(value);
+      sum +=
+          (values.isValid(i, value) ? 0 : 1e9)
+              + (Double.isFinite(number) ? Math.min(1e6, Math.abs(number)) : 0)
+              + value.literal().length();
+    }
+    return sum;
+  }
+
+  /** The case with the other inputs at their simplest values, as far as conditions allow. */
+  private List<Value> simplified(List<Value> row, long fixed, boolean ofSuite) {
+    List<Value> simple = new ArrayList<>(row);
+    for (int i = 0; i < simple.size(); i++) {
+      if ((fixed >>> i & 1) == 0) {
+        int at = i;
+        values.simplest(i, ofSuite).ifPresent(v -> simple.set(at, v));
+      }
+    }
+    if (values.isAllowed(simple)) {
+      return simple;
+    }
+    List<Value> current = new ArrayList<>(row);
+    for (int i = 0; i < current.size(); i++) {
+      if ((fixed >>> i & 1) == 0) {
+        Value before = current.get(i);
+        int at = i;
+        values.simplest(i, ofSuite).ifPresent(v -> current.set(at, v));
+        if (!values.isAllowed(current)) {
+          current.set(i, before);
+        }
+      }
+    }
+    return current;
+  }
+
+  private Cause cause(
+      Map<String, String> parameters,
+      @Nullable String relation,
+      Predicate<int[]> condition,
+      List<Value> simplest,
+      @Nullable Boundary boundary,
+      int executions) {
+    List<Integer> numbers = new ArrayList<>();
+    List<Combinations.Row> rows = history.combinations().executed();
+    for (int i = 0; i < rows.size(); i++) {
+      if (rows.get(i).outcome().failed() && condition.test(rows.get(i).values())) {
+        numbers.add(executed.get(i).no());
+      }
+    }
+    CaseResult result =
+        further
+            .failed(simplest)
+            .orElseGet(() -> numbers.isEmpty() ? null : results.get(numbers.get(0)));
+    return new Cause(
+        parameters,
+        relation,
+        result == null ? Verdict.FAIL : result.verdict(),
+        result == null ? "" : result.message(),
+        numbers,
+        values.named(simplest),
+        boundary,
+        executions);
+  }
+}

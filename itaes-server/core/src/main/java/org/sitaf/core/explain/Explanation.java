@@ -1,0 +1,56 @@
+package org.sitaf.core.explain;
+
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.core.verdict.Verdict;
+
+/**
+ * The causes of the failures of a result.
+ *
+ * @param executions number of executed cases beyond the suite
+ * @param unexplained numbers of the failed cases without a cause, in ascending order
+ */
+public record Explanation(List<Cause> causes, int executions, List<Integer> unexplained) {
+  public Explanation {
+    causes = List.copyOf(causes);
+    unexplained = List.copyOf(unexplained);
+  }
+
+  /**
+   * A cause.
+   *
+   * @param parameters the minimal values that fail with any other values, as literals by name;
+   *     empty if every case fails, or the cause is a relation
+   * @param relation between two parameters, such as {@code A == B}; null if there is none
+   * @param verdict of the simplest case
+   * @param message of the simplest case
+   * @param cases numbers of the failed cases that have this cause
+   * @param simplest the simplest failing case: literals by name
+   * @param boundary where a numeric parameter begins to fail; null if there is none
+   * @param executions number of executed cases beyond the suite for this cause
+   */
+  public record Cause(
+      Map<String, String> parameters,
+      @Nullable String relation,
+      Verdict verdict,
+      String message,
+      List<Integer> cases,
+      Map<String, String> simplest,
+      @Nullable Boundary boundary,
+      int executions) {
+    public Cause {
+      parameters = Collections.unmodifiableMap(new LinkedHashMap<>(parameters));
+      Objects.requireNonNull(verdict);
+      Objects.requireNonNull(message);
+      cases = List.copyOf(cases);
+      simplest = Collections.unmodifiableMap(new LinkedHashMap<>(simplest));
+    }
+  }
+
+  /** Two neighbouring values of a parameter, of which one passes and the other fails. */
+  public record Boundary(String parameter, String passes, String fails) {}
+}

@@ -1,0 +1,105 @@
+package org.sitaf.core.explain;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.Predicate;
+import org.sitaf.core.combine.Interruption;
+
+/** The executed rows, of the suite and beyond it. */
+final class History {
+  private final Combinations combinations;
+  private final Combinations.Execution execution;
+  private final int budget;
+  private final List<int[]> passing = new ArrayList<>();
+  private final List<Combinations.Row> failing = new ArrayList<>();
+
+  private final List<Predicate<int[]>> relations = new ArrayList<>();
+  private int executions;
+
+  History(Combinations combinations, Combinations.Execution execution, int budget) {
+    this.combinations = combinations;
+    this.execution = execution;
+    this.budget = budget;
+    combinations.executed().forEach(this::add);
+  }
+
+  private void add(Combinations.Row row) {
+    if (row.outcome().failed()) {
+      failing.add(row);
+    } else {
+      passing.add(row.values());
+    }
+  }
+
+  Combinations combinations() {
+    return combinations;
+  }
+
+  List<int[]> passing() {
+    return passing;
+  }
+
+  List<Combinations.Row> failing() {
+    return failing;
+  }
+
+  /** The number of executions beyond the suite. */
+  int executions() {
+    return executions;
+  }
+
+  boolean isExhausted() {
+    return executions >= budget;
+  }
+
+  /** Executes a row, also one that was executed before. */
+  Outcome execute(int[] row) throws InterruptedException {
+    Interruption.check();
+    Outcome outcome = execution.execute(row.clone());
+    executions++;
+    add(new Combinations.Row(row.clone(), outcome));
+    return outcome;
+  }
+
+  boolean wasExecuted(int[] row) {
+    return passing.stream().anyMatch(p -> Arrays.equals(p, row))
+        || failing.stream().anyMatch(f -> Arrays.equals(f.values(), row));
+  }
+
+  /** Whether a row failed once and passed another time. */
+  boolean isFlaky(int[] row) {
+    return passing.stream().anyMatch(p -> Arrays.equals(p, row));
+  }
+
+  /** How many executions failed with a tuple. */
+  int confirmations(Tuple tuple) {
+    return (int) failing.stream().filter(f -> tuple.isIn(f.values())).count();
+  }
+
+  /** Whether a case with the tuple passed. */
+  boolean isRefuted(Tuple tuple) {
+    return passing.stream().anyMatch(tuple::isIn);
+  }
+
+  /** Adds a relation that explains the rows that fulfil it. */
+  void explain(Predicate<int[]> relation) {
+    relations.add(relation);
+  }
+
+  /** Whether a relation explains a row. */
+  boolean isExplained(int[] row) {
+    return relations.stream().anyMatch(r -> r.test(row));
+  }
+
+  /** The parameters in which two rows agree, one bit for each. */
+  static long agreement(int[] a, int[] b) {
+    long mask = 0;
+    for (int i = 0; i < a.length; i++) {
+      if (a[i] == b[i]) {
+        mask |= 1L << i;
+      }
+    }
+    return mask;
+  }
+}
