@@ -43,24 +43,23 @@ final class Candidates {
   /**
    * The candidates of a row.
    *
-   * @param suite number of rows of the suite
    * @param free the parameters with more than one value
    * @param unexplained the failing rows without a known cause
+   * @param suite the failing rows of the suite
+   * @param rate share of the rows of the suite that fail
    */
   static Candidates of(
       Combinations.Row failed,
       long free,
-      List<int[]> passing,
+      History history,
       List<Combinations.Row> unexplained,
       Set<Combinations.Row> suite,
       double rate) {
     int[] row = failed.values();
-    long[] agreements =
-        maximal(passing.stream().mapToLong(p -> History.agreement(p, row) & free).toArray());
+    List<Exclusion> agreements = exclusions(row, free, history);
     List<Long> masks = new ArrayList<>();
     int count = Long.bitCount(free);
-    boolean isEmptyLeft = agreements.length == 0;
-    if (isEmptyLeft) {
+    if (agreements.stream().noneMatch(e -> e.required() == 0)) {
       masks.add(0L);
     }
     for (int size = 1; size <= count; size++) {
@@ -104,18 +103,41 @@ final class Candidates {
     return result;
   }
 
-  private static long[] maximal(long[] masks) {
-    List<Long> kept = new ArrayList<>();
-    for (long mask : masks) {
-      if (kept.stream().noneMatch(k -> (mask & ~k) == 0)) {
-        kept.removeIf(k -> (k & ~mask) == 0);
-        kept.add(mask);
+  /** The largest sets of parameters in which passing rows agree with the failing one. */
+  private static List<Exclusion> exclusions(int[] row, long free, History history) {
+    List<Exclusion> kept = new ArrayList<>();
+    for (int[] passed : history.passing()) {
+      long agreement = History.agreement(passed, row) & free;
+      long required = history.combinations().invalidOf(passed) & free;
+      if ((required & ~agreement) != 0) {
+        continue;
+      }
+      Exclusion added = new Exclusion(agreement, required);
+      if (kept.stream().noneMatch(k -> k.covers(added))) {
+        kept.removeIf(added::covers);
+        kept.add(added);
       }
     }
-    return kept.stream().mapToLong(Long::longValue).toArray();
+    return kept;
   }
 
-  private static void list(long free, int size, long[] agreements, List<Long> masks) {
+  /**
+   * Sets of parameters that are no cause.
+   *
+   * @param agreement contains them
+   * @param required is in each of them
+   */
+  private record Exclusion(long agreement, long required) {
+    boolean covers(Exclusion other) {
+      return required == other.required && (other.agreement & ~agreement) == 0;
+    }
+
+    boolean excludes(long mask) {
+      return (mask & ~agreement) == 0 && (required & ~mask) == 0;
+    }
+  }
+
+  private static void list(long free, int size, List<Exclusion> agreements, List<Long> masks) {
     int[] positions = new int[Long.bitCount(free)];
     long left = free;
     for (int i = 0; i < positions.length; i++) {
@@ -148,9 +170,9 @@ final class Candidates {
     }
   }
 
-  private static boolean isPossible(long mask, long[] agreements) {
-    for (long agreement : agreements) {
-      if ((mask & ~agreement) == 0) {
+  private static boolean isPossible(long mask, List<Exclusion> exclusions) {
+    for (Exclusion exclusion : exclusions) {
+      if (exclusion.excludes(mask)) {
         return false;
       }
     }

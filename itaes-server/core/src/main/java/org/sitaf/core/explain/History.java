@@ -40,6 +40,16 @@ final class History {
     return passing;
   }
 
+  /** The passing rows without an invalid value. */
+  List<int[]> passingValid() {
+    return passing.stream().filter(p -> combinations.invalidOf(p) == 0).toList();
+  }
+
+  /** Whether a row has an invalid value that another one does not have. */
+  boolean addsInvalid(int[] row, int[] other) {
+    return (combinations.invalidOf(row) & ~agreement(row, other)) != 0;
+  }
+
   List<Combinations.Row> failing() {
     return failing;
   }
@@ -79,7 +89,8 @@ final class History {
 
   /** Whether a case with the tuple passed. */
   boolean isRefuted(Tuple tuple) {
-    return passing.stream().anyMatch(tuple::isIn);
+    return passing.stream()
+        .anyMatch(p -> tuple.isIn(p) && (combinations.invalidOf(p) & ~tuple.mask()) == 0);
   }
 
   /** Adds a relation that explains the rows that fulfil it. */

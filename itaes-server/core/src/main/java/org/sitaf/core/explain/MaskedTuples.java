@@ -43,7 +43,7 @@ final class MaskedTuples {
           continue;
         }
         long count = masked.stream().filter(t -> t.isIn(row)).count();
-        if (count > most && rows.isUsable(row)) {
+        if (count > most && rows.isUsable(row, failed.values())) {
           best = row;
           most = count;
         }

@@ -88,6 +88,7 @@ final class RelationSearch {
       }
       if (relation.holds().test(row)
           && !history.wasExecuted(row)
+          && history.combinations().invalidOf(row) == 0
           && !history.isExhausted()
           && history.combinations().allowed().test(row)) {
         if (!history.execute(row).failed()) {
@@ -139,7 +140,7 @@ final class RelationSearch {
 
   /** The rows that a relation explains; 0 if it is not one, or tuples explain them as well. */
   private long explained(Relation relation, int a, int b, List<int[]> open) {
-    if (history.passing().stream().anyMatch(p -> relation.holds().test(p))) {
+    if (history.passingValid().stream().anyMatch(p -> relation.holds().test(p))) {
       return 0;
     }
     Set<List<Integer>> pairs = new HashSet<>();
@@ -158,7 +159,7 @@ final class RelationSearch {
     for (int i = 0; i < row.length; i++) {
       int at = i;
       if (history.combinations().levels()[i] > 1
-          && history.passing().stream().noneMatch(p -> p[at] == row[at])
+          && !history.isRefuted(Tuple.of(row, 1L << at))
           && history.failing().stream().filter(f -> f.values()[at] == row[at]).count() > 1) {
         return true;
       }
@@ -195,7 +196,7 @@ final class RelationSearch {
     double highestPassing = Double.NEGATIVE_INFINITY;
     double lowestPassing = Double.POSITIVE_INFINITY;
     Set<Double> passing = new HashSet<>();
-    for (int[] row : history.passing()) {
+    for (int[] row : history.passingValid()) {
       if (finite.test(row)) {
         double sum = number(a, row) + sign * number(b, row);
         highestPassing = Math.max(highestPassing, sum);

@@ -54,7 +54,7 @@ final class RowChoice {
         double risk = risk(row, failed);
         double fails = within + (1 - within) * risk;
         double score = Math.abs(fails - 0.5) + risk;
-        if (within > 0.01 && within < 0.99 && score < bestScore && isUsable(row)) {
+        if (within > 0.01 && within < 0.99 && score < bestScore && isUsable(row, failed)) {
           best = row;
           bestScore = score;
         }
@@ -82,7 +82,7 @@ final class RowChoice {
       }
       long more = History.agreement(row, failed) & free & ~mask;
       double score = 10 * Long.bitCount(more) + risk(row, failed);
-      if (score < bestScore && (avoidCauses ? isUsable(row) : isNew(row))) {
+      if (score < bestScore && (avoidCauses ? isUsable(row, failed) : isNew(row, failed))) {
         best = row;
         bestScore = score;
         if (more == 0 && attempt > 40) {
@@ -93,13 +93,20 @@ final class RowChoice {
     return best;
   }
 
-  private boolean isNew(int[] row) {
-    return !history.wasExecuted(row) && history.combinations().allowed().test(row);
+  private boolean isNew(int[] row, int[] failed) {
+    return !history.addsInvalid(row, failed)
+        && !history.wasExecuted(row)
+        && history.combinations().allowed().test(row);
   }
 
-  /** Whether a row may be executed, was not executed, and contains no known cause. */
-  boolean isUsable(int[] row) {
-    return causes.stream().noneMatch(c -> c.isIn(row)) && !history.isExplained(row) && isNew(row);
+  /**
+   * Whether a row may be executed, was not executed, and contains neither a known cause nor an
+   * invalid value that the failing row does not have.
+   */
+  boolean isUsable(int[] row, int[] failed) {
+    return causes.stream().noneMatch(c -> c.isIn(row))
+        && !history.isExplained(row)
+        && isNew(row, failed);
   }
 
   private int[] randomRow() {
@@ -113,7 +120,7 @@ final class RowChoice {
   /** Rows to take safe values from: those that passed, or any if none did. */
   private List<int[]> bases(int[] failed) {
     List<int[]> bases = new ArrayList<>();
-    List<int[]> passing = history.passing();
+    List<int[]> passing = history.passingValid();
     int offset = passing.isEmpty() ? 0 : random.nextInt(passing.size());
     for (int i = 0; i < Math.min(MAX_BASES, passing.size()); i++) {
       bases.add(passing.get((offset + i) % passing.size()));

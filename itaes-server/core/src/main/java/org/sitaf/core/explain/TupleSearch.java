@@ -140,7 +140,7 @@ final class TupleSearch {
   }
 
   private Candidates candidates(Combinations.Row row, List<Combinations.Row> open) {
-    return Candidates.of(row, free, history.passing(), open, suite, rate);
+    return Candidates.of(row, free, history, open, suite, rate);
   }
 
   private Optional<Tuple> isolate(Combinations.Row failed) throws InterruptedException {

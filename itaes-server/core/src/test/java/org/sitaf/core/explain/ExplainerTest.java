@@ -1,0 +1,127 @@
+package org.sitaf.core.explain;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.ByteArrayInputStream;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Predicate;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.sitaf.core.explain.Explanation.Cause;
+import org.sitaf.core.model.TestModel;
+import org.sitaf.core.model.document.TestModelXml;
+import org.sitaf.core.suite.GenerationOptions;
+import org.sitaf.core.suite.TestCase;
+import org.sitaf.core.suite.TestCaseGenerator;
+import org.sitaf.core.suite.TestSuite;
+import org.sitaf.core.verdict.CaseResult;
+import org.sitaf.core.verdict.Verdict;
+
+class ExplainerTest {
+  private static final int MAX_OF_BOUNDARY = 70;
+
+  private static TestModel model(String conditions) {
+    String range =
+        "<test_element abstract_type='NUMERIC' real_type='%s'><name>%s</name><type>TDI</type>"
+            + "<test_spec type='BVA' offset='%s'><equiv_class type='NEC_NUMERIC_TWO_BOUNDARY'"
+            + " min='%s' max='%s'/></test_spec></test_element>";
+    String document =
+        "<test_model><name>M</name><target interface='I' method='m'/><input_spec_list>"
+            + range.formatted("int", "A", "1", "1", "7")
+            + range.formatted("int", "B", "1", "1", "7")
+            + range.formatted("double", "X", "0.5", "0", "10")
+            + "</input_spec_list>"
+            + conditions
+            + "<order_of_combinations>2</order_of_combinations></test_model>";
+    return TestModelXml.read(new ByteArrayInputStream(document.getBytes(UTF_8)), "M.xml");
+  }
+
+  private static CaseResult result(TestCase testCase, Predicate<double[]> fails) {
+    double[] values = testCase.values().stream().mapToDouble(Double::parseDouble).toArray();
+    boolean failed = testCase.valid() && fails.test(values);
+    return new CaseResult(
+        testCase.no(),
+        failed ? Verdict.FAIL : Verdict.PASS,
+        testCase.values(),
+        List.of(),
+        List.of(),
+        null,
+        failed ? "expected " + values[2] + ", but was -1.0" : "");
+  }
+
+  private static Explanation explain(TestModel model, Predicate<double[]> fails)
+      throws InterruptedException {
+    TestSuite suite = TestCaseGenerator.generate(model, GenerationOptions.DEFAULT).suite();
+    return new Explainer(
+            model,
+            suite,
+            suite.cases().stream().map(c -> result(c, fails)).toList(),
+            null,
+            null,
+            cases -> cases.stream().map(c -> result(c, fails)).toList(),
+            500)
+        .explain();
+  }
+
+  @Test
+  void equalInputsAreOneRelation() throws InterruptedException {
+    Explanation explanation = explain(model(""), v -> v[0] == v[1]);
+
+    assertThat(explanation.causes()).hasSize(1);
+    Cause cause = explanation.causes().get(0);
+    assertThat(cause.relation()).isEqualTo("A == B");
+    assertThat(cause.parameters()).isEmpty();
+    assertThat(cause.cases()).hasSize(5);
+    assertThat(cause.simplest()).containsEntry("X", "0.0");
+    assertThat(explanation.executions()).isLessThanOrEqualTo(20);
+    assertThat(explanation.unexplained()).isEmpty();
+  }
+
+  @Test
+  void theSimplestCaseOfATupleHasZeroElsewhere() throws InterruptedException {
+    Explanation explanation = explain(model(""), v -> v[0] == 4 && v[1] == 6);
+
+    assertThat(explanation.causes()).hasSize(1);
+    Cause cause = explanation.causes().get(0);
+    assertThat(cause.parameters()).isEqualTo(Map.of("A", "4", "B", "6"));
+    assertThat(cause.simplest()).isEqualTo(Map.of("A", "4", "B", "6", "X", "0.0"));
+    assertThat(cause.message()).startsWith("expected 0.0");
+  }
+
+  @Test
+  void theSimplestCaseKeepsPreConditions() throws InterruptedException {
+    TestModel model =
+        model(
+            "<pre_condition_spec_list><pre_condition>!valid || A != 4 || X &gt; 1.0"
+                + "</pre_condition></pre_condition_spec_list>");
+    Explanation explanation = explain(model, v -> v[0] == 4 && v[1] == 6);
+
+    Cause cause = explanation.causes().get(0);
+    assertThat(cause.parameters()).containsEntry("B", "6");
+    assertThat(Double.parseDouble(cause.simplest().get("X"))).isGreaterThan(1.0);
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {0.3, 0.7123456789, 3.14159, 6.02214076, 9.75, 1e-12})
+  void aThresholdIsBracketedToNeighbouringNumbers(double threshold) throws InterruptedException {
+    Explanation explanation = explain(model(""), v -> v[2] > threshold);
+
+    assertThat(explanation.causes()).isNotEmpty();
+    for (Cause cause : explanation.causes()) {
+      assertThat(cause.parameters()).containsOnlyKeys("X");
+      Explanation.Boundary boundary = java.util.Objects.requireNonNull(cause.boundary());
+      assertThat(Double.parseDouble(boundary.passes())).isEqualTo(threshold);
+      assertThat(Double.parseDouble(boundary.fails())).isEqualTo(Math.nextUp(threshold));
+    }
+    int others = 6 * explanation.causes().size();
+    assertThat(explanation.executions()).isLessThanOrEqualTo(MAX_OF_BOUNDARY + others);
+  }
+
+  @Test
+  void nothingIsExecutedIfNoCaseFailed() throws InterruptedException {
+    assertThat(explain(model(""), v -> false)).isEqualTo(new Explanation(List.of(), 0, List.of()));
+  }
+}
