@@ -72,8 +72,8 @@ def test_a_regression_that_no_expected_value_shows(compare, tmp_path):
     assert (suite.attrib["tests"], suite.attrib["failures"]) == ("24", "4")
 
 
-def test_the_same_version_has_no_differences(compare, tmp_path):
-    archive = shutil.make_archive(tmp_path / "profile", "zip", "examples/speed-profile")
+def test_the_same_version_has_no_differences(sitaf, compare, tmp_path):
+    archive = shutil.make_archive(tmp_path / "profile", "zip", sitaf.root / "examples" / "speed-profile")
     code, found, output = compare("examples/speed-profile", archive, "--ulp", "0")
     assert code == 0, output
     assert found["cases"] == 24

@@ -109,7 +109,7 @@ final class CaseTable {
   }
 
   /**
-   * Prints the verdict and the message of a group, and its cases.
+   * Prints the verdict of a group, the message of its first case, and its cases.
    *
    * @param maxRows maximum number of rows; 0 prints the numbers of the cases instead
    * @return the number of printed rows
@@ -129,6 +129,7 @@ final class CaseTable {
             + count
             + (count == 1 ? " case" : " cases")
             + numbers
+            + (group.isUniform() ? "" : "; case " + group.cases().get(0).no())
             + (group.message().isEmpty() ? "" : ": " + Printable.lines(group.message(), "    ")));
     List<CaseResult> shown = group.cases().subList(0, Math.min(count, maxRows));
     if (!shown.isEmpty()) {

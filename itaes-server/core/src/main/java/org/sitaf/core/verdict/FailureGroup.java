@@ -11,10 +11,9 @@ import java.util.regex.Pattern;
  * Cases that did not pass for the same reason: their verdicts and messages are equal except for
  * numbers in the first line. The other lines, such as the place of an exception, are equal.
  *
- * @param message of the cases; a number that differs between them is shown as {@code …}
  * @param cases in the order of the suite; at least one
  */
-public record FailureGroup(Verdict verdict, String message, List<CaseResult> cases) {
+public record FailureGroup(Verdict verdict, List<CaseResult> cases) {
   private static final Pattern NUMBER =
       Pattern.compile(
           "(?<![\\w.])[-+]?(?:\\d+(?:\\.\\d+)?(?:[eE][-+]?\\d+)?|NaN|Infinity)(?![\\w])");
@@ -36,8 +35,18 @@ public record FailureGroup(Verdict verdict, String message, List<CaseResult> cas
       }
     }
     return groups.values().stream()
-        .map(cases -> new FailureGroup(cases.get(0).verdict(), common(cases), cases))
+        .map(cases -> new FailureGroup(cases.get(0).verdict(), cases))
         .toList();
+  }
+
+  /** The message of the first case. */
+  public String message() {
+    return cases.get(0).message().strip();
+  }
+
+  /** Whether all cases have the same message. */
+  public boolean isUniform() {
+    return cases.stream().allMatch(c -> c.message().strip().equals(message()));
   }
 
   /** The verdict and the message without the numbers of its first line: equal within a group. */
@@ -46,7 +55,7 @@ public record FailureGroup(Verdict verdict, String message, List<CaseResult> cas
     int end = endOfFirstLine(message);
     return result.verdict()
         + ": "
-        + String.join(ANY_NUMBER, parts(message.substring(0, end)).get(0))
+        + withoutNumbers(message.substring(0, end))
         + message.substring(end);
   }
 
@@ -55,39 +64,14 @@ public record FailureGroup(Verdict verdict, String message, List<CaseResult> cas
     return end < 0 ? message.length() : end;
   }
 
-  /** The text without its numbers, and the numbers. */
-  private static List<List<String>> parts(String line) {
-    List<String> texts = new ArrayList<>();
-    List<String> numbers = new ArrayList<>();
-    Matcher matcher = NUMBER.matcher(line);
-    int end = 0;
-    while (numbers.size() < MAX_NUMBERS && matcher.find()) {
-      texts.add(line.substring(end, matcher.start()));
-      numbers.add(matcher.group());
-      end = matcher.end();
-    }
-    texts.add(line.substring(end));
-    return List.of(texts, numbers);
-  }
-
-  private static String common(List<CaseResult> cases) {
-    String first = cases.get(0).message().strip();
-    int end = endOfFirstLine(first);
-    List<List<String>> parts = parts(first.substring(0, end));
-    List<List<String>> numbers =
-        cases.stream()
-            .map(c -> c.message().strip())
-            .map(m -> parts(m.substring(0, endOfFirstLine(m))).get(1))
-            .toList();
+  private static String withoutNumbers(String line) {
     StringBuilder text = new StringBuilder();
-    for (int i = 0; i < parts.get(0).size(); i++) {
-      text.append(parts.get(0).get(i));
-      if (i < parts.get(1).size()) {
-        String number = parts.get(1).get(i);
-        int at = i;
-        text.append(numbers.stream().allMatch(n -> n.get(at).equals(number)) ? number : ANY_NUMBER);
-      }
+    Matcher matcher = NUMBER.matcher(line);
+    int numbers = 0;
+    while (numbers < MAX_NUMBERS && matcher.find()) {
+      matcher.appendReplacement(text, ANY_NUMBER);
+      numbers++;
     }
-    return text + first.substring(end);
+    return matcher.appendTail(text).toString();
   }
 }

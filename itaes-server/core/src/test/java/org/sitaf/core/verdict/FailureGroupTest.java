@@ -24,9 +24,10 @@ class FailureGroupTest {
     assertThat(groups)
         .extracting(FailureGroup::message)
         .containsExactly(
-            "expected …, but was -1.0 (allowed 1.0E-9)",
+            "expected 0.5, but was -1.0 (allowed 1.0E-9)",
             "NoEcho: gone\n at Sensor.java:12",
             "NoEcho: gone\n at Sensor.java:14");
+    assertThat(groups).extracting(FailureGroup::isUniform).containsExactly(false, true, true);
     assertThat(groups.get(0).cases()).extracting(CaseResult::no).containsExactly(1, 4);
   }
 
