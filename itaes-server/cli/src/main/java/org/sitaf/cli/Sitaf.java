@@ -3,8 +3,14 @@ package org.sitaf.cli;
 import java.io.PrintWriter;
 import java.io.UncheckedIOException;
 import org.sitaf.cli.compare.CompareCommand;
+import org.sitaf.cli.describe.DescribeCommand;
+import org.sitaf.cli.explain.ExplainCommand;
+import org.sitaf.cli.explain.ReplayCommand;
+import org.sitaf.cli.falsify.FalsifyCommand;
+import org.sitaf.cli.run.RunCommand;
 import org.sitaf.cli.system.DemoCommand;
 import org.sitaf.cli.system.UpCommand;
+import org.sitaf.cli.terminal.Printable;
 import org.sitaf.core.diagnostic.Diagnostic;
 import org.sitaf.core.diagnostic.InvalidInputException;
 import picocli.CommandLine;
@@ -43,7 +49,7 @@ public final class Sitaf {
     System.exit(commandLine().execute(arguments));
   }
 
-  static CommandLine commandLine() {
+  public static CommandLine commandLine() {
     return new CommandLine(new Sitaf())
         .setCaseInsensitiveEnumValuesAllowed(true)
         .setExecutionExceptionHandler(

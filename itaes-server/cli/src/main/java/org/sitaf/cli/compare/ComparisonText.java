@@ -5,7 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
-import org.sitaf.cli.Printable;
+import org.sitaf.cli.terminal.Printable;
 import org.sitaf.core.compare.Comparison;
 import org.sitaf.core.compare.Difference;
 import org.sitaf.core.compare.DifferenceGroup;

@@ -11,7 +11,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
-import org.sitaf.cli.ProgressLine;
+import org.sitaf.cli.terminal.ProgressLine;
 import org.sitaf.core.compare.CaseComparison;
 import org.sitaf.core.compare.CaseDifferences;
 import org.sitaf.core.compare.ComparedCase;

@@ -7,7 +7,7 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.sitaf.agent.build.BuildOutcome;
 import org.sitaf.agent.spool.Folders;
-import org.sitaf.cli.LocalBuilds;
+import org.sitaf.cli.run.LocalBuilds;
 import org.sitaf.core.activity.Activity;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.diagnostic.InvalidInputException;

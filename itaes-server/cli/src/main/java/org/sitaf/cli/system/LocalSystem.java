@@ -17,8 +17,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.sitaf.cli.Installation;
-import org.sitaf.cli.ProgressLine;
+import org.sitaf.cli.file.Installation;
+import org.sitaf.cli.terminal.ProgressLine;
 
 /** A server and an agent with a simulation on this machine, for the duration of a command. */
 final class LocalSystem implements AutoCloseable {

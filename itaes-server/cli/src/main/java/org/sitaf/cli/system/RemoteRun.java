@@ -7,7 +7,7 @@ import java.net.URI;
 import java.util.Map;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
-import org.sitaf.cli.ProgressLine;
+import org.sitaf.cli.terminal.ProgressLine;
 import org.sitaf.core.activity.ActivityArchive;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.diagnostic.InvalidInputException;

@@ -17,7 +17,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.sitaf.cli.ProgressLine;
+import org.sitaf.cli.terminal.ProgressLine;
 
 /**
  * A child process that prints a line when it is ready and ends when its standard input is closed.

@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.sitaf.cli.ProgressLine;
+import org.sitaf.cli.terminal.ProgressLine;
 
 @Timeout(60)
 @Tag("slow") // Most of it is waiting.

@@ -1,0 +1,5 @@
+/** The command {@code falsify}. */
+@NullMarked
+package org.sitaf.cli.falsify;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,297 @@
+package org.sitaf.cli.run;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.PrintStream;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicReference;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.agent.build.BuildListener;
+import org.sitaf.agent.build.BuildOutcome;
+import org.sitaf.agent.build.BuildRun;
+import org.sitaf.agent.build.BuildSettings;
+import org.sitaf.agent.build.BuildStage;
+import org.sitaf.agent.build.RecordingOrder;
+import org.sitaf.agent.sandbox.Sandbox;
+import org.sitaf.agent.simulation.Simulator;
+import org.sitaf.agent.spool.Folders;
+import org.sitaf.agent.toolchain.ToolchainPlaces;
+import org.sitaf.agent.toolchain.Toolchains;
+import org.sitaf.cli.file.Installation;
+import org.sitaf.cli.terminal.OnExit;
+import org.sitaf.cli.terminal.ProgressLine;
+import org.sitaf.core.activity.Activity;
+import org.sitaf.core.diagnostic.Diagnostic;
+import org.sitaf.core.diagnostic.InvalidInputException;
+import org.sitaf.core.harness.InterfaceTestApplicationGenerator;
+import org.sitaf.core.harness.TestApplication;
+import org.sitaf.core.model.TestModel;
+import org.sitaf.core.suite.TestSuite;
+import org.sitaf.core.trajectory.Trace;
+import org.sitaf.core.trajectory.TraceCsv;
+import org.sitaf.core.verdict.CaseResult;
+import org.sitaf.core.verdict.TestResult;
+
+/** Runs builds on this machine, with their own simulations; leaves no files. */
+public final class LocalBuilds implements AutoCloseable {
+  /** Limit for recordings, the same as in a test application. */
+  private static final long RECORDED_BYTES = 64L << 20;
+
+  private final Path directory;
+  private final BuildSettings settings;
+  private final OutputFolders folders;
+  private final AtomicInteger count = new AtomicInteger();
+  private final AtomicReference<@Nullable BuildRun> current = new AtomicReference<>();
+  private @Nullable TestResult finished;
+  private final OnExit onExit = new OnExit(this::cancel);
+
+  /**
+   * Creates the folder and starts the first simulation.
+   *
+   * @param withWorld number of builds that need a simulation
+   */
+  public LocalBuilds(
+      Installation installation,
+      Sandbox sandbox,
+      boolean coverage,
+      OutputFolders folders,
+      int withWorld)
+      throws IOException {
+    directory = Files.createTempDirectory("sitaf-run-");
+    settings =
+        new BuildSettings(
+            Simulator.started(
+                installation.bridgeCommand(), directory.resolve("simulator"), sandbox, withWorld),
+            new Toolchains(new ToolchainPlaces(installation.runtimes(), installation.cache())),
+            sandbox,
+            coverage,
+            "");
+    this.folders = folders;
+  }
+
+  /** A description of the sandbox, or the reason why there is none. */
+  public String sandbox() {
+    return settings.sandbox().description();
+  }
+
+  /** Generates, compiles and executes a test application; prints the progress to standard error. */
+  public BuildOutcome run(Activity activity, TestModel model, TestSuite suite) {
+    return run(activity, model, suite, System.err);
+  }
+
+  /** Like {@link #run}, without repeated calls and without printing the progress. */
+  public BuildOutcome runQuietly(Activity activity, TestModel model, TestSuite suite) {
+    return run(
+        activity.withoutTiming(),
+        model.withoutTiming(),
+        suite,
+        new PrintStream(OutputStream.nullOutputStream(), false, UTF_8));
+  }
+
+  /**
+   * Runs a test application and hands over what is recorded of each case.
+   *
+   * @param variation of its processes; see {@link org.sitaf.agent.toolchain.ProcessPlace}
+   * @param coverage whether the coverage of the component is measured
+   * @param observer receives the records and signals of the cases, in any thread
+   */
+  public BuildOutcome observe(
+      Activity activity,
+      TestModel model,
+      TestSuite suite,
+      int variation,
+      boolean coverage,
+      CaseObserver observer) {
+    settings.toolchains().startAhead(activity.profile().harness(), settings.sandbox());
+    return start(
+        InterfaceTestApplicationGenerator.generate(activity, model, suite),
+        settings.withSignals().withCoverage(coverage).varied(variation),
+        observer);
+  }
+
+  /**
+   * The result of a build.
+   *
+   * @throws InvalidInputException if the build failed; contains the reason
+   * @throws InterruptedException if it was cancelled
+   */
+  public TestResult completed(Activity activity, BuildOutcome outcome) throws InterruptedException {
+    if (outcome instanceof BuildOutcome.Cancelled cancelled) {
+      throw new InterruptedException(cancelled.reason());
+    }
+    if (outcome instanceof BuildOutcome.CompilationFailed failed) {
+      throw new InvalidInputException(
+          List.of(
+              Diagnostic.error(
+                  failed.diagnostics().isEmpty() ? "" : failed.diagnostics().get(0).file(),
+                  failed.diagnostics().isEmpty() ? 0 : failed.diagnostics().get(0).line(),
+                  "",
+                  failed.diagnostics().isEmpty()
+                      ? failed.message()
+                      : failed.message() + ": " + failed.diagnostics().get(0).message())));
+    }
+    if (outcome instanceof BuildOutcome.InfrastructureFailed failed) {
+      throw InvalidInputException.of(activity.profile().name(), failed.message());
+    }
+    return ((BuildOutcome.Completed) outcome).result();
+  }
+
+  private BuildOutcome run(
+      Activity activity, TestModel model, TestSuite suite, PrintStream messages) {
+    // Starts a compiler while the simulation starts.
+    settings.toolchains().startAhead(activity.profile().harness(), settings.sandbox());
+    try (ProgressLine progress = new ProgressLine(messages)) {
+      progress.step(model.name() + ": generating the test application");
+      TestApplication application =
+          InterfaceTestApplicationGenerator.generate(activity, model, suite);
+      return start(
+          application,
+          settings(model),
+          new Steps(model.name(), suite.cases().size(), progress, folders.signalsOf(model)));
+    }
+  }
+
+  private BuildOutcome start(
+      TestApplication application, BuildSettings settings, BuildListener listener) {
+    BuildRun run =
+        new BuildRun(
+            application, directory.resolve("build-" + count.incrementAndGet()), settings, listener);
+    current.set(run);
+    BuildOutcome outcome = run.run();
+    finished =
+        outcome instanceof BuildOutcome.Cancelled ? run.finished("interrupted").orElse(null) : null;
+    return outcome;
+  }
+
+  /** The finished cases of the last build if it was cancelled while its cases ran. */
+  Optional<TestResult> finishedOfCancelled() {
+    return Optional.ofNullable(finished);
+  }
+
+  /** A folder for files that are deleted with the builds. */
+  public Path folder(String name) throws IOException {
+    return Files.createDirectories(directory.resolve(name));
+  }
+
+  private BuildSettings settings(TestModel model) {
+    BuildSettings sampled = folders.signals() == null ? settings : settings.withSignals();
+    Path recordings = folders.recordings();
+    return recordings == null
+        ? sampled
+        : sampled.recording(
+            new RecordingOrder(
+                recordings.resolve(model.name()),
+                RecordingOrder.Cases.ALL,
+                Integer.MAX_VALUE,
+                RECORDED_BYTES));
+  }
+
+  private void cancel() {
+    BuildRun run = current.get();
+    if (run != null) {
+      run.cancel("the command was interrupted");
+    }
+  }
+
+  @Override
+  public void close() {
+    try (onExit) {
+      settings.toolchains().stop();
+      settings.simulator().close();
+      delete();
+    }
+  }
+
+  private void delete() {
+    try {
+      Folders.delete(directory);
+    } catch (IOException e) {
+      throw new UncheckedIOException("cannot delete " + directory, e);
+    }
+  }
+
+  /**
+   * Where the files of cases are written.
+   *
+   * @param recordings folder of recordings; null for none
+   * @param signals folder of signals; null for none
+   * @param severalModels whether each model has its own folder of signals
+   */
+  public record OutputFolders(
+      @Nullable Path recordings, @Nullable Path signals, boolean severalModels) {
+    @Nullable Path signalsOf(TestModel model) {
+      return signals == null || !severalModels ? signals : signals.resolve(model.name());
+    }
+  }
+
+  /** Receives what is recorded of each case. */
+  public interface CaseObserver extends BuildListener {
+    @Override
+    default void stage(BuildStage stage) {
+      // The command shows its own progress.
+    }
+
+    @Override
+    default void log(byte[] utf8) {
+      // The output of a component is not printed.
+    }
+
+    @Override
+    default void recorded(int no, Path recording) {
+      // Nothing is recorded.
+    }
+  }
+
+  private record Steps(
+      String model, int total, ProgressLine progress, @Nullable Path signals, AtomicInteger done)
+      implements BuildListener {
+    Steps(String model, int total, ProgressLine progress, @Nullable Path signals) {
+      this(model, total, progress, signals, new AtomicInteger());
+    }
+
+    @Override
+    public void signals(int no, Trace trace) {
+      if (signals != null) {
+        try {
+          Files.createDirectories(signals);
+          Files.writeString(signals.resolve(no + ".csv"), TraceCsv.write(trace));
+        } catch (IOException e) {
+          throw new UncheckedIOException("cannot write the signals of case " + no, e);
+        }
+      }
+    }
+
+    @Override
+    public void stage(BuildStage stage) {
+      progress.step(
+          model
+              + switch (stage) {
+                case PREPARING -> ": preparing the simulation";
+                case COMPILING -> ": compiling";
+                case RUNNING -> ": running " + total + (total == 1 ? " case" : " cases");
+              });
+    }
+
+    @Override
+    public void log(byte[] utf8) {
+      // The output of a component is not printed; error messages contain its last line.
+    }
+
+    @Override
+    public void caseFinished(CaseResult result) {
+      progress.done(done.incrementAndGet(), total);
+    }
+
+    @Override
+    public void recorded(int no, Path recording) {
+      // The recording is already in its destination folder.
+    }
+  }
+}

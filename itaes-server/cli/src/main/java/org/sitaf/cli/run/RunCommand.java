@@ -1,0 +1,305 @@
+package org.sitaf.cli.run;
+
+import java.io.BufferedOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.PrintWriter;
+import java.net.URI;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
+import org.sitaf.agent.build.BuildOutcome;
+import org.sitaf.cli.Sitaf;
+import org.sitaf.cli.file.Installation;
+import org.sitaf.cli.file.SuiteCache;
+import org.sitaf.cli.file.UserFiles;
+import org.sitaf.cli.option.ActivityArguments;
+import org.sitaf.cli.option.GenerationArguments;
+import org.sitaf.cli.option.SandboxOption;
+import org.sitaf.cli.system.RemoteRun;
+import org.sitaf.cli.terminal.OnExit;
+import org.sitaf.cli.terminal.Printable;
+import org.sitaf.core.activity.Activity;
+import org.sitaf.core.activity.FileTree;
+import org.sitaf.core.diagnostic.InvalidInputException;
+import org.sitaf.core.model.TestModel;
+import org.sitaf.core.suite.GeneratedSuite;
+import org.sitaf.core.suite.TestSuite;
+import org.sitaf.core.verdict.TestResult;
+import org.sitaf.core.verdict.document.JunitXml;
+import org.sitaf.core.verdict.document.TestResultXml;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** Tests an activity on this machine or on a server's agents. */
+@Command(
+    name = "run",
+    description = {
+      "Tests one activity: generates test cases and test application, compiles and executes them.",
+      "Exit code 0: every case passed; 1: a case is FAIL or ERROR, or the result is suspect; 2:"
+          + " no case failed, but a case is DONT (not executed) or nothing ran."
+    },
+    mixinStandardHelpOptions = true)
+public final class RunCommand implements Callable<Integer> {
+  private static final int TEST_FAILED = 1;
+  private static final int MAX_ROWS = 100;
+
+  @Spec private @Nullable CommandSpec spec;
+
+  @Mixin private final ActivityArguments arguments = new ActivityArguments();
+
+  @Option(
+      names = "--junit",
+      paramLabel = "FILE",
+      description = "Also writes the results as JUnit XML.")
+  private @Nullable Path junit;
+
+  @Option(
+      names = "--result",
+      paramLabel = "FILE",
+      description =
+          "Also writes the test result descriptor; without --model a folder with one file per model.")
+  private @Nullable Path resultFile;
+
+  @Mixin private final GenerationArguments generation = new GenerationArguments();
+
+  @Mixin private final CaseOptions cases = new CaseOptions();
+
+  @Mixin private final SandboxOption sandbox = new SandboxOption();
+
+  @Option(
+      names = "--no-coverage",
+      description = "Does not measure the line coverage of the component.")
+  private boolean noCoverage;
+
+  @Option(
+      names = "--recording",
+      paramLabel = "FOLDER",
+      description = "Records the motion in each case: FOLDER/MODEL/NO.glb, for any glTF viewer.")
+  private @Nullable Path recording;
+
+  @Option(
+      names = "--signals",
+      paramLabel = "FOLDER",
+      description =
+          "Writes the signals of each case as FOLDER/NO.csv; without --model and with several models"
+              + " as FOLDER/MODEL/NO.csv.")
+  private @Nullable Path signals;
+
+  @Option(
+      names = "--server",
+      paramLabel = "URL",
+      description = {
+        "Runs on the agents of a server instead of this machine, and prints the build log.",
+        "SITAF_TOKEN holds an API token of the server. The activity and its results stay there."
+      })
+  private @Nullable URI server;
+
+  @Option(
+      names = "--plaintext",
+      description = "With --server: allows to send the token without TLS to another machine.")
+  private boolean plaintext;
+
+  @Option(names = "--table", description = "Prints all cases, not only those that did not pass.")
+  private boolean table;
+
+  @Override
+  public Integer call() throws IOException, InterruptedException {
+    PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
+    PrintWriter err = spec.commandLine().getErr();
+    requireWritable();
+    if (server != null && generation.changesModel()) {
+      throw new CommandLine.ParameterException(
+          spec.commandLine(),
+          "--strength, --max-cases and --effort are not available with --server; set"
+              + " order_of_combinations and max_cases in the model");
+    }
+    if (server != null && cases.areGiven()) {
+      throw new CommandLine.ParameterException(
+          spec.commandLine(),
+          "--case, --failed, --repeat and --until-failure are not available with --server");
+    }
+    FileTree files = UserFiles.folder(arguments.folder());
+    Activity activity = Installation.read(files);
+    Sitaf.print(activity.warnings(), err);
+    List<TestResult> results = new ArrayList<>();
+    // An interrupted run still writes the cases that ended.
+    try (OnExit onExit = new OnExit(() -> {})) {
+      int exitCode =
+          server == null
+              ? runHere(activity, results, out, err)
+              : runAt(server, files, activity, results, out, err);
+      write(activity, results);
+      return exitCode;
+    }
+  }
+
+  private int runAt(
+      URI address,
+      FileTree files,
+      Activity activity,
+      List<TestResult> results,
+      PrintWriter out,
+      PrintWriter err)
+      throws IOException, InterruptedException {
+    List<TestModel> models = arguments.modelsOf(activity);
+    int exitCode = 0;
+    try (OnExit onExit = new OnExit(Thread.currentThread()::interrupt)) {
+      RemoteRun remote =
+          RemoteRun.upload(address, System.getenv("SITAF_TOKEN"), plaintext, files, System.err);
+      for (TestModel model : models) {
+        try {
+          TestResult result = remote.test(model.name(), generation.seed());
+          print(result, out);
+          results.add(result);
+          exitCode = worse(exitCode, exitCode(result));
+        } catch (InvalidInputException e) {
+          Sitaf.print(e.diagnostics(), err);
+          exitCode = worse(exitCode, Sitaf.UNUSABLE);
+        }
+      }
+    }
+    return exitCode;
+  }
+
+  private int runHere(Activity activity, List<TestResult> results, PrintWriter out, PrintWriter err)
+      throws IOException {
+    int exitCode = 0;
+    Path state = Installation.current().state();
+    LastResults last = new LastResults(state.resolve("results"));
+    CaseSelection selection = new CaseSelection(cases, last, arguments.folder());
+    List<TestModel> models = selection.models(arguments.modelsOf(activity));
+    SuiteCache suites = new SuiteCache(state.resolve("suites"));
+    int withWorld =
+        activity.profile().world() == null
+            ? 0
+            : (int) Math.min(1_000, (long) models.size() * cases.runs());
+    try (LocalBuilds builds =
+        new LocalBuilds(
+            Installation.current(),
+            sandbox.open(),
+            !noCoverage,
+            new LocalBuilds.OutputFolders(recording, signals, models.size() > 1),
+            withWorld)) {
+      err.println("sandbox: " + builds.sandbox());
+      err.flush();
+      RepeatedBuilds repeated = new RepeatedBuilds(builds, cases, err);
+      for (TestModel model : models) {
+        GeneratedSuite generated = suites.generate(model, generation.options());
+        Sitaf.print(generated.notes(), err);
+        TestSuite selected = selection.of(model, generated.suite());
+        if (selected.cases().isEmpty() && !generated.suite().cases().isEmpty()) {
+          err.println(model.name() + ": nothing to run, every case passed");
+          err.flush();
+          continue;
+        }
+        RepeatedBuilds.Ended ended = repeated.run(activity, model, selected);
+        Optional<TestResult> result = ended.result();
+        if (result.isPresent()) {
+          ended.warnings().forEach(w -> err.println(Printable.lines(w, "  ")));
+          err.flush();
+          print(result.get(), out);
+          RepeatedBuilds.print(ended.runs(), out);
+          results.add(result.get());
+          last.keep(arguments.folder(), model, result.get(), selected == generated.suite());
+          exitCode = worse(exitCode, exitCode(result.get()));
+        }
+        if (!(ended.last() instanceof BuildOutcome.Completed)) {
+          print(ended.last(), err);
+          exitCode = worse(exitCode, Sitaf.UNUSABLE);
+        }
+        if (ended.last() instanceof BuildOutcome.Cancelled) {
+          break;
+        }
+      }
+    }
+    return exitCode;
+  }
+
+  private void print(TestResult result, PrintWriter out) {
+    if (table && !result.cases().isEmpty()) {
+      ResultTable.printAll(result, out);
+    }
+    ResultTable.printFailures(result, table ? 0 : MAX_ROWS, out);
+    ResultTable.printSummary(result, out);
+  }
+
+  private static void print(BuildOutcome outcome, PrintWriter err) {
+    if (outcome instanceof BuildOutcome.CompilationFailed failed) {
+      failed.diagnostics().forEach(d -> err.println(Printable.lines(d.toString(), "  ")));
+      err.println("sitaf: " + Printable.lines(failed.message(), "  "));
+    } else if (outcome instanceof BuildOutcome.InfrastructureFailed failed) {
+      err.println("sitaf: " + Printable.lines(failed.message(), "  "));
+    } else if (outcome instanceof BuildOutcome.Cancelled cancelled) {
+      err.println("sitaf: cancelled: " + cancelled.reason());
+    }
+    err.flush();
+  }
+
+  /** The exit code for one result. */
+  static int exitCode(TestResult result) {
+    if (result.summary().fail() + result.summary().error() > 0) {
+      return TEST_FAILED;
+    }
+    if (result.summary().dont() > 0 || result.summary().total() == 0) {
+      return Sitaf.UNUSABLE;
+    }
+    return result.allPassed() ? 0 : TEST_FAILED;
+  }
+
+  /** The worse of two exit codes: 1 (failed) is worse than 2 (not executed). */
+  static int worse(int one, int other) {
+    return one == TEST_FAILED || other == TEST_FAILED ? TEST_FAILED : Math.max(one, other);
+  }
+
+  /**
+   * Checks before the run that the results can be written.
+   *
+   * @throws InvalidInputException if a file or folder of an option cannot be written
+   */
+  private void requireWritable() {
+    if (junit != null) {
+      UserFiles.requireWritableFile("--junit", junit);
+    }
+    if (resultFile != null && arguments.namesModel()) {
+      UserFiles.requireWritableFile("--result", resultFile);
+    } else if (resultFile != null) {
+      UserFiles.requireWritableFolder("--result", resultFile);
+    }
+    if (recording != null) {
+      UserFiles.requireWritableFolder("--recording", recording);
+    }
+    if (signals != null) {
+      UserFiles.requireWritableFolder("--signals", signals);
+    }
+  }
+
+  private void write(Activity activity, List<TestResult> results) throws IOException {
+    if (junit != null) {
+      try (OutputStream out = new BufferedOutputStream(Files.newOutputStream(junit))) {
+        JunitXml.write(activity.profile().name(), results, out);
+      }
+    }
+    if (resultFile != null) {
+      for (TestResult result : results) {
+        Path file = resultFile;
+        if (!arguments.namesModel()) {
+          Files.createDirectories(resultFile);
+          file = resultFile.resolve(result.name() + ".xml");
+        }
+        try (OutputStream out = new BufferedOutputStream(Files.newOutputStream(file))) {
+          TestResultXml.write(result, out);
+        }
+      }
+    }
+  }
+}
