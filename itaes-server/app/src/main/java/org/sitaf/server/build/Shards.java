@@ -41,13 +41,7 @@ final class Shards {
     return new TestApplication(
         application.activity(),
         application.model(),
-        new TestSuite(
-            suite.name(),
-            suite.description(),
-            suite.modelName(),
-            suite.generation(),
-            suite.parameters(),
-            cases),
+        suite.withCases(cases),
         application.harness(),
         application.entryPoint());
   }

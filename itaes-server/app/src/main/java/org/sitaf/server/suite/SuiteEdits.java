@@ -141,6 +141,6 @@ final class SuiteEdits {
     if (literal != null) {
       expected.add(new ExpectedValue(output, literal));
     }
-    return new TestCase(old.no(), old.valid(), old.values(), expected);
+    return new TestCase(old.no(), old.valid(), old.values(), expected, old.steps());
   }
 }

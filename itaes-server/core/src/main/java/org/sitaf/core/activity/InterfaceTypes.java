@@ -13,6 +13,7 @@ import org.sitaf.core.description.source.ComponentDescription.Port;
 import org.sitaf.core.model.InputElement;
 import org.sitaf.core.model.OutputElement;
 import org.sitaf.core.model.TestModel;
+import org.sitaf.core.model.sequence.SequenceSpec;
 
 /**
  * Resolves the types of a model's elements that only the interfaces define: enumerations and
@@ -40,6 +41,18 @@ final class InterfaceTypes {
       List<InterfaceDescription> required,
       List<Port.Data> outputPorts) {
     TestModel model = given.withConstants(InterfaceConstants.of(provided, required));
+    SequenceSpec sequence = model.sequence();
+    return sequence == null
+        ? resolveCall(model, provided, required, outputPorts)
+        : new SequenceTypes(provided, required)
+            .resolve(model, sequence, call -> resolveCall(call, provided, required, outputPorts));
+  }
+
+  private static TestModel resolveCall(
+      TestModel model,
+      List<InterfaceDescription> provided,
+      List<InterfaceDescription> required,
+      List<Port.Data> outputPorts) {
     try {
       var types =
           new InterfaceTypes(required, outputPorts, TargetMethod.find(model, provided).method());

@@ -73,6 +73,14 @@ final class ModelAgainstActivity {
       ActivityProfile profile) {
     var verification = new ModelAgainstActivity(model, required, world, outputPorts, profile);
     verification.timing();
+    if (model.sequence() != null) {
+      verification.initialInputs();
+      verification.trajectories();
+      verification.diagnostics.addAll(
+          new SequenceAgainstActivity(model, model.sequence(), world)
+              .verify(c -> verify(c, provided, required, world, outputPorts, profile)));
+      return verification.diagnostics.all();
+    }
     try {
       Method method = TargetMethod.find(model, provided).method();
       verification.inputs(method);
@@ -88,6 +96,20 @@ final class ModelAgainstActivity {
     Timing timing = model.timing();
     if (timing != null && profile.component().lifeCycle() == LifeCycle.SUITE) {
       error(timing.line(), "timing", ProfileReader.TIMING_NEEDS_CASE);
+    }
+  }
+
+  /** What is set before the first step of a sequence. A TDI is a property of the component. */
+  private void initialInputs() {
+    for (InputElement input : model.inputs()) {
+      wholeValues(input);
+      switch (input.kind()) {
+        case TDI -> {
+          // A property or constructor argument, which the component's profile need not declare.
+        }
+        case TDSD -> worldParameter(input);
+        case TDTS -> stubValue(input);
+      }
     }
   }
 

@@ -1,10 +1,14 @@
 package org.sitaf.core.model;
 
+import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
+import org.sitaf.core.description.DataType;
+import org.sitaf.core.model.sequence.SequenceSpec;
 import org.sitaf.core.timing.Timing;
 
 /**
@@ -15,6 +19,9 @@ import org.sitaf.core.timing.Timing;
  *     Double, Boolean or String
  * @param maxCases maximum number of cases, at least 1
  * @param timing how often calls are repeated; null if the model does not say
+ * @param sequence which sequences of calls are generated; null if a case is one call
+ * @param surroundings of a call in a sequence: the types of the names besides the inputs that its
+ *     expected values and post-conditions can use, in order; empty otherwise
  * @param source name of the document
  */
 public record TestModel(
@@ -35,6 +42,8 @@ public record TestModel(
     List<KeptCase> keptCases,
     int maxCases,
     @Nullable Timing timing,
+    @Nullable SequenceSpec sequence,
+    Map<String, DataType> surroundings,
     String source) {
   /** The number of cases is not bounded by the model. */
   public static final int UNBOUNDED = Integer.MAX_VALUE;
@@ -56,81 +65,168 @@ public record TestModel(
     relations = List.copyOf(relations);
     mixedStrengths = List.copyOf(mixedStrengths);
     keptCases = List.copyOf(keptCases);
+    surroundings = Collections.unmodifiableMap(new LinkedHashMap<>(surroundings));
   }
 
-  /** A copy with other input elements. */
-  public TestModel withInputs(List<InputElement> replaced) {
-    return copy(constants, replaced, outputs, relations, timing);
-  }
-
-  /** A copy with the constants of interfaces. */
-  public TestModel withConstants(Map<String, Object> named) {
-    return copy(named, inputs, outputs, relations, timing);
-  }
-
-  /** A copy with other output elements. */
-  public TestModel withOutputs(List<OutputElement> replaced) {
-    return copy(constants, inputs, replaced, relations, timing);
-  }
-
-  /** A copy without relations. */
-  public TestModel withoutRelations() {
-    return copy(constants, inputs, outputs, List.of(), timing);
-  }
-
-  /** A copy that only describes the calls: without definitions, conditions and kept cases. */
-  public TestModel withoutConditions() {
-    return new TestModel(
-        name,
-        description,
-        target,
-        List.of(),
-        constants,
-        List.of(),
-        inputs,
-        outputs,
-        List.of(),
-        List.of(),
-        List.of(),
-        invalidValues,
-        strength,
-        mixedStrengths,
-        List.of(),
-        maxCases,
-        null,
-        source);
-  }
-
-  /** A copy without repeated calls. */
-  public TestModel withoutTiming() {
-    return copy(constants, inputs, outputs, relations, null);
-  }
-
-  private TestModel copy(
-      Map<String, Object> newConstants,
-      List<InputElement> newInputs,
-      List<OutputElement> newOutputs,
-      List<Relation> newRelations,
-      @Nullable Timing newTiming) {
-    return new TestModel(
+  /** The model of one call per case. */
+  public TestModel(
+      String name,
+      String description,
+      Target target,
+      List<Definition> definitions,
+      Map<String, Object> constants,
+      List<Condition> preConditions,
+      List<InputElement> inputs,
+      List<OutputElement> outputs,
+      List<Condition> postConditions,
+      List<TrajectoryCondition> trajectoryConditions,
+      List<Relation> relations,
+      InvalidValues invalidValues,
+      Strength strength,
+      List<MixedStrength> mixedStrengths,
+      List<KeptCase> keptCases,
+      int maxCases,
+      @Nullable Timing timing,
+      String source) {
+    this(
         name,
         description,
         target,
         definitions,
-        newConstants,
+        constants,
         preConditions,
-        newInputs,
-        newOutputs,
+        inputs,
+        outputs,
         postConditions,
         trajectoryConditions,
-        newRelations,
+        relations,
         invalidValues,
         strength,
         mixedStrengths,
         keptCases,
         maxCases,
-        newTiming,
+        timing,
+        null,
+        Map.of(),
         source);
+  }
+
+  /** A copy with other input elements. */
+  public TestModel withInputs(List<InputElement> replaced) {
+    Copy copy = new Copy();
+    copy.inputs = replaced;
+    return copy.model();
+  }
+
+  /** A copy with the constants of interfaces, also for the calls of a sequence. */
+  public TestModel withConstants(Map<String, Object> named) {
+    Copy copy = new Copy();
+    copy.constants = named;
+    copy.sequence = sequence == null ? null : sequence.withModels(m -> m.withConstants(named));
+    return copy.model();
+  }
+
+  /** A copy with other output elements. */
+  public TestModel withOutputs(List<OutputElement> replaced) {
+    Copy copy = new Copy();
+    copy.outputs = replaced;
+    return copy.model();
+  }
+
+  /** A copy with other mixed strengths. */
+  public TestModel withMixedStrengths(List<MixedStrength> replaced) {
+    Copy copy = new Copy();
+    copy.mixedStrengths = replaced;
+    return copy.model();
+  }
+
+  /** A copy with other cases to keep. */
+  public TestModel withKeptCases(List<KeptCase> replaced) {
+    Copy copy = new Copy();
+    copy.keptCases = replaced;
+    return copy.model();
+  }
+
+  /** A copy without relations. */
+  public TestModel withoutRelations() {
+    Copy copy = new Copy();
+    copy.relations = List.of();
+    return copy.model();
+  }
+
+  /** A copy with other sequences. */
+  public TestModel withSequence(@Nullable SequenceSpec replaced) {
+    Copy copy = new Copy();
+    copy.sequence = replaced;
+    return copy.model();
+  }
+
+  /** A copy of the model of a call in a sequence with other surroundings. */
+  public TestModel withSurroundings(Map<String, DataType> replaced) {
+    Copy copy = new Copy();
+    copy.surroundings = replaced;
+    return copy.model();
+  }
+
+  /** A copy that only describes the calls: without definitions, conditions and kept cases. */
+  public TestModel withoutConditions() {
+    Copy copy = new Copy();
+    copy.definitions = List.of();
+    copy.preConditions = List.of();
+    copy.postConditions = List.of();
+    copy.trajectoryConditions = List.of();
+    copy.relations = List.of();
+    copy.keptCases = List.of();
+    copy.timing = null;
+    return copy.model();
+  }
+
+  /** A copy without repeated calls. */
+  public TestModel withoutTiming() {
+    Copy copy = new Copy();
+    copy.timing = null;
+    return copy.model();
+  }
+
+  /** The parts of a copy. */
+  private final class Copy {
+    private List<Definition> definitions = TestModel.this.definitions;
+    private Map<String, Object> constants = TestModel.this.constants;
+    private List<Condition> preConditions = TestModel.this.preConditions;
+    private List<InputElement> inputs = TestModel.this.inputs;
+    private List<OutputElement> outputs = TestModel.this.outputs;
+    private List<Condition> postConditions = TestModel.this.postConditions;
+    private List<TrajectoryCondition> trajectoryConditions = TestModel.this.trajectoryConditions;
+    private List<Relation> relations = TestModel.this.relations;
+    private List<MixedStrength> mixedStrengths = TestModel.this.mixedStrengths;
+    private List<KeptCase> keptCases = TestModel.this.keptCases;
+    private @Nullable Timing timing = TestModel.this.timing;
+    private @Nullable SequenceSpec sequence = TestModel.this.sequence;
+    private Map<String, DataType> surroundings = TestModel.this.surroundings;
+
+    TestModel model() {
+      return new TestModel(
+          name,
+          description,
+          target,
+          definitions,
+          constants,
+          preConditions,
+          inputs,
+          outputs,
+          postConditions,
+          trajectoryConditions,
+          relations,
+          invalidValues,
+          strength,
+          mixedStrengths,
+          keptCases,
+          maxCases,
+          timing,
+          sequence,
+          surroundings,
+          source);
+    }
   }
 
   /** Finds an output by name. An empty name selects the only output. */

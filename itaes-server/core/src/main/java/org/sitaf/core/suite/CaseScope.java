@@ -3,6 +3,7 @@ package org.sitaf.core.suite;
 import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Objects;
 import org.sitaf.core.description.DataType;
 import org.sitaf.core.description.MemberPath;
 import org.sitaf.core.expression.Scope;
@@ -13,14 +14,59 @@ import org.sitaf.core.model.InputElement;
 import org.sitaf.core.model.InputKind;
 import org.sitaf.core.model.OutputElement;
 import org.sitaf.core.model.TestModel;
+import org.sitaf.core.model.sequence.SequenceCall;
+import org.sitaf.core.model.sequence.SequenceSpec;
 
 /** The names that the expressions of a model can use. */
 public final class CaseScope {
   private CaseScope() {}
 
-  /** Pre-conditions and expected values: the inputs and whether they are valid. */
-  public static Scope beforeCall(TestModel model) {
+  /** Pre-conditions: the inputs and whether they are valid. */
+  public static Scope ofInputs(TestModel model) {
     return scope(model, inputs(model));
+  }
+
+  /** Expected values: the inputs and, of a call in a sequence, its surroundings. */
+  public static Scope beforeCall(TestModel model) {
+    Map<String, Type> variables = new LinkedHashMap<>(surroundings(model));
+    variables.putAll(inputs(model));
+    return scope(model, variables);
+  }
+
+  /** Guards of steps: the abstract state. */
+  public static Scope ofStates(TestModel model) {
+    Map<String, Type> variables = new LinkedHashMap<>();
+    Objects.requireNonNull(model.sequence())
+        .states()
+        .forEach(s -> variables.put(s.name(), Type.of(s.type())));
+    return scope(model, variables);
+  }
+
+  /** Updates of the abstract state by a call: the state before it and its inputs. */
+  public static Scope ofUpdates(TestModel model, SequenceCall call) {
+    Map<String, Type> variables = new LinkedHashMap<>(ofStates(model).variables());
+    variables.putAll(inputs(call.model()));
+    return scope(model, variables);
+  }
+
+  /** The steps of a sequence, for the model's own post-conditions. */
+  private static Map<String, Type> steps(TestModel model) {
+    if (model.sequence() == null) {
+      return Map.of();
+    }
+    Map<String, Type> step = new LinkedHashMap<>();
+    step.put("name", Type.TEXT);
+    step.put("inputs", new Type.Mapping(Type.ANY));
+    step.put("outputs", new Type.Mapping(Type.ANY));
+    step.put(Variables.ERROR, Type.TEXT);
+    step.put("time", Type.REAL);
+    return Map.of(SequenceSpec.STEPS, new Type.Sequence(new Type.Members("", step)));
+  }
+
+  private static Map<String, Type> surroundings(TestModel model) {
+    Map<String, Type> types = new LinkedHashMap<>();
+    model.surroundings().forEach((name, type) -> types.put(name, Type.of(type)));
+    return types;
   }
 
   /** Post-conditions: also the outputs, the error and the calls of required interfaces. */
@@ -38,6 +84,8 @@ public final class CaseScope {
     variables.putAll(outputs.map());
     variables.put(Variables.ERROR, Type.TEXT);
     variables.put(Variables.MESSAGES, new Type.Mapping(new Type.Sequence(Type.ANY)));
+    variables.putAll(steps(model));
+    variables.putAll(surroundings(model));
     // An input named error or messages hides them.
     variables.putAll(inputs(model));
     variables.put(Variables.CALLS, new Type.Mapping(new Type.Sequence(Type.ANY)));

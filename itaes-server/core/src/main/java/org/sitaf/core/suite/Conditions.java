@@ -88,7 +88,11 @@ record Conditions(
       Set<String> invalid = definitions(after);
       ExpressionCompiler before =
           new ExpressionCompiler(CaseScope.open(CaseScope.beforeCall(model), invalid));
-      List<Expression> pre = conditions(before, model.preConditions(), "pre_condition_spec_list");
+      List<Expression> pre =
+          conditions(
+              new ExpressionCompiler(CaseScope.open(CaseScope.ofInputs(model), invalid)),
+              model.preConditions(),
+              "pre_condition_spec_list");
       Map<String, Expression> expected = new TreeMap<>();
       for (OutputElement output : model.outputs()) {
         if (output.expected() != null) {
@@ -125,6 +129,10 @@ record Conditions(
         }
         if (!model.trajectoryConditions().isEmpty()) {
           // It may use signals, which only those conditions know; they report its problems.
+          continue;
+        }
+        if (model.sequence() != null || !model.surroundings().isEmpty()) {
+          // It may use the names of one call, whose expressions report its problems.
           continue;
         }
         Optional<Expression> compiled =

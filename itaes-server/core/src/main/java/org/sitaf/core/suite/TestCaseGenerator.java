@@ -56,6 +56,15 @@ public final class TestCaseGenerator {
    */
   public static GeneratedSuite generate(
       TestModel model, GenerationOptions options, Progress progress) {
+    if (model.sequence() != null) {
+      throw new InvalidInputException(
+          List.of(
+              Diagnostic.error(
+                  model.source(),
+                  model.sequence().line(),
+                  "sequence_spec",
+                  "sequences cannot be generated yet")));
+    }
     Strength strength = options.strength() == null ? model.strength() : options.strength();
     InvalidValues invalidValues =
         options.invalidValues() == null ? model.invalidValues() : options.invalidValues();

@@ -45,7 +45,8 @@ public final class ReferenceValues {
         expected.add(new ExpectedValue(name, literal(output, record)));
       }
     }
-    return new TestCase(testCase.no(), testCase.valid(), testCase.values(), expected);
+    return new TestCase(
+        testCase.no(), testCase.valid(), testCase.values(), expected, testCase.steps());
   }
 
   private static String literal(OutputElement output, @Nullable CaseRecord record) {

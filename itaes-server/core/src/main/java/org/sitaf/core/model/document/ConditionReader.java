@@ -7,7 +7,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.regex.Pattern;
-import org.sitaf.core.document.ElementLines;
+import org.sitaf.core.document.XmlDocuments;
 import org.sitaf.core.model.Condition;
 import org.sitaf.core.model.Definition;
 import org.sitaf.schemas.ConditionType;
@@ -18,19 +18,12 @@ final class ConditionReader {
   static final String PRE_CONDITION = "pre_condition";
   static final String POST_CONDITION = "post_condition";
 
-  static final String DEFINE = "define";
-
-  private static final Pattern NAME = Pattern.compile("[A-Za-z_][A-Za-z0-9_]{0,99}");
+  static final Pattern NAME = Pattern.compile("[A-Za-z_][A-Za-z0-9_]{0,99}");
 
   private final Problems problems;
-  private final ElementLines lines;
 
-  /**
-   * @param lines of conditions
-   */
-  ConditionReader(Problems problems, ElementLines lines) {
+  ConditionReader(Problems problems) {
     this.problems = problems;
-    this.lines = lines;
   }
 
   /**
@@ -40,11 +33,11 @@ final class ConditionReader {
    */
   List<Condition> read(String element, List<ConditionType> conditions) {
     List<Condition> found = new ArrayList<>();
-    for (int i = 0; i < conditions.size(); i++) {
-      String expression = conditions.get(i).getValue();
+    for (ConditionType condition : conditions) {
+      String expression = condition.getValue();
       if (expression != null && !expression.isBlank()) {
-        String name = text(conditions.get(i).getName());
-        int line = lines.of(element, i);
+        String name = text(condition.getName());
+        int line = XmlDocuments.line(condition);
         if (!name.isEmpty() && element.equals(PRE_CONDITION)) {
           problems.error(line, element, "a name has no effect here, only on a post_condition");
         }
@@ -58,10 +51,10 @@ final class ConditionReader {
   List<Definition> definitions(List<DefineType> definitions) {
     List<Definition> found = new ArrayList<>();
     Set<String> names = new HashSet<>();
-    for (int i = 0; i < definitions.size(); i++) {
-      String name = text(definitions.get(i).getName());
-      String expression = text(definitions.get(i).getValue());
-      int line = lines.of(DEFINE, i);
+    for (DefineType definition : definitions) {
+      String name = text(definition.getName());
+      String expression = text(definition.getValue());
+      int line = XmlDocuments.line(definition);
       String where = "define " + name;
       if (!NAME.matcher(name).matches()) {
         problems.error(line, where, "needs a name of letters, digits and '_', not '" + name + "'");

@@ -1,10 +1,7 @@
 package org.sitaf.core.model.document;
 
-import static org.sitaf.core.model.document.Problems.number;
 import static org.sitaf.core.model.document.Problems.text;
 
-import java.time.Duration;
-import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
@@ -18,11 +15,10 @@ import org.sitaf.core.model.InvalidValues;
 import org.sitaf.core.model.MixedStrength;
 import org.sitaf.core.model.OutputElement;
 import org.sitaf.core.model.Strength;
-import org.sitaf.core.model.Target;
 import org.sitaf.core.model.TestModel;
 import org.sitaf.core.timing.Timing;
+import org.sitaf.schemas.CaseType;
 import org.sitaf.schemas.StrengthType;
-import org.sitaf.schemas.TargetType;
 import org.sitaf.schemas.TestModelDocument;
 import org.sitaf.schemas.TimingType;
 
@@ -33,12 +29,12 @@ final class TestModelReader {
   private final ConditionReader conditions;
 
   /**
-   * @param lines of conditions
+   * @param lines of conditions of relations
    */
   TestModelReader(String file, Diagnostics diagnostics, ElementLines lines) {
     this.problems = new Problems(file, diagnostics);
     this.lines = lines;
-    this.conditions = new ConditionReader(problems, lines);
+    this.conditions = new ConditionReader(problems);
   }
 
   TestModel read(TestModelDocument root) {
@@ -54,29 +50,36 @@ final class TestModelReader {
     if (root.getInputSpecList() == null) {
       problems.error(line, "input_spec_list", "is missing");
     }
-    List<InputElement> inputs = new ArrayList<>();
-    List<OutputElement> outputs = new ArrayList<>();
-    if (root.getInputSpecList() != null) {
-      InputReader reader = new InputReader(problems);
-      root.getInputSpecList().getTestElement().forEach(e -> reader.read(e).ifPresent(inputs::add));
-    }
-    if (root.getOutputSpecList() != null) {
-      OutputReader reader = new OutputReader(problems);
-      root.getOutputSpecList()
-          .getTestElement()
-          .forEach(e -> reader.read(e).ifPresent(outputs::add));
-    }
-    new RelationCheck(problems, inputs).verify();
-    checkUniqueNames(
-        inputs.stream().map(InputElement::name).toList(),
-        inputs.stream().map(InputElement::line).toList());
-    checkUniqueNames(
-        outputs.stream().map(OutputElement::name).toList(),
-        outputs.stream().map(OutputElement::line).toList());
+    ElementListReader elements = new ElementListReader(problems);
+    List<InputElement> inputs =
+        root.getInputSpecList() == null
+            ? List.of()
+            : elements.inputs(root.getInputSpecList().getTestElement());
+    List<OutputElement> outputs =
+        root.getOutputSpecList() == null
+            ? List.of()
+            : elements.outputs(root.getOutputSpecList().getTestElement());
+    TestModel model = model(root, name, inputs, outputs, line);
+    return root.getSequenceSpec() == null
+        ? model
+        : new SequenceReader(problems, model)
+            .read(root.getSequenceSpec(), root.getTarget(), cases(root));
+  }
+
+  private static List<CaseType> cases(TestModelDocument root) {
+    return root.getCaseList() == null ? List.of() : root.getCaseList().getCases();
+  }
+
+  private TestModel model(
+      TestModelDocument root,
+      String name,
+      List<InputElement> inputs,
+      List<OutputElement> outputs,
+      int line) {
     return new TestModel(
         name,
         text(root.getDescription()),
-        target(root.getTarget(), name),
+        new TargetReader(problems).read(root.getTarget(), name),
         root.getDefinitionList() == null
             ? List.of()
             : conditions.definitions(root.getDefinitionList().getDefine()),
@@ -98,40 +101,12 @@ final class TestModelReader {
         invalidValues(root.getInvalidValues(), line),
         strength(root.getOrderOfCombinations(), "order_of_combinations", line),
         root.getStrength().stream().map(s -> mixed(s, inputs)).toList(),
-        root.getCaseList() == null
-            ? List.of()
-            : new KeptCaseReader(problems).read(root.getCaseList().getCases(), inputs),
+        root.getSequenceSpec() == null
+            ? new KeptCaseReader(problems).read(cases(root), inputs)
+            : List.of(),
         maxCases(root.getMaxCases(), line),
         timing(root.getTiming()),
         problems.file());
-  }
-
-  private Target target(@Nullable TargetType target, String modelName) {
-    if (target == null) {
-      return new Target(null, modelName, null, Duration.ZERO, Duration.ZERO);
-    }
-    int line = XmlDocuments.line(target);
-    return new Target(
-        target.getInterface(),
-        target.getMethod() == null ? modelName : target.getMethod(),
-        target.getSignature(),
-        seconds(target.getSettle(), "target/settle", line),
-        seconds(target.getRunFor(), "target/run_for", line));
-  }
-
-  private Duration seconds(@Nullable String text, String where, int line) {
-    return problems
-        .attempt(
-            line,
-            where,
-            () -> {
-              double seconds = number(text);
-              if (seconds < 0 || seconds > 1e6) {
-                throw new IllegalArgumentException("must be 0 to 1000000 seconds");
-              }
-              return Duration.ofNanos(Math.round(seconds * 1e9));
-            })
-        .orElse(Duration.ZERO);
   }
 
   private InvalidValues invalidValues(@Nullable String text, int line) {
@@ -196,15 +171,5 @@ final class TestModelReader {
       }
     }
     return new MixedStrength(strength(strength.getT(), "strength", line), strength.getParam());
-  }
-
-  private void checkUniqueNames(List<String> names, List<Integer> lines) {
-    Set<String> seen = new HashSet<>();
-    for (int i = 0; i < names.size(); i++) {
-      if (!seen.add(names.get(i))) {
-        problems.error(
-            lines.get(i), "test_element " + names.get(i), "another element has this name");
-      }
-    }
   }
 }

@@ -23,12 +23,7 @@ public final class TestModelXml {
    */
   public static TestModel read(InputStream document, String file) {
     Diagnostics diagnostics = new Diagnostics();
-    ElementLines lines =
-        new ElementLines(
-            ConditionReader.PRE_CONDITION,
-            ConditionReader.POST_CONDITION,
-            ConditionReader.DEFINE,
-            RelationReader.HOLDS);
+    ElementLines lines = new ElementLines(RelationReader.HOLDS);
     TestModelDocument root =
         XmlDocuments.readStrictly(
             document, file, ROOT, TestModelDocument.class, diagnostics, lines, NAMES);

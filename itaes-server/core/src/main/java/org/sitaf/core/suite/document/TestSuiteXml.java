@@ -6,6 +6,7 @@ import java.util.AbstractList;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.sitaf.core.diagnostic.Diagnostics;
@@ -16,13 +17,17 @@ import org.sitaf.core.model.Strength;
 import org.sitaf.core.suite.CaseParameter;
 import org.sitaf.core.suite.ExpectedValue;
 import org.sitaf.core.suite.Generation;
+import org.sitaf.core.suite.StepParameters;
 import org.sitaf.core.suite.TestCase;
+import org.sitaf.core.suite.TestStep;
 import org.sitaf.core.suite.TestSuite;
 import org.sitaf.schemas.CaseListType;
 import org.sitaf.schemas.CaseParamInfoType;
 import org.sitaf.schemas.CaseType;
 import org.sitaf.schemas.GenerationType;
 import org.sitaf.schemas.NamedValueType;
+import org.sitaf.schemas.StepParamInfoType;
+import org.sitaf.schemas.StepType;
 import org.sitaf.schemas.TestSuiteDocument;
 
 /** Reads and writes test suite documents (schemas/test_suite_data.xsd). */
@@ -64,14 +69,39 @@ public final class TestSuiteXml {
     }
     root.setGeneration(generation);
     root.setCaseParamInfo(write(suite.parameters()));
+    if (suite.isOfSequences()) {
+      root.setStepParamInfo(writeSteps(suite.stepParameters()));
+    }
     root.setCaseList(new LazyCases(suite.cases()));
-    XmlDocuments.write(
-        ROOT, TestSuiteDocument.class, root, Set.of("case", "param", "generation"), out);
+    XmlDocuments.write(ROOT, TestSuiteDocument.class, root, rows(suite), out);
+  }
+
+  /** The elements that are written on one line: a whole case, or a step of it. */
+  private static Set<String> rows(TestSuite suite) {
+    return suite.isOfSequences()
+        ? Set.of("step", "param", "generation", "value")
+        : Set.of("case", "param", "generation");
+  }
+
+  private static StepParamInfoType writeSteps(List<StepParameters> steps) {
+    StepParamInfoType info = new StepParamInfoType();
+    for (StepParameters parameters : steps) {
+      StepParamInfoType.Step step = new StepParamInfoType.Step();
+      step.setName(parameters.name());
+      write(parameters.parameters(), step);
+      info.getSteps().add(step);
+    }
+    return info;
   }
 
   /** Converts parameters to {@code case_param_info}. */
   public static CaseParamInfoType write(List<CaseParameter> parameters) {
     CaseParamInfoType info = new CaseParamInfoType();
+    write(parameters, info);
+    return info;
+  }
+
+  private static void write(List<CaseParameter> parameters, CaseParamInfoType info) {
     for (CaseParameter parameter : parameters) {
       CaseParamInfoType.Param param = new CaseParamInfoType.Param();
       param.setName(parameter.name());
@@ -79,7 +109,6 @@ public final class TestSuiteXml {
       param.setRealType(parameter.realType());
       info.getParams().add(param);
     }
-    return info;
   }
 
   /** Reads the parameters of {@code case_param_info}. Problems are added to the diagnostics. */
@@ -133,23 +162,42 @@ public final class TestSuiteXml {
     element.setNo(testCase.no());
     element.setCaseClass(testCase.valid() ? "valid" : "invalid");
     element.getValues().addAll(testCase.values());
-    for (ExpectedValue expected : testCase.expected()) {
-      NamedValueType value = new NamedValueType();
-      value.setName(expected.output().isEmpty() ? null : expected.output());
-      value.setValue(expected.literal());
-      element.getExpected().add(value);
-    }
+    testCase.steps().forEach(step -> element.getSteps().add(write(step)));
+    testCase.expected().forEach(e -> element.getExpected().add(write(e)));
     return element;
+  }
+
+  private static StepType write(TestStep step) {
+    StepType element = new StepType();
+    element.setName(step.name());
+    element.setStepClass(step.valid() ? null : "invalid");
+    element.getValues().addAll(step.values());
+    step.expected().forEach(e -> element.getExpected().add(write(e)));
+    return element;
+  }
+
+  private static NamedValueType write(ExpectedValue expected) {
+    NamedValueType value = new NamedValueType();
+    value.setName(expected.output().isEmpty() ? null : expected.output());
+    value.setValue(expected.literal());
+    return value;
   }
 
   private record Reading(String file, Diagnostics diagnostics) {
     TestSuite suite(TestSuiteDocument root) {
       List<CaseParameter> parameters = read(root.getCaseParamInfo(), file, diagnostics);
+      List<StepParameters> steps = new ArrayList<>();
+      if (root.getStepParamInfo() != null) {
+        for (StepParamInfoType.Step step : root.getStepParamInfo().getSteps()) {
+          steps.add(
+              new StepParameters(String.valueOf(step.getName()), read(step, file, diagnostics)));
+        }
+      }
       List<TestCase> cases = new ArrayList<>();
       Set<Integer> numbers = new java.util.HashSet<>();
       if (root.getCaseList() != null) {
         for (CaseType element : root.getCaseList().getCases()) {
-          addCase(element, parameters.size(), numbers, cases);
+          addCase(element, parameters.size(), steps, numbers, cases);
         }
       }
       String model = root.getTestModelName() == null ? "" : root.getTestModelName();
@@ -159,11 +207,16 @@ public final class TestSuiteXml {
           model,
           generation(root.getGeneration()),
           parameters,
+          steps,
           diagnostics.hasErrors() ? List.of() : cases);
     }
 
     private void addCase(
-        CaseType element, int parameters, Set<Integer> numbers, List<TestCase> cases) {
+        CaseType element,
+        int parameters,
+        List<StepParameters> kinds,
+        Set<Integer> numbers,
+        List<TestCase> cases) {
       int no = element.getNo() == null ? cases.size() + 1 : element.getNo();
       int line = XmlDocuments.line(element);
       String where = "case " + no;
@@ -181,14 +234,48 @@ public final class TestSuiteXml {
                 no,
                 !"invalid".equals(element.getCaseClass()),
                 element.getValues(),
-                element.getExpected().stream()
-                    .map(
-                        e ->
-                            new ExpectedValue(
-                                e.getName() == null ? "" : e.getName(),
-                                e.getValue() == null ? "" : e.getValue()))
-                    .toList()));
+                expected(element.getExpected()),
+                steps(element, where, kinds)));
       }
+    }
+
+    private List<TestStep> steps(CaseType element, String where, List<StepParameters> kinds) {
+      List<TestStep> steps = new ArrayList<>();
+      for (StepType step : element.getSteps()) {
+        String name = String.valueOf(step.getName());
+        Optional<StepParameters> kind =
+            kinds.stream().filter(k -> k.name().equals(name)).findFirst();
+        if (kind.isEmpty() || kind.get().parameters().size() != step.getValues().size()) {
+          diagnostics.error(
+              file,
+              XmlDocuments.line(step),
+              where + "/step " + name,
+              kind.isEmpty()
+                  ? "is not described in step_param_info"
+                  : "has "
+                      + step.getValues().size()
+                      + " values for "
+                      + kind.get().parameters().size()
+                      + " parameters");
+        }
+        steps.add(
+            new TestStep(
+                name,
+                !"invalid".equals(step.getStepClass()),
+                step.getValues(),
+                expected(step.getExpected())));
+      }
+      return steps;
+    }
+
+    private static List<ExpectedValue> expected(List<NamedValueType> values) {
+      return values.stream()
+          .map(
+              e ->
+                  new ExpectedValue(
+                      e.getName() == null ? "" : e.getName(),
+                      e.getValue() == null ? "" : e.getValue()))
+          .toList();
     }
 
     private Generation generation(@Nullable GenerationType given) {
