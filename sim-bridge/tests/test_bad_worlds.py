@@ -93,7 +93,7 @@ def test_the_compiler_process_cannot_open_files_of_the_host(tmp_path: Path) -> N
         ('<!DOCTYPE mujoco [<!ENTITY a "b">]>\n<mujoco/>', 1, "DOCTYPE"),
         ('<!DOCTYPE mujoco SYSTEM "file:///etc/passwd">\n<mujoco/>', 1, "DOCTYPE"),
         ('<?xml version="1.0" encoding="UTF-7"?>\n<mujoco/>', 1, "encoding"),
-        ("<robot/>", 1, "root element"),
+        ("<robots/>", 1, "root element"),
     ],
 )
 def test_malformed_xml_is_refused(bridge: Bridge, refused: Refused, mjcf: str, line: int, what: str) -> None:

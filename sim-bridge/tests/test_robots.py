@@ -31,7 +31,7 @@ def robot(text: str) -> list[str]:
         ("package: robosuite==1.5.2, model: a.xml, base: floating", "is not one of fixed, free"),
         ("package: robosuite==1.5.2, model: a.xml, pos: [0, 1]", "must be a list of three"),
         ("package: robosuite==1.5.2, model: a.xml, colour: red", "colour is not a known key"),
-        ("model: a.xml", "package is missing"),
+        ("model: a.xml", "file is missing"),
     ],
 )
 def test_a_bad_declaration_is_refused(text: str, message: str) -> None:

@@ -24,6 +24,7 @@ class mjtObj:
     mjOBJ_SENSOR: mjtObj
     mjOBJ_SITE: mjtObj
     mjOBJ_ACTUATOR: mjtObj
+    mjOBJ_KEY: mjtObj
     mjOBJ_CAMERA: mjtObj
     mjOBJ_LIGHT: mjtObj
     mjOBJ_XBODY: mjtObj

@@ -1,4 +1,4 @@
-"""Additions to the MJCF before compilation: robots of packages, spawned solids, user data of devices."""
+"""Additions to the MJCF before compilation: robots, spawned solids, user data of devices."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -6,7 +6,9 @@ from dataclasses import dataclass
 import mujoco
 import numpy as np
 
-from sitaf_bridge.world.description.robot import RobotModel
+from sitaf_bridge.world.description.robot import Robot
+from sitaf_bridge.world.robots.fitting import FLOOR, add_drives
+from sitaf_bridge.world.robots.model import RobotModel
 
 SHAPES = {
     "box": (mujoco.mjtGeom.mjGEOM_BOX, 3),
@@ -16,6 +18,8 @@ SHAPES = {
 }
 # Robots collide with the world but not with themselves, because links of URDF collections overlap.
 ROBOT_CONTYPE = 2
+# Of a world that consists of a URDF.
+TIMESTEP_S = 0.002
 
 
 @dataclass(frozen=True)
@@ -52,31 +56,85 @@ def add(spec: mujoco.MjSpec, additions: Additions, assets: Mapping[str, bytes]) 
         visual.global_.offwidth = max(visual.global_.offwidth, additions.image[0])
         visual.global_.offheight = max(visual.global_.offheight, additions.image[1])
     if additions.robots:
-        spec.assets = {**assets, **{k: v for robot in additions.robots for k, v in robot.assets.items()}}
+        spec.assets = _merged(assets, additions.robots)
     for model in additions.robots:
         _attach(spec, model)
     for entity in additions.entities:
         _spawn(spec, entity)
 
 
+def _merged(assets: Mapping[str, bytes], robots: tuple[RobotModel, ...]) -> dict[str, bytes]:
+    merged = dict(assets)
+    for model in robots:
+        for name, content in model.assets.items():
+            if merged.setdefault(name, content) != content:
+                message = f"has a file {name!r} that differs from another file of this name; rename one"
+                raise ValueError(f"robots.{model.robot.name} {message}")
+    return merged
+
+
 def _attach(spec: mujoco.MjSpec, model: RobotModel) -> None:
     robot = model.robot
-    child = mujoco.MjSpec.from_string(model.text, assets=dict(model.assets))
+    if not robot.name:
+        _complete(spec, model)
+        return
+    child = mujoco.MjSpec.from_string(model.text, include=dict(model.included), assets=dict(model.assets))
     if "<robot" in model.text:
-        for geom in child.geoms:
-            geom.contype = ROBOT_CONTYPE
-    for site in robot.sites:
-        body = child.body(site.body)
-        if body is None:
-            raise ValueError(f"robots.{robot.name}.sites.{site.name}.body: the robot has no body {site.body!r}")
-        body.add_site(name=site.name, pos=site.pos, quat=quaternion(site.rpy))
+        _prepare_urdf(child)
+    _add_sites(child, robot)
     frame = spec.worldbody.add_frame(pos=robot.pos, quat=quaternion(robot.rpy))
     root = child.worldbody.first_body()
     if root is None:
-        raise ValueError(f"robots.{robot.name}.model has no body")
-    body = frame.attach_body(root, f"{robot.name}_", "")
+        raise ValueError(f"robots.{robot.name}: the model has no body")
+    name = root.name
+    if robot.package:
+        body = frame.attach_body(root, robot.prefix, "")
+    else:
+        # With everything that belongs to the model: actuators, sensors, keyframes, all its bodies.
+        spec.attach(child, prefix=robot.prefix, frame=frame)
+        body = spec.body(robot.prefix + name)
     if robot.base == "free":
-        body.add_freejoint(name=f"{robot.name}_base")
+        body.add_freejoint(name=f"{robot.prefix}base")
+    if model.urdf:
+        add_drives(spec, model, robot.prefix)
+
+
+def _complete(spec: mujoco.MjSpec, model: RobotModel) -> None:
+    """Make a world of a URDF: a floor, a light, and what the description of the robot says."""
+    robot = model.robot
+    spec.assets = dict(model.assets)
+    spec.option.timestep = TIMESTEP_S
+    spec.option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
+    _prepare_urdf(spec)
+    _add_sites(spec, robot)
+    root = spec.worldbody.first_body()
+    if root is None:
+        raise ValueError("the robot has no link")
+    if any(robot.pos) or any(robot.rpy):
+        root.pos, root.quat = robot.pos, quaternion(robot.rpy)
+    if robot.base == "free":
+        root.add_freejoint(name="base")
+    spec.worldbody.add_geom(name=FLOOR, type=mujoco.mjtGeom.mjGEOM_PLANE, size=[0, 0, 0.05])
+    spec.worldbody.add_light(name="light", pos=[0, 0, 3], dir=[0, 0, -1])
+    add_drives(spec, model, "")
+
+
+def _prepare_urdf(spec: mujoco.MjSpec) -> None:
+    for geom in spec.geoms:
+        geom.contype = ROBOT_CONTYPE
+    if all(body.explicitinertial for body in spec.bodies if any(geom.meshname for geom in body.geoms)):
+        # The inertia of a flat mesh cannot be computed from its volume, and is not needed.
+        for mesh in spec.meshes:
+            mesh.inertia = mujoco.mjtMeshInertia.mjMESH_INERTIA_SHELL
+
+
+def _add_sites(spec: mujoco.MjSpec, robot: Robot) -> None:
+    place = f"robots.{robot.name}.sites" if robot.name else "sites"
+    for site in robot.sites:
+        body = spec.body(site.body)
+        if body is None:
+            raise ValueError(f"{place}.{site.name}.body: the robot has no body {site.body!r}")
+        body.add_site(name=site.name, pos=site.pos, quat=quaternion(site.rpy))
 
 
 def _spawn(spec: mujoco.MjSpec, entity: SpawnedEntity) -> None:

@@ -1,19 +1,11 @@
 """Compiles MJCF in a separate process, which cannot open files and may crash without consequences.
 
 MuJoCo reads `include` and asset paths from the host's disk, and some models crash it (a huge texture causes a
-segmentation fault). The child process is forked with MuJoCo loaded, gives up all rights to open files, limits its
-memory and processor time, compiles, tries one step, and returns the binary model.
+segmentation fault). The child process compiles, tries one step, and returns the binary model.
 """
 
-import multiprocessing
-import os
-import resource
-import signal
-import tempfile
-import threading
 import time
 from collections.abc import Mapping
-from multiprocessing.connection import Connection
 from pathlib import PurePosixPath
 
 import mujoco
@@ -22,11 +14,9 @@ import numpy as np
 from sitaf_bridge.errors import BadWorld, LimitReached, Problem
 from sitaf_bridge.world.additions import Additions, add
 from sitaf_bridge.world.description.mjcf_limits import MAX_ITERATIONS
+from sitaf_bridge.world.isolation import CPU_SECONDS, MEMORY_BYTES, Crashed, TooSlow, isolated
+from sitaf_bridge.world.robots.fitting import fit
 
-CPU_SECONDS = 30
-WALL_SECONDS = 60.0
-# Lower than the memory limit of a build's bridge, so that the error names the world as the cause.
-MEMORY_BYTES = 1536 * 1024**2
 MAX_MODEL_BYTES = 256 * 1024**2
 MAX_ARENA_BYTES = 1024**3
 MAX_STATE_BYTES = 64 * 1024**2
@@ -52,12 +42,6 @@ FINITE = {
     "key": ("qpos", "qvel", "ctrl"),
 }
 FINITE_OPTIONS = ("timestep", "gravity", "wind", "magnetic", "density", "viscosity", "impratio", "tolerance")
-# Limits the number of concurrent compilations.
-COMPILING = threading.BoundedSemaphore(2)
-
-# The fork server imports this module, and with it MuJoCo, once; each child is a cheap fork of it.
-_processes = multiprocessing.get_context("forkserver")
-_processes.set_forkserver_preload([__name__])
 
 
 def silence_warnings() -> None:
@@ -72,64 +56,34 @@ def compile_mjcf(
 
     Raises BadWorld with MuJoCo's message, LimitReached if the model is too big.
     """
-    with COMPILING:
-        receiver, sender = _processes.Pipe(duplex=False)
-        process = _processes.Process(
-            target=_child, args=(sender, main, dict(files), additions or Additions()), daemon=True
-        )
-        process.start()
-        sender.close()
-        try:
-            answer = receiver.recv() if receiver.poll(WALL_SECONDS) else ("slow", b"")
-        except EOFError:
-            answer = ("crashed", b"")
-        finally:
-            receiver.close()
-            process.join(0.5)
-            if process.is_alive():
-                process.kill()
-                process.join()
-    verdict, content = answer
-    if verdict == "compiled":
-        model = mujoco.MjModel.from_binary_path("model.mjb", {"model.mjb": content})
+    try:
+        answer = isolated(_compiled, (main, dict(files), additions or Additions()))
+    except TooSlow as error:
+        raise LimitReached(f"{shown}: the compilation exceeds {CPU_SECONDS} s; make the model smaller") from error
+    except Crashed as error:
+        message = f"MuJoCo cannot compile this model: its process ended with {error}"
+        raise BadWorld([Problem(shown, None, message)]) from error
+    if answer.word == "compiled":
+        model = mujoco.MjModel.from_binary_path("model.mjb", {"model.mjb": answer.content})
         silence_warnings()
         return model
-    message = content.decode("utf-8", "replace")
-    if verdict == "limit":
-        raise LimitReached(f"{shown}: {message}")
-    if verdict == "crashed":
-        message = f"MuJoCo cannot compile this model: its process ended with {_ending(process.exitcode)}"
-    if verdict == "slow" or process.exitcode == -signal.SIGXCPU:
-        raise LimitReached(f"{shown}: the compilation exceeds {CPU_SECONDS} s; make the model smaller")
-    raise BadWorld([Problem(shown, None, message)])
+    if answer.word == "limit":
+        raise LimitReached(f"{shown}: {answer.text}")
+    raise BadWorld([Problem(shown, None, answer.text)])
 
 
-def _ending(code: int | None) -> str:
-    if code is not None and code < 0:
-        return f"{signal.Signals(-code).name} (too large, or a defect of MuJoCo)"
-    return f"exit code {code}"
-
-
-def _child(answer: Connection, main: str, files: Mapping[str, bytes], additions: Additions) -> None:
-    """Run in the forked process."""
+def _compiled(main: str, files: Mapping[str, bytes], additions: Additions) -> tuple[str, bytes]:
+    """Run in the separate process."""
     silence_warnings()
-    with tempfile.TemporaryDirectory() as empty:
-        os.chdir(empty)
-    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-    resource.setrlimit(resource.RLIMIT_CPU, (CPU_SECONDS, CPU_SECONDS + 1))
-    resource.setrlimit(resource.RLIMIT_AS, (MEMORY_BYTES, MEMORY_BYTES))
-    # From here on the process cannot open any file, socket or device.
-    resource.setrlimit(resource.RLIMIT_NOFILE, (0, 0))
     try:
-        answer.send(_compile(main, files, additions))
+        return _compile(main, files, additions)
     except MemoryError:
-        answer.send(("limit", TOO_MUCH_MEMORY.encode()))
+        return "limit", TOO_MUCH_MEMORY.encode()
     except (ValueError, RuntimeError, KeyError, mujoco.FatalError) as error:
         message = str(error).strip()
         if "allocate" in message or "out of memory" in message.lower():
-            answer.send(("limit", TOO_MUCH_MEMORY.encode()))
-        else:
-            answer.send(("refused", message.encode()))
+            return "limit", TOO_MUCH_MEMORY.encode()
+        return "refused", message.encode()
 
 
 def _compile(main: str, files: Mapping[str, bytes], additions: Additions) -> tuple[str, bytes]:
@@ -142,6 +96,7 @@ def _compile(main: str, files: Mapping[str, bytes], additions: Additions) -> tup
     spec = mujoco.MjSpec.from_string(files[main].decode("utf-8"), include=included, assets=others)
     add(spec, additions, others)
     model = spec.compile()
+    fit(model, additions.robots)
     for what, size, limit in (
         ("bytes of model", model.nbuffer, MAX_MODEL_BYTES),
         ("bytes of arena (the `memory` of <size>)", model.narena, MAX_ARENA_BYTES),

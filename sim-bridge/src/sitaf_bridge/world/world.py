@@ -9,10 +9,10 @@ import mujoco
 from sitaf_bridge.errors import BadWorld, Problem
 from sitaf_bridge.world.additions import Additions, SpawnedEntity
 from sitaf_bridge.world.compiler import compile_mjcf
-from sitaf_bridge.world.description.declaration import Bind, Description, Parameter, read_description
+from sitaf_bridge.world.description.declaration import START, Bind, Description, Parameter, read_description
 from sitaf_bridge.world.description.mjcf_guard import check_mjcf
 from sitaf_bridge.world.description.mjcf_limits import MAX_TIMESTEP_S, MIN_TIMESTEP_S
-from sitaf_bridge.world.description.robot import load_robot
+from sitaf_bridge.world.description.model_format import format_of
 from sitaf_bridge.world.description.source import WorldSource
 from sitaf_bridge.world.description.yaml_block import Problems
 from sitaf_bridge.world.devices import KINDS, KNOBS, Bank, DeviceDeclaration
@@ -21,6 +21,8 @@ from sitaf_bridge.world.observing import BoundObservation, find_observation
 from sitaf_bridge.world.parameters.gap import BoundGap, find_gap
 from sitaf_bridge.world.parameters.paths import find_setting
 from sitaf_bridge.world.parameters.settings import NoSuchSetting, Setting
+from sitaf_bridge.world.parameters.start import find_start, start_setting
+from sitaf_bridge.world.robots.loading import SDF, load_robot
 
 
 @dataclass(frozen=True)
@@ -47,6 +49,8 @@ class World:
     binds: Mapping[str, tuple[BoundBind, ...]]
     banks: Mapping[str, Bank]
     observations: Mapping[str, BoundObservation]
+    # The keyframe in which a session begins; None for the model's initial state.
+    start: int | None
 
     @property
     def edits_model(self) -> bool:
@@ -65,8 +69,14 @@ def load_world(source: WorldSource, entities: tuple[SpawnedEntity, ...] = ()) ->
     description = read_description(source)
     files = source.files_of_folder()
     shown = source.folder + description.mjcf
-    check_mjcf(description.mjcf, files, source.folder)
-    model = compile_mjcf(description.mjcf, files, shown, _additions(description, entities))
+    additions = _additions(description, entities, files, source.folder)
+    if description.whole is not None:
+        model = compile_mjcf(description.mjcf, _whole(additions, description.mjcf), shown, additions)
+    else:
+        if format_of(description.mjcf, files[description.mjcf]) == "sdf":
+            raise BadWorld([Problem(shown, None, SDF)])
+        check_mjcf(description.mjcf, files, source.folder)
+        model = compile_mjcf(description.mjcf, files, shown, additions)
     problems = Problems(source.description)
     world = World(
         source=source,
@@ -75,7 +85,8 @@ def load_world(source: WorldSource, entities: tuple[SpawnedEntity, ...] = ()) ->
         digest=source.digest,
         model=model,
         timestep_ns=_timestep_ns(model, shown),
-        binds={name: _bind(model, description, p, problems) for name, p in description.parameters.items()},
+        binds=_binds(model, description, problems),
+        start=find_start(model, description, problems),
         banks=bind_devices(model, description.devices.values(), problems),
         observations=_observations(model, description, problems),
     )
@@ -83,12 +94,27 @@ def load_world(source: WorldSource, entities: tuple[SpawnedEntity, ...] = ()) ->
     return world
 
 
-def _additions(description: Description, entities: tuple[SpawnedEntity, ...]) -> Additions:
+def _whole(additions: Additions, main: str) -> dict[str, bytes]:
+    """The files of a world that consists of a URDF robot."""
+    (model,) = (robot for robot in additions.robots if not robot.robot.name)
+    return {main: model.text.encode()}
+
+
+def _binds(model: mujoco.MjModel, description: Description, problems: Problems) -> dict[str, tuple[BoundBind, ...]]:
+    """What parameters set. A start state comes first, because it would overwrite what other parameters set."""
+    parameters = sorted(description.parameters.values(), key=lambda p: all(b.path != START for b in p.binds))
+    return {p.name: _bind(model, description, p, problems) for p in parameters}
+
+
+def _additions(
+    description: Description, entities: tuple[SpawnedEntity, ...], files: Mapping[str, bytes], folder: str
+) -> Additions:
+    robots = [description.whole, *description.robots.values()] if description.whole else description.robots.values()
     cameras = [d for d in description.devices.values() if isinstance(d, CameraDeclaration)]
     return Additions(
         userdata=len(KNOBS) * len(description.devices),
         image=(max((c.width for c in cameras), default=0), max((c.height for c in cameras), default=0)),
-        robots=tuple(load_robot(robot, description.file) for robot in description.robots.values()),
+        robots=tuple(load_robot(robot, files, folder, description.file) for robot in robots),
         entities=entities,
     )
 
@@ -127,6 +153,8 @@ def _bind(
 
 
 def _bound(model: mujoco.MjModel, description: Description, bind: Bind) -> BoundBind:
+    if bind.path == START:
+        return BoundBind(start_setting(model, bind.choices), None)
     setting = find_setting(model, bind.path, description.devices)
     return BoundBind(setting, None if bind.gap is None else find_gap(model, bind.gap, setting))
 

@@ -3,8 +3,9 @@
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 
+from sitaf_bridge.world.description.model_format import format_of
 from sitaf_bridge.world.description.observation import Observation, read_observation
-from sitaf_bridge.world.description.robot import Robot, read_robot
+from sitaf_bridge.world.description.robot import Robot, read_file_robot, read_robot
 from sitaf_bridge.world.description.source import WorldSource, unsafe_path
 from sitaf_bridge.world.description.yaml_block import Block, Problems, parse
 from sitaf_bridge.world.devices import KINDS, DeviceDeclaration
@@ -12,6 +13,8 @@ from sitaf_bridge.world.devices import KINDS, DeviceDeclaration
 # Limits the memory for past readings of a device.
 MAX_DELAY_S = 10.0
 MAX_RATE_HZ = 100_000.0
+# The `set` path of a parameter that selects a keyframe.
+START = "start"
 
 
 @dataclass(frozen=True)
@@ -24,11 +27,15 @@ class Gap:
 
 @dataclass(frozen=True)
 class Bind:
-    """The quantity at `path` that a parameter sets, directly or such that `gap` equals the parameter."""
+    """The quantity at `path` that a parameter sets, directly or such that `gap` equals the parameter.
+
+    The path `start` selects one of the keyframes `choices` by its index.
+    """
 
     path: str
     gap: Gap | None
     line: int
+    choices: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -47,7 +54,8 @@ class Parameter:
 class Description:
     """A well-formed world description; its names are not yet resolved in the MJCF.
 
-    Descriptions with equal content are equal.
+    Descriptions with equal content are equal. `whole` is the robot if the model of the world is a URDF. `start` is the
+    keyframe in which a session begins.
     """
 
     file: str
@@ -56,6 +64,9 @@ class Description:
     devices: Mapping[str, DeviceDeclaration] = field(default_factory=dict)
     observations: Mapping[str, Observation] = field(default_factory=dict)
     robots: Mapping[str, Robot] = field(default_factory=dict)
+    whole: Robot | None = None
+    start: str | None = None
+    start_line: int = 0
 
 
 def read_description(source: WorldSource) -> Description:
@@ -63,6 +74,8 @@ def read_description(source: WorldSource) -> Description:
     problems = Problems(source.description)
     top = parse(source.files[source.description], problems)
     mjcf = _mjcf(top, source)
+    whole = read_file_robot("", top, "mjcf") if mjcf is not None and _is_urdf(mjcf, source) else None
+    start = top.text("start") if top.has("start") else top.optional_text("start", "")
     parameters = {name: _parameter(name, block) for name, block in top.named_blocks("parameters")}
     robots = {name: read_robot(name, block) for name, block in top.named_blocks("robots")}
     devices = {name: _device(name, block) for name, block in top.named_blocks("devices")}
@@ -77,7 +90,15 @@ def read_description(source: WorldSource) -> Description:
         devices={name: replace(d, slot=len(devices) - index) for index, (name, d) in enumerate(devices.items()) if d},
         robots={name: r for name, r in robots.items() if r},
         observations={name: o for name, o in observations.items() if o},
+        whole=whole,
+        start=start or None,
+        start_line=top.line_of("start"),
     )
+
+
+def _is_urdf(mjcf: str, source: WorldSource) -> bool:
+    content = source.files.get(source.folder + mjcf)
+    return content is not None and format_of(mjcf, content) in ("urdf", "xacro")
 
 
 def _mjcf(top: Block, source: WorldSource) -> str | None:
@@ -105,6 +126,11 @@ def _parameter(name: str, block: Block) -> Parameter | None:
         elif default is not None and not low <= default <= high:
             block.problem(f"{block.path}.default: {default:g} is outside the range [{low:g}, {high:g}]", "default")
     whole = tuple(bind for bind in binds if bind is not None)
+    if bounds is not None:
+        for bind in whole:
+            if bind.path == START and bounds != (0, len(bind.choices) - 1):
+                most = len(bind.choices) - 1
+                block.problem(f"{block.path}.range: must be [0, {most}], the indices of `choices`", "range")
     if unit is None or bounds is None or default is None or len(whole) != len(binds):
         return None
     return Parameter(name, unit, bounds[0], bounds[1], default, whole)
@@ -113,15 +139,18 @@ def _parameter(name: str, block: Block) -> Parameter | None:
 def _bind(block: Block) -> Bind | None:
     path = block.text("set")
     names = block.texts("gap")
+    choices = block.list_of_texts("choices") if path == START else ()
     block.finish()
     gap = None
+    if path == START and names is not None:
+        block.problem(f"{block.path}.gap: a gap cannot solve for a start state", "gap")
     if names is not None:
         site, geom = names
         if site.startswith("site.") and geom.startswith("geom."):
             gap = Gap(site.removeprefix("site."), geom.removeprefix("geom."))
         else:
             block.problem(f"{block.path}.gap must be [site.NAME, geom.NAME], not [{site}, {geom}]", "gap")
-    return None if path is None else Bind(path, gap, block.line)
+    return None if path is None else Bind(path, gap, block.line, tuple(choices))
 
 
 def _device(name: str, block: Block) -> DeviceDeclaration | None:

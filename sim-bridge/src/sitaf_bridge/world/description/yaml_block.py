@@ -158,6 +158,37 @@ class Block:
                     "must not start with a digit, and must have at most 128 characters"
                 )
 
+    def named_texts(self, key: str) -> dict[str, str] | None:
+        """Read an optional mapping from names to texts; None after reporting an error."""
+        node = self._take(key, required=False)
+        if node is None:
+            return {}
+        if not isinstance(node, yaml.MappingNode) or not all(
+            isinstance(part, yaml.ScalarNode) for pair in node.value for part in pair
+        ):
+            self.problem(f"{self.inner(key)} must be a mapping (name: text)", key)
+            return None
+        return {str(name.value): str(value.value) for name, value in node.value}
+
+    def list_of_texts(self, key: str) -> list[str]:
+        """Read a required list of texts that is not empty; an empty one after reporting an error."""
+        node = self._take(key, required=True)
+        if node is None:
+            return []
+        if not isinstance(node, yaml.SequenceNode) or not node.value:
+            self.problem(f"{self.inner(key)} must be a list of names", key)
+            return []
+        return [str(item.value) for item in node.value]
+
+    def line_of(self, key: str) -> int:
+        """The line of a value, or of this block."""
+        node = self._entries.get(key)
+        return node.start_mark.line + 1 if node else self.line
+
+    def text_or_texts(self, key: str) -> str | dict[str, str] | None:
+        """Read a text or a mapping from names to texts; None after reporting an error."""
+        return self.text(key) if isinstance(self._entries.get(key), yaml.ScalarNode) else self.named_texts(key)
+
     def finish(self) -> None:
         """Report all keys that were not read."""
         for key, node in self._entries.items():

@@ -28,7 +28,7 @@ FIRST = np.zeros(1, np.intp)
 
 def can_batch(world: World, devices: Sequence[DeviceDeclaration]) -> bool:
     """Whether a batch can prepare cases of this world and read these devices."""
-    if any(d.noise or d.delay for d in world.description.devices.values()) or world.entities:
+    if any(d.noise or d.delay for d in world.description.devices.values()) or world.entities or world.start is not None:
         return False
     if any(d.kind != "range" for d in devices):
         return False

@@ -20,6 +20,7 @@ from sitaf_bridge.world.driving.running_world import RunningWorld
 from sitaf_bridge.world.driving.saved_state import InitialState, SavedState, digest_of
 from sitaf_bridge.world.driving.signals import SignalRecording, Trace
 from sitaf_bridge.world.parameters.settings import INTEGRATION
+from sitaf_bridge.world.parameters.start import enter
 from sitaf_bridge.world.scene.drawing import draw
 from sitaf_bridge.world.sensing.faults import Fault
 from sitaf_bridge.world.state import ResetScope, WorldState
@@ -263,7 +264,7 @@ class Simulation(RunningWorld):
         """Switch to a world with other entities; bodies keep their state by name."""
         old_model, old_data, values = self._model, self._data, self._values
         self._enter(world)
-        mujoco.mj_resetData(self._model, self._data)
+        self._reset_data()
         self._apply(dict(values))
         entities.carry_over(old_model, old_data, self._model, self._data)
 
@@ -294,7 +295,7 @@ class Simulation(RunningWorld):
         """Restore the initial state with these parameters; model edits are undone by setting their values."""
         if self.world is not self._pristine:
             self._enter(self._pristine)
-        mujoco.mj_resetData(self._model, self._data)
+        self._reset_data()
         self._sensing.reset()
         if self._motion is not None:
             self._motion.restart()
@@ -321,9 +322,14 @@ class Simulation(RunningWorld):
             self._motion.record(self.world, self._data, self._state)
         return self._state
 
+    def _reset_data(self) -> None:
+        mujoco.mj_resetData(self._model, self._data)
+        if self.world.start is not None:
+            enter(self._model, self._data, self.world.start)
+
     def _restore_state(self) -> None:
         time = self._data.time
-        mujoco.mj_resetData(self._model, self._data)
+        self._reset_data()
         self._data.time = time
         self._sensing.clear_history()
         self._sensing.set_knobs(self._model, self._data)

@@ -16,6 +16,23 @@ import org.sitaf.core.document.YamlMapping;
 public final class WorldReader {
   private static final double MAX_RATE_HZ = 100_000;
 
+  /** Those after {@code start} describe the robot if {@code mjcf} is a URDF. */
+  private static final Set<String> KEYS =
+      Set.of(
+          "mjcf",
+          "robots",
+          "parameters",
+          "devices",
+          "observations",
+          "start",
+          "packages",
+          "xacro_args",
+          "base",
+          "actuators",
+          "pos",
+          "rpy",
+          "sites");
+
   private WorldReader() {}
 
   /**
@@ -27,7 +44,7 @@ public final class WorldReader {
   public static WorldDescription read(String text, String path) {
     Diagnostics diagnostics = new Diagnostics();
     YamlMapping root = YamlDocument.read(text, path, diagnostics);
-    root.allowOnly(Set.of("mjcf", "robots", "parameters", "devices", "observations"));
+    root.allowOnly(KEYS);
     root.requiredText("mjcf");
     List<WorldParameter> parameters = new ArrayList<>();
     root.mapping("parameters")

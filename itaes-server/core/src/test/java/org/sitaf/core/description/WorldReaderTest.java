@@ -20,6 +20,7 @@ class WorldReaderTest {
         "ir-sensor/world/ir.world.yaml",
         "worlds/maze/maze.world.yaml",
         "worlds/arm/arm.world.yaml",
+        "worlds/base/base.world.yaml",
         "worlds/quadruped/quadruped.world.yaml"
       })
   void readsTheWorldsOfTheExamples(String file) throws IOException {
