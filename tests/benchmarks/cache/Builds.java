@@ -15,6 +15,7 @@ import org.sitaf.agent.toolchain.CompiledApplication;
 import org.sitaf.agent.toolchain.Toolchain;
 import org.sitaf.agent.toolchain.ToolchainPlaces;
 import org.sitaf.agent.toolchain.Toolchains;
+import org.sitaf.core.activity.ActivityProfile;
 import org.sitaf.core.activity.ActivityProfile.Language;
 import org.sitaf.core.activity.FileTree;
 import org.sitaf.core.harness.TestApplication;
@@ -76,8 +77,8 @@ final class Builds {
     }
 
     @Override
-    public boolean readsWholeActivity() {
-      return toolchain.readsWholeActivity();
+    public boolean readsElsewhere(String path, ActivityProfile profile) {
+      return toolchain.readsElsewhere(path, profile);
     }
 
     @Override

@@ -78,7 +78,7 @@ final class Project {
     files.forEach(
         (path, content) -> {
           boolean read =
-              !libraries.isEmpty()
+              !libraries.isEmpty() && path.endsWith(".jar")
                   || path.startsWith(sources())
                   || component.containsKey("adapter") && path.startsWith(component.get("adapter"));
           if (read) {

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -42,19 +43,11 @@ final class CompileKey {
     return Sha256.hex(key.digest);
   }
 
-  /**
-   * The files of the activity that a compilation may read: those of the component. A library may
-   * refer to other files, like the manifest of a jar, so with a library all files count.
-   */
+  /** The files of the activity that a compilation may read. */
   private static FileTree inputs(TestApplication application, Toolchain toolchain) {
     ActivityProfile profile = application.activity().profile();
     Component component = profile.component();
     FileTree files = application.activity().files();
-    if (toolchain.readsWholeActivity()
-        || component.library() != null
-        || !profile.libraries().isEmpty()) {
-      return files;
-    }
     FileTree inputs = FileTree.of(Map.of());
     for (String folder :
         Stream.of(component.sources(), component.adapter(), component.headers())
@@ -62,7 +55,13 @@ final class CompileKey {
             .toList()) {
       inputs = inputs.with(folder, files.below(folder));
     }
-    return inputs;
+    Map<String, byte[]> elsewhere = new HashMap<>();
+    for (String path : files.paths()) {
+      if (toolchain.readsElsewhere(path, profile)) {
+        elsewhere.put(path, files.content(path).orElseThrow());
+      }
+    }
+    return inputs.with("", FileTree.of(elsewhere));
   }
 
   /**

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
 import org.sitaf.agent.sandbox.Sandbox;
+import org.sitaf.core.activity.ActivityProfile;
 import org.sitaf.core.activity.ActivityProfile.Language;
 
 /** A language that this machine can compile and run. Thread-safe. */
@@ -26,11 +27,12 @@ public interface Toolchain {
   default void stop() {}
 
   /**
-   * Whether {@link #compile} may read any file of the activity, not only those of the component in
-   * the profile.
+   * Whether {@link #compile} may read a file of the activity outside of the folders that the
+   * profile names for the component. By default every file if there are libraries, since a library
+   * may refer to other files.
    */
-  default boolean readsWholeActivity() {
-    return false;
+  default boolean readsElsewhere(String path, ActivityProfile profile) {
+    return profile.component().library() != null || !profile.libraries().isEmpty();
   }
 
   /**

@@ -14,6 +14,7 @@ import org.sitaf.agent.toolchain.ToolchainLookup;
 import org.sitaf.agent.toolchain.ToolchainLookup.Found;
 import org.sitaf.agent.toolchain.ToolchainLookup.Missing;
 import org.sitaf.agent.toolchain.ToolchainPlaces;
+import org.sitaf.core.activity.ActivityProfile;
 import org.sitaf.core.activity.ActivityProfile.Language;
 
 /**
@@ -99,7 +100,7 @@ public final class CppToolchain implements Toolchain {
   }
 
   @Override
-  public boolean readsWholeActivity() {
+  public boolean readsElsewhere(String path, ActivityProfile profile) {
     // Sources may include, and linkers may read, any file there.
     return true;
   }

@@ -101,6 +101,12 @@ public final class JavaToolchain implements Toolchain {
     return version() + ' ' + compiler.identity();
   }
 
+  /** The compiler gets no other files than sources and jars. */
+  @Override
+  public boolean readsElsewhere(String path, ActivityProfile profile) {
+    return path.endsWith(".jar") && Toolchain.super.readsElsewhere(path, profile);
+  }
+
   @Override
   public Optional<CompiledApplication> openEarly(Compilation compilation)
       throws CompilationException, InterruptedException, IOException {
