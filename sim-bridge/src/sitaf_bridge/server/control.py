@@ -18,6 +18,7 @@ from sitaf_bridge.session.signals import SignalStore
 from sitaf_bridge.wire import simulation_pb2 as pb
 from sitaf_bridge.wire import simulation_pb2_grpc as pb_grpc
 from sitaf_bridge.world.catalog import Catalog
+from sitaf_bridge.world.driving.checking import check_names
 from sitaf_bridge.world.engine import DEVICE_KINDS, ENGINE, ENGINE_VERSION
 from sitaf_bridge.world.state import ResetScope
 
@@ -75,6 +76,7 @@ class SimulationControl(pb_grpc.SimulationControlServicer):
     ) -> pb.DescribeWorldResponse:
         """Compile a world without a session."""
         world = self._catalog.world(source_of(request.world))
+        check_names(world, request.parameters)
         return pb.DescribeWorldResponse(world=world_message(world))
 
     @answering

@@ -111,7 +111,7 @@ def _prepare(
     session: Session, simulation: Simulation, request: pb.PrepareRequest, is_active: IsActive
 ) -> pb.PrepareResponse:
     session.preparations.prepared(request.case_no)
-    state = simulation.prepare(dict(request.parameters), request.settle_ns, is_active)
+    state = simulation.prepare(dict(request.parameters), request.settle_ns, is_active, request.call_after_ns)
     return pb.PrepareResponse(state=state_message(state))
 
 

@@ -86,6 +86,10 @@ class LevelBank:
         declaration = self._by_name[command.device]
         data.userdata[declaration.address(model, "level")] = expected_form(command, "level")["level"]
 
+    def actuators(self, device: str) -> tuple[int, ...]:
+        """None: a line is no part of the model."""
+        return ()
+
 
 def _values(declaration: DeviceDeclaration, level: float, data: mujoco.MjData) -> tuple[float, ...]:
     if not isinstance(declaration, BatteryDeclaration):

@@ -141,3 +141,7 @@ class MotorBank:
         if mode != motor.mode:
             raise InvalidRequest(f"commands: the motor {command.device} takes {motor.mode}, not {mode}")
         command_actuator(model, data, motor.actuator, value, f"{command.device}.{mode}")
+
+    def actuators(self, device: str) -> tuple[int, ...]:
+        """The actuator of a motor."""
+        return (self._by_name[device].actuator,)

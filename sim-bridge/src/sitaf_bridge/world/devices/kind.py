@@ -65,6 +65,10 @@ class ActuatorBank(Bank, Protocol):
         """Run a command with finite numbers. Raises InvalidRequest, UnreachableValue."""
         ...
 
+    def actuators(self, device: str) -> tuple[int, ...]:
+        """The actuators of the model that a device drives."""
+        ...
+
 
 class DeviceKind:
     """A kind of device."""

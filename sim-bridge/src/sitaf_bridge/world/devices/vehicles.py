@@ -108,6 +108,10 @@ class DriveBank:
             shown = f"{command.device}: {side} wheel in rad/s"
             command_actuator(model, data, actuator, speed / declaration.wheel_radius, shown)
 
+    def actuators(self, device: str) -> tuple[int, ...]:
+        """The actuators of both wheels."""
+        return self._by_name[device][1].actuators
+
 
 class GripperKind(DeviceKind):
     """Kind `gripper`: two position actuators, each of which moves its finger by half the width."""
@@ -168,3 +172,7 @@ class GripperBank:
             )
         for actuator in pair.actuators:
             command_actuator(model, data, actuator, width / 2, f"{command.device}.width/2")
+
+    def actuators(self, device: str) -> tuple[int, ...]:
+        """The actuators of both fingers."""
+        return self._by_name[device][1].actuators

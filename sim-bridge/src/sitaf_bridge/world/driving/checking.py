@@ -4,6 +4,8 @@ import math
 from collections.abc import Iterable, Mapping
 
 from sitaf_bridge.errors import InvalidRequest, LimitReached, UnreachableValue
+from sitaf_bridge.world.driving.commanding import check_saturable
+from sitaf_bridge.world.sensing.fault_names import SATURATED, check_fault_name, check_fault_value, is_fault
 from sitaf_bridge.world.world import World
 
 MAX_STEPS = 10_000_000
@@ -16,6 +18,9 @@ def check_values(world: World, values: Mapping[str, float]) -> None:
         if not math.isfinite(value):
             raise InvalidRequest(f"parameter {name}: {value} is not a finite number")
     for name, value in values.items():
+        if is_fault(name):
+            check_fault_value(name, check_fault_name(name, world.description), value)
+            continue
         parameter = world.description.parameters[name]
         if not parameter.low <= value <= parameter.high:
             raise UnreachableValue(
@@ -25,9 +30,16 @@ def check_values(world: World, values: Mapping[str, float]) -> None:
 
 
 def check_names(world: World, names: Iterable[str]) -> None:
-    """Raise InvalidRequest for unknown parameter names."""
+    """Raise InvalidRequest for unknown parameter names, and for faults that do not fit their device."""
     parameters = world.description.parameters
-    unknown = [name for name in names if name not in parameters]
+    unknown: list[str] = []
+    for name in names:
+        if is_fault(name):
+            fault = check_fault_name(name, world.description)
+            if fault.kind == SATURATED:
+                check_saturable(fault.device, world)
+        elif name not in parameters:
+            unknown.append(name)
     if unknown:
         known = ", ".join(parameters) or "none"
         raise InvalidRequest(f"unknown parameter {', '.join(unknown)}; parameters of this world: {known}")

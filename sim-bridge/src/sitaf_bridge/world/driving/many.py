@@ -1,5 +1,6 @@
 """Prepares many cases, each from a clean reset, on several threads."""
 
+import math
 import threading
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -9,10 +10,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sitaf_bridge.errors import Cancelled, Diverged, InvalidRequest, UnreachableValue
-from sitaf_bridge.world.devices import KINDS, DeviceDeclaration
+from sitaf_bridge.world.devices import KINDS, DeviceDeclaration, Reading
 from sitaf_bridge.world.driving.batch import BatchRun, can_batch
 from sitaf_bridge.world.driving.checking import check_names, check_values, steps_in
 from sitaf_bridge.world.driving.simulation import Simulation
+from sitaf_bridge.world.sensing.fault_names import FaultName, check_fault_name, check_fault_value, is_fault
+from sitaf_bridge.world.sensing.fault_schedule import FaultSchedule
+from sitaf_bridge.world.sensing.sensing import Sensing
 from sitaf_bridge.world.state import WorldState
 from sitaf_bridge.world.world import World
 
@@ -68,10 +72,39 @@ def prepare_many(
             rows = slice(first, min(first + CHUNK, count))
             strange = run.prepare(cases.values[rows], steps, job.readings[rows])
             odd += [first + index for index in strange]
-        left = odd
+        left = sorted({*odd, *_add_faults(job, steps)})
     if left:
         diverged = _one_by_one(job, left, threads, simulation, is_active)
     return columns, job.readings, diverged
+
+
+def _add_faults(job: _Job, steps: int) -> list[int]:
+    """Add the faults to the readings of a batch; returns the rows whose past must be simulated."""
+    columns = [i for i, name in enumerate(job.cases.names) if is_fault(name)]
+    if not columns:
+        return []
+    names = [job.cases.names[i] for i in columns]
+    schedules: dict[tuple[float, ...], FaultSchedule] = {}
+    left: list[int] = []
+    sensing = Sensing(job.world, job.seed)
+    for row, given in enumerate(map(tuple, job.cases.values[:, columns].tolist())):
+        schedule = schedules.get(given)
+        if schedule is None:
+            values = dict(zip(names, given, strict=True))
+            schedule = schedules[given] = FaultSchedule().updated(job.world, values, names, steps)
+        if not schedule.of_readings:
+            continue
+        if steps and schedule.needs_past(0):
+            left.append(row)
+            continue
+        sensing.follow(schedule)
+        numbers = job.readings[row]
+        # Each device of a batch has one number.
+        readings = [Reading(device, (numbers.item(i),)) for i, device in enumerate(job.devices)]
+        for i, reading in enumerate(sensing.faulty(steps, readings)):
+            numbers[i] = reading.values[0]
+        sensing.follow(FaultSchedule())
+    return left
 
 
 def _one_by_one(
@@ -140,14 +173,29 @@ def _check(world: World, cases: Cases) -> None:
     if len(set(cases.names)) != len(cases.names):
         raise InvalidRequest("parameters: a name is given twice")
     check_names(world, cases.names)
-    low = np.array([world.description.parameters[name].low for name in cases.names])
-    high = np.array([world.description.parameters[name].high for name in cases.names])
+    parameters = [(i, world.description.parameters[n]) for i, n in enumerate(cases.names) if not is_fault(n)]
+    places = [i for i, _ in parameters]
+    low, high = np.array([p.low for _, p in parameters]), np.array([p.high for _, p in parameters])
+    numbers = cases.values[:, places]
     with np.errstate(invalid="ignore"):
-        bad = ~((cases.values >= low) & (cases.values <= high))
+        bad = ~((numbers >= low) & (numbers <= high)).all(axis=1)
+    for i, name in enumerate(cases.names):
+        if is_fault(name):
+            fault = check_fault_name(name, world.description)
+            wrong = [value for value in set(cases.values[:, i].tolist()) if not _fits(name, fault, value)]
+            bad |= np.isin(cases.values[:, i], wrong) | np.isnan(cases.values[:, i])
     if bad.any():
-        row = int(np.flatnonzero(bad.any(axis=1))[0])
+        row = int(np.flatnonzero(bad)[0])
         values = dict(zip(cases.names, cases.values[row].tolist(), strict=True))
         try:
             check_values(world, values)
         except (InvalidRequest, UnreachableValue) as error:
             raise type(error)(f"case {row}: {error}") from error
+
+
+def _fits(name: str, fault: FaultName, value: float) -> bool:
+    try:
+        check_fault_value(name, fault, value)
+    except UnreachableValue:
+        return False
+    return math.isfinite(value)

@@ -7,11 +7,13 @@ import mujoco
 
 from sitaf_bridge.errors import Cancelled, Diverged
 from sitaf_bridge.world.devices import Reading
+from sitaf_bridge.world.driving.commanding import Commanding, Moment
 from sitaf_bridge.world.driving.divergence import Divergence
 from sitaf_bridge.world.driving.integration import integration_of
 from sitaf_bridge.world.driving.motion import MotionRecording
 from sitaf_bridge.world.driving.signals import SignalRecording
 from sitaf_bridge.world.parameters.settings import INTEGRATION, Setting
+from sitaf_bridge.world.sensing.fault_schedule import FaultSchedule
 from sitaf_bridge.world.sensing.sensing import Sensing
 from sitaf_bridge.world.state import WorldState
 from sitaf_bridge.world.world import World
@@ -31,6 +33,7 @@ class RunningWorld:
         self._motion: MotionRecording | None = None
         self._signals: SignalRecording | None = None
         self._sensing = Sensing(world, seed)
+        self._commanding = Commanding()
         self._enter(world)
 
     @property
@@ -64,12 +67,13 @@ class RunningWorld:
 
     def _run_sampled(self, signals: SignalRecording, steps: int, is_active: Callable[[], bool]) -> None:
         """Advance time with a sample before each step but the first one, whose state was sampled before."""
-        every = self._sensing.keeps_past(self._data)
+        every = self._sensing.keeps_past(self._data, self._step)
         if every or self._motion is not None or self._step == 0:
             self._observe()
             if self._step == 0:
                 self._sample()
         model, data, sensing = self._model, self._data, self._sensing
+        changes = sensing.schedule.changes
         integrate = integration_of(model)
         for count in range(steps):
             if count % 500 == 0:
@@ -79,11 +83,13 @@ class RunningWorld:
                     return
             mujoco.mj_checkPos(model, data)
             mujoco.mj_checkVel(model, data)
+            if self._step in changes:
+                self._refresh_commands()
             mujoco.mj_forward(model, data)
             if count:
                 signals.sample(model, data, self._step, sensing)
-                # Delayed devices need the readings of every step.
-                if every:
+                # Delayed devices need the readings of every step, a stuck device the one at which it sticks.
+                if every or self._step in changes:
                     self._read()
                 if self._motion is not None and self._motion.is_due(self._step):
                     self._observe()
@@ -96,15 +102,20 @@ class RunningWorld:
             self._run_sampled(signals, steps, is_active)
             return
         left, motion = steps, self._motion
-        every = left > 0 and self._sensing.keeps_past(self._data)
+        every = left > 0 and self._sensing.keeps_past(self._data, self._step)
+        schedule = self._sensing.schedule
         # Devices that nobody reads during the run and that are not recorded, such as laser scans.
         without = frozenset() if motion is None or every else motion.omitted_kinds
         if left > 0 and (every or motion is not None):
             self._observe(without)
+        if self._step in schedule.changes:
+            self._refresh_commands()
         while left > 0:
             if not is_active():
                 raise Cancelled("the caller disconnected; the step was undone")
             chunk = min(left, CHUNK, CHUNK if motion is None else motion.steps_to_next(self._step))
+            if schedule.changes:
+                chunk = min(chunk, schedule.steps_to_change(self._step) or chunk)
             if every:
                 for _ in range(chunk):
                     mujoco.mj_step(self._model, self._data)
@@ -117,8 +128,22 @@ class RunningWorld:
             left -= chunk
             if left > 0 and self._divergence.seen():
                 return
+            if left > 0 and self._step in schedule.changes:
+                self._refresh_commands()
+                # A stuck device holds its reading at the step at which it sticks.
+                mujoco.mj_forward(self._model, self._data)
+                self._read()
             if left > 0 and motion is not None:
                 self._observe(without)
+
+    def _refresh_commands(self, before: FaultSchedule | None = None) -> None:
+        """Let commands follow the faults that begin or end at this step, or are no longer in the schedule."""
+        schedule = self._sensing.schedule
+        devices = dict.fromkeys((*(before or schedule).of_commands, *schedule.of_commands))
+        self._commanding.refresh(devices, self._now())
+
+    def _now(self) -> Moment:
+        return Moment(self.world, self._model, self._data, self._sensing.schedule, self._step)
 
     def _refresh(self) -> WorldState:
         """Update derived quantities: after mj_step, sensor data lag by one substep."""

@@ -9,6 +9,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
+from sitaf_bridge.world.devices import Command
 from sitaf_bridge.world.parameters.settings import Setting
 from sitaf_bridge.world.sensing.sensing import Memory
 from sitaf_bridge.world.state import WorldState
@@ -26,6 +27,7 @@ class SavedState:
     step: int
     frozen: str | None
     memory: Memory
+    followed: Mapping[str, Command]
 
 
 @dataclass(frozen=True)

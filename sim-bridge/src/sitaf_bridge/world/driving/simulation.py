@@ -12,7 +12,6 @@ from sitaf_bridge.world.devices import Command
 from sitaf_bridge.world.devices.camera import CameraBank, Image
 from sitaf_bridge.world.driving import entities
 from sitaf_bridge.world.driving.checking import check_names, check_step_count, check_values, steps_in
-from sitaf_bridge.world.driving.commanding import give
 from sitaf_bridge.world.driving.conditions import Condition, bind_condition
 from sitaf_bridge.world.driving.entities import Motion
 from sitaf_bridge.world.driving.motion import MotionRecording
@@ -22,6 +21,7 @@ from sitaf_bridge.world.driving.signals import SignalRecording, Trace
 from sitaf_bridge.world.parameters.settings import INTEGRATION
 from sitaf_bridge.world.parameters.start import enter
 from sitaf_bridge.world.scene.drawing import draw
+from sitaf_bridge.world.sensing.fault_names import is_fault, split
 from sitaf_bridge.world.sensing.faults import Fault
 from sitaf_bridge.world.state import ResetScope, WorldState
 from sitaf_bridge.world.world import World, load_world
@@ -57,22 +57,25 @@ class Simulation(RunningWorld):
         """The current values of the named parameters, or of all. Raises InvalidRequest."""
         names = list(names) or list(self._values)
         check_names(self._pristine, names)
-        return {name: self._values[name] for name in names}
+        return {name: self._values[name] if name in self._values else split(name).default for name in names}
 
     def set(self, values: Mapping[str, float]) -> WorldState:
         """Set parameters without advancing time."""
         self._check_not_frozen()
         check_values(self._pristine, values)
-        return self._all_or_nothing(lambda: self._apply(values))
+
+        def changed() -> None:
+            self._apply(values)
+            self._schedule(values, self._step)
+
+        return self._all_or_nothing(changed)
 
     def write(self, commands: Sequence[Command]) -> WorldState:
         """Set actuator commands, which act when time advances. Raises InvalidRequest, UnreachableValue."""
         self._check_not_frozen()
 
         def written() -> None:
-            give(commands, self.world, self._model, self._data)
-            if self._signals is not None:
-                self._signals.give(commands)
+            self._give(commands)
 
         return self._all_or_nothing(written)
 
@@ -82,6 +85,7 @@ class Simulation(RunningWorld):
             return self._restore_defaults()
         self._check_not_frozen()
         if scope is ResetScope.TIME:
+            self._sensing.schedule = self._sensing.schedule.shifted(-self._step)
             self._step = 0
             self._data.time = 0.0
             self._sensing.clear_history()
@@ -104,22 +108,30 @@ class Simulation(RunningWorld):
 
         def stepped() -> None:
             self._apply(values or {})
-            give(commands, self.world, self._model, self._data)
-            if self._signals is not None:
-                self._signals.give(commands)
+            self._schedule(values or {}, self._step)
+            self._give(commands)
             self._run(steps, is_active)
 
         return self._all_or_nothing(stepped)
 
     def prepare(
-        self, values: Mapping[str, float], settle_ns: int, is_active: Callable[[], bool] = lambda: True
+        self,
+        values: Mapping[str, float],
+        settle_ns: int,
+        is_active: Callable[[], bool] = lambda: True,
+        call_after_ns: int = 0,
     ) -> WorldState:
-        """Reset everything, set parameters (others to their defaults), and advance the settling time."""
+        """Reset everything, set parameters (others to their defaults), and advance the settling time.
+
+        The onsets of faults count from the call under test, which begins `call_after_ns` after that.
+        """
         check_values(self._pristine, values)
         steps = steps_in(self._pristine, settle_ns, "settle_ns")
+        call = steps + steps_in(self._pristine, call_after_ns, "call_after_ns")
 
         def prepared() -> None:
             self._restore_initial({**self._defaults, **values})
+            self._schedule(values, call)
             self._run(steps, is_active, settles=True)
 
         state = self._all_or_nothing(prepared)
@@ -145,11 +157,13 @@ class Simulation(RunningWorld):
                     return
                 if count % 500 == 0 and not is_active():
                     raise Cancelled("the caller disconnected; the advance was undone")
+                if self._step in self._sensing.schedule.changes:
+                    self._refresh_commands()
                 mujoco.mj_step(self._model, self._data)
                 self._step += 1
                 mujoco.mj_forward(self._model, self._data)
                 self._sample()
-                if self._sensing.keeps_past(self._data):
+                if self._sensing.keeps_past(self._data, self._step) or self._step in self._sensing.schedule.changes:
                     self._read()
                 if self._motion is not None and self._motion.is_due(self._step):
                     self._observe()
@@ -163,7 +177,14 @@ class Simulation(RunningWorld):
         state = np.empty(self._state_size)
         mujoco.mj_getState(self._model, self._data, state, INTEGRATION)
         return SavedState(
-            self.world, state, self._settings(), dict(self._values), self._step, self._frozen, self._sensing.memory()
+            self.world,
+            state,
+            self._settings(),
+            dict(self._values),
+            self._step,
+            self._frozen,
+            self._sensing.memory(),
+            self._commanding.memory(),
         )
 
     def restore(self, kept: SavedState) -> WorldState:
@@ -279,6 +300,7 @@ class Simulation(RunningWorld):
         mujoco.mj_setState(self._model, self._data, kept.state, INTEGRATION)
         self._values, self._step, self._frozen = dict(kept.values), kept.step, kept.frozen
         self._sensing.remember(kept.memory)
+        self._commanding.remember(kept.followed)
 
     def _all_or_nothing(self, change: Callable[[], None]) -> WorldState:
         """Apply a change; undo it if it is rejected, freeze the simulation if it diverges."""
@@ -291,18 +313,34 @@ class Simulation(RunningWorld):
             raise
         return self._refresh()
 
+    def _schedule(self, values: Mapping[str, float], step: int) -> None:
+        """Let the faults among parameters begin, counted from a step."""
+        faults = {name: value for name, value in values.items() if is_fault(name)}
+        if faults:
+            self._values.update(faults)
+            before = self._sensing.schedule
+            self._sensing.follow(before.updated(self._pristine, self._values, faults, step))
+            self._refresh_commands(before)
+
+    def _give(self, commands: Sequence[Command]) -> None:
+        self._commanding.give(commands, self._now())
+        if self._signals is not None:
+            self._signals.give(commands)
+
     def _restore_initial(self, values: Mapping[str, float]) -> None:
         """Restore the initial state with these parameters; model edits are undone by setting their values."""
         if self.world is not self._pristine:
             self._enter(self._pristine)
         self._reset_data()
         self._sensing.reset()
+        self._commanding.reset()
         if self._motion is not None:
             self._motion.restart()
         if self._signals is not None:
             self._signals.restart()
         self._step = 0
         self._frozen = None
+        self._values = {}
         self._sensing.set_knobs(self._model, self._data)
         self._apply(values)
 
@@ -312,6 +350,7 @@ class Simulation(RunningWorld):
             self._enter(self._pristine)
         self._begun.restore(self._model, self._data, self._model_settings)
         self._sensing.reset()
+        self._commanding.reset()
         self._values = dict(self._defaults)
         self._step, self._frozen, self._state = 0, None, self._begun.state
         if self._signals is not None:
